@@ -1,0 +1,15 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+#
+# Flags of every target of ours: link to glark_options.
+add_library(glark_options INTERFACE)
+target_include_directories(glark_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
+target_compile_options(glark_options INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion>
+  $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${GLARK_WERROR}>>:-Werror>)
+# Bits are compared across machines and builds: no contraction of a*b+c on the CPU side.
+target_compile_options(glark_options INTERFACE -ffp-contract=off)
+if(GLARK_SANITIZE)
+  target_compile_options(glark_options INTERFACE -fsanitize=${GLARK_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(glark_options INTERFACE -fsanitize=${GLARK_SANITIZE})
+endif()

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Derivation of the refinement program: the application's vertex stage, rewritten to run on refined vertices.
+// Text in, text out; no GL.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glark/core/capture/record.h"
+#include "glark/core/refinement.h"
+
+namespace glark::refine {
+
+// Names of the vertex inputs of a derived program; the caller binds their locations before linking.
+inline constexpr const char* lattice_input = "glark_lattice";     // vec2: local barycentrics lu, lv in [0, 1]
+inline constexpr const char* patch_input = "glark_patch";         // vec4: placement of the piece
+inline constexpr const char* chunk_input_prefix = "glark_chunk";  // vec4 glark_chunk0, glark_chunk1, ...: words of the coarse record
+
+struct DeriveRequest {
+  std::vector<std::string> vertex_sources;  // one per vertex shader object, as compiled by the application
+  bool es = false;                          // OpenGL ES context
+  int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
+  capture::Layout layout;                   // where the coarse record holds each input
+  core::Refinement refinement = core::Refinement::linear_inputs;
+  int provoking_corner = 2;                 // corner whose value a flat output takes
+  bool flat_colors = false;                 // glShadeModel(GL_FLAT): built-in colours are flat
+  std::string refinement_source;            // the application's own refinement shader (glRefinementShaderSourceARK), or empty
+};
+
+// What the vertex stage does that decides whether and how it can be refined.
+struct VertexStageTraits {
+  bool reads_vertex_id = false;     // gl_VertexID (or gl_BaseVertex, gl_DrawID, ...): outputs must be interpolated
+  bool reads_instance_id = false;
+  bool has_side_effects = false;    // image stores, buffer writes, atomics
+  bool writes_flat_outputs = false;
+  bool has_subroutines = false;
+};
+
+struct Inspection {
+  bool ok = false;
+  VertexStageTraits traits;
+  std::string error;  // one line: which construct, why, what the user can do
+};
+
+struct Derivation {
+  bool ok = false;
+  std::vector<std::string> vertex_sources;  // as many as in the request
+  std::string error;
+};
+
+// Parses the vertex stage. Never throws; malformed GLSL gives ok = false and an error that names the line.
+Inspection inspect_vertex_stage(const std::vector<std::string>& vertex_sources, bool es);
+
+// Rewrites the vertex stage. With `reads_vertex_id` the caller asks for Refinement::linear_outputs.
+Derivation derive_vertex_stage(const DeriveRequest& request);
+
+}  // namespace glark::refine

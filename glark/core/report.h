@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What the core tells its host: log lines and counters. The core never prints; the host installs a sink.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <string_view>
+
+namespace glark::core {
+
+enum class LogLevel { error, warning, info, debug };
+
+// Installed by the shim or a test; nullptr discards. Called from any thread.
+using LogSink = void (*)(LogLevel level, std::string_view message);
+void set_log_sink(LogSink sink);
+void log(LogLevel level, std::string_view message);
+
+// Why a draw was left as the application asked for it.
+enum class Cause {
+  ark_disabled,         // never counted: the draw does not reach the pipeline
+  not_triangles,        // points, lines, patches, adjacency
+  context_too_old,      // below OpenGL 4.3 / OpenGL ES 3.2
+  level_zero,           // uniform level 0 with a built-in refinement: the original is the refined draw
+  no_program,           // nothing bound that could be refined
+  program_not_derived,  // the derived program could not be built
+  program_pipeline,     // separable programs
+  program_binary,       // no source to derive from
+  assembly_program,     // ARB vertex program
+  tessellation,         // the application has tessellation stages
+  too_many_attributes,  // the coarse record does not fit
+  side_effects,         // vertex stage writes buffers, images or atomics
+  transform_feedback,   // the application captures
+  primitive_query,      // the application counts primitives
+  polygon_mode,         // lines or points asked for
+  render_mode,          // select or feedback
+  rasterizer_discard,   // nothing would be seen
+  indirect_unbounded,   // a count that only the GPU knows and that cannot be bounded
+  display_list,         // a list that cannot be cut into draws
+  invalid_draw,         // GL will raise an error
+  out_of_memory,        // no room for the capture
+  count_
+};
+inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::count_);
+
+// `key` as in the statistics file; `remedy` completes the log line.
+struct CauseText {
+  std::string_view key;
+  std::string_view explanation;
+  std::string_view remedy;
+};
+const CauseText& text_of(Cause cause);
+
+// Process-wide counters; relaxed atomics.
+struct Statistics {
+  std::atomic<std::uint64_t> draws_seen{0};
+  std::atomic<std::uint64_t> draws_refined{0};
+  std::array<std::atomic<std::uint64_t>, cause_count> passed_through{};
+  std::atomic<std::uint64_t> coarse_triangles{0};
+  // Exact for uniform draws; adaptive draws count on the GPU and are added when the buffer is next reused.
+  std::atomic<std::uint64_t> refined_triangles{0};
+  std::atomic<std::uint64_t> captures_made{0};
+  std::atomic<std::uint64_t> captures_reused{0};
+  std::atomic<std::uint64_t> programs_derived{0};
+  std::atomic<std::uint64_t> programs_failed{0};
+  std::atomic<std::uint64_t> frames{0};
+};
+Statistics& statistics();
+
+}  // namespace glark::core
