@@ -14,7 +14,7 @@
 namespace glark::refine {
 
 // Names of the vertex inputs of a derived program; the caller binds their locations before linking.
-inline constexpr const char* lattice_input = "glark_lattice";     // vec2: local barycentrics lu, lv in [0, 1]
+inline constexpr const char* lattice_input = "glark_lattice";     // vec2: local barycentrics lu, lv in units of 2^-15
 inline constexpr const char* patch_input = "glark_patch";         // vec4: placement of the piece
 inline constexpr const char* chunk_input_prefix = "glark_chunk";  // vec4 glark_chunk0, glark_chunk1, ...: words of the coarse record
 
@@ -27,6 +27,7 @@ struct DeriveRequest {
   int provoking_corner = 2;                 // corner whose value a flat output takes
   bool flat_colors = false;                 // glShadeModel(GL_FLAT): built-in colours are flat
   std::string refinement_source;            // the application's own refinement shader (glRefinementShaderSourceARK), or empty
+  std::vector<std::string> extensions;      // of the context ("GL_ARB_..."): which GL_ macros its preprocessor defines; empty: unknown
 };
 
 // What the vertex stage does that decides whether and how it can be refined.
@@ -51,7 +52,9 @@ struct Derivation {
 };
 
 // Parses the vertex stage. Never throws; malformed GLSL gives ok = false and an error that names the line.
-Inspection inspect_vertex_stage(const std::vector<std::string>& vertex_sources, bool es);
+// `extensions` as in DeriveRequest.
+Inspection inspect_vertex_stage(const std::vector<std::string>& vertex_sources, bool es,
+                                const std::vector<std::string>& extensions = {});
 
 // Rewrites the vertex stage. With `reads_vertex_id` the caller asks for Refinement::linear_outputs.
 Derivation derive_vertex_stage(const DeriveRequest& request);

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Based on: the design's capture by transform feedback. The thesis (Boubekeur 2007, ch. 7.2.3) sends the attributes of
+// each coarse triangle as uniforms; here GL's own vertex processing front end delivers them, whatever the draw call.
+#include "glark/core/capture/capture.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "glark/core/report.h"
+
+namespace glark::capture {
+namespace {
+
+constexpr GLsizeiptr initial_ring_bytes = GLsizeiptr{4} << 20;
+constexpr GLsizeiptr largest_capture_bytes = GLsizeiptr{1} << 30;
+constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
+
+GLsizeiptr bytes_of(const Layout& layout, std::uint64_t triangles) {
+  return static_cast<GLsizeiptr>(triangles) * layout.triangle_words() * 4;
+}
+
+GLuint compile(const gl::Dispatch& gl, GLenum stage, const std::string& source) {
+  const GLuint shader = gl.CreateShader(stage);
+  const char* text = source.c_str();
+  gl.ShaderSource(shader, 1, &text, nullptr);
+  gl.CompileShader(shader);
+  return shader;
+}
+
+}  // namespace
+
+GLuint CaptureStage::program_for(const Layout& layout, GLuint tag_attribute) {
+  CaptureSources sources = capture_sources(layout, language_, tag_attribute);
+  const auto found = programs_.find(sources.vertex);
+  if (found != programs_.end()) {
+    return found->second;
+  }
+  const GLuint program = build(sources);
+  programs_.emplace(std::move(sources.vertex), program);
+  return program;
+}
+
+GLuint CaptureStage::build(const CaptureSources& sources) const {
+  const GLuint program = gl_.CreateProgram();
+  std::vector<GLuint> shaders{compile(gl_, GL_VERTEX_SHADER, sources.vertex)};
+  if (!sources.fragment.empty()) {
+    shaders.push_back(compile(gl_, GL_FRAGMENT_SHADER, sources.fragment));
+  }
+  for (const GLuint shader : shaders) {
+    gl_.AttachShader(program, shader);
+  }
+  std::vector<const char*> varyings;
+  for (const std::string& varying : sources.varyings) {
+    varyings.push_back(varying.c_str());
+  }
+  gl_.TransformFeedbackVaryings(program, static_cast<GLsizei>(varyings.size()), varyings.data(), GL_INTERLEAVED_ATTRIBS);
+  gl_.LinkProgram(program);
+  GLint linked = GL_FALSE;
+  gl_.GetProgramiv(program, GL_LINK_STATUS, &linked);
+  for (const GLuint shader : shaders) {
+    gl_.DetachShader(program, shader);
+    gl_.DeleteShader(shader);
+  }
+  if (linked == GL_FALSE) {
+    std::array<char, 1024> text{};
+    gl_.GetProgramInfoLog(program, static_cast<GLsizei>(text.size()), nullptr, text.data());
+    core::log(core::LogLevel::warning, std::string("capture program does not link: ") + text.data());
+    gl_.DeleteProgram(program);
+    return 0;
+  }
+  return program;
+}
+
+bool CaptureStage::can_reserve(const Layout& layout, std::uint64_t triangles) const {
+  return triangles <= static_cast<std::uint64_t>(largest_capture_bytes) / static_cast<std::uint64_t>(std::max(1, layout.triangle_words() * 4));
+}
+
+bool CaptureStage::has_room(const Layout& layout, std::uint64_t triangles) const {
+  return feedback_ != 0 && cursor_ + bytes_of(layout, triangles) + chunk_overrun <= ring_.size();
+}
+
+bool CaptureStage::reserve(const Layout& layout, std::uint64_t triangles) {
+  if (feedback_ == 0) {
+    gl_.GenTransformFeedbacks(1, &feedback_);
+    gl_.GenQueries(1, &query_);
+    const CountCommand command;
+    if (!count_command_.allocate(gl_, sizeof(command), &command, GL_DYNAMIC_COPY)) {
+      return false;
+    }
+  }
+  const GLsizeiptr needed = bytes_of(layout, triangles) + chunk_overrun;
+  if (cursor_ + needed <= ring_.size()) {
+    return true;
+  }
+  cursor_ = 0;
+  if (needed <= ring_.size()) {
+    return true;
+  }
+  return ring_.reserve(gl_, std::max(needed, initial_ring_bytes), GL_DYNAMIC_COPY);
+}
+
+void CaptureStage::bind_target(GLuint buffer, GLintptr offset, GLsizeiptr size, const core::Bindings& bindings) const {
+  if (gl_.TransformFeedbackBufferRange != nullptr) {
+    gl_.TransformFeedbackBufferRange(feedback_, 0, buffer, offset, size);
+  } else {
+    gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, offset, size);
+    gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);  // only the generic point: the object keeps its own
+  }
+}
+
+void CaptureStage::begin(GLuint program, const core::Bindings& bindings, bool exact, core::GpuBuffer* own_buffer) {
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
+  if (own_buffer != nullptr) {
+    target_ = own_buffer->name();
+    target_offset_ = 0;
+    bind_target(target_, 0, own_buffer->size(), bindings);
+  } else {
+    target_ = ring_.name();
+    target_offset_ = cursor_;
+    bind_target(target_, cursor_, ring_.size() - cursor_, bindings);
+  }
+  counting_ = !exact;
+  gl_.UseProgram(program);
+  if (!bindings.rasterizer_discard) {
+    gl_.Enable(GL_RASTERIZER_DISCARD);
+  }
+  if (counting_) {
+    gl_.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query_);
+  }
+  gl_.BeginTransformFeedback(GL_TRIANGLES);
+}
+
+CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings) {
+  gl_.EndTransformFeedback();
+  CoarseTriangles result{target_, target_offset_, static_cast<std::uint32_t>(triangles), false};
+  if (counting_) {
+    gl_.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+    if (query_buffer_) {
+      gl_.BindBuffer(GL_QUERY_BUFFER, count_command_.name());
+      gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, reinterpret_cast<GLuint*>(offsetof(CountCommand, instance_count)));
+      gl_.BindBuffer(GL_QUERY_BUFFER, bindings.query_buffer);
+      result.count_on_gpu = true;
+    } else {
+      GLuint written = 0;
+      gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &written);
+      result.count = std::min(result.count, written);
+    }
+  }
+  if (!bindings.rasterizer_discard) {
+    gl_.Disable(GL_RASTERIZER_DISCARD);
+  }
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
+  if (target_ == ring_.name()) {
+    cursor_ += bytes_of(layout, triangles);
+  }
+  return result;
+}
+
+void CaptureStage::release() {
+  for (const auto& [text, program] : programs_) {
+    gl_.DeleteProgram(program);
+  }
+  programs_.clear();
+  if (feedback_ != 0) {
+    gl_.DeleteTransformFeedbacks(1, &feedback_);
+    gl_.DeleteQueries(1, &query_);
+    feedback_ = query_ = 0;
+  }
+  ring_.release(gl_);
+  count_command_.release(gl_);
+}
+
+}  // namespace glark::capture

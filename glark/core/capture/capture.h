@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The application's own draw, issued once into a buffer: its coarse triangles with all their attributes.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "glark/core/bindings.h"
+#include "glark/core/capture/layout.h"
+#include "glark/core/gpu_buffer.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::capture {
+
+// Where the coarse records of a draw are. The buffer belongs to the capture stage; the records of the ring
+// are valid until the next capture, those of the cache until their entry is dropped.
+struct CoarseTriangles {
+  GLuint buffer = 0;
+  GLintptr offset = 0;
+  std::uint32_t count = 0;  // exact, or a bound if `count_on_gpu`
+  bool count_on_gpu = false;
+};
+
+// A DrawElementsIndirectCommand: its instance count is where the GPU writes a count that the CPU does not know.
+struct CountCommand {
+  std::uint32_t index_count = 0;
+  std::uint32_t instance_count = 0;
+  std::uint32_t first_index = 0;
+  std::int32_t base_vertex = 0;
+  std::uint32_t base_instance = 0;
+};
+
+class CaptureStage {
+ public:
+  CaptureStage(const gl::Dispatch& gl, Language language, bool query_buffer) : gl_(gl), language_(language), query_buffer_(query_buffer) {}
+
+  // Program that captures `layout`, built on first use; 0 if it cannot be. Rare path: wrap in an ErrorScope.
+  GLuint program_for(const Layout& layout, GLuint tag_attribute);
+
+  // Room for `triangles` records in `ring`; false without memory. Rare path inside when the ring must grow.
+  bool reserve(const Layout& layout, std::uint64_t triangles);
+  // From here to end() the draws of the application are captured. `exact`: the caller knows the number of triangles.
+  void begin(GLuint program, const core::Bindings& bindings, bool exact, core::GpuBuffer* own_buffer);
+  CoarseTriangles end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings);
+
+  GLuint count_buffer() const { return count_command_.name(); }
+  const core::GpuBuffer& count_command() const { return count_command_; }
+  bool can_reserve(const Layout& layout, std::uint64_t triangles) const;
+  bool has_room(const Layout& layout, std::uint64_t triangles) const;
+  void release();
+
+ private:
+  GLuint build(const CaptureSources& sources) const;
+  void bind_target(GLuint buffer, GLintptr offset, GLsizeiptr size, const core::Bindings& bindings) const;
+
+  const gl::Dispatch& gl_;
+  Language language_;
+  bool query_buffer_;
+  std::map<std::string, GLuint> programs_;  // by vertex source
+  GLuint feedback_ = 0;
+  GLuint query_ = 0;
+  core::GpuBuffer ring_;
+  core::GpuBuffer count_command_;
+  GLintptr cursor_ = 0;
+  // of the capture under way
+  GLuint target_ = 0;
+  GLintptr target_offset_ = 0;
+  bool counting_ = false;
+};
+
+}  // namespace glark::capture

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/context.h"
+
+#include <cstring>
+#include <string>
+
+#include "glark/core/pipeline.h"
+#include "glark/core/report.h"
+
+namespace glark::core {
+namespace {
+
+bool has_extension(const gl::Dispatch& gl, std::string_view name) {
+  GLint count = 0;
+  gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i) {
+    const auto* text = reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+    if (text != nullptr && name == text) {
+      return true;
+    }
+  }
+  return false;
+}
+
+GLint get(const gl::Dispatch& gl, GLenum name) {
+  GLint value = 0;
+  gl.GetIntegerv(name, &value);
+  return value;
+}
+
+}  // namespace
+
+std::shared_ptr<ShareGroup> make_share_group() { return std::make_shared<ShareGroup>(); }
+
+Context::Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group, const ContextOptions& wanted)
+    : gl(dispatch), share(std::move(group)), options(wanted) {}
+
+Context::~Context() = default;
+
+std::unique_ptr<Context> Context::create(const gl::Dispatch& gl, std::shared_ptr<ShareGroup> share, const ContextOptions& options) {
+  std::unique_ptr<Context> context(new Context(gl, std::move(share), options));
+  context->read_capabilities();
+  if (context->capabilities.refinable) {
+    context->pipeline = std::make_unique<Pipeline>(*context);
+    context->ark.tag_attribute = static_cast<GLuint>(context->capabilities.max_vertex_attributes - 1);
+  }
+  context->update_refining();
+  return context;
+}
+
+void Context::read_capabilities() {
+  if (gl.GetString == nullptr || gl.GetIntegerv == nullptr) {
+    return;
+  }
+  ErrorScope errors(*this);
+  const auto* version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
+  if (version == nullptr) {
+    return;
+  }
+  const std::string text(version);
+  const bool es = text.rfind("OpenGL ES", 0) == 0;
+  const std::size_t digit = text.find_first_of("0123456789");
+  if (digit == std::string::npos || digit + 2 >= text.size()) {
+    return;
+  }
+  capabilities.version = (text[digit] - '0') * 10 + (text[digit + 2] - '0');
+  if (es) {
+    capabilities.api = Capabilities::Api::es;
+    capabilities.refinable = capabilities.version >= 32;
+  } else {
+    const bool core = capabilities.version >= 32 && (get(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
+    capabilities.api = core ? Capabilities::Api::core : Capabilities::Api::compatibility;
+    capabilities.refinable = capabilities.version >= 43;
+  }
+  if (!capabilities.refinable) {
+    log(LogLevel::warning, "context " + text + " is below OpenGL 4.3 and OpenGL ES 3.2: its draws stay as they are");
+    return;
+  }
+  capabilities.query_buffer = !es && (capabilities.version >= 44 || has_extension(gl, "GL_ARB_query_buffer_object"));
+  capabilities.multi_draw_indirect = !es || (has_extension(gl, "GL_EXT_multi_draw_indirect") && has_extension(gl, "GL_EXT_base_instance"));
+  capabilities.max_vertex_attributes = get(gl, GL_MAX_VERTEX_ATTRIBS);
+  capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
+}
+
+void Context::release() {
+  if (pipeline != nullptr) {
+    pipeline->release();
+  }
+}
+
+void Context::frame_finished() {
+  if (pipeline != nullptr) {
+    pipeline->frame_finished();
+  }
+}
+
+std::span<const UniformMirror> Context::uniform_mirrors() const {
+  return current_program != nullptr ? std::span<const UniformMirror>(current_program->mirrors) : std::span<const UniformMirror>();
+}
+
+std::span<const UniformMirror> Context::uniform_mirrors(GLuint program) const {
+  const std::lock_guard lock(share->mutex);
+  const auto found = share->programs.find(program);
+  return found != share->programs.end() ? std::span<const UniformMirror>(found->second->mirrors) : std::span<const UniformMirror>();
+}
+
+void Context::update_refining() {
+  refining = capabilities.refinable && (options.transparent || (ark.enabled && ark.pool_level >= 0) || list.cutting);
+}
+
+void Context::raise(GLenum error) {
+  if (pending_error == GL_NO_ERROR) {
+    pending_error = error;
+  }
+}
+
+void Context::refresh_bindings() {
+  if (!bindings_stale) {
+    return;
+  }
+  bindings_stale = false;
+  const bool desktop = capabilities.api != Capabilities::Api::es;
+  Bindings& b = bindings;
+  b.program = static_cast<GLuint>(get(gl, GL_CURRENT_PROGRAM));
+  b.pipeline = static_cast<GLuint>(get(gl, GL_PROGRAM_PIPELINE_BINDING));
+  b.vertex_array = static_cast<GLuint>(get(gl, GL_VERTEX_ARRAY_BINDING));
+  b.transform_feedback = static_cast<GLuint>(get(gl, GL_TRANSFORM_FEEDBACK_BINDING));
+  b.transform_feedback_active = get(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
+  b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
+  b.draw_indirect_buffer = static_cast<GLuint>(get(gl, GL_DRAW_INDIRECT_BUFFER_BINDING));
+  b.query_buffer = capabilities.query_buffer ? static_cast<GLuint>(get(gl, GL_QUERY_BUFFER_BINDING)) : 0;
+  b.parameter_buffer = desktop && capabilities.version >= 46 ? static_cast<GLuint>(get(gl, GL_PARAMETER_BUFFER_BINDING)) : 0;
+  b.feedback_buffer = static_cast<GLuint>(get(gl, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING));
+  b.storage_buffer = static_cast<GLuint>(get(gl, GL_SHADER_STORAGE_BUFFER_BINDING));
+  for (GLuint i = 0; i < b.storage.size(); ++i) {
+    GLint buffer = 0;
+    GLint64 offset = 0;
+    GLint64 size = 0;
+    gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, i, &buffer);
+    gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, i, &offset);
+    gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, i, &size);
+    b.storage[i] = {static_cast<GLuint>(buffer), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size)};
+  }
+  b.rasterizer_discard = gl.IsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE;
+  b.primitive_restart_fixed = gl.IsEnabled(GL_PRIMITIVE_RESTART_FIXED_INDEX) != GL_FALSE;
+  if (desktop) {
+    b.primitive_restart = gl.IsEnabled(GL_PRIMITIVE_RESTART) != GL_FALSE;
+    GLint modes[2] = {GL_FILL, GL_FILL};
+    gl.GetIntegerv(GL_POLYGON_MODE, modes);
+    b.front_polygon_mode = static_cast<GLenum>(modes[0]);
+    b.back_polygon_mode = is_compatibility() ? static_cast<GLenum>(modes[1]) : b.front_polygon_mode;
+    b.provoking_vertex = static_cast<GLenum>(get(gl, GL_PROVOKING_VERTEX));
+  }
+  b.polygon_mode = b.front_polygon_mode == GL_FILL ? b.back_polygon_mode : b.front_polygon_mode;
+  if (is_compatibility()) {
+    b.vertex_program = gl.IsEnabled(GL_VERTEX_PROGRAM_ARB) != GL_FALSE;
+    b.two_side = gl.IsEnabled(GL_VERTEX_PROGRAM_TWO_SIDE) != GL_FALSE;
+    b.shade_model = static_cast<GLenum>(get(gl, GL_SHADE_MODEL));
+    b.render_mode = static_cast<GLenum>(get(gl, GL_RENDER_MODE));
+  }
+}
+
+ErrorScope::ErrorScope(Context& context) : context_(context) {
+  for (GLenum error = context.gl.GetError(); error != GL_NO_ERROR; error = context.gl.GetError()) {
+    context.raise(error);
+    if (error == GL_CONTEXT_LOST) {
+      break;
+    }
+  }
+}
+
+GLenum ErrorScope::take() {
+  GLenum first = GL_NO_ERROR;
+  for (GLenum error = context_.gl.GetError(); error != GL_NO_ERROR; error = context_.gl.GetError()) {
+    first = first == GL_NO_ERROR ? error : first;
+    if (error == GL_CONTEXT_LOST) {
+      break;
+    }
+  }
+  return first;
+}
+
+ErrorScope::~ErrorScope() { take(); }
+
+}  // namespace glark::core

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// All that glark keeps for one OpenGL context. The hooks (glark/core/track) keep it up to date; the pipeline draws with it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "glark/core/bindings.h"
+#include "glark/core/program.h"
+#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refinement.h"
+#include "glark/core/share_group.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::core {
+
+class Pipeline;
+
+// What this driver's context offers.
+struct Capabilities {
+  enum class Api { compatibility, core, es };
+  Api api = Api::compatibility;
+  int version = 0;              // 45 for 4.5
+  bool refinable = false;       // GL >= 4.3 or ES >= 3.2
+  bool query_buffer = false;    // results of queries go to a buffer
+  bool multi_draw_indirect = false;  // with a base instance; otherwise bins are read back
+  GLint max_vertex_attributes = 16;
+  GLint max_feedback_components = 64;
+};
+
+enum class DepthSource { tag, uniform };
+enum class PolygonSplit { triangles, centroid };
+
+// The state of GL_ARK_adaptive_refinement ("New State" of the specification).
+struct ArkState {
+  bool enabled = false;
+  int pool_level = -1;  // -1 before glARKinit
+  GLuint current_tag = 0;
+  Refinement refinement = Refinement::linear_inputs;
+  DepthSource depth_source = DepthSource::tag;
+  GLuint uniform_level = 0;
+  GLuint tag_attribute = 15;
+  PolygonSplit polygon_split = PolygonSplit::triangles;
+  bool smooth_interior = false;
+  bool tag_array = false;
+};
+
+// A display list that the application is compiling.
+struct ListCompilation {
+  bool cutting = false;  // into segments; otherwise the driver compiles it alone
+  GLuint name = 0;
+  GLenum mode = 0;
+  std::shared_ptr<DisplayList> list;
+  GLuint open_segment = 0;
+  GLenum begun_mode = 0;          // of a glBegin that is open in a draw segment
+  bool in_draw = false;
+  bool in_begin = false;
+};
+
+// glBegin .. glEnd being captured.
+struct ImmediateDraw {
+  bool open = false;       // between glBegin and glEnd
+  bool capturing = false;  // by the pipeline
+  GLenum mode = 0;
+  bool tags_set = false;
+};
+
+class Context {
+ public:
+  // The context must be current. `gl` outlives it.
+  static std::unique_ptr<Context> create(const gl::Dispatch& gl, std::shared_ptr<ShareGroup> share, const ContextOptions& options);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  // Deletes the GL objects of ours; only while the context is current. The destructor alone leaves them to the driver.
+  void release();
+  // At the end of a frame, before buffers are swapped.
+  void frame_finished();
+
+  const gl::Dispatch& gl;
+
+  // Read by the generated wrappers at every call.
+  bool refining = false;        // draw calls must reach their hooks
+  bool mirror_uniforms = false; // uniform calls must reach derived programs
+  bool compiling_list = false;
+  bool list_changes_uniforms = false;
+  std::uint64_t immediate_vertices = 0;
+
+  void touch_buffers() { share->buffer_epoch.fetch_add(1, std::memory_order_relaxed); }
+  void touch_vertex_arrays() { ++vertex_array_epoch; }
+  void touch_fixed_function() { fixed_function_stale = true; }
+  std::span<const UniformMirror> uniform_mirrors() const;
+  std::span<const UniformMirror> uniform_mirrors(GLuint program) const;
+
+  // Recomputes `refining` after a change of the state that it depends on.
+  void update_refining();
+  // Re-reads the bindings from GL if something we cannot follow (a display list, glPopAttrib) changed them.
+  void refresh_bindings();
+  // Records an error of ours for glGetError; the first stays, as in GL.
+  void raise(GLenum error);
+  bool is_compatibility() const { return capabilities.api == Capabilities::Api::compatibility; }
+
+  std::shared_ptr<ShareGroup> share;
+  ContextOptions options;
+  Capabilities capabilities;
+  ArkState ark;
+  Bindings bindings;
+  bool bindings_stale = true;
+  std::uint64_t vertex_array_epoch = 1;
+  bool fixed_function_stale = true;
+  GLenum pending_error = GL_NO_ERROR;
+  ListCompilation list;
+  ImmediateDraw immediate;
+  std::vector<bool> pushed_ark_enables;  // with glPushAttrib(GL_ENABLE_BIT); one entry per push
+  std::vector<bool> pushed_has_enable;
+  std::shared_ptr<Program> current_program;  // null: none, or not known to us
+  std::string extension_string;
+  std::unique_ptr<Pipeline> pipeline;
+
+ private:
+  Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group, const ContextOptions& wanted);
+  void read_capabilities();
+};
+
+// Keeps the application's pending GL errors apart from those of our own calls: what was pending at construction goes
+// to Context::pending_error, what our calls caused is dropped at destruction. For rare operations only (allocation, linking).
+class ErrorScope {
+ public:
+  explicit ErrorScope(Context& context);
+  ~ErrorScope();
+  ErrorScope(const ErrorScope&) = delete;
+  ErrorScope& operator=(const ErrorScope&) = delete;
+  GLenum take();  // the first error that our calls caused so far
+
+ private:
+  Context& context_;
+};
+
+}  // namespace glark::core

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/depth/bins.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "glark/core/report.h"
+
+namespace glark::depth {
+namespace {
+
+constexpr char bins_source[] =
+#include "glark/core/depth/bins.glsl.inc"
+    ;
+
+// Words of the work buffer, as bins.glsl declares it.
+constexpr std::size_t work_header = 4;
+constexpr std::size_t work_pieces = work_header + 2 * pattern::piece_count;
+constexpr std::size_t work_commands = work_pieces + 4 * pattern::piece_count;
+constexpr std::size_t work_words = work_commands + 5 * pattern::piece_count;
+constexpr GLuint group_size = 64;
+constexpr GLsizeiptr deep_reserve_bytes = GLsizeiptr{32} << 20;
+
+constexpr const char* uniform_names[] = {"record_offset", "corner_words", "tag_offset",      "uniform_tag",      "triangle_bound",
+                                         "count_on_gpu",  "pool_level",   "smooth_interior", "instance_capacity"};
+
+}  // namespace
+
+BinStage::Pass BinStage::compile(int pass) const {
+  const std::string version = language_ == capture::Language::es ? "#version 320 es\nprecision highp float;\nprecision highp int;\n" : "#version 430\n";
+  const std::string source = version + "#define GLARK_PASS " + std::to_string(pass) + "\n" + bins_source;
+  const char* text = source.c_str();
+  const GLuint shader = gl_.CreateShader(GL_COMPUTE_SHADER);
+  gl_.ShaderSource(shader, 1, &text, nullptr);
+  gl_.CompileShader(shader);
+  Pass result;
+  result.program = gl_.CreateProgram();
+  gl_.AttachShader(result.program, shader);
+  gl_.LinkProgram(result.program);
+  GLint linked = GL_FALSE;
+  gl_.GetProgramiv(result.program, GL_LINK_STATUS, &linked);
+  if (linked == GL_FALSE) {
+    std::array<char, 2048> log{};
+    gl_.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    core::log(core::LogLevel::error, std::string("binning pass does not compile: ") + log.data());
+    gl_.DeleteProgram(result.program);
+    result.program = 0;
+  } else {
+    for (std::size_t i = 0; i < result.uniform.size(); ++i) {
+      result.uniform[i] = gl_.GetUniformLocation(result.program, uniform_names[i]);
+    }
+  }
+  gl_.DeleteShader(shader);
+  return result;
+}
+
+bool BinStage::prepare(const pattern::GpuPool& pool) {
+  for (int pass = 0; pass < 3; ++pass) {
+    Pass& slot = passes_[static_cast<std::size_t>(pass)];
+    if (slot.program == 0) {
+      slot = compile(pass);
+    }
+    if (slot.program == 0) {
+      return false;
+    }
+  }
+  std::vector<std::uint32_t> words(work_words, 0);
+  for (std::size_t piece = 0; piece < pattern::piece_count; ++piece) {
+    const pattern::Piece& from = pool.piece(static_cast<int>(piece));
+    std::uint32_t* to = &words[work_pieces + 4 * piece];
+    to[0] = from.index_count;
+    to[1] = from.first_index;
+    to[2] = static_cast<std::uint32_t>(from.base_vertex);
+  }
+  pool_level_ = pool.max_level();
+  return work_.allocate(gl_, static_cast<GLsizeiptr>(work_words * sizeof(words[0])), words.data(), GL_DYNAMIC_COPY);
+}
+
+namespace {
+
+GLsizeiptr instance_bytes(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
+  // At most four instances a triangle, unless it is cut into tiles (more than tile_level levels deep on every edge).
+  const GLsizeiptr stride = layout.triangle_words() * 4 + 16;
+  GLsizeiptr bytes = static_cast<GLsizeiptr>(triangles) * 4 * stride;
+  if (deepest_tag > static_cast<unsigned>(pattern::tile_level)) {
+    const unsigned tiles = 1U << (2 * (deepest_tag - pattern::tile_level));
+    bytes = std::max(bytes, std::min(bytes * static_cast<GLsizeiptr>(tiles), deep_reserve_bytes));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+bool BinStage::has_room(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) const {
+  return instance_bytes(layout, triangles, deepest_tag) <= instances_.size();
+}
+
+bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
+  return instances_.reserve(gl_, instance_bytes(layout, triangles, deepest_tag), GL_DYNAMIC_COPY);
+}
+
+void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
+  const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
+                          request.layout->corner_words,
+                          request.layout->tag_offset,
+                          static_cast<GLint>(request.uniform_tag),
+                          static_cast<GLint>(request.triangles.count),
+                          request.triangles.count_on_gpu ? 1 : 0,
+                          static_cast<GLint>(pool_level_),
+                          request.smooth_interior ? 1 : 0,
+                          static_cast<GLint>(instances_.size() / (request.layout->triangle_words() * 4 + 16))};
+  for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
+    if (pass.uniform[i] >= 0) {
+      gl_.Uniform1i(pass.uniform[i], values[i]);
+    }
+  }
+}
+
+BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer) {
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, instances_.name());
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, work_.name());
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, count_buffer);
+  const GLuint groups = (request.triangles.count + group_size - 1) / group_size;
+  for (std::size_t i = 0; i < passes_.size(); ++i) {
+    gl_.UseProgram(passes_[i].program);
+    set_uniforms(passes_[i], request);
+    gl_.DispatchCompute(i == 1 ? 1 : groups, 1, 1);
+    gl_.MemoryBarrier(i == 2 ? GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT : GL_SHADER_STORAGE_BARRIER_BIT);
+  }
+  return {instances_.name(), request.layout->triangle_words() * 4 + 16, work_.name(), static_cast<GLintptr>(work_commands * 4), pattern::piece_count};
+}
+
+std::uint64_t BinStage::take_refined_triangles() {
+  if (work_.name() == 0) {
+    return 0;
+  }
+  std::uint32_t words[2] = {0, 0};
+  work_.read(gl_, 0, sizeof(words), words);
+  const std::uint32_t zero[2] = {0, 0};
+  work_.write(gl_, 0, sizeof(zero), zero);
+  return words[0] + (static_cast<std::uint64_t>(words[1]) << 32);
+}
+
+void BinStage::release() {
+  for (Pass& pass : passes_) {
+    gl_.DeleteProgram(pass.program);
+    pass = Pass{};
+  }
+  work_.release(gl_);
+  instances_.release(gl_);
+}
+
+}  // namespace glark::depth

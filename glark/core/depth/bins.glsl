@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Sorts the instances of a draw into bins by piece (counting sort). GLARK_PASS: 0 count, 1 scan, 2 scatter.
+// The includer supplies #version and GLARK_PASS.
+// Based on: Boubekeur 2007, ch. 7.2.2-7.2.3 (edge depths select the pattern); the sort is ours: the thesis draws triangle by triangle.
+#include "glark/core/pattern/pieces.glsl.h"
+
+#if GLARK_PASS == 1
+layout(local_size_x = 1) in;
+#else
+layout(local_size_x = 64) in;
+#endif
+
+layout(std430, binding = 0) readonly buffer Records { uint records[]; };
+layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
+// uint words: 0 refined triangles (low), 1 (high), 2 instances wanted, 3 unused, then counts, cursors, pieces (4 words each:
+// index count, first index, base vertex, 0) and DrawElementsIndirectCommands (5 words each).
+layout(std430, binding = 2) buffer Work { uint work[]; };
+layout(std430, binding = 3) readonly buffer Count { uint count_command[]; };
+
+const int counts = 4;
+const int cursors = counts + piece_count;
+const int pieces = cursors + piece_count;
+const int commands = pieces + 4 * piece_count;
+
+uniform int record_offset;     // in words
+uniform int corner_words;
+uniform int tag_offset;        // in a corner; < 0: every tag is uniform_tag
+uniform int uniform_tag;
+uniform int triangle_bound;
+uniform int count_on_gpu;
+uniform int pool_level;
+uniform int smooth_interior;
+uniform int instance_capacity;
+
+#if GLARK_PASS == 1
+
+void main() {
+  uint base = 0u;
+  uint capacity = uint(instance_capacity);
+  for (int p = 0; p < piece_count; ++p) {
+    uint wanted = work[counts + p];
+    uint count = min(wanted, capacity - base);
+    uint index_count = work[pieces + 4 * p];
+    work[cursors + p] = base;
+    work[counts + p] = 0u;
+    work[commands + 5 * p] = index_count;
+    work[commands + 5 * p + 1] = count;
+    work[commands + 5 * p + 2] = work[pieces + 4 * p + 1];
+    work[commands + 5 * p + 3] = work[pieces + 4 * p + 2];
+    work[commands + 5 * p + 4] = base;
+    uint triangles = count * (index_count / 3u);
+    uint low = work[0] + triangles;
+    work[1] += low < work[0] ? 1u : 0u;
+    work[0] = low;
+    base += count;
+  }
+}
+
+#else
+
+int triangle;
+
+int tag_of(int corner) {
+  if (tag_offset < 0) {
+    return uniform_tag;
+  }
+  float tag = uintBitsToFloat(records[record_offset + (3 * triangle + corner) * corner_words + tag_offset]);
+  return int(clamp(floor(tag + 0.5), 0.0, float(pool_level)));
+}
+
+void emit_instance(int piece, float ou, float ov, float s, float r) {
+#if GLARK_PASS == 0
+  atomicAdd(work[counts + piece], 1u);
+#else
+  uint slot = atomicAdd(work[cursors + piece], 1u);
+  if (slot >= uint(instance_capacity)) {
+    return;
+  }
+  int words = 3 * corner_words;
+  int from = record_offset + triangle * words;
+  int to = int(slot) * (words + 4);
+  for (int i = 0; i < words; ++i) {
+    instances[to + i] = records[from + i];
+  }
+  instances[to + words] = floatBitsToUint(ou);
+  instances[to + words + 1] = floatBitsToUint(ov);
+  instances[to + words + 2] = floatBitsToUint(s);
+  instances[to + words + 3] = floatBitsToUint(r);
+#endif
+}
+
+#define GLARK_EMIT(piece, ou, ov, s, r) emit_instance(piece, ou, ov, s, r)
+#include "glark/core/pattern/expand.glsl.h"
+
+void main() {
+  int bound = triangle_bound;
+  if (count_on_gpu != 0) {
+    bound = min(bound, int(count_command[1]));
+  }
+  triangle = int(gl_GlobalInvocationID.x);
+  if (triangle >= bound) {
+    return;
+  }
+  int a = tag_of(0);
+  int b = tag_of(1);
+  int c = tag_of(2);
+  // Erratum 1: the mean of two tags may be a half; any rule of the two ends alone keeps edges together.
+  expand_pattern((a + b) >> 1, (b + c) >> 1, (c + a) >> 1, smooth_interior);
+}
+
+#endif

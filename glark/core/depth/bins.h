@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// From depth tags to draw commands, on the GPU: edge depths, pattern, instances sorted by piece, one command a piece.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "glark/core/bindings.h"
+#include "glark/core/capture/capture.h"
+#include "glark/core/gpu_buffer.h"
+#include "glark/core/pattern/gpu_pool.h"
+
+namespace glark::depth {
+
+// Instances sorted by piece: each is a coarse record followed by its patch (vec4), `stride` bytes.
+struct BinnedInstances {
+  GLuint instances = 0;
+  GLsizei stride = 0;
+  GLuint commands = 0;          // buffer with a DrawElementsIndirectCommand for each piece
+  GLintptr commands_offset = 0;
+  GLsizei command_count = 0;
+};
+
+struct BinRequest {
+  const capture::Layout* layout = nullptr;
+  capture::CoarseTriangles triangles;
+  unsigned uniform_tag = 0;  // where the layout holds no tags
+  bool smooth_interior = false;
+};
+
+class BinStage {
+ public:
+  BinStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+
+  // Compiles the passes and uploads the piece table; again after the pool was replaced. False: adaptive drawing is not to be had.
+  bool prepare(const pattern::GpuPool& pool);
+  // Room for the instances of a draw; false without memory.
+  bool reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag);
+  bool has_room(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) const;
+  // Dispatches the passes. Changes the program and the storage buffer bindings 0 to 3, which the caller restores.
+  BinnedInstances sort(const BinRequest& request, GLuint count_buffer);
+  // Triangles drawn since the last call; reads back.
+  std::uint64_t take_refined_triangles();
+  void release();
+
+ private:
+  struct Pass {
+    GLuint program = 0;
+    std::array<GLint, 9> uniform{};
+  };
+
+  Pass compile(int pass) const;
+  void set_uniforms(const Pass& pass, const BinRequest& request) const;
+
+  const gl::Dispatch& gl_;
+  capture::Language language_;
+  std::array<Pass, 3> passes_{};
+  core::GpuBuffer work_;
+  core::GpuBuffer instances_;
+  unsigned pool_level_ = 0;
+};
+
+}  // namespace glark::depth

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The rule from the depths of three edges to instances of pieces, once for C++ and for GLSL 4.30 / ES 3.10.
+//
+// The includer defines, before the #include:
+//   GLARK_EMIT(piece, ou, ov, s, r)  takes one instance: int piece; float ou, ov, s, r (docs/architecture.md, *patch*)
+//   GLARK_SINK_PARAMETER             C++: "Sink& sink," for GLARK_EMIT to use; GLSL: leave undefined
+//   GLARK_SINK_ARGUMENT              C++: "sink,"; GLSL: leave undefined
+// and calls expand_pattern(GLARK_SINK_ARGUMENT e0, e1, e2, smooth_interior). C++ code includes expand.h instead.
+//
+// Based on: Boubekeur 2007, ch. 7.2.3, Algorithm 5 (interior at the minimum depth, the border split). Where that keeps
+// one pattern for every triple, the border is cut at the corners here, so that 278 pieces make all 1728 triples: the
+// pool is 1.1 MB at level 10 instead of 26 MB. The ring of triangles along an edge is zipped, not split triangle by
+// triangle: split, the triangles in the corners, which belong to two edges, are left undefined, and angles are worse.
+#pragma once
+
+#include "glark/core/pattern/pieces.glsl.h"
+
+#ifdef __cplusplus
+namespace glark::pattern {
+#define GLARK_EXPAND_FUNCTION static  // not inline: what GLARK_EMIT does may differ from file to file
+#else
+#define GLARK_EXPAND_FUNCTION
+#ifndef GLARK_SINK_PARAMETER
+#define GLARK_SINK_PARAMETER
+#define GLARK_SINK_ARGUMENT
+#endif
+#endif
+
+GLARK_SHARED_FUNCTION int lesser(int a, int b) { return a < b ? a : b; }
+GLARK_SHARED_FUNCTION int greater(int a, int b) { return a < b ? b : a; }
+
+// A smooth interior is at level 2 although an edge has depth 0, when another edge is much deeper.
+GLARK_SHARED_FUNCTION bool lifts_interior(int least, int most, int smooth_interior) {
+  return smooth_interior != 0 && least == 0 && most >= smooth_difference;
+}
+
+GLARK_EXPAND_FUNCTION void expand_skirt(GLARK_SINK_PARAMETER int level, int d, int smooth_interior, float ou, float ov,
+                                        float s, float r) {
+  bool through_middle_row = smooth_interior != 0 && d >= level + smooth_difference;
+  GLARK_EMIT(through_middle_row ? smooth_skirt_piece(level, d) : skirt_piece(level, d), ou, ov, s, r);
+}
+
+// One tile: all depths equal and at most 8, or the least 0 or 2..6.
+GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int d2, int smooth_interior, float ou,
+                                       float ov, float s) {
+  int least = lesser(d0, lesser(d1, d2));
+  int most = greater(d0, greater(d1, d2));
+  if (least == most) {
+    GLARK_EMIT(uniform_piece(least), ou, ov, s, 0.0f);
+  } else if (least >= shallowest_interior || lifts_interior(least, most, smooth_interior)) {
+    int level = greater(least, shallowest_interior);
+    GLARK_EMIT(interior_piece(level), ou, ov, s, 0.0f);
+    expand_skirt(GLARK_SINK_ARGUMENT level, d0, smooth_interior, ou, ov, s, 0.0f);
+    expand_skirt(GLARK_SINK_ARGUMENT level, d1, smooth_interior, ou, ov, s, 1.0f);
+    expand_skirt(GLARK_SINK_ARGUMENT level, d2, smooth_interior, ou, ov, s, 2.0f);
+  } else if (d0 == 0) {
+    GLARK_EMIT(fan_piece(d1, d2), ou, ov, s, 0.0f);
+  } else if (d1 == 0) {
+    GLARK_EMIT(fan_piece(d2, d0), ou, ov, s, 1.0f);
+  } else {
+    GLARK_EMIT(fan_piece(d0, d1), ou, ov, s, 2.0f);
+  }
+}
+
+// How often the whole triangle is halved into tiles (4^halvings of them), so that a tile needs no piece that does not
+// exist. Least depth 1 has neither a fan nor an interior: four tiles of least depth 0, of which the smooth interior
+// lifts the steep ones (better angles than one lifted interior: 10.9 degrees instead of 4.7 for depths 1, 1, 4).
+GLARK_SHARED_FUNCTION int tile_halvings(int least, int most) {
+  if (least == most) return greater(least - deepest_uniform, 0);
+  return least == 1 ? 1 : greater(least - tile_level, 0);
+}
+
+// Emits the instances of the pattern with 2^e0, 2^e1 and 2^e2 segments on edges 0, 1 and 2; depths are 0..11.
+// smooth_interior 0: the interior is at the least depth; 1: wider transitions where depths differ by 3 or more.
+GLARK_EXPAND_FUNCTION void expand_pattern(GLARK_SINK_PARAMETER int e0, int e1, int e2, int smooth_interior) {
+  int least = lesser(e0, lesser(e1, e2));
+  int most = greater(e0, greater(e1, e2));
+  int halvings = tile_halvings(least, most);
+  int tiles = 1 << halvings;
+  float s = 1.0f / float(tiles);
+  int inner = least - halvings;  // depth of the edges between tiles
+  for (int j = 0; j < tiles; ++j) {
+    for (int i = 0; i + j < tiles; ++i) {
+      bool last = i + j + 1 == tiles;
+      float ou = float(i) * s;
+      float ov = float(j) * s;
+      expand_tile(GLARK_SINK_ARGUMENT j == 0 ? e0 - halvings : inner, last ? e1 - halvings : inner,
+                  i == 0 ? e2 - halvings : inner, smooth_interior, ou, ov, s);
+      // The upside-down tile to the right meets no edge of the whole: its three edges are inner ones.
+      if (!last) GLARK_EMIT(uniform_piece(inner), ou + s, ov + s, -s, 0.0f);
+    }
+  }
+}
+
+#ifdef __cplusplus
+}  // namespace glark::pattern
+#endif

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The pattern pool in buffer objects.
+#pragma once
+
+#include "glark/core/gpu_buffer.h"
+#include "glark/core/pattern/expand.h"
+#include "glark/core/pattern/pool.h"
+
+namespace glark::pattern {
+
+class GpuPool {
+ public:
+  // Builds the pool of `max_level` and uploads it. False without memory: the old pool is kept. Wrap in an ErrorScope.
+  bool build(const gl::Dispatch& gl, unsigned max_level);
+  void release(const gl::Dispatch& gl);
+
+  bool built() const { return vertices_.name() != 0; }
+  unsigned max_level() const { return max_level_; }
+  GLuint vertices() const { return vertices_.name(); }  // LatticeVertex
+  GLuint indices() const { return indices_.name(); }    // uint16
+  GLuint patches() const { return patches_.name(); }    // vec4: the tiles of uniform levels, see first_tile()
+  const Piece& piece(int index) const { return pieces_[static_cast<std::size_t>(index)]; }
+  GLsizeiptr gpu_bytes() const { return vertices_.size() + indices_.size() + patches_.size(); }
+
+  // A uniform level is drawn as tile_count(level) tiles of uniform(min(level, deepest_uniform)).
+  static unsigned tile_count(unsigned level) { return level <= deepest_uniform ? 1U : 1U << (2 * (level - deepest_uniform)); }
+  static unsigned first_tile(unsigned level);
+
+ private:
+  unsigned max_level_ = 0;
+  core::GpuBuffer vertices_;
+  core::GpuBuffer indices_;
+  core::GpuBuffer patches_;
+  PieceTable pieces_{};
+};
+
+}  // namespace glark::pattern

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A draw call from end to end: capture, edge depths and bins, derived program, submit, restore.
+#pragma once
+
+#include <bitset>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "glark/core/capture/capture.h"
+#include "glark/core/capture/capture_cache.h"
+#include "glark/core/depth/bins.h"
+#include "glark/core/draw_call.h"
+#include "glark/core/pattern/gpu_pool.h"
+#include "glark/core/program.h"
+#include "glark/core/refine/fixed_function_state.h"
+#include "glark/core/refine/program_builder.h"
+#include "glark/core/report.h"
+#include "glark/core/submit/submit.h"
+
+namespace glark::core {
+
+class Context;
+
+class Pipeline {
+ public:
+  explicit Pipeline(Context& context);
+
+  // glARKinit: false without memory; the old pool is then kept.
+  bool build_pool(unsigned max_level);
+
+  // Draws refined, or as the application asked; counts either.
+  void draw(const DrawCall& call);
+
+  // glBegin..glEnd in a mode of triangles. False: the caller begins as the application asked.
+  bool begin_immediate(GLenum mode);
+  void end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary);
+
+  // The application's transform feedback, when it enabled GL_ARK itself: it captures refined triangles.
+  // False: nothing was done.
+  bool begin_feedback(GLenum mode);
+  void end_feedback() { feedback_program_ = nullptr; }
+  bool owns_feedback() const { return feedback_program_ != nullptr; }
+
+  // The derived program for the state of now, for GL_REFINEMENT_STATUS_ARK; null if it cannot be built.
+  DerivedProgram* derived_for(Program& program, Program* owner);
+  Program* program_for_refinement(GLuint name);  // 0: fixed function
+  void set_fixed_function_refinement(std::string source);
+  const std::string& fixed_function_refinement() const { return fixed_function_refinement_; }
+  void forget_program(GLuint name);  // linked again or deleted
+  void discard(Program& program) { builder_.discard(program); }
+
+  void tag_attribute_changed();  // captures read the tag from another attribute
+
+  void count_passed(Cause cause);
+  void frame_finished();
+  void release();
+
+ private:
+  struct Plan {
+    Program* program = nullptr;
+    Program* owner = nullptr;
+    DerivedProgram* derived = nullptr;
+    GLuint capture_program = 0;
+    const capture::Layout* layout = nullptr;
+    bool adaptive = false;
+    unsigned level = 0;      // uniform level
+    unsigned deepest = 0;    // that an adaptive draw can reach
+  };
+
+  Cause check_state(const DrawCall& call) const;
+  Cause plan_draw(const DrawCall& call, Plan& plan);
+  Cause find_program(Plan& plan);
+  refine::FragmentReads fragment_reads(const Program* fragment) const;
+  Program* fixed_function_program(Program* fragment);
+  void plan_depth(const DrawCall& call, Plan& plan) const;
+  DerivedKey key_of(const Program& program, bool tagged) const;
+  bool ensure_pool();
+  bool found_room(const capture::Layout& layout, std::uint64_t triangles) const;
+  Cause ensure_room(const Plan& plan, std::uint64_t triangles);
+  capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan);
+  void submit(const Plan& plan, const capture::CoarseTriangles& triangles);
+  void restore(const Plan& plan, bool changed_indirect);
+  void restore_storage();
+  void copy_stale_uniforms(const Plan& plan);
+
+  Context& context_;
+  const gl::Dispatch& gl_;
+  pattern::GpuPool pool_;
+  capture::CaptureStage capture_;
+  capture::CaptureCache cache_;
+  depth::BinStage bins_;
+  submit::SubmitStage submit_;
+  refine::ProgramBuilder builder_;
+  std::map<std::pair<refine::FixedFunctionState, GLuint>, std::shared_ptr<Program>> fixed_function_;
+  refine::FixedFunctionState fixed_function_state_;
+  GLuint fixed_function_fragment_ = 0;
+  std::string fixed_function_refinement_;
+  Plan immediate_plan_;
+  DerivedProgram* feedback_program_ = nullptr;
+  std::bitset<cause_count> logged_;
+  bool bins_ready_ = false;
+  bool pool_failed_ = false;
+  bool counted_on_gpu_ = false;
+};
+
+}  // namespace glark::core

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/refine/derive.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "glark/core/refine/epilogue.h"
+#include "glark/core/refine/refinement_source.h"
+
+namespace glark::refine {
+namespace {
+
+std::string with_prefix(const std::string& text, const std::string& prefix) {
+  std::string result;
+  result.reserve(text.size() + text.size() / 8);
+  for (const char c : text) {
+    if (c == '@') {
+      result += prefix;
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+class Deriver {
+ public:
+  explicit Deriver(const DeriveRequest& request) : request_(request) {}
+
+  Derivation derive() {
+    Derivation result;
+    if (read() && plan()) {
+      write();
+      for (const VertexUnit& unit : units_) result.vertex_sources.push_back(to_text(unit.tokens));
+      result.ok = true;
+    } else {
+      result.error = error_;
+    }
+    return result;
+  }
+
+ private:
+  bool read() {
+    if (!read_units(request_.vertex_sources, request_.es, request_.extensions, units_, error_)) return false;
+    plan_.main_unit = find_main_unit(units_);
+    if (plan_.main_unit == units_.size()) {
+      error_ = "no vertex shader defines main()";
+      return false;
+    }
+    for (const VertexUnit& unit : units_) collect_identifiers(unit.tokens, application_identifiers_);
+    refinement_tokens_ = tokenize(request_.refinement_source);
+    all_identifiers_ = application_identifiers_;
+    collect_identifiers(refinement_tokens_, all_identifiers_);
+    for (const Token& token : refinement_tokens_) {  // macros may use inputs that nothing else mentions
+      if (token.kind == TokenKind::directive) collect_identifiers(tokenize(token.text.substr(1)), all_identifiers_);
+    }
+    prefix_ = free_prefix(all_identifiers_);
+    return resolve_collisions();
+  }
+
+  // Names that the contract fixes and that the application may have taken: its variable gets another name, unless the API can see it.
+  bool resolve_collisions() {
+    IdentifierSet fixed = {lattice_input, patch_input};
+    for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
+    for (const std::string& name : application_identifiers_) {
+      const bool ours = !request_.refinement_source.empty() && (name == "ark_barycentric" || name.starts_with("ark_corner_"));
+      if (!ours && !fixed.contains(name)) continue;
+      if (is_visible_to_api(name)) {
+        error_ = "'" + name + "' is a name that glark needs; rename this uniform, output or block";
+        return false;
+      }
+      new_names_.of[name] = prefix_ + "application_" + name;
+    }
+    return true;
+  }
+
+  bool is_visible_to_api(const std::string& name) const {
+    const auto named = [&](const Variable& variable) { return variable.name == name; };
+    for (const VertexUnit& unit : units_) {
+      for (const Declaration& d : unit.interface.declarations) {
+        if (d.storage != Storage::uniform && d.storage != Storage::output && d.storage != Storage::buffer) continue;
+        if (d.block_name == name || std::any_of(d.variables.begin(), d.variables.end(), named) ||
+            std::any_of(d.members.begin(), d.members.end(), named)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  bool plan() {
+    plan_.version = units_[plan_.main_unit].interface.version;
+    plan_.provoking_corner = std::clamp(request_.provoking_corner, 0, 2);
+    plan_.corner_words = request_.layout.corner_words;
+    plan_.chunk_count = request_.layout.chunk_count();
+    for (const VertexUnit& unit : units_) {
+      plan_.structures.insert(plan_.structures.end(), unit.interface.structures.begin(), unit.interface.structures.end());
+    }
+    if (!plan_inputs()) return false;
+    plan_refinement();
+    plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.flat_colors);
+    if (plan_.refinement != core::Refinement::linear_outputs) {
+      std::erase_if(plan_.outputs, [&](const OutputVariable& output) { return !is_flat(output, plan_.structures); });
+    }
+    for (const OutputVariable& output : plan_.outputs) {
+      if (output.problem.empty()) continue;
+      error_ = output.problem;
+      return false;
+    }
+    plan_resets();
+    return true;
+  }
+
+  bool plan_inputs() {
+    for (const capture::Field& field : request_.layout.fields) {
+      InputVariable input;
+      input.field = field;
+      input.type = numeric_type(field.type);
+      if (input.type == nullptr) {
+        error_ = "vertex input '" + field.name + "' has a type that cannot be refined";
+        return false;
+      }
+      const BuiltInInput* const built_in = built_in_input(field.name);
+      if (!is_mentioned(field.name)) continue;
+      input.global = built_in != nullptr ? global_name("@", *built_in) : new_names_(field.name);
+      plan_.inputs.push_back(std::move(input));
+    }
+    return true;
+  }
+
+  // By its name, or by another name of the same built-in.
+  bool is_mentioned(const std::string& field) const {
+    if (all_identifiers_.contains(field)) return true;
+    return std::any_of(all_identifiers_.begin(), all_identifiers_.end(), [&](const std::string& identifier) {
+      const BuiltInInput* const built_in = built_in_input(identifier);
+      return built_in != nullptr && built_in->field == field;
+    });
+  }
+
+  void plan_refinement() {
+    plan_.refinement = request_.refinement;
+    const bool own = !request_.refinement_source.empty();
+    // The application's refinement shader places inputs: there is nothing for it to do between outputs.
+    if (own && plan_.refinement == core::Refinement::linear_outputs) plan_.refinement = core::Refinement::linear_inputs;
+    if (plan_.curved() && (pn_position(plan_) == nullptr || pn_normal(plan_) == nullptr)) {
+      plan_.refinement = core::Refinement::linear_inputs;
+    }
+    if (!own) return;
+    NewNames names = new_names_;
+    std::erase_if(names.of, [](const auto& entry) { return entry.first.starts_with("ark_"); });
+    RefinementSource source = prepare_refinement_source(refinement_tokens_, prefix_, names, plan_.version);
+    plan_.refinement_source = std::move(source.text);
+    refinement_extensions_ = std::move(source.extensions);
+    plan_.refinement_identifiers = std::move(source.identifiers);
+  }
+
+  static bool may_need_reset(const Declaration& declaration, const Variable& variable) {
+    const bool global = declaration.storage == Storage::none || declaration.storage == Storage::output;
+    return global && variable.has_initializer() && !variable.type.empty();
+  }
+
+  // Globals keep their values from one run of main to the next, and those initialised from inputs precede the inputs' values.
+  void plan_resets() {
+    const bool runs_again = !plan_.outputs.empty() || plan_.refinement == core::Refinement::linear_outputs;
+    IdentifierSet varying;
+    for (const VertexUnit& unit : units_) {
+      for (const Declaration& declaration : unit.interface.declarations) {
+        if (declaration.storage != Storage::input) continue;
+        for (const Variable& variable : declaration.variables) varying.insert(variable.name);
+      }
+    }
+    for (std::size_t u = 0; u < units_.size(); ++u) {
+      const VertexUnit& unit = units_[u];
+      resets_.emplace_back();
+      for (const Declaration& declaration : unit.interface.declarations) {
+        for (const Variable& variable : declaration.variables) {
+          if (!may_need_reset(declaration, variable)) continue;
+          const bool depends = mentions_any(unit.tokens, variable, varying);
+          if (depends) varying.insert(variable.name);
+          if (depends || runs_again) resets_[u].push_back(variable);
+        }
+      }
+      plan_.resets.push_back(!resets_[u].empty());
+    }
+  }
+
+  static bool mentions_any(const Tokens& tokens, const Variable& variable, const IdentifierSet& names) {
+    for (std::size_t i = variable.initializer_begin; i < variable.initializer_end; ++i) {
+      const std::string& text = tokens[i].text;
+      if (names.contains(text) || text == "ftransform" || built_in_input(text) != nullptr) return true;
+      // A call may read an input.
+      if (tokens[i].kind == TokenKind::identifier && tokens[i + 1].is("(") && numeric_type(std::string_view(text)) == nullptr) return true;
+    }
+    return false;
+  }
+
+  void write() {
+    std::vector<std::string> declarations(units_.size());
+    for (std::size_t u = 0; u < units_.size(); ++u) declarations[u] = built_in_declarations(u);
+    const std::string declarations_in_main = missing_declarations_in_main();
+    for (VertexUnit& unit : units_) rewrite_unit(unit, prefix_, new_names_);
+    for (std::size_t u = 0; u < units_.size(); ++u) {
+      Tokens& tokens = units_[u].tokens;
+      insert_declaration(tokens, with_prefix(declarations[u], prefix_));
+      tokens.back().before += with_prefix(reset_function(u), prefix_);
+      if (u != plan_.main_unit) tokens.back().before += with_prefix(unit_epilogue(plan_, u), prefix_);
+    }
+    const MainEpilogue epilogue = main_epilogue(plan_, declarations_in_main);
+    Tokens& tokens = units_[plan_.main_unit].tokens;
+    tokens.back().before += with_prefix(epilogue.declarations, prefix_) + plan_.refinement_source + with_prefix(epilogue.main, prefix_);
+    insert_after_version(tokens, with_prefix(epilogue_header(plan_, all_identifiers_), prefix_) + refinement_extensions_);
+  }
+
+  // Globals for the built-in inputs that this unit mentions, or that its main fills.
+  std::string built_in_declarations(std::size_t u) const {
+    IdentifierSet mentioned;
+    collect_identifiers(units_[u].tokens, mentioned);
+    if (u == plan_.main_unit) mentioned = all_identifiers_;
+    std::set<std::string> lines;
+    for (const std::string& name : mentioned) {
+      const BuiltInInput* const input = built_in_input(name);
+      if (input == nullptr || is_declared(units_[u].interface, name)) continue;
+      // One that the record does not hold is constant for the draw, or the draw could not be refined.
+      const bool captured = std::any_of(plan_.inputs.begin(), plan_.inputs.end(),
+                                        [&](const InputVariable& variable) { return variable.field.name == input->field; });
+      lines.insert(std::string(input->type) + " " + global_name("@", *input) + (input->system_value && !captured ? " = 0;\n" : ";\n"));
+    }
+    std::string text;
+    for (const std::string& line : lines) text += line;
+    return text;
+  }
+
+  static bool is_declared(const Interface& interface, const std::string& name) {
+    for (const Declaration& declaration : interface.declarations) {
+      for (const Variable& variable : declaration.variables) {
+        if (variable.name == name) return true;
+      }
+    }
+    return false;
+  }
+
+  std::string missing_declarations_in_main() const {
+    std::string text;
+    for (const InputVariable& input : plan_.inputs) {
+      if (built_in_input(input.field.name) != nullptr || is_declared(units_[plan_.main_unit].interface, input.field.name)) continue;
+      text += std::string(input.type->name) + " " + input.global;
+      text += input.field.is_array ? "[" + std::to_string(input.field.array_size) + "];\n" : ";\n";
+    }
+    return text;
+  }
+
+  std::string reset_function(std::size_t u) const {
+    if (resets_[u].empty()) return {};
+    std::string text = "\nvoid @reset_" + std::to_string(u) + "() {\n";
+    for (const Variable& variable : resets_[u]) {
+      text += "  { " + variable.type + " @initial";
+      for (const std::string& size : variable.sizes) text += "[" + size + "]";
+      text += " = " + to_text(units_[u].tokens, variable.initializer_begin, variable.initializer_end) + "; " + new_names_(variable.name) +
+              " = @initial; }\n";
+    }
+    return text + "}\n";
+  }
+
+  const DeriveRequest& request_;
+  std::vector<VertexUnit> units_;
+  Tokens refinement_tokens_;
+  IdentifierSet application_identifiers_;
+  IdentifierSet all_identifiers_;
+  std::string prefix_;
+  NewNames new_names_;
+  EpiloguePlan plan_;
+  std::vector<std::vector<Variable>> resets_;
+  std::string refinement_extensions_;
+  std::string error_;
+};
+
+}  // namespace
+
+Derivation derive_vertex_stage(const DeriveRequest& request) {
+  try {
+    return Deriver(request).derive();
+  } catch (const std::exception& exception) {
+    return {false, {}, std::string("derivation failed: ") + exception.what()};
+  }
+}
+
+}  // namespace glark::refine

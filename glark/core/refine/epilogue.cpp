@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/refine/epilogue.h"
+
+#include <algorithm>
+
+namespace glark::refine {
+namespace {
+
+// The built-in refinement of the inputs and the runs of the application's main.
+class MainText {
+ public:
+  explicit MainText(const EpiloguePlan& plan) : plan_(plan) {}
+
+  std::string text() {
+    std::string main = "void main() {\n  @place();\n";
+    if (plan_.refinement == core::Refinement::linear_outputs) {
+      for (int corner = 0; corner < 3; ++corner) {
+        main += fill_from_corner(plan_, corner) + run() + for_output_units("save" + std::to_string(corner));
+      }
+      return main + for_output_units("finish") + "}\n";
+    }
+    const bool flat = !plan_.outputs.empty();
+    if (flat) main += fill_from_corner(plan_, plan_.provoking_corner) + run() + for_output_units("save0");
+    main += "  @interpolate();\n";
+    if (!plan_.refinement_source.empty()) main += "  @fill_corners();\n  @refine();\n";
+    return main + run() + (flat ? for_output_units("finish") : "") + "}\n";
+  }
+
+ private:
+  std::string run() const {
+    std::string text;
+    for (std::size_t unit = 0; unit < plan_.resets.size(); ++unit) {
+      if (plan_.resets[unit]) text += "  @reset_" + std::to_string(unit) + "();\n";
+    }
+    return text + "  @application_main();\n";
+  }
+
+  std::string for_output_units(const std::string& function) const {
+    std::string text;
+    for (std::size_t unit = 0; unit < plan_.resets.size(); ++unit) {
+      if (unit_has_outputs(plan_, unit)) text += "  @" + function + "_" + std::to_string(unit) + "();\n";
+    }
+    return text;
+  }
+
+  const EpiloguePlan& plan_;
+};
+
+std::string prototypes_of_other_units(const EpiloguePlan& plan) {
+  std::string text;
+  for (std::size_t unit = 0; unit < plan.resets.size(); ++unit) {
+    if (unit == plan.main_unit) continue;
+    const std::string suffix = "_" + std::to_string(unit) + "();\n";
+    if (plan.resets[unit]) text += "void @reset" + suffix;
+    if (!unit_has_outputs(plan, unit)) continue;
+    const int slots = plan.refinement == core::Refinement::linear_outputs ? 3 : 1;
+    for (int slot = 0; slot < slots; ++slot) text += "void @save" + std::to_string(slot) + suffix;
+    text += "void @finish" + suffix;
+  }
+  return text;
+}
+
+// Barycentrics of the refined vertex from the lattice and the placement of its piece; exact, for all of it is dyadic.
+constexpr const char* place_function = R"(vec3 @weights;
+void @place() {
+  vec2 lattice = glark_lattice * 0.000030517578125;
+  vec3 local = vec3((1.0 - lattice.x) - lattice.y, lattice);
+  vec2 tile = glark_patch.w < 0.5 ? local.yz : (glark_patch.w < 1.5 ? local.xy : local.zx);
+  vec2 uv = glark_patch.xy + glark_patch.z * tile;
+  @weights = vec3((1.0 - uv.x) - uv.y, uv);
+}
+)";
+
+// What the application's refinement shader reads besides the inputs. The corners of an array A of n elements are flattened:
+// element i of corner k is ark_corner_A[k * n + i].
+std::string refinement_declarations(const EpiloguePlan& plan) {
+  std::string text = "vec3 ark_barycentric;\n";
+  std::string fill = "void @fill_corners() {\n  ark_barycentric = @weights;\n";
+  for (const InputVariable& input : plan.inputs) {
+    const std::string name = "ark_corner_" + input.field.name;
+    if (!plan.refinement_identifiers.contains(name)) continue;
+    const int elements = input.field.array_size;
+    text += std::string(input.type->name) + " " + name + "[" + std::to_string(3 * elements) + "];\n";
+    for (int i = 0; i < 3 * elements; ++i) {
+      fill += "  " + name + "[" + std::to_string(i) + "] = " + corner_expression(plan, input, i % elements, i / elements) + ";\n";
+    }
+  }
+  return text + fill + "}\n";
+}
+
+std::string interpolate_function(const EpiloguePlan& plan, TypeSet& mixed_types) {
+  std::string text = "void @interpolate() {\n" + fill_by_interpolation(plan, mixed_types);
+  if (plan.curved()) text += fill_by_pn(plan, mixed_types);
+  return text + "}\n";
+}
+
+bool uses_integers(const EpiloguePlan& plan) {
+  return std::any_of(plan.inputs.begin(), plan.inputs.end(), [](const InputVariable& input) {
+    return input.type->scalar != Scalar::float32;
+  });
+}
+
+std::string enable_where_present(const std::string& extension) {
+  return "#ifdef " + extension + "\n#extension " + extension + " : enable\n#endif\n";
+}
+
+}  // namespace
+
+// `precise` is a keyword from GLSL 4.00 and ES 3.20 on, and with an extension before, unless the application uses the words
+// that the extension reserves.
+std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& application_identifiers) {
+  const GlslVersion& version = plan.version;
+  std::string text;
+  if (uses_integers(plan) && !version.at_least(330, 300)) text += enable_where_present("GL_ARB_shader_bit_encoding");
+  if (version.at_least(400, 320)) return text + "#define @precise precise\n";
+  const bool words_are_free = !application_identifiers.contains("precise") && !application_identifiers.contains("sample");
+  if (!words_are_free || !version.at_least(110, 310)) return text + "#define @precise\n";
+  const std::string extension = version.es ? "GL_EXT_gpu_shader5" : "GL_ARB_gpu_shader5";
+  return text + "#ifdef " + extension + "\n#extension " + extension + " : enable\n#define @precise precise\n" +
+         "#else\n#define @precise\n#endif\n";
+}
+
+MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarations_of_inputs) {
+  TypeSet mixed_types;
+  std::string functions = output_functions(plan, plan.main_unit, mixed_types);
+  if (plan.refinement != core::Refinement::linear_outputs) functions += interpolate_function(plan, mixed_types);
+  for (std::size_t unit = 0; unit < plan.resets.size(); ++unit) {
+    if (unit != plan.main_unit) output_functions(plan, unit, mixed_types);  // for the types that it mixes
+  }
+  MainEpilogue epilogue;
+  std::string& text = epilogue.declarations;
+  text = "\n";
+  if (plan.version.es) text += "precision highp float;\nprecision highp int;\n";
+  text += chunk_declarations(plan) + declarations_of_inputs + prototypes_of_other_units(plan) + place_function;
+  text += mix_functions(mixed_types, true);
+  if (plan.curved()) text += pn_functions();
+  text += functions;
+  if (!plan.refinement_source.empty()) text += refinement_declarations(plan);
+  epilogue.main = MainText(plan).text();
+  return epilogue;
+}
+
+std::string unit_epilogue(const EpiloguePlan& plan, std::size_t unit) {
+  if (!unit_has_outputs(plan, unit)) return {};
+  TypeSet mixed_types;
+  const std::string functions = output_functions(plan, unit, mixed_types);
+  return "\n" + mix_functions(mixed_types, false) + functions;
+}
+
+}  // namespace glark::refine

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The text that glark adds to the application's vertex stage: the vertex inputs of the derived program, what fills the
+// application's globals from the coarse record, and main. In these texts '@' stands for the prefix of our names (derive.cpp
+// replaces it); GLSL has no such character, so the application's names cannot hold it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glark/core/refine/derive.h"
+#include "glark/core/refine/glsl_types.h"
+#include "glark/core/refine/rewrite.h"
+
+namespace glark::refine {
+
+// A field of the coarse record and the global that it fills.
+struct InputVariable {
+  capture::Field field;
+  std::string global;  // "position", "@Vertex"
+  const NumericType* type = nullptr;
+};
+
+// An output of the vertex stage, declared in or (built-in) assigned to unit `unit`.
+struct OutputVariable {
+  std::size_t unit = 0;
+  std::string path;                // "color", "block.color", "gl_Position"
+  std::string type;
+  std::vector<std::string> sizes;  // array sizes, none open
+  bool flat = false;
+  std::string problem;             // why it cannot be saved, or empty
+};
+
+struct EpiloguePlan {
+  GlslVersion version;
+  core::Refinement refinement = core::Refinement::linear_inputs;
+  int provoking_corner = 2;
+  int corner_words = 0;
+  int chunk_count = 0;
+  std::vector<InputVariable> inputs;
+  std::vector<OutputVariable> outputs;  // linear_outputs: all; otherwise those that are flat
+  std::vector<Structure> structures;
+  std::vector<bool> resets;             // per unit: has a function that initialises its globals again
+  std::size_t main_unit = 0;
+  std::string refinement_source;        // rewritten text of the application's refinement shader, or empty
+  std::set<std::string> refinement_identifiers;
+
+  bool curved() const { return refinement == core::Refinement::pn; }
+};
+
+using TypeSet = std::set<std::string>;
+
+// epilogue_chunks.cpp: the record as expressions, and the statements that fill the inputs.
+std::string chunk_declarations(const EpiloguePlan& plan);
+std::string corner_expression(const EpiloguePlan& plan, const InputVariable& input, int element, int corner);
+std::string fill_from_corner(const EpiloguePlan& plan, int corner);
+std::string fill_by_interpolation(const EpiloguePlan& plan, TypeSet& mixed_types);
+// Definitions or prototypes of "T @mix(T, T, T)".
+std::string mix_functions(const TypeSet& types, bool define);
+
+// epilogue_pn.cpp: the position and the normal on the curved triangle.
+const InputVariable* pn_position(const EpiloguePlan& plan);
+const InputVariable* pn_normal(const EpiloguePlan& plan);
+std::string pn_functions();
+std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types);
+
+// epilogue_outputs.cpp
+std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit, bool flat_colors);
+bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures);
+// Functions "@save<slot>_<unit>" and "@finish_<unit>" of one unit, with the variables that they need.
+std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types);
+bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit);
+
+// epilogue.cpp
+// Directives that must follow #version.
+std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& application_identifiers);
+// What goes in front of and behind the application's refinement shader, at the end of the unit that defines main.
+struct MainEpilogue {
+  std::string declarations;
+  std::string main;
+};
+MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarations_of_inputs);
+// What goes to the end of another unit.
+std::string unit_epilogue(const EpiloguePlan& plan, std::size_t unit);
+
+}  // namespace glark::refine

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "glark/core/refine/fixed_function.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::refine {
+
+// What a fragment stage of the application's own reads of the fixed-function vertex stage.
+struct FragmentReads {
+  bool own_fragment_stage = false;
+  unsigned texture_units = 0;  // bit i: texture coordinates i
+};
+
+// From the text of a GLSL or ARB assembly fragment program: gl_TexCoord[2], fragment.texcoord[2]; all units if an index is not literal.
+FragmentReads fragment_reads(const std::string& source);
+
+// Reads the enables and modes of the current context. Changes nothing (the active texture unit is put back). Queries; call it
+// only when something changed.
+FixedFunctionState read_fixed_function_state(const gl::Dispatch& gl, const FragmentReads& fragment);
+
+}  // namespace glark::refine

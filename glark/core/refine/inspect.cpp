@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <exception>
+
+#include "glark/core/refine/derive.h"
+#include "glark/core/refine/epilogue.h"
+#include "glark/core/refine/glsl_frontend.h"
+#include "glark/core/refine/rewrite.h"
+
+namespace glark::refine {
+namespace {
+
+bool writes_memory_by_name(const Tokens& tokens) {
+  return std::any_of(tokens.begin(), tokens.end(), [](const Token& token) {
+    return token.kind == TokenKind::identifier &&
+           (token.text.starts_with("imageStore") || token.text.starts_with("imageAtomic") || token.text.starts_with("atomic") ||
+            token.text == "buffer");
+  });
+}
+
+// glslang cannot be trusted to understand the shader where it does not know an extension that the shader asks for.
+bool uses_unknown_extension(const Tokens& tokens) {
+  for (const Token& token : tokens) {
+    if (directive_name(token) != "extension") continue;
+    const Tokens words = tokenize(std::string_view(token.text).substr(1));
+    if (words.size() > 2 && !words[1].is("all") && !frontend_knows_extension(words[1].text)) return true;
+  }
+  return false;
+}
+
+void note_system_values(const Tokens& tokens, VertexStageTraits& traits) {
+  for (const Token& token : tokens) {
+    const BuiltInInput* const input = built_in_input(token.text);
+    if (input == nullptr || !input->system_value) continue;
+    if (input->field == "gl_InstanceID" || input->field == "gl_BaseInstance") {
+      traits.reads_instance_id = true;
+    } else {
+      traits.reads_vertex_id = true;
+    }
+  }
+}
+
+Inspection inspect(const std::vector<std::string>& sources, bool es, const std::vector<std::string>& extensions) {
+  Inspection result;
+  std::vector<VertexUnit> units;
+  if (!read_units(sources, es, extensions, units, result.error)) return result;
+  const std::size_t main_unit = find_main_unit(units);
+  if (main_unit == units.size()) {
+    result.error = "no vertex shader defines main()";
+    return result;
+  }
+  std::vector<Structure> structures;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const Tokens& tokens = units[i].tokens;
+    const Parsed parsed = parse_vertex_shader(to_text(tokens), es);
+    const bool unknown = !parsed.ok && uses_unknown_extension(tokens);
+    if (!parsed.ok && !unknown) {
+      result.error = (units.size() == 1 ? "vertex shader: " : "vertex shader " + std::to_string(i) + ": ") + parsed.error;
+      return result;
+    }
+    if (unknown ? writes_memory_by_name(tokens) : parsed.writes_memory) result.traits.has_side_effects = true;
+    if (units[i].interface.has_subroutines) result.traits.has_subroutines = true;
+    note_system_values(tokens, result.traits);
+    structures.insert(structures.end(), units[i].interface.structures.begin(), units[i].interface.structures.end());
+  }
+  const std::vector<OutputVariable> outputs = collect_outputs(units, main_unit, false);
+  result.traits.writes_flat_outputs =
+      std::any_of(outputs.begin(), outputs.end(), [&](const OutputVariable& output) { return is_flat(output, structures); });
+  result.ok = true;
+  return result;
+}
+
+}  // namespace
+
+Inspection inspect_vertex_stage(const std::vector<std::string>& vertex_sources, bool es, const std::vector<std::string>& extensions) {
+  try {
+    return inspect(vertex_sources, es, extensions);
+  } catch (const std::exception& exception) {
+    Inspection failed;
+    failed.error = std::string("inspection failed: ") + exception.what();
+    return failed;
+  }
+}
+
+}  // namespace glark::refine

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// From an application program to the GL program that draws its refined triangles.
+#pragma once
+
+#include <string>
+
+#include "glark/core/capture/layout.h"
+#include "glark/core/program.h"
+#include "glark/core/refine/fixed_function.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::refine {
+
+struct BuilderTraits {
+  capture::Language language = capture::Language::compatibility;
+  int glsl_version = 450;
+  GLint max_vertex_attributes = 16;
+  GLint max_feedback_components = 64;
+  GLuint lattice_location = 0;
+  GLuint patch_location = 1;
+  GLuint first_chunk_location = 2;
+};
+
+class ProgramBuilder {
+ public:
+  ProgramBuilder(const gl::Dispatch& gl, const BuilderTraits& traits) : gl_(gl), traits_(traits) {}
+
+  // Fills in the fields and traits of a linked program, and the cause if it cannot be refined. Reads only.
+  void prepare(core::Program& program) const;
+
+  // The derived program for `key`, with the uniform values of now; nullptr (and a line in the log) if it cannot be built.
+  // `owner`: the application's program whose uniforms it follows; null for plain fixed function.
+  core::DerivedProgram* derive(core::Program& program, core::Program* owner, const core::DerivedKey& key) const;
+
+  // A Program that holds the generated vertex stage of `state` beside the fragment stages of `fragment` (may be null).
+  std::shared_ptr<core::Program> fixed_function(const FixedFunctionState& state, const core::Program* fragment) const;
+
+  // Deletes the GL programs derived from `program`.
+  void discard(core::Program& program) const;
+
+ private:
+  GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources, GLuint settings_of,
+                          std::string& error) const;
+  void read_fields(core::Program& program) const;
+
+  const gl::Dispatch& gl_;
+  BuilderTraits traits_;
+};
+
+}  // namespace glark::refine

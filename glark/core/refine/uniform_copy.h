@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Agreement of a derived program's uniforms, blocks and outputs with the application's program.
+#pragma once
+
+#include "glark/core/program.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::refine {
+
+// Before linking: fragment output locations and transform feedback varyings of `from`, set on `to`.
+void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to);
+
+// After linking: fills derived.location_of.
+void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedProgram& derived);
+
+// Values of all uniforms outside blocks, and the bindings of uniform and storage blocks.
+void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::DerivedProgram& derived);
+void copy_block_bindings(const gl::Dispatch& gl, GLuint from, GLuint to);
+
+}  // namespace glark::refine

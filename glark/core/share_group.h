@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// State of the objects that several contexts share: shaders, programs, display lists, and whether any buffer changed.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+#include "glark/core/display_list.h"
+#include "glark/core/program.h"
+
+namespace glark::core {
+
+struct ShareGroup {
+  std::mutex mutex;  // guards the tables; taken where objects are made, linked or deleted, and at lookups outside the fast path
+  std::unordered_map<GLuint, std::shared_ptr<const std::string>> compiled_sources;
+  std::unordered_map<GLuint, std::shared_ptr<Program>> programs;
+  std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
+  GLuint next_list_name = 0x60000000;  // names of our list segments: out of the way of the application's
+  // Every write to any buffer object counts: a cached capture is valid only while this stands still.
+  std::atomic<std::uint64_t> buffer_epoch{1};
+  std::atomic<bool> any_derived{false};
+};
+
+std::shared_ptr<ShareGroup> make_share_group();
+
+}  // namespace glark::core

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Based on: Boubekeur 2007, ch. 7.2.3 (drawing a pattern in place of a triangle). The thesis binds an index buffer and sets
+// uniforms per triangle; instancing draws all triangles of a pattern at once.
+#include "glark/core/submit/submit.h"
+
+#include <cstddef>
+
+namespace glark::submit {
+namespace {
+
+constexpr GLuint lattice_binding = 0;
+constexpr GLuint patch_binding = 1;
+constexpr GLuint record_binding = 2;
+constexpr GLuint never_advance = 0x7fffffff;  // divisor: one patch for all instances of a draw
+constexpr GLsizei patch_bytes = 16;
+constexpr GLsizei chunk_bytes = 16;
+
+const void* index_offset(std::uint32_t first_index) { return reinterpret_cast<const void*>(static_cast<std::size_t>(first_index) * 2); }
+
+}  // namespace
+
+void SubmitStage::bind_vertex_array(int chunks, Source source, GLuint indices) {
+  VertexArray& array = arrays_[{chunks, source}];
+  if (array.name != 0) {
+    gl_.BindVertexArray(array.name);
+    if (array.indices != indices) {
+      gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+      array.indices = indices;
+    }
+    return;
+  }
+  gl_.GenVertexArrays(1, &array.name);
+  gl_.BindVertexArray(array.name);
+  gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+  array.indices = indices;
+  gl_.EnableVertexAttribArray(lattice_location);
+  gl_.VertexAttribFormat(lattice_location, 2, GL_UNSIGNED_SHORT, GL_FALSE, 0);
+  gl_.VertexAttribBinding(lattice_location, lattice_binding);
+  gl_.EnableVertexAttribArray(patch_location);
+  gl_.VertexAttribFormat(patch_location, 4, GL_FLOAT, GL_FALSE, 0);
+  gl_.VertexAttribBinding(patch_location, patch_binding);
+  gl_.VertexBindingDivisor(patch_binding, source == Source::uniform ? never_advance : 1);
+  for (int chunk = 0; chunk < chunks; ++chunk) {
+    const GLuint location = first_chunk_location + static_cast<GLuint>(chunk);
+    gl_.EnableVertexAttribArray(location);
+    gl_.VertexAttribFormat(location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(chunk * chunk_bytes));
+    gl_.VertexAttribBinding(location, record_binding);
+  }
+  gl_.VertexBindingDivisor(record_binding, 1);
+}
+
+void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles, const capture::Layout& layout, unsigned level,
+                               const core::GpuBuffer& count_command) {
+  bind_vertex_array(layout.chunk_count(), Source::uniform, pool.indices());
+  gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
+  gl_.BindVertexBuffer(record_binding, triangles.buffer, triangles.offset, layout.triangle_words() * 4);
+  const unsigned piece_level = level < static_cast<unsigned>(pattern::deepest_uniform) ? level : static_cast<unsigned>(pattern::deepest_uniform);
+  const pattern::Piece& piece = pool.piece(pattern::uniform_piece(static_cast<int>(piece_level)));
+  if (triangles.count_on_gpu) {
+    // All but the instance count, which the query has written.
+    const std::uint32_t rest[3] = {piece.first_index, piece.base_vertex, 0};
+    count_command.write(gl_, offsetof(capture::CountCommand, index_count), sizeof(std::uint32_t), &piece.index_count);
+    count_command.write(gl_, offsetof(capture::CountCommand, first_index), sizeof(rest), rest);
+    gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, count_command.name());
+  }
+  const unsigned first = pattern::GpuPool::first_tile(level);
+  for (unsigned tile = 0; tile < pattern::GpuPool::tile_count(level); ++tile) {
+    gl_.BindVertexBuffer(patch_binding, pool.patches(), static_cast<GLintptr>(first + tile) * patch_bytes, patch_bytes);
+    if (triangles.count_on_gpu) {
+      gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr);
+    } else {
+      gl_.DrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(piece.index_count), GL_UNSIGNED_SHORT, index_offset(piece.first_index),
+                                          static_cast<GLsizei>(triangles.count), piece.base_vertex);
+    }
+  }
+}
+
+void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, const capture::Layout& layout) {
+  bind_vertex_array(layout.chunk_count(), Source::binned, pool.indices());
+  gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
+  gl_.BindVertexBuffer(patch_binding, bins.instances, bins.stride - patch_bytes, bins.stride);
+  gl_.BindVertexBuffer(record_binding, bins.instances, 0, bins.stride);
+  gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, bins.commands);
+  const auto multi_draw = gl_.MultiDrawElementsIndirect;
+  if (multi_draw != nullptr) {
+    multi_draw(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(bins.commands_offset), bins.command_count, 0);
+    return;
+  }
+  for (GLsizei command = 0; command < bins.command_count; ++command) {
+    gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(bins.commands_offset + command * GLintptr{20}));
+  }
+}
+
+void SubmitStage::release() {
+  for (const auto& [key, array] : arrays_) {
+    gl_.DeleteVertexArrays(1, &array.name);
+  }
+  arrays_.clear();
+}
+
+}  // namespace glark::submit

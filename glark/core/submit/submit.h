@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Draws refined triangles: the vertex arrays of lattice, patch and coarse record, and the draw calls. The caller binds the program.
+#pragma once
+
+#include <map>
+
+#include "glark/core/capture/capture.h"
+#include "glark/core/depth/bins.h"
+#include "glark/core/pattern/gpu_pool.h"
+
+namespace glark::submit {
+
+// Attribute locations of every derived program.
+inline constexpr GLuint lattice_location = 0;
+inline constexpr GLuint patch_location = 1;
+inline constexpr GLuint first_chunk_location = 2;
+
+class SubmitStage {
+ public:
+  explicit SubmitStage(const gl::Dispatch& gl) : gl_(gl) {}
+
+  // Every coarse triangle at the same level: one instanced draw for each tile of the level. Binds a vertex array of ours;
+  // with a count on the GPU also GL_DRAW_INDIRECT_BUFFER (`count_command`).
+  void draw_uniform(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles, const capture::Layout& layout, unsigned level,
+                    const core::GpuBuffer& count_command);
+  // Binds a vertex array of ours and GL_DRAW_INDIRECT_BUFFER.
+  void draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, const capture::Layout& layout);
+  void release();
+
+ private:
+  enum class Source { uniform, binned };
+  void bind_vertex_array(int chunks, Source source, GLuint indices);
+
+  const gl::Dispatch& gl_;
+  struct Key {
+    int chunks;
+    Source source;
+    auto operator<=>(const Key&) const = default;
+  };
+  struct VertexArray {
+    GLuint name = 0;
+    GLuint indices = 0;
+  };
+  std::map<Key, VertexArray> arrays_;
+};
+
+}  // namespace glark::submit

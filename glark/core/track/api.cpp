@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The commands of GL_ARK_adaptive_refinement (docs/spec). A failed command changes nothing.
+// Based on: Boubekeur 2007, ch. 7.5 ("Low level API extensions").
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace {
+
+// Commands that need the pool, or a context that can refine at all.
+bool refuse(Context& c, bool needs_pool) {
+  if (track::inside_begin(c)) {
+    return true;
+  }
+  if (!c.capabilities.refinable || (needs_pool && c.ark.pool_level < 0)) {
+    c.raise(GL_INVALID_OPERATION);
+    return true;
+  }
+  return false;
+}
+
+GLuint highest_tag(const Context& c) { return static_cast<GLuint>(std::max(c.ark.pool_level, 0)); }
+
+bool is_tag_type(GLenum type) { return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT || type == GL_FLOAT; }
+
+// Refined triangles only: adjacency, patches, points and lines have none of their own.
+bool refuse_mode(Context& c, GLenum mode) {
+  const bool quads = mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON;
+  if (!is_triangle_mode(mode) || (quads && !c.is_compatibility())) {
+    c.raise(GL_INVALID_ENUM);
+    return true;
+  }
+  return false;
+}
+
+// Draws refined even with GL_ARK disabled.
+template <typename Draw>
+void with_ark(Context& c, Draw&& draw) {
+  const bool was_transparent = c.options.transparent;
+  c.options.transparent = false;
+  draw();
+  c.options.transparent = was_transparent;
+}
+
+bool set_choice(Context& c, bool known, bool first, bool& state_is_first) {
+  if (!known) {
+    c.raise(GL_INVALID_ENUM);
+    return false;
+  }
+  state_is_first = first;
+  return true;
+}
+
+void set_refinement(Context& c, GLenum value) {
+  switch (value) {
+    case GL_LINEAR_INPUTS_ARK: c.ark.refinement = Refinement::linear_inputs; break;
+    case GL_LINEAR_OUTPUTS_ARK: c.ark.refinement = Refinement::linear_outputs; break;
+    case GL_CURVED_PN_ARK: c.ark.refinement = Refinement::pn; break;
+    default: c.raise(GL_INVALID_ENUM); break;
+  }
+}
+
+void set_tag_attribute(Context& c, GLint index) {
+  const GLint lowest = c.is_compatibility() ? 1 : 0;  // attribute 0 is glVertex there
+  if (index < lowest || index >= c.capabilities.max_vertex_attributes) {
+    c.raise(GL_INVALID_VALUE);
+    return;
+  }
+  c.ark.tag_attribute = static_cast<GLuint>(index);
+  c.pipeline->tag_attribute_changed();
+}
+
+// The program that a refinement command names. Null: the error is raised.
+Program* named_program(Context& c, GLuint name) {
+  if (refuse(c, false)) {
+    return nullptr;
+  }
+  if (name != 0 && c.gl.IsShader(name) != GL_FALSE) {
+    c.raise(GL_INVALID_OPERATION);
+    return nullptr;
+  }
+  if ((name == 0 && !c.is_compatibility()) || (name != 0 && c.gl.IsProgram(name) == GL_FALSE)) {
+    c.raise(GL_INVALID_VALUE);
+    return nullptr;
+  }
+  Program* program = c.pipeline->program_for_refinement(name);
+  if (program == nullptr) {
+    // Not linked yet: the source waits for it.
+    const std::lock_guard lock(c.share->mutex);
+    std::shared_ptr<Program>& slot = c.share->programs[name];
+    slot = std::make_shared<Program>();
+    slot->name = name;
+    program = slot.get();
+  }
+  return program;
+}
+
+std::string join(GLsizei count, const GLchar* const* string, const GLint* length) {
+  std::string source;
+  for (GLsizei i = 0; i < count; ++i) {
+    const bool counted = length != nullptr && length[i] >= 0;
+    source.append(string[i], counted ? static_cast<std::size_t>(length[i]) : std::strlen(string[i]));
+  }
+  return source;
+}
+
+}  // namespace
+
+namespace hook {
+
+void ARKinit(Context& c, GLuint max_level) {
+  if (refuse(c, false)) {
+    return;
+  }
+  if (max_level > max_supported_level) {
+    c.raise(GL_INVALID_VALUE);
+    return;
+  }
+  ErrorScope errors(c);
+  if (!c.pipeline->build_pool(max_level)) {
+    c.raise(GL_OUT_OF_MEMORY);
+    return;
+  }
+  // From here on the program knows of the extension: it is refined as it says, no longer without its knowledge.
+  c.options.transparent = false;
+  c.ark.pool_level = static_cast<int>(max_level);
+  c.ark.uniform_level = std::min(c.ark.uniform_level, max_level);
+  if (c.ark.current_tag > max_level) {
+    DepthTag1i(c, max_level);
+  }
+  c.update_refining();
+}
+
+void ARKParameteriARK(Context& c, GLenum name, GLint value) {
+  if (refuse(c, false)) {
+    return;
+  }
+  const auto token = static_cast<GLenum>(value);
+  bool first = true;
+  switch (name) {
+    case GL_REFINEMENT_ARK: set_refinement(c, token); break;
+    case GL_DEPTH_SOURCE_ARK:
+      if (set_choice(c, token == GL_DEPTH_TAG_ARK || token == GL_UNIFORM_DEPTH_ARK, token == GL_DEPTH_TAG_ARK, first)) {
+        c.ark.depth_source = first ? DepthSource::tag : DepthSource::uniform;
+      }
+      break;
+    case GL_UNIFORM_DEPTH_LEVEL_ARK:
+      if (value < 0 || static_cast<GLuint>(value) > highest_tag(c)) {
+        c.raise(GL_INVALID_VALUE);
+      } else {
+        c.ark.uniform_level = static_cast<GLuint>(value);
+      }
+      break;
+    case GL_DEPTH_TAG_ATTRIBUTE_ARK: set_tag_attribute(c, value); break;
+    case GL_POLYGON_SPLIT_ARK:
+      if (set_choice(c, token == GL_POLYGON_TRIANGLES_ARK || token == GL_POLYGON_CENTROID_ARK, token == GL_POLYGON_TRIANGLES_ARK, first)) {
+        c.ark.polygon_split = first ? PolygonSplit::triangles : PolygonSplit::centroid;
+      }
+      break;
+    case GL_PATTERN_INTERIOR_ARK:
+      if (set_choice(c, token == GL_MINIMUM_INTERIOR_ARK || token == GL_SMOOTH_INTERIOR_ARK, token == GL_MINIMUM_INTERIOR_ARK, first)) {
+        c.ark.smooth_interior = !first;
+      }
+      break;
+    default: c.raise(GL_INVALID_ENUM); break;
+  }
+}
+
+void DepthTag1i(Context& c, GLuint d) {
+  if (!c.capabilities.refinable) {
+    c.raise(GL_INVALID_OPERATION);
+    return;
+  }
+  if (d > highest_tag(c)) {
+    c.raise(GL_INVALID_VALUE);
+    return;
+  }
+  c.gl.VertexAttrib4f(c.ark.tag_attribute, static_cast<GLfloat>(d), 0.0F, 0.0F, 1.0F);
+  c.immediate.tags_set = true;
+  if (track::executes(c)) {
+    c.ark.current_tag = d;
+  }
+}
+
+void DepthTagPointerARK(Context& c, GLenum type, GLsizei stride, const void* pointer) {
+  if (refuse(c, false)) {
+    return;
+  }
+  if (!is_tag_type(type)) {
+    c.raise(GL_INVALID_ENUM);
+    return;
+  }
+  c.gl.VertexAttribPointer(c.ark.tag_attribute, 1, type, GL_FALSE, stride, pointer);  // raises the other errors
+  c.touch_vertex_arrays();
+}
+
+void DrawARP(Context& c, GLenum mode, GLint first, GLsizei count) {
+  if (refuse(c, true) || refuse_mode(c, mode)) {
+    return;
+  }
+  if (c.compiling_list) {
+    c.raise(GL_INVALID_OPERATION);
+    return;
+  }
+  with_ark(c, [&] { DrawArrays(c, mode, first, count); });
+}
+
+void DrawARPElementsARK(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+  if (refuse(c, true) || refuse_mode(c, mode)) {
+    return;
+  }
+  if (c.compiling_list) {
+    c.raise(GL_INVALID_OPERATION);
+    return;
+  }
+  with_ark(c, [&] { DrawElements(c, mode, count, type, indices); });
+}
+
+void RefinementShaderSourceARK(Context& c, GLuint name, GLsizei count, const GLchar* const* string, const GLint* length) {
+  if (count < 0) {
+    c.raise(GL_INVALID_VALUE);
+    return;
+  }
+  Program* program = named_program(c, name);
+  if (program == nullptr) {
+    return;
+  }
+  ErrorScope errors(c);
+  std::string source = join(count, string, length);
+  if (name == 0) {
+    c.pipeline->set_fixed_function_refinement(std::move(source));
+    return;
+  }
+  c.pipeline->discard(*program);
+  program->refinement_source = std::move(source);
+  program->virtual_uniforms.clear();
+}
+
+void GetRefinementivARK(Context& c, GLuint name, GLenum parameter, GLint* value) {
+  Program* program = named_program(c, name);
+  if (program == nullptr || value == nullptr) {
+    return;
+  }
+  switch (parameter) {
+    case GL_REFINEMENT_STATUS_ARK:
+      *value = c.pipeline->derived_for(*program, name != 0 ? program : nullptr) != nullptr ? GL_TRUE : GL_FALSE;
+      break;
+    case GL_REFINEMENT_LOG_LENGTH_ARK: *value = program->refinement_log.empty() ? 0 : static_cast<GLint>(program->refinement_log.size() + 1); break;
+    case GL_REFINEMENT_SOURCE_LENGTH_ARK:
+      *value = program->refinement_source.empty() ? 0 : static_cast<GLint>(program->refinement_source.size() + 1);
+      break;
+    default: c.raise(GL_INVALID_ENUM); break;
+  }
+}
+
+void GetRefinementInfoLogARK(Context& c, GLuint name, GLsizei size, GLsizei* length, GLchar* log) {
+  if (size < 0) {
+    c.raise(GL_INVALID_VALUE);
+    return;
+  }
+  const Program* program = named_program(c, name);
+  if (program == nullptr) {
+    return;
+  }
+  GLsizei written = 0;
+  if (size > 0 && log != nullptr) {
+    written = std::min(size - 1, static_cast<GLsizei>(program->refinement_log.size()));
+    std::memcpy(log, program->refinement_log.data(), static_cast<std::size_t>(written));
+    log[written] = '\0';
+  }
+  if (length != nullptr) {
+    *length = written;
+  }
+}
+
+}  // namespace hook
+}  // namespace glark::core

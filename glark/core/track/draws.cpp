@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Hooks of the draw calls with counts that the CPU knows. Each turns its arguments into a DrawCall.
+#include <algorithm>
+
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace track {
+
+void draw(Context& context, const DrawCall& call) {
+  if (context.compiling_list) {
+    if (context.list.cutting) {
+      record_draw(context, call);
+    } else {
+      call.issue();
+    }
+    return;
+  }
+  context.pipeline->draw(call);
+}
+
+namespace {
+
+bool restarts(const Context& context) { return context.bindings.primitive_restart || context.bindings.primitive_restart_fixed; }
+
+bool is_index_type(GLenum type) { return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT; }
+
+// One array draw; `issue` is the application's own call.
+void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
+  if (draw_of.first < 0 || draw_of.count < 0 || draw_of.instances < 0) {
+    issue();  // GL_INVALID_VALUE
+    return;
+  }
+  const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) * static_cast<std::uint64_t>(draw_of.instances);
+  draw(context, {.mode = draw_of.mode, .triangles = triangles, .arrays = &draw_of, .issue = issue});
+}
+
+void draw_elements(Context& context, const ArrayDraw& draw_of, Issue issue) {
+  if (draw_of.count < 0 || draw_of.instances < 0 || !is_index_type(draw_of.index_type)) {
+    issue();  // GL_INVALID_VALUE, GL_INVALID_ENUM
+    return;
+  }
+  context.refresh_bindings();
+  const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) * static_cast<std::uint64_t>(draw_of.instances);
+  draw(context, {.mode = draw_of.mode, .triangles = triangles, .exact = !restarts(context), .arrays = &draw_of, .issue = issue});
+}
+
+std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws) {
+  std::uint64_t total = 0;
+  for (GLsizei i = 0; i < draws; ++i) {
+    if (count[i] < 0) {
+      return 0;
+    }
+    total += triangles_of(mode, static_cast<std::uint64_t>(count[i]));
+  }
+  return total;
+}
+
+void draw_rectangle(Context& context, Issue issue) { draw(context, {.mode = GL_QUADS, .triangles = 2, .issue = issue}); }
+
+}  // namespace
+}  // namespace track
+
+namespace hook {
+
+using track::draw_arrays;
+using track::draw_elements;
+
+void DrawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
+  draw_arrays(c, {.mode = mode, .first = first, .count = count}, [&] { c.gl.DrawArrays(mode, first, count); });
+}
+
+void DrawArraysInstanced(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances) {
+  draw_arrays(c, {.mode = mode, .first = first, .count = count, .instances = instances},
+              [&] { c.gl.DrawArraysInstanced(mode, first, count, instances); });
+}
+
+void DrawArraysInstancedBaseInstance(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances, GLuint base_instance) {
+  draw_arrays(c, {.mode = mode, .first = first, .count = count, .instances = instances, .base_instance = base_instance},
+              [&] { c.gl.DrawArraysInstancedBaseInstance(mode, first, count, instances, base_instance); });
+}
+
+void DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices}, [&] { c.gl.DrawElements(mode, count, type, indices); });
+}
+
+void DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) {
+  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices},
+                [&] { c.gl.DrawRangeElements(mode, start, end, count, type, indices); });
+}
+
+void DrawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base_vertex) {
+  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .base_vertex = base_vertex},
+                [&] { c.gl.DrawElementsBaseVertex(mode, count, type, indices, base_vertex); });
+}
+
+void DrawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices,
+                                 GLint base_vertex) {
+  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .base_vertex = base_vertex},
+                [&] { c.gl.DrawRangeElementsBaseVertex(mode, start, end, count, type, indices, base_vertex); });
+}
+
+void DrawElementsInstanced(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances) {
+  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .instances = instances},
+                [&] { c.gl.DrawElementsInstanced(mode, count, type, indices, instances); });
+}
+
+void DrawElementsInstancedBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances,
+                                       GLuint base_instance) {
+  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .instances = instances, .base_instance = base_instance},
+                [&] { c.gl.DrawElementsInstancedBaseInstance(mode, count, type, indices, instances, base_instance); });
+}
+
+void DrawElementsInstancedBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances,
+                                     GLint base_vertex) {
+  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .base_vertex = base_vertex, .instances = instances},
+                [&] { c.gl.DrawElementsInstancedBaseVertex(mode, count, type, indices, instances, base_vertex); });
+}
+
+void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances,
+                                                 GLint base_vertex, GLuint base_instance) {
+  const ArrayDraw draw_of{.mode = mode,
+                          .count = count,
+                          .index_type = type,
+                          .indices = indices,
+                          .base_vertex = base_vertex,
+                          .instances = instances,
+                          .base_instance = base_instance};
+  draw_elements(c, draw_of, [&] {
+    c.gl.DrawElementsInstancedBaseVertexBaseInstance(mode, count, type, indices, instances, base_vertex, base_instance);
+  });
+}
+
+void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
+  track::draw(c, {.mode = mode, .triangles = track::triangles_of_all(mode, count, draws), .issue = [&] { c.gl.MultiDrawArrays(mode, first, count, draws); }});
+}
+
+void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei draws) {
+  c.refresh_bindings();
+  track::draw(c, {.mode = mode,
+                  .triangles = track::triangles_of_all(mode, count, draws),
+                  .exact = !track::restarts(c),
+                  .issue = [&] { c.gl.MultiDrawElements(mode, count, type, indices, draws); }});
+}
+
+void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei draws,
+                                 const GLint* base_vertex) {
+  c.refresh_bindings();
+  track::draw(c, {.mode = mode,
+                  .triangles = track::triangles_of_all(mode, count, draws),
+                  .exact = !track::restarts(c),
+                  .issue = [&] { c.gl.MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); }});
+}
+
+void Rectd(Context& c, GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
+  track::draw_rectangle(c, [&] { c.gl.Rectd(x1, y1, x2, y2); });
+}
+void Rectdv(Context& c, const GLdouble* v1, const GLdouble* v2) {
+  track::draw_rectangle(c, [&] { c.gl.Rectdv(v1, v2); });
+}
+void Rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+  track::draw_rectangle(c, [&] { c.gl.Rectf(x1, y1, x2, y2); });
+}
+void Rectfv(Context& c, const GLfloat* v1, const GLfloat* v2) {
+  track::draw_rectangle(c, [&] { c.gl.Rectfv(v1, v2); });
+}
+void Recti(Context& c, GLint x1, GLint y1, GLint x2, GLint y2) {
+  track::draw_rectangle(c, [&] { c.gl.Recti(x1, y1, x2, y2); });
+}
+void Rectiv(Context& c, const GLint* v1, const GLint* v2) {
+  track::draw_rectangle(c, [&] { c.gl.Rectiv(v1, v2); });
+}
+void Rects(Context& c, GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
+  track::draw_rectangle(c, [&] { c.gl.Rects(x1, y1, x2, y2); });
+}
+void Rectsv(Context& c, const GLshort* v1, const GLshort* v2) {
+  track::draw_rectangle(c, [&] { c.gl.Rectsv(v1, v2); });
+}
+
+void EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
+  track::draw(c, {.mode = GL_LINES, .issue = [&] { c.gl.EvalMesh1(mode, i1, i2); }});
+}
+
+// OpenGL 4.6 compatibility, D.1: in mode GL_FILL a row of the mesh is a quad strip.
+void EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+  const auto columns = static_cast<std::uint64_t>(std::max(0, i2 - i1));
+  const auto rows = static_cast<std::uint64_t>(std::max(0, j2 - j1));
+  const GLenum rows_of = mode == GL_FILL ? GL_QUAD_STRIP : GL_LINES;
+  track::draw(c, {.mode = rows_of,
+                  .triangles = 2 * columns * rows,
+                  .exact = false,
+                  .issue = [&] { c.gl.EvalMesh2(mode, i1, i2, j1, j2); }});
+}
+
+void DrawTransformFeedback(Context& c, GLenum mode, GLuint id) {
+  c.pipeline->count_passed(Cause::indirect_unbounded);
+  c.gl.DrawTransformFeedback(mode, id);
+}
+void DrawTransformFeedbackInstanced(Context& c, GLenum mode, GLuint id, GLsizei instances) {
+  c.pipeline->count_passed(Cause::indirect_unbounded);
+  c.gl.DrawTransformFeedbackInstanced(mode, id, instances);
+}
+void DrawTransformFeedbackStream(Context& c, GLenum mode, GLuint id, GLuint stream) {
+  c.pipeline->count_passed(Cause::indirect_unbounded);
+  c.gl.DrawTransformFeedbackStream(mode, id, stream);
+}
+void DrawTransformFeedbackStreamInstanced(Context& c, GLenum mode, GLuint id, GLuint stream, GLsizei instances) {
+  c.pipeline->count_passed(Cause::indirect_unbounded);
+  c.gl.DrawTransformFeedbackStreamInstanced(mode, id, stream, instances);
+}
+
+}  // namespace hook
+}  // namespace glark::core

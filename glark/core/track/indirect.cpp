@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Hooks of the indirect draws. Their counts are read back: the only draws for which the CPU waits for the GPU.
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace {
+
+constexpr GLsizei arrays_command_bytes = 16;
+constexpr GLsizei elements_command_bytes = 20;
+
+// The first two words of every command: vertices (or indices) and instances. Empty if they cannot be read.
+struct Counts {
+  std::uint32_t vertices = 0;
+  std::uint32_t instances = 0;
+};
+
+std::vector<Counts> read_commands(Context& c, const void* indirect, GLsizei draws, GLsizei stride) {
+  c.refresh_bindings();
+  std::vector<Counts> result(static_cast<std::size_t>(std::max(draws, 0)));
+  if (c.bindings.draw_indirect_buffer == 0) {
+    if (!c.is_compatibility() || indirect == nullptr) {
+      return {};
+    }
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      std::memcpy(&result[i], static_cast<const char*>(indirect) + i * static_cast<std::size_t>(stride), sizeof(Counts));
+    }
+    return result;
+  }
+  GLint size = 0;
+  c.gl.GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_SIZE, &size);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const GLintptr offset = reinterpret_cast<GLintptr>(indirect) + static_cast<GLintptr>(i) * stride;
+    if (offset < 0 || offset % 4 != 0 || offset + static_cast<GLintptr>(sizeof(Counts)) > size || c.gl.GetBufferSubData == nullptr) {
+      return {};
+    }
+    c.gl.GetBufferSubData(GL_DRAW_INDIRECT_BUFFER, offset, sizeof(Counts), &result[i]);
+  }
+  return result;
+}
+
+struct IndirectDraw {
+  GLenum mode;
+  const void* indirect;
+  GLsizei draws = 1;
+  GLsizei stride = 0;  // 0: tightly packed
+  GLsizei command_bytes;
+  bool exact;
+};
+
+void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
+  if (call.draws < 0 || call.stride % 4 != 0 || !is_triangle_mode(call.mode)) {
+    track::draw(c, {.mode = GL_POINTS, .issue = issue});
+    return;
+  }
+  const std::vector<Counts> commands = read_commands(c, call.indirect, call.draws, call.stride != 0 ? call.stride : call.command_bytes);
+  std::uint64_t triangles = 0;
+  for (const Counts& command : commands) {
+    triangles += triangles_of(call.mode, command.vertices) * command.instances;
+  }
+  if (commands.empty()) {
+    c.pipeline->count_passed(Cause::indirect_unbounded);
+    issue();
+    return;
+  }
+  const bool restarts = c.bindings.primitive_restart || c.bindings.primitive_restart_fixed;
+  track::draw(c, {.mode = call.mode, .triangles = triangles, .exact = call.exact && (call.command_bytes == arrays_command_bytes || !restarts), .issue = issue});
+}
+
+}  // namespace
+
+namespace hook {
+
+void DrawArraysIndirect(Context& c, GLenum mode, const void* indirect) {
+  draw_indirect(c, {.mode = mode, .indirect = indirect, .command_bytes = arrays_command_bytes, .exact = true},
+                [&] { c.gl.DrawArraysIndirect(mode, indirect); });
+}
+
+void DrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect) {
+  draw_indirect(c, {.mode = mode, .indirect = indirect, .command_bytes = elements_command_bytes, .exact = true},
+                [&] { c.gl.DrawElementsIndirect(mode, type, indirect); });
+}
+
+void MultiDrawArraysIndirect(Context& c, GLenum mode, const void* indirect, GLsizei draws, GLsizei stride) {
+  draw_indirect(c, {.mode = mode, .indirect = indirect, .draws = draws, .stride = stride, .command_bytes = arrays_command_bytes, .exact = true},
+                [&] { c.gl.MultiDrawArraysIndirect(mode, indirect, draws, stride); });
+}
+
+void MultiDrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect, GLsizei draws, GLsizei stride) {
+  draw_indirect(c, {.mode = mode, .indirect = indirect, .draws = draws, .stride = stride, .command_bytes = elements_command_bytes, .exact = true},
+                [&] { c.gl.MultiDrawElementsIndirect(mode, type, indirect, draws, stride); });
+}
+
+// The number of commands is on the GPU too: all of them are a bound.
+void MultiDrawArraysIndirectCount(Context& c, GLenum mode, const void* indirect, GLintptr count, GLsizei most, GLsizei stride) {
+  draw_indirect(c, {.mode = mode, .indirect = indirect, .draws = most, .stride = stride, .command_bytes = arrays_command_bytes, .exact = false},
+                [&] { c.gl.MultiDrawArraysIndirectCount(mode, indirect, count, most, stride); });
+}
+
+void MultiDrawElementsIndirectCount(Context& c, GLenum mode, GLenum type, const void* indirect, GLintptr count, GLsizei most, GLsizei stride) {
+  draw_indirect(c, {.mode = mode, .indirect = indirect, .draws = most, .stride = stride, .command_bytes = elements_command_bytes, .exact = false},
+                [&] { c.gl.MultiDrawElementsIndirectCount(mode, type, indirect, count, most, stride); });
+}
+
+}  // namespace hook
+}  // namespace glark::core

@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Display lists, cut into segments while they are compiled (see display_list.h). Lists that were compiled before refinement
+// was on are called as they are.
+#include <algorithm>
+#include <vector>
+
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace {
+
+constexpr int deepest_nesting = 64;  // OpenGL's own minimum of GL_MAX_LIST_NESTING
+
+GLuint new_segment_name(Context& c) {
+  const std::lock_guard lock(c.share->mutex);
+  return c.share->next_list_name++;
+}
+
+void open_segment(Context& c, GLenum mode) {
+  c.list.open_segment = new_segment_name(c);
+  c.gl.NewList(c.list.open_segment, mode);
+}
+
+void close_segment(Context& c, ListSegment segment) {
+  c.gl.EndList();
+  segment.list = c.list.open_segment;
+  c.list.list->segments.push_back(segment);
+}
+
+std::shared_ptr<DisplayList> find_list(Context& c, GLuint name) {
+  const std::lock_guard lock(c.share->mutex);
+  const auto found = c.share->lists.find(name);
+  return found != c.share->lists.end() ? found->second : nullptr;
+}
+
+void delete_segments(Context& c, const DisplayList& list) {
+  for (const ListSegment& segment : list.segments) {
+    if (segment.kind != ListSegment::Kind::call) {
+      c.gl.DeleteLists(segment.list, 1);
+    }
+  }
+}
+
+// State that a list may have changed without our seeing it.
+void forget_state(Context& c, const DisplayList* list) {
+  c.bindings_stale = true;
+  c.fixed_function_stale = true;
+  if (c.current_program != nullptr && (list == nullptr || list->changes_uniforms)) {
+    c.current_program->uniforms_stale = c.share->any_derived.load(std::memory_order_relaxed);
+  }
+}
+
+void run_segment(Context& c, const ListSegment& segment, const DisplayList& list, int depth);
+
+void call_list(Context& c, GLuint name, int depth) {
+  const std::shared_ptr<DisplayList> list = find_list(c, name);
+  if (list == nullptr || !list->refinable || !c.refining || depth > deepest_nesting || c.immediate.open) {
+    c.gl.CallList(name);
+    forget_state(c, list.get());
+    return;
+  }
+  for (const ListSegment& segment : list->segments) {
+    run_segment(c, segment, *list, depth);
+  }
+}
+
+void run_segment(Context& c, const ListSegment& segment, const DisplayList& list, int depth) {
+  switch (segment.kind) {
+    case ListSegment::Kind::state:
+      c.gl.CallList(segment.list);
+      forget_state(c, &list);
+      break;
+    case ListSegment::Kind::draw:
+      c.pipeline->draw({.mode = segment.mode,
+                        .triangles = segment.triangles,
+                        .exact = segment.exact,
+                        .tags_vary = segment.sets_tags,
+                        .issue = [&] { c.gl.CallList(segment.list); }});
+      break;
+    case ListSegment::Kind::call:
+    case ListSegment::Kind::call_offset: call_list(c, segment.list, depth + 1); break;
+  }
+}
+
+// Whether the segment just recorded must also be executed.
+void execute_last(Context& c) {
+  if (c.list.mode == GL_COMPILE_AND_EXECUTE) {
+    c.compiling_list = false;  // the pipeline draws now
+    run_segment(c, c.list.list->segments.back(), *c.list.list, 0);
+    c.compiling_list = true;
+  }
+}
+
+template <typename Name>
+GLuint name_at(const void* lists, GLsizei i) {
+  return static_cast<GLuint>(static_cast<GLint>(static_cast<const Name*>(lists)[i]));
+}
+
+// OpenGL 4.6 compatibility, 21.4: GL_2_BYTES and the like are big-endian groups of bytes.
+bool decode_name(GLenum type, const void* lists, GLsizei i, GLuint& name) {
+  const auto* bytes = static_cast<const GLubyte*>(lists);
+  const auto group = [&](GLsizei size) {
+    GLuint value = 0;
+    for (GLsizei k = 0; k < size; ++k) {
+      value = value << 8 | bytes[i * size + k];
+    }
+    return value;
+  };
+  switch (type) {
+    case GL_BYTE: name = name_at<GLbyte>(lists, i); return true;
+    case GL_UNSIGNED_BYTE: name = bytes[i]; return true;
+    case GL_SHORT: name = name_at<GLshort>(lists, i); return true;
+    case GL_UNSIGNED_SHORT: name = static_cast<const GLushort*>(lists)[i]; return true;
+    case GL_INT: name = name_at<GLint>(lists, i); return true;
+    case GL_UNSIGNED_INT: name = static_cast<const GLuint*>(lists)[i]; return true;
+    case GL_FLOAT: name = static_cast<GLuint>(static_cast<GLint>(static_cast<const GLfloat*>(lists)[i])); return true;
+    case GL_2_BYTES: name = group(2); return true;
+    case GL_3_BYTES: name = group(3); return true;
+    case GL_4_BYTES: name = group(4); return true;
+    default: return false;
+  }
+}
+
+}  // namespace
+
+namespace track {
+
+void record_draw(Context& c, const DrawCall& call) {
+  if (c.list.in_begin || !is_triangle_mode(call.mode)) {
+    call.issue();
+    return;
+  }
+  close_segment(c, {});
+  open_segment(c, GL_COMPILE);
+  call.issue();
+  close_segment(c, {.kind = ListSegment::Kind::draw, .mode = call.mode, .triangles = call.triangles, .exact = call.exact});
+  execute_last(c);
+  open_segment(c, c.list.mode);
+}
+
+bool list_begin(Context& c, GLenum mode) {
+  if (!c.list.cutting || c.list.in_begin) {
+    return false;
+  }
+  c.list.in_begin = true;
+  c.immediate.tags_set = false;
+  c.list.begun_mode = mode;
+  c.list.in_draw = is_triangle_mode(mode);
+  if (c.list.in_draw) {
+    close_segment(c, {});
+    open_segment(c, GL_COMPILE);
+  }
+  c.gl.Begin(mode);
+  return true;
+}
+
+bool list_end(Context& c) {
+  if (!c.list.cutting || !c.list.in_begin) {
+    return false;
+  }
+  c.gl.End();
+  c.list.in_begin = false;
+  if (!c.list.in_draw) {
+    return true;
+  }
+  c.list.in_draw = false;
+  close_segment(c, {.kind = ListSegment::Kind::draw,
+                    .mode = c.list.begun_mode,
+                    .vertices = c.immediate_vertices,
+                    .triangles = triangles_of(c.list.begun_mode, c.immediate_vertices),
+                    .sets_tags = c.immediate.tags_set});
+  execute_last(c);
+  open_segment(c, c.list.mode);
+  return true;
+}
+
+}  // namespace track
+
+namespace hook {
+
+void NewList(Context& c, GLuint name, GLenum mode) {
+  const bool valid = name != 0 && (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE) && !c.compiling_list && !c.immediate.open;
+  if (!valid) {
+    c.gl.NewList(name, mode);  // raises the error
+    return;
+  }
+  c.list = ListCompilation{};
+  c.list.name = name;
+  c.list.mode = mode;
+  c.list.cutting = c.pipeline != nullptr && (c.options.transparent || c.ark.pool_level >= 0);
+  c.compiling_list = true;
+  c.list_changes_uniforms = false;
+  if (!c.list.cutting) {
+    c.gl.NewList(name, mode);
+    return;
+  }
+  c.list.list = std::make_shared<DisplayList>();
+  open_segment(c, mode);
+  c.update_refining();
+}
+
+void EndList(Context& c) {
+  if (!c.compiling_list) {
+    c.gl.EndList();
+    return;
+  }
+  c.compiling_list = false;
+  if (!c.list.cutting) {
+    c.gl.EndList();
+    const std::lock_guard lock(c.share->mutex);
+    c.share->lists.erase(c.list.name);
+    return;
+  }
+  close_segment(c, {});
+  const std::shared_ptr<DisplayList> list = c.list.list;
+  list->refinable = !c.list.in_begin;  // a glBegin left open reaches into the next list
+  list->changes_uniforms = c.list_changes_uniforms;
+  c.list.cutting = false;
+  c.update_refining();
+  c.gl.NewList(c.list.name, GL_COMPILE);
+  for (const ListSegment& segment : list->segments) {
+    c.gl.CallList(segment.list);
+  }
+  c.gl.EndList();
+  std::shared_ptr<DisplayList> old = list;
+  {
+    const std::lock_guard lock(c.share->mutex);
+    std::swap(c.share->lists[c.list.name], old);
+  }
+  if (old != nullptr) {
+    delete_segments(c, *old);
+  }
+  c.list.list = nullptr;
+}
+
+void CallList(Context& c, GLuint name) {
+  if (!c.compiling_list) {
+    call_list(c, name, 0);
+    return;
+  }
+  if (!c.list.cutting || c.list.in_begin) {
+    c.gl.CallList(name);
+    return;
+  }
+  close_segment(c, {});
+  c.list.list->segments.push_back({.kind = ListSegment::Kind::call, .list = name});
+  execute_last(c);
+  open_segment(c, c.list.mode);
+}
+
+void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
+  GLuint probe = 0;
+  if (c.compiling_list || !c.refining || n < 1 || lists == nullptr || !decode_name(type, lists, 0, probe) || c.immediate.open) {
+    c.gl.CallLists(n, type, lists);
+    forget_state(c, nullptr);
+    return;
+  }
+  for (GLsizei i = 0; i < n; ++i) {
+    GLint base = 0;
+    c.gl.GetIntegerv(GL_LIST_BASE, &base);  // a list may change it
+    GLuint name = 0;
+    decode_name(type, lists, i, name);
+    call_list(c, static_cast<GLuint>(base) + name, 0);
+  }
+}
+
+void DeleteLists(Context& c, GLuint first, GLsizei range) {
+  c.gl.DeleteLists(first, range);
+  if (range <= 0) {
+    return;
+  }
+  std::vector<std::shared_ptr<DisplayList>> gone;
+  {
+    const std::lock_guard lock(c.share->mutex);
+    std::erase_if(c.share->lists, [&](const auto& entry) {
+      const bool inside = entry.first >= first && entry.first - first < static_cast<GLuint>(range);
+      if (inside) {
+        gone.push_back(entry.second);
+      }
+      return inside;
+    });
+  }
+  for (const std::shared_ptr<DisplayList>& list : gone) {
+    if (list != nullptr) {
+      delete_segments(c, *list);
+    }
+  }
+}
+
+GLboolean IsList(Context& c, GLuint name) { return c.gl.IsList(name); }
+
+}  // namespace hook
+}  // namespace glark::core

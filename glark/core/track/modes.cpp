@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Hooks of the enables, modes and attribute stacks.
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace {
+
+void set_ark_enabled(Context& c, bool enabled) {
+  if (track::inside_begin(c)) {
+    return;
+  }
+  if (enabled && c.ark.pool_level < 0) {
+    c.raise(GL_INVALID_OPERATION);
+    return;
+  }
+  c.ark.enabled = enabled;
+  c.update_refining();
+}
+
+void set_tag_array(Context& c, bool enabled) {
+  if (track::inside_begin(c)) {
+    return;
+  }
+  c.touch_vertex_arrays();
+  if (enabled) {
+    c.gl.EnableVertexAttribArray(c.ark.tag_attribute);
+  } else {
+    c.gl.DisableVertexAttribArray(c.ark.tag_attribute);
+  }
+}
+
+// Fixed-function enables only change the generated vertex stage; all others that matter are named.
+void set_capability(Context& c, GLenum capability, bool enabled) {
+  Bindings& b = c.bindings;
+  switch (capability) {
+    case GL_RASTERIZER_DISCARD: b.rasterizer_discard = enabled; break;
+    case GL_PRIMITIVE_RESTART: b.primitive_restart = enabled; break;
+    case GL_PRIMITIVE_RESTART_FIXED_INDEX: b.primitive_restart_fixed = enabled; break;
+    case GL_VERTEX_PROGRAM_ARB: b.vertex_program = enabled; break;
+    case GL_VERTEX_PROGRAM_TWO_SIDE: b.two_side = enabled; break;
+    // The most frequent ones that the vertex stage does not depend on.
+    case GL_BLEND:
+    case GL_DEPTH_TEST:
+    case GL_CULL_FACE:
+    case GL_SCISSOR_TEST:
+    case GL_STENCIL_TEST:
+    case GL_ALPHA_TEST:
+    case GL_DITHER: break;
+    default: c.fixed_function_stale = true; break;
+  }
+}
+
+}  // namespace
+
+namespace hook {
+
+void Enable(Context& c, GLenum capability) {
+  if (c.capabilities.refinable && (capability == GL_ARK || capability == GL_DEPTH_TAG_ARRAY_ARK)) {
+    capability == GL_ARK ? set_ark_enabled(c, true) : set_tag_array(c, true);
+    return;
+  }
+  c.gl.Enable(capability);
+  if (track::executes(c)) {
+    set_capability(c, capability, true);
+  }
+}
+
+void Disable(Context& c, GLenum capability) {
+  if (c.capabilities.refinable && (capability == GL_ARK || capability == GL_DEPTH_TAG_ARRAY_ARK)) {
+    capability == GL_ARK ? set_ark_enabled(c, false) : set_tag_array(c, false);
+    return;
+  }
+  c.gl.Disable(capability);
+  if (track::executes(c)) {
+    set_capability(c, capability, false);
+  }
+}
+
+GLboolean IsEnabled(Context& c, GLenum capability) {
+  if (c.capabilities.refinable && capability == GL_ARK) {
+    return track::inside_begin(c) || !c.ark.enabled ? GL_FALSE : GL_TRUE;
+  }
+  if (c.capabilities.refinable && capability == GL_DEPTH_TAG_ARRAY_ARK) {
+    GLint enabled = 0;
+    c.gl.GetVertexAttribiv(c.ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+    return enabled != 0 ? GL_TRUE : GL_FALSE;
+  }
+  return c.gl.IsEnabled(capability);
+}
+
+void EnableClientState(Context& c, GLenum array) {
+  if (c.capabilities.refinable && array == GL_DEPTH_TAG_ARRAY_ARK) {
+    set_tag_array(c, true);
+    return;
+  }
+  c.gl.EnableClientState(array);
+  c.touch_vertex_arrays();
+}
+
+void DisableClientState(Context& c, GLenum array) {
+  if (c.capabilities.refinable && array == GL_DEPTH_TAG_ARRAY_ARK) {
+    set_tag_array(c, false);
+    return;
+  }
+  c.gl.DisableClientState(array);
+  c.touch_vertex_arrays();
+}
+
+void PolygonMode(Context& c, GLenum face, GLenum mode) {
+  c.gl.PolygonMode(face, mode);
+  if (track::executes(c)) {
+    c.bindings_stale = true;  // faces and profiles differ in what they accept
+  }
+}
+
+void ProvokingVertex(Context& c, GLenum mode) {
+  c.gl.ProvokingVertex(mode);
+  if (track::executes(c) && (mode == GL_FIRST_VERTEX_CONVENTION || mode == GL_LAST_VERTEX_CONVENTION)) {
+    c.bindings.provoking_vertex = mode;
+  }
+}
+
+void ShadeModel(Context& c, GLenum mode) {
+  c.gl.ShadeModel(mode);
+  if (track::executes(c) && (mode == GL_FLAT || mode == GL_SMOOTH)) {
+    c.bindings.shade_model = mode;
+  }
+}
+
+GLint RenderMode(Context& c, GLenum mode) {
+  c.bindings_stale = true;
+  return c.gl.RenderMode(mode);
+}
+
+void PushAttrib(Context& c, GLbitfield mask) {
+  c.gl.PushAttrib(mask);
+  if (track::executes(c) && !c.immediate.open && c.pushed_ark_enables.size() < 64) {
+    c.pushed_ark_enables.push_back(c.ark.enabled);
+    c.pushed_has_enable.push_back((mask & GL_ENABLE_BIT) != 0);
+  }
+}
+
+void PopAttrib(Context& c) {
+  c.gl.PopAttrib();
+  if (!track::executes(c) || c.immediate.open) {
+    return;
+  }
+  c.bindings_stale = true;
+  c.fixed_function_stale = true;
+  if (c.pushed_ark_enables.empty()) {
+    return;
+  }
+  if (c.pushed_has_enable.back()) {
+    c.ark.enabled = c.pushed_ark_enables.back();
+    c.update_refining();
+  }
+  c.pushed_ark_enables.pop_back();
+  c.pushed_has_enable.pop_back();
+}
+
+void PushClientAttrib(Context& c, GLbitfield mask) { c.gl.PushClientAttrib(mask); }
+
+void PopClientAttrib(Context& c) {
+  c.gl.PopClientAttrib();
+  c.bindings_stale = true;
+  c.touch_vertex_arrays();
+}
+
+}  // namespace hook
+}  // namespace glark::core

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Hooks of buffers, vertex arrays, transform feedback and queries: the bindings that a refined draw changes and puts back.
+#include <algorithm>
+
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace {
+
+void set_binding(Context& c, GLenum target, GLuint buffer) {
+  switch (target) {
+    case GL_DRAW_INDIRECT_BUFFER: c.bindings.draw_indirect_buffer = buffer; break;
+    case GL_PARAMETER_BUFFER: c.bindings.parameter_buffer = buffer; break;
+    case GL_QUERY_BUFFER: c.bindings.query_buffer = buffer; break;
+    case GL_SHADER_STORAGE_BUFFER: c.bindings.storage_buffer = buffer; break;
+    case GL_TRANSFORM_FEEDBACK_BUFFER: c.bindings.feedback_buffer = buffer; break;
+    // Indices come from this buffer: a kept capture of the same call is no longer its capture.
+    case GL_ELEMENT_ARRAY_BUFFER: c.touch_vertex_arrays(); break;
+    default: break;
+  }
+}
+
+void set_indexed(Context& c, GLenum target, GLuint index, const IndexedBuffer& binding) {
+  if (target == GL_SHADER_STORAGE_BUFFER && index < c.bindings.storage.size()) {
+    c.bindings.storage[index] = binding;
+  }
+}
+
+bool counts_primitives(GLenum target) {
+  switch (target) {
+    case GL_PRIMITIVES_GENERATED:
+    case GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN:
+    case GL_TRANSFORM_FEEDBACK_OVERFLOW:
+    case GL_TRANSFORM_FEEDBACK_STREAM_OVERFLOW:
+    case GL_VERTICES_SUBMITTED:
+    case GL_PRIMITIVES_SUBMITTED:
+    case GL_VERTEX_SHADER_INVOCATIONS:
+    case GL_GEOMETRY_SHADER_INVOCATIONS:
+    case GL_GEOMETRY_SHADER_PRIMITIVES_EMITTED:
+    case GL_CLIPPING_INPUT_PRIMITIVES:
+    case GL_CLIPPING_OUTPUT_PRIMITIVES:
+    case GL_COMPUTE_SHADER_INVOCATIONS: return true;
+    default: return false;
+  }
+}
+
+void query_begun(Context& c, GLenum target) {
+  if (counts_primitives(target)) {
+    ++c.bindings.primitive_queries;
+  }
+}
+
+void query_ended(Context& c, GLenum target) {
+  if (counts_primitives(target)) {
+    c.bindings.primitive_queries = std::max(0, c.bindings.primitive_queries - 1);
+  }
+}
+
+}  // namespace
+
+namespace hook {
+
+void BindBuffer(Context& c, GLenum target, GLuint buffer) {
+  c.gl.BindBuffer(target, buffer);
+  set_binding(c, target, buffer);
+}
+
+void BindBufferBase(Context& c, GLenum target, GLuint index, GLuint buffer) {
+  c.gl.BindBufferBase(target, index, buffer);
+  set_binding(c, target, buffer);
+  set_indexed(c, target, index, {buffer, 0, 0});
+}
+
+void BindBufferRange(Context& c, GLenum target, GLuint index, GLuint buffer, GLintptr offset, GLsizeiptr size) {
+  c.gl.BindBufferRange(target, index, buffer, offset, size);
+  if (target == GL_SHADER_STORAGE_BUFFER) {
+    c.bindings_stale = true;  // GL checks alignment: ask it what it took
+  } else {
+    set_binding(c, target, buffer);
+  }
+}
+
+void BindBuffersBase(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers) {
+  c.gl.BindBuffersBase(target, first, count, buffers);
+  c.bindings_stale = c.bindings_stale || target == GL_SHADER_STORAGE_BUFFER;
+}
+
+void BindBuffersRange(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers, const GLintptr* offsets, const GLsizeiptr* sizes) {
+  c.gl.BindBuffersRange(target, first, count, buffers, offsets, sizes);
+  c.bindings_stale = c.bindings_stale || target == GL_SHADER_STORAGE_BUFFER;
+}
+
+void DeleteBuffers(Context& c, GLsizei n, const GLuint* buffers) {
+  c.gl.DeleteBuffers(n, buffers);
+  c.touch_buffers();
+  c.bindings_stale = true;  // deleting unbinds
+}
+
+void BindVertexArray(Context& c, GLuint array) {
+  c.gl.BindVertexArray(array);
+  c.bindings.vertex_array = array;
+}
+
+void DeleteVertexArrays(Context& c, GLsizei n, const GLuint* arrays) {
+  c.gl.DeleteVertexArrays(n, arrays);
+  c.touch_vertex_arrays();
+  c.bindings_stale = true;
+}
+
+void BindTransformFeedback(Context& c, GLenum target, GLuint id) {
+  c.gl.BindTransformFeedback(target, id);
+  c.bindings_stale = true;  // its activity comes with it
+}
+
+void DeleteTransformFeedbacks(Context& c, GLsizei n, const GLuint* ids) {
+  c.gl.DeleteTransformFeedbacks(n, ids);
+  c.bindings_stale = true;
+}
+
+void BeginTransformFeedback(Context& c, GLenum mode) {
+  if (!c.refining || c.options.transparent || !c.pipeline->begin_feedback(mode)) {
+    c.gl.BeginTransformFeedback(mode);
+    c.bindings_stale = true;  // GL may have refused
+    return;
+  }
+  c.bindings.transform_feedback_active = true;
+  c.bindings.transform_feedback_paused = false;
+}
+
+void EndTransformFeedback(Context& c) {
+  c.gl.EndTransformFeedback();
+  if (c.pipeline != nullptr) {
+    c.pipeline->end_feedback();
+  }
+  c.touch_buffers();
+  c.bindings_stale = true;
+}
+
+void PauseTransformFeedback(Context& c) {
+  if (c.pipeline != nullptr && c.pipeline->owns_feedback() && !c.bindings.transform_feedback_paused) {
+    c.bindings.transform_feedback_paused = true;  // between our draws it is paused anyway
+    return;
+  }
+  c.gl.PauseTransformFeedback();
+  c.bindings_stale = true;
+}
+
+void ResumeTransformFeedback(Context& c) {
+  if (c.pipeline != nullptr && c.pipeline->owns_feedback() && c.bindings.transform_feedback_paused) {
+    c.bindings.transform_feedback_paused = false;
+    return;
+  }
+  c.gl.ResumeTransformFeedback();
+  c.bindings_stale = true;
+}
+
+void BeginQuery(Context& c, GLenum target, GLuint id) {
+  c.gl.BeginQuery(target, id);
+  query_begun(c, target);
+}
+
+void EndQuery(Context& c, GLenum target) {
+  c.gl.EndQuery(target);
+  query_ended(c, target);
+}
+
+void BeginQueryIndexed(Context& c, GLenum target, GLuint index, GLuint id) {
+  c.gl.BeginQueryIndexed(target, index, id);
+  query_begun(c, target);
+}
+
+void EndQueryIndexed(Context& c, GLenum target, GLuint index) {
+  c.gl.EndQueryIndexed(target, index);
+  query_ended(c, target);
+}
+
+}  // namespace hook
+}  // namespace glark::core

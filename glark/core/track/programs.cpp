@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Hooks of shaders and programs: the sources a program was linked from are kept, since an application may delete its
+// shader objects right after linking.
+#include <string>
+#include <vector>
+
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace {
+
+std::shared_ptr<const std::string> read_source(const gl::Dispatch& gl, GLuint shader) {
+  GLint length = 0;
+  gl.GetShaderiv(shader, GL_SHADER_SOURCE_LENGTH, &length);
+  if (length <= 1) {
+    return nullptr;
+  }
+  std::string source(static_cast<std::size_t>(length), '\0');
+  GLsizei written = 0;
+  gl.GetShaderSource(shader, length, &written, source.data());
+  source.resize(static_cast<std::size_t>(written));
+  return std::make_shared<const std::string>(std::move(source));
+}
+
+std::vector<StageSource> read_stages(Context& c, GLuint program) {
+  GLint count = 0;
+  c.gl.GetProgramiv(program, GL_ATTACHED_SHADERS, &count);
+  std::vector<GLuint> shaders(static_cast<std::size_t>(count));
+  if (count > 0) {
+    c.gl.GetAttachedShaders(program, count, nullptr, shaders.data());
+  }
+  std::vector<StageSource> stages;
+  for (const GLuint shader : shaders) {
+    GLint stage = 0;
+    c.gl.GetShaderiv(shader, GL_SHADER_TYPE, &stage);
+    std::shared_ptr<const std::string> source;
+    {
+      const std::lock_guard lock(c.share->mutex);
+      const auto found = c.share->compiled_sources.find(shader);
+      source = found != c.share->compiled_sources.end() ? found->second : nullptr;
+    }
+    source = source != nullptr ? source : read_source(c.gl, shader);
+    if (source == nullptr) {
+      return {};  // a binary or SPIR-V stage
+    }
+    stages.push_back({static_cast<GLenum>(stage), source});
+  }
+  return stages;
+}
+
+// The stages of a program as it was just linked; what was derived from the old ones goes.
+void record_link(Context& c, GLuint name, bool from_binary) {
+  if (!c.capabilities.refinable || c.gl.IsProgram(name) == GL_FALSE) {
+    return;
+  }
+  std::vector<StageSource> stages = from_binary ? std::vector<StageSource>() : read_stages(c, name);
+  std::shared_ptr<Program> program;
+  {
+    const std::lock_guard lock(c.share->mutex);
+    std::shared_ptr<Program>& slot = c.share->programs[name];
+    slot = slot != nullptr ? slot : std::make_shared<Program>();
+    program = slot;
+  }
+  c.pipeline->discard(*program);
+  c.pipeline->forget_program(name);
+  program->name = name;
+  program->stages = std::move(stages);
+  program->from_binary = from_binary || program->stages.empty();
+}
+
+void forget_deleted(Context& c, GLuint name) {
+  std::shared_ptr<Program> program;
+  {
+    const std::lock_guard lock(c.share->mutex);
+    const auto found = c.share->programs.find(name);
+    if (found == c.share->programs.end()) {
+      return;
+    }
+    program = found->second;
+    c.share->programs.erase(found);
+  }
+  c.pipeline->discard(*program);
+  c.pipeline->forget_program(name);
+  // Still in use: GL keeps it until another one is. We could not return to it after a refined draw.
+  program->prepared = true;
+  program->cause = Cause::no_program;
+}
+
+GLint register_virtual_uniform(Context& c, Program& program, const GLchar* name) {
+  const DerivedProgram* derived = c.pipeline->derived_for(program, &program);
+  const std::string text(name);
+  if (derived == nullptr || text.rfind("gl_", 0) == 0 || text.rfind("glark_", 0) == 0 || c.gl.GetUniformLocation(derived->name, name) < 0) {
+    return -1;
+  }
+  std::size_t index = 0;
+  while (index < program.virtual_uniforms.size() && program.virtual_uniforms[index] != text) {
+    ++index;
+  }
+  if (index == program.virtual_uniforms.size()) {
+    program.virtual_uniforms.push_back(text);
+    for (const auto& [key, variant] : program.derived) {
+      if (variant != nullptr) {
+        variant->virtual_location_of.push_back(c.gl.GetUniformLocation(variant->name, name));
+      }
+    }
+  }
+  return virtual_location_base + static_cast<GLint>(index);
+}
+
+}  // namespace
+
+namespace track {
+
+std::shared_ptr<Program> find_program(Context& c, GLuint name) {
+  const std::lock_guard lock(c.share->mutex);
+  const auto found = c.share->programs.find(name);
+  return found != c.share->programs.end() ? found->second : nullptr;
+}
+
+void adopt_current_program(Context& c) {
+  const GLuint name = c.bindings.program;
+  c.current_program = name != 0 ? find_program(c, name) : nullptr;
+  if (name != 0 && c.current_program == nullptr) {
+    record_link(c, name, false);  // linked before we were here
+    c.current_program = find_program(c, name);
+  }
+  c.mirror_uniforms = c.share->any_derived.load(std::memory_order_relaxed);
+}
+
+}  // namespace track
+
+namespace hook {
+
+void CompileShader(Context& c, GLuint shader) {
+  c.gl.CompileShader(shader);
+  if (!c.capabilities.refinable || c.gl.IsShader(shader) == GL_FALSE) {
+    return;
+  }
+  std::shared_ptr<const std::string> source = read_source(c.gl, shader);
+  const std::lock_guard lock(c.share->mutex);
+  c.share->compiled_sources[shader] = std::move(source);
+}
+
+void LinkProgram(Context& c, GLuint program) {
+  c.gl.LinkProgram(program);
+  record_link(c, program, false);
+}
+
+void ProgramBinary(Context& c, GLuint program, GLenum format, const void* binary, GLsizei length) {
+  c.gl.ProgramBinary(program, format, binary, length);
+  record_link(c, program, true);
+}
+
+GLuint CreateShaderProgramv(Context& c, GLenum type, GLsizei count, const GLchar* const* strings) {
+  return c.gl.CreateShaderProgramv(type, count, strings);
+}
+
+void DeleteShader(Context& c, GLuint shader) {
+  c.gl.DeleteShader(shader);
+  // A shader that is still attached lives on and may be linked again; its source is read again then.
+  const std::lock_guard lock(c.share->mutex);
+  c.share->compiled_sources.erase(shader);
+}
+
+void DeleteProgram(Context& c, GLuint program) {
+  c.gl.DeleteProgram(program);
+  if (c.capabilities.refinable) {
+    forget_deleted(c, program);
+  }
+}
+
+void DeleteObjectARB(Context& c, GLhandleARB object) {
+  c.gl.DeleteObjectARB(object);
+  if (c.capabilities.refinable) {
+    forget_deleted(c, static_cast<GLuint>(object));
+  }
+}
+
+void UseProgram(Context& c, GLuint program) {
+  c.gl.UseProgram(program);
+  if (!track::executes(c)) {
+    return;
+  }
+  c.mirror_uniforms = c.share->any_derived.load(std::memory_order_relaxed);
+  if (program != 0 && (c.bindings.transform_feedback_active || (c.current_program = track::find_program(c, program)) == nullptr)) {
+    c.bindings_stale = true;  // GL may have refused
+    return;
+  }
+  if (program == 0) {
+    c.current_program = nullptr;
+  }
+  if (c.bindings.program != program && c.bindings.program == 0) {
+    c.fixed_function_stale = true;
+  }
+  c.bindings.program = program;
+}
+
+void BindProgramPipeline(Context& c, GLuint pipeline) {
+  c.gl.BindProgramPipeline(pipeline);
+  if (track::executes(c)) {
+    c.bindings.pipeline = pipeline;
+  }
+}
+
+void UniformBlockBinding(Context& c, GLuint program, GLuint index, GLuint binding) {
+  c.gl.UniformBlockBinding(program, index, binding);
+  if (c.mirror_uniforms) {
+    for (const UniformMirror& mirror : c.uniform_mirrors(program)) {
+      std::string name(256, '\0');
+      c.gl.GetActiveUniformBlockName(program, index, static_cast<GLsizei>(name.size()), nullptr, name.data());
+      const GLuint own = c.gl.GetUniformBlockIndex(mirror.program, name.c_str());
+      if (own != GL_INVALID_INDEX) {
+        c.gl.UniformBlockBinding(mirror.program, own, binding);
+      }
+    }
+  }
+}
+
+void ShaderStorageBlockBinding(Context& c, GLuint program, GLuint index, GLuint binding) {
+  c.gl.ShaderStorageBlockBinding(program, index, binding);
+  if (c.mirror_uniforms) {
+    for (const UniformMirror& mirror : c.uniform_mirrors(program)) {
+      std::string name(256, '\0');
+      c.gl.GetProgramResourceName(program, GL_SHADER_STORAGE_BLOCK, index, static_cast<GLsizei>(name.size()), nullptr, name.data());
+      const GLuint own = c.gl.GetProgramResourceIndex(mirror.program, GL_SHADER_STORAGE_BLOCK, name.c_str());
+      if (own != GL_INVALID_INDEX) {
+        c.gl.ShaderStorageBlockBinding(mirror.program, own, binding);
+      }
+    }
+  }
+}
+
+GLint GetUniformLocation(Context& c, GLuint program, const GLchar* name) {
+  const GLint location = c.gl.GetUniformLocation(program, name);
+  if (location >= 0 || name == nullptr) {
+    return location;
+  }
+  const std::shared_ptr<Program> known = c.capabilities.refinable ? track::find_program(c, program) : nullptr;
+  return known != nullptr && !known->refinement_source.empty() ? register_virtual_uniform(c, *known, name) : location;
+}
+
+}  // namespace hook
+}  // namespace glark::core

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What the hooks share.
+#pragma once
+
+#include <memory>
+
+#include "glark/core/context.h"
+#include "glark/core/draw_call.h"
+#include "glark/core/pipeline.h"
+#include "glark/gl/hooks.h"
+#include "include/GL/glark.h"
+
+namespace glark::core::track {
+
+// A draw of the application: into the display list being cut, or through the pipeline.
+void draw(Context& context, const DrawCall& call);
+
+// While a display list is compiled (and not executed) state does not change.
+inline bool executes(const Context& context) { return !context.compiling_list || context.list.mode == GL_COMPILE_AND_EXECUTE; }
+
+// Display lists.
+void record_draw(Context& context, const DrawCall& call);
+bool list_begin(Context& context, GLenum mode);
+bool list_end(Context& context);
+
+// Programs.
+std::shared_ptr<Program> find_program(Context& context, GLuint name);
+void adopt_current_program(Context& context);
+
+// Errors of ours.
+bool inside_begin(Context& context);  // raises GL_INVALID_OPERATION between glBegin and glEnd
+
+}  // namespace glark::core::track

@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""The demonstration behind scripts/demo: programs that know nothing of glark, and one that does, unrefined and refined."""
+import argparse
+import dataclasses
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FRAME = 30     # the captured frame
+LEVEL = 3      # 64 triangles for each
+SECONDS = 20   # for a program that never ends by itself
+LIMIT = 120    # for a program that hangs
+
+
+@dataclasses.dataclass
+class Program:
+    name: str
+    command: list
+    environment: dict = dataclasses.field(default_factory=dict)
+    needs_display: bool = True
+    knows_glark: bool = False  # draws by the API: draws and writes its pictures itself
+
+
+def programs(build: pathlib.Path) -> list:
+    osg = {"OSG_WINDOW": "0 0 640 480", "OSG_THREADING": "SingleThreaded", "OSG_NOTIFY_LEVEL": "ALWAYS"}
+    return [
+        Program("glxgears", ["glxgears"], {"vblank_mode": "0"}),
+        Program("osgshape", ["osgshape"], osg),
+        Program("ten_lines", [str(build / "bin" / "ten_lines")], needs_display=False, knows_glark=True),
+    ]
+
+
+def run_variant(program: Program, variant: str, build: pathlib.Path, out: pathlib.Path) -> dict:
+    """Runs one program in one variant (off, refined, wireframe); leaves out/NAME-VARIANT.png and .json; returns the statistics."""
+    picture, statistics = (out / f"{program.name}-{variant}{suffix}" for suffix in (".png", ".json"))
+    for file in (picture, statistics):
+        file.unlink(missing_ok=True)
+    environment = {key: value for key, value in os.environ.items() if not key.startswith("GLARK_")}
+    environment.update(program.environment, LIBGL_ALWAYS_SOFTWARE="1")
+    command = list(program.command)
+    if program.knows_glark:
+        # Linked to the library: nothing is preloaded. It takes the picture's path and the depth of its tags; 0 is unrefined.
+        command += [str(picture), "0" if variant == "off" else str(LEVEL)]
+        command += ["wireframe"] if variant == "wireframe" else []
+        environment["GLARK_STATS"] = str(statistics)
+    elif variant == "off":
+        # Not refined, but captured and timed by the same code: the library is there and passes every call through.
+        command = ["env", f"LD_PRELOAD={build / 'lib' / 'libGLARK.so'}", f"GLARK_CAPTURE={FRAME}:{picture}",
+                   f"GLARK_STATS={statistics}", *command]
+    else:
+        wireframe = ["--wireframe"] if variant == "wireframe" else []
+        command = [str(build / "bin" / "glark"), "run", "--level", str(LEVEL), "--capture", f"{FRAME}:{picture}",
+                   "--stats", str(statistics), *wireframe, "--", *command]
+    if program.needs_display:
+        command = [str(ROOT / "scripts" / "with_display"), "--seconds", str(SECONDS), "--until", str(picture), "--", *command]
+
+    log = out / f"{program.name}-{variant}.log"
+    with open(log, "w") as sink:
+        try:
+            status = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, stdout=sink, stderr=sink,
+                                    timeout=LIMIT).returncode
+        except subprocess.TimeoutExpired:
+            sys.exit(f"demo: {program.name} ({variant}) did not end within {LIMIT} s; see {log}")
+    if status != 0:
+        sys.exit(f"demo: {program.name} ({variant}) ended with status {status}; see {log}:\n{log.read_text()[-2000:]}")
+    for file in (picture, statistics):
+        if not file.exists() or file.stat().st_size == 0:
+            sys.exit(f"demo: {program.name} ({variant}) wrote no {file.name}; see {log}:\n{log.read_text()[-2000:]}")
+    return json.loads(statistics.read_text())
+
+
+def per_frame(statistics: dict, key: str) -> str:
+    return f"{round(statistics[key] / max(1, statistics['frames']))}"
+
+
+def frame_time(statistics: dict) -> str:
+    median = (statistics.get("frame_ms") or {}).get("median")
+    return f"{median:.2f} ms" if median else "-"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", type=pathlib.Path, required=True, help="folder of the built preset")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out"))
+    parser.add_argument("--only", action="append", help="names of programs; all when left out")
+    arguments = parser.parse_args()
+    build, out = arguments.build.resolve(), arguments.out.resolve()
+    out.mkdir(parents=True, exist_ok=True)
+
+    rows = [("program", "coarse triangles", "refined triangles", "frame time off", "frame time refined")]
+    for program in programs(build):
+        if arguments.only and program.name not in arguments.only:
+            continue
+        off, refined, wireframe = (run_variant(program, variant, build, out) for variant in ("off", "refined", "wireframe"))
+        for statistics in (refined, wireframe):
+            if statistics["refined_triangles"] == 0:
+                sys.exit(f"demo: {program.name} was not refined: {json.dumps(statistics['draws'])}")
+        rows.append((program.name, per_frame(refined, "coarse_triangles"), per_frame(refined, "refined_triangles"),
+                     frame_time(off), frame_time(refined)))
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    print(f"\nLevel {LEVEL}, triangles per frame, median frame times; pictures and statistics in {arguments.out}/")
+    for row in rows:
+        print("  " + "  ".join(cell.ljust(width) if i == 0 else cell.rjust(width)
+                               for i, (cell, width) in enumerate(zip(row, widths))))
+
+
+main()

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "shim/dynamic_linker.h"
+
+#include <dlfcn.h>
+#include <elf.h>
+#include <link.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+
+namespace glark::shim {
+namespace {
+
+// An address of the dynamic section; glibc has already relocated it on most machines, but not on all (MIPS, RISC-V).
+template <class T>
+const T* dynamic_address(const dl_phdr_info& object, ElfW(Addr) value) {
+  return reinterpret_cast<const T*>(value >= object.dlpi_addr ? value : value + object.dlpi_addr);
+}
+
+struct SymbolTable {
+  const ElfW(Sym)* symbols = nullptr;
+  const char* strings = nullptr;
+  const std::uint32_t* gnu_hash = nullptr;
+};
+
+SymbolTable symbol_table(const dl_phdr_info& object) {
+  SymbolTable table;
+  for (int i = 0; i < object.dlpi_phnum; ++i) {
+    if (object.dlpi_phdr[i].p_type != PT_DYNAMIC) continue;
+    const auto* entry = reinterpret_cast<const ElfW(Dyn)*>(object.dlpi_addr + object.dlpi_phdr[i].p_vaddr);
+    for (; entry->d_tag != DT_NULL; ++entry) {
+      if (entry->d_tag == DT_SYMTAB) table.symbols = dynamic_address<ElfW(Sym)>(object, entry->d_un.d_ptr);
+      if (entry->d_tag == DT_STRTAB) table.strings = dynamic_address<char>(object, entry->d_un.d_ptr);
+      if (entry->d_tag == DT_GNU_HASH) table.gnu_hash = dynamic_address<std::uint32_t>(object, entry->d_un.d_ptr);
+    }
+  }
+  return table;
+}
+
+// The layout of DT_GNU_HASH: bucket count, index of the first hashed symbol, words of the Bloom filter, its shift, the
+// filter, the buckets, the chains (whose last entry has bit 0 set).
+const ElfW(Sym)* find_defined(const SymbolTable& table, std::string_view name) {
+  if (table.symbols == nullptr || table.strings == nullptr || table.gnu_hash == nullptr) return nullptr;
+  const std::uint32_t bucket_count = table.gnu_hash[0];
+  const std::uint32_t first_hashed = table.gnu_hash[1];
+  const std::uint32_t* buckets = table.gnu_hash + 4 + table.gnu_hash[2] * (sizeof(ElfW(Addr)) / 4);
+  const std::uint32_t* chains = buckets + bucket_count;
+  std::uint32_t hash = 5381;
+  for (const char c : name) hash = hash * 33 + static_cast<unsigned char>(c);
+  for (std::uint32_t i = bucket_count == 0 ? 0 : buckets[hash % bucket_count]; i >= first_hashed && i != 0; ++i) {
+    const std::uint32_t entry = chains[i - first_hashed];
+    const ElfW(Sym)& symbol = table.symbols[i];
+    if ((entry | 1) == (hash | 1) && symbol.st_shndx != SHN_UNDEF && name == table.strings + symbol.st_name) return &symbol;
+    if (entry & 1) break;
+  }
+  return nullptr;
+}
+
+// dlvsym itself cannot be asked for by name: that name is ours. glibc has it in libc.so.6, before 2.34 in libdl.so.2.
+int look_for_dlvsym(dl_phdr_info* object, std::size_t, void* found) {
+  const char* slash = std::strrchr(object->dlpi_name, '/');
+  const std::string_view file = slash == nullptr ? object->dlpi_name : slash + 1;
+  if (!file.starts_with("libc.") && !file.starts_with("libdl.") && !file.starts_with("libc-") && !file.starts_with("libdl-")) return 0;
+  const ElfW(Sym)* symbol = find_defined(symbol_table(*object), "dlvsym");
+  if (symbol == nullptr) return 0;
+  *static_cast<std::uintptr_t*>(found) = object->dlpi_addr + symbol->st_value;
+  return 1;
+}
+
+DynamicLinker find_linker() {
+  DynamicLinker linker;
+  std::uintptr_t address = 0;
+  dl_iterate_phdr(look_for_dlvsym, &address);
+  if (address == 0) return linker;
+  linker.dlvsym = reinterpret_cast<decltype(linker.dlvsym)>(address);
+  // The version of glibc 2.34, of x86-64 before that, of AArch64 before that.
+  const auto find = [&](const char* name) {
+    void* function = nullptr;
+    for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17"})
+      if (function == nullptr) function = linker.dlvsym(RTLD_NEXT, name, version);
+    return function;
+  };
+  linker.dlsym = reinterpret_cast<decltype(linker.dlsym)>(find("dlsym"));
+  linker.dlopen = reinterpret_cast<decltype(linker.dlopen)>(find("dlopen"));
+  return linker;
+}
+
+bool is_gl_library(std::string_view path) {
+  const std::string_view file = path.substr(path.rfind('/') + 1);
+  constexpr std::array names{"libGL.so", "libOpenGL.so", "libGLESv2.so", "libGLX.so", "libEGL.so", "libOSMesa.so"};
+  for (const char* name : names)
+    if (file.starts_with(name)) return true;
+  return false;
+}
+
+int collect_gl_library(dl_phdr_info* object, std::size_t, void* paths) {
+  if (is_gl_library(object->dlpi_name)) static_cast<std::vector<std::string>*>(paths)->emplace_back(object->dlpi_name);
+  return 0;
+}
+
+// Only names that are loaded are asked for, so that nothing here fails and disturbs dlerror().
+std::vector<std::string> loaded_gl_libraries() {
+  std::vector<std::string> paths;
+  dl_iterate_phdr(collect_gl_library, &paths);
+  return paths;
+}
+
+}  // namespace
+
+const DynamicLinker& real_linker() {
+  static const DynamicLinker linker = find_linker();
+  return linker;
+}
+
+void* next_symbol(const char* name) {
+  void* symbol = real_linker().dlsym(RTLD_NEXT, name);
+  asm volatile("" : "+r"(symbol));  // no tail call: RTLD_NEXT looks at who calls
+  return symbol;
+}
+
+void* symbol_of_loaded_gl(const char* name) {
+  for (const std::string& path : loaded_gl_libraries()) {
+    void* library = real_linker().dlopen(path.c_str(), RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+    if (library == nullptr) continue;
+    void* symbol = real_linker().dlsym(library, name);
+    dlclose(library);
+    if (symbol != nullptr) return symbol;
+  }
+  return nullptr;
+}
+
+void* find_symbol(const char* name) {
+  void* symbol = next_symbol(name);
+  return symbol != nullptr ? symbol : symbol_of_loaded_gl(name);
+}
+
+bool gl_is_loaded() { return !loaded_gl_libraries().empty(); }
+
+bool in_main_program(const void* address) {
+  static void* const main_base = [] {
+    void* base = nullptr;
+    // The first object is the main program.
+    dl_iterate_phdr([](dl_phdr_info* object, std::size_t, void* result) {
+      Dl_info info{};
+      for (int i = 0; i < object->dlpi_phnum; ++i)
+        if (object->dlpi_phdr[i].p_type == PT_LOAD) {
+          dladdr(reinterpret_cast<void*>(object->dlpi_addr + object->dlpi_phdr[i].p_vaddr), &info);
+          break;
+        }
+      *static_cast<void**>(result) = info.dli_fbase;
+      return 1;
+    }, &base);
+    return base;
+  }();
+  Dl_info info{};
+  return dladdr(address, &info) != 0 && info.dli_fbase == main_base;
+}
+
+void keep_loaded(const void* address) {
+  Dl_info info{};
+  if (dladdr(address, &info) == 0 || info.dli_fname == nullptr || in_main_program(address)) return;
+  if (void* library = real_linker().dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE)) dlclose(library);
+}
+
+}  // namespace glark::shim

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "shim/frame.h"
+
+#include "glark/core/context.h"
+#include "glark/core/report.h"
+#include "shim/contexts.h"
+#include "shim/frame_capture.h"
+#include "shim/statistics.h"
+#include "shim/thread.h"
+
+namespace glark::shim {
+
+void frame_ended() {
+  core::Context* context = thread().context;
+  if (context == nullptr) return;
+  context->frame_finished();
+  capture_frame(*context, current_frame());
+  core::statistics().frames.fetch_add(1, std::memory_order_relaxed);
+  frame_counted();
+}
+
+}  // namespace glark::shim
+
+// What is drawn without a window is seen when the program waits for it.
+
+GLARK_EXPORT void glFinish() {
+  using namespace glark::shim;
+  if (current_is_offscreen()) frame_ended();
+  thread().gl->Finish();
+}
+
+GLARK_EXPORT void glFlush() {
+  using namespace glark::shim;
+  if (current_is_offscreen()) frame_ended();
+  thread().gl->Flush();
+}

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "glark/core/report.h"
+
+namespace glark::shim {
+
+// From now on the core's messages of this level and more serious ones go to standard error, one "glark: ..." line each.
+void install_log(core::LogLevel level);
+
+}  // namespace glark::shim

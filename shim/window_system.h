@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The functions of GLX, EGL and OSMesa that have a wrapper, as we export them, and the real ones behind them. Types are
+// declared by their size only: neither X11 nor EGL headers are needed.
+#pragma once
+
+#include <cstdint>
+
+#include "glark/gl/types.h"
+
+extern "C" {
+// GLX. Display, configurations and contexts are pointers; a drawable is an XID.
+using GlxDrawable = unsigned long;
+using GlxProc = void (*)();
+GlxProc glXGetProcAddress(const GLubyte* name);
+GlxProc glXGetProcAddressARB(const GLubyte* name);
+void* glXCreateContext(void* display, void* visual, void* share, int direct);
+void* glXCreateNewContext(void* display, void* config, int type, void* share, int direct);
+void* glXCreateContextAttribsARB(void* display, void* config, void* share, int direct, const int* attributes);
+void* glXCreateContextWithConfigSGIX(void* display, void* config, int type, void* share, int direct);
+void glXDestroyContext(void* display, void* context);
+int glXMakeCurrent(void* display, GlxDrawable drawable, void* context);
+int glXMakeContextCurrent(void* display, GlxDrawable draw, GlxDrawable read, void* context);
+int glXMakeCurrentReadSGI(void* display, GlxDrawable draw, GlxDrawable read, void* context);
+void glXSwapBuffers(void* display, GlxDrawable drawable);
+std::int64_t glXSwapBuffersMscOML(void* display, GlxDrawable drawable, std::int64_t target, std::int64_t divisor, std::int64_t remainder);
+
+// EGL.
+using EglBoolean = unsigned;
+using EglInt = std::int32_t;
+using EglProc = void (*)();
+EglProc eglGetProcAddress(const char* name);
+void* eglCreateContext(void* display, void* config, void* share, const EglInt* attributes);
+EglBoolean eglDestroyContext(void* display, void* context);
+EglBoolean eglMakeCurrent(void* display, void* draw, void* read, void* context);
+EglBoolean eglReleaseThread();
+EglBoolean eglSwapBuffers(void* display, void* surface);
+EglBoolean eglSwapBuffersWithDamageKHR(void* display, void* surface, const EglInt* rectangles, EglInt count);
+EglBoolean eglSwapBuffersWithDamageEXT(void* display, void* surface, const EglInt* rectangles, EglInt count);
+
+// OSMesa.
+using OSMesaProc = void (*)();
+OSMesaProc OSMesaGetProcAddress(const char* name);
+void* OSMesaCreateContext(GLenum format, void* share);
+void* OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint stencil_bits, GLint accumulation_bits, void* share);
+void* OSMesaCreateContextAttribs(const int* attributes, void* share);
+void OSMesaDestroyContext(void* context);
+GLboolean OSMesaMakeCurrent(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height);
+}
+
+namespace glark::shim {
+
+enum class WindowFunction {
+#define GLARK_WINDOW_FUNCTION(function) function,
+#include "shim/window_functions.inc"
+#undef GLARK_WINDOW_FUNCTION
+  count_
+};
+
+// The real function; one that nothing in the process has is a function that does nothing and returns 0.
+void* real_window_function(WindowFunction function);
+
+// The program found this one itself; it is the real function from now on unless we already use another. Wrappers are ignored.
+void note_real_window_function(const char* name, void* real);
+
+// GLARK_REAL(glXSwapBuffers)(display, drawable)
+#define GLARK_REAL(function) \
+  (reinterpret_cast<decltype(&::function)>(::glark::shim::real_window_function(::glark::shim::WindowFunction::function)))
+
+// What a GetProcAddress shall return: our wrapper of that name where the real one is there or the function is ours.
+void* wrapper_or(const char* name, void* real);
+
+}  // namespace glark::shim

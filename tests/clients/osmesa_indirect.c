@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Reaches GL through a library that is linked to libOSMesa, as programs of VTK do: a preloaded libGL would break it.
+#include "osmesa_library.h"
+#include "picture.h"
+
+int main(int argc, char** argv) { return render_to_file(frame_count(argc, argv), argv[2]); }

@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The library between osmesa_indirect or osmesa_plugin and libOSMesa: it alone is linked to it.
+#include "osmesa_library.h"
+
+#include "osmesa_scene.h"
+
+int render_to_file(int frames, const char* path) { return draw_in_memory(frames, path); }

@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""Which folder may include what: the data flow of docs/architecture.md, one stage, one folder."""
+import re
+import unittest
+
+from tracked import tracked_files, violations
+
+CORE = "glark/core/"
+# In the order of the data flow. `pattern` depends on no other stage, so that the ones before the submission can size by it.
+STAGES = ["track", "pattern", "capture", "depth", "refine", "submit"]
+# Headers of a stage that say what it hands on: data and the functions over it, no GL work. Later stages and the headers at the
+# core's root may include them; everything else of a stage is for itself, pipeline.cpp and the core's own .cpp files.
+VALUE_HEADERS = {
+    "glark/core/capture/coarse_triangles.h",
+    "glark/core/capture/layout.h",
+    "glark/core/capture/record.h",
+    "glark/core/depth/binned_instances.h",
+    "glark/core/pattern/expand.glsl.h",
+    "glark/core/pattern/expand.h",
+    "glark/core/pattern/gpu_pool.h",
+    "glark/core/pattern/pieces.glsl.h",
+    "glark/core/pattern/pool.h",
+    "glark/core/refine/derive.h",
+    "glark/core/refine/fixed_function.h",
+}
+WINDOW_SYSTEMS = ("EGL/", "X11/", "GL/glx", "GL/osmesa", "epoxy/", "dlfcn.h", "link.h")
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
+
+
+def stage_of(name: str) -> str:
+    """The stage that a path of the core lies in; empty at the core's root and outside."""
+    if not name.startswith(CORE):
+        return ""
+    folder, _, rest = name[len(CORE):].partition("/")
+    return folder if rest else ""
+
+
+def stage_may_include(name: str, included: str) -> bool:
+    mine, theirs = stage_of(name), stage_of(included)
+    if not theirs or mine == theirs:
+        return True
+    if mine:
+        return included in VALUE_HEADERS and STAGES.index(theirs) < STAGES.index(mine)
+    return included in VALUE_HEADERS or name.endswith(".cpp") or name == CORE + "pipeline.h"
+
+
+def complaint_about(name: str, included: str, quoted: bool) -> str:
+    """Why the file may not include this; empty when it may."""
+    ours = included.startswith(("glark/", "shim/", "generated/", "tests/", "examples/", "conformance/"))
+    if included.startswith("generated/") or "../" in included:
+        return "paths are written from the repository's root or the root of the generated files"
+    if name.startswith("glark/gl/"):
+        return "glark/gl includes nothing of ours" if ours and not included.startswith("glark/gl/") else ""
+    if name.startswith(CORE):
+        if included.startswith(WINDOW_SYSTEMS):
+            return "the core gets its functions from a gl::Dispatch and knows no window system"
+        if ours and not included.startswith((CORE, "glark/gl/")):
+            return "the core includes glark/core and glark/gl only"
+        if stage_of(name) not in ("", "track") and included == CORE + "pipeline.h":
+            return "the pipeline sees the stages, not they it; only track, which comes before it, hands draws to it"
+        if not stage_may_include(name, included):
+            return f"stage {stage_of(name) or 'root'} may include only the value headers of earlier stages"
+    elif name.startswith("shim/"):
+        if included.startswith(("epoxy/", "GL/osmesa")):
+            return "the shim loads no GL library by itself"
+        if ours and not included.startswith(("shim/", "glark/core/", "glark/gl/", "glark/settings")):
+            return "the shim includes shim, glark/core, glark/gl and glark/settings only"
+    elif name.startswith("glark/settings/"):
+        if ours and not included.startswith(("glark/settings/", CORE + "refinement.h", CORE + "report.h")):
+            return "the settings include only themselves and what they set: glark/core/refinement.h and report.h"
+    elif name.startswith("glark/tool/"):
+        if ours and not included.startswith(("glark/settings", "glark/tool/")):
+            return "the launcher includes only glark/settings"
+    elif name.startswith("glark/clients/"):
+        if ours and not included.startswith("glark/clients/"):
+            return "client libraries use the public headers only"
+    elif name.startswith("examples/"):
+        if ours or (quoted and "/" in included):
+            return "examples use the public headers only"
+    elif name.startswith("tests/clients/"):
+        if ours and not included.startswith("tests/clients/"):
+            return "client programs know nothing of glark"
+    return ""
+
+
+def rule(name: str, text: str) -> list:
+    found = []
+    for match in INCLUDE.finditer(text):
+        complaint = complaint_about(name, match.group(1) or match.group(2), match.group(1) is not None)
+        if complaint:
+            found.append(f"includes {match.group(1) or match.group(2)}: {complaint}")
+    return found
+
+
+class Includes(unittest.TestCase):
+    def test_tree_follows_the_data_flow(self):
+        names = [name for name in tracked_files() if name.endswith((".c", ".cpp", ".h", ".glsl"))]
+        self.assertEqual([], violations(rule, names))
+
+    def test_rule_rejects(self):
+        for name, line in [
+            ("glark/gl/types.h", '#include "glark/core/report.h"'),
+            ("glark/core/context.cpp", '#include "shim/thread.h"'),
+            ("glark/core/context.cpp", '#include "generated/glark/gl/dispatch.h"'),
+            ("glark/core/report.cpp", "#include <EGL/egl.h>"),
+            ("glark/core/capture/capture.cpp", '#include "glark/core/refine/derive.h"'),
+            ("glark/core/submit/submit.cpp", '#include "glark/core/capture/capture.h"'),
+            ("glark/core/submit/submit.cpp", '#include "glark/core/pipeline.h"'),
+            ("glark/core/context.h", '#include "glark/core/capture/capture.h"'),
+            ("shim/glx.cpp", "#include <GL/osmesa.h>"),
+            ("glark/tool/run.cpp", '#include "glark/core/report.h"'),
+            ("examples/a.cpp", '#include "glark/core/report.h"'),
+            ("tests/clients/a.c", '#include "glark/gl/types.h"'),
+        ]:
+            with self.subTest(file=name, line=line):
+                self.assertEqual(1, len(rule(name, line + "\n")))
+
+    def test_rule_accepts(self):
+        for name, line in [
+            ("glark/core/submit/submit.cpp", '#include "glark/core/capture/record.h"'),
+            ("glark/core/pipeline.cpp", '#include "glark/core/submit/submit.h"'),
+            ("glark/core/context.h", '#include "glark/core/refine/fixed_function.h"'),
+            ("shim/glx.cpp", '#include "glark/core/context.h"'),
+            ("examples/a.cpp", "#include <GL/glark.h>"),
+        ]:
+            with self.subTest(file=name, line=line):
+                self.assertEqual([], rule(name, line + "\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
