@@ -3,7 +3,6 @@
 #include "shim/frame.h"
 
 #include "glark/core/context.h"
-#include "glark/core/report.h"
 #include "shim/contexts.h"
 #include "shim/frame_capture.h"
 #include "shim/statistics.h"
@@ -16,7 +15,6 @@ void frame_ended() {
   if (context == nullptr) return;
   context->frame_finished();
   capture_frame(*context, current_frame());
-  core::statistics().frames.fetch_add(1, std::memory_order_relaxed);
   frame_counted();
 }
 

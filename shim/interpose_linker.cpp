@@ -38,8 +38,9 @@ bool in_other_namespace(void* handle) {
 
 // In the scope of the whole program our own export comes first, or a definition by the program itself, which it means.
 Decision decide_in_scope_with_us(const Name& entry) {
+  if (look_up(RTLD_DEFAULT, entry.name, nullptr) != entry.wrapper) return {};
   if (entry.kind == NameKind::ours || exists_without_us(entry)) return {};
-  next_symbol(entry.name);  // fails, and leaves the error that the program expects
+  next_symbol(entry.name);  // fails, and leaves the error that the program expects but for the name of the object
   return {nullptr, 1};
 }
 

@@ -26,10 +26,10 @@ const FieldValues position = input("position", GL_FLOAT_VEC3, 3);
 const std::vector<Stage>& stages() {
   static const std::vector<Stage> all = {
       {"no version, ftransform, every built-in", Api::compatibility,
-       {"void main() { gl_Position = ftransform(); gl_FrontColor = gl_Color; gl_BackColor = gl_SecondaryColor; gl_TexCoord[0] = gl_MultiTexCoord0;\n"
+       {"void main() { gl_Position = ftransform(); gl_FrontColor = gl_Color; gl_BackColor = gl_Color; gl_TexCoord[0] = gl_MultiTexCoord0;\n"
         "  gl_TexCoord[7] = gl_MultiTexCoord7; gl_FogFragCoord = gl_FogCoord; gl_ClipVertex = vec4(gl_Normal, 1.0); }"},
-       {vertex, input("gl_Color", GL_FLOAT_VEC4, 4), input("gl_SecondaryColor", GL_FLOAT_VEC4, 4), input("gl_MultiTexCoord0", GL_FLOAT_VEC4, 4),
-        input("gl_MultiTexCoord7", GL_FLOAT_VEC4, 4), input("gl_FogCoord", GL_FLOAT, 1), input("gl_Normal", GL_FLOAT_VEC3, 3)}},
+       {vertex, input("gl_Color", GL_FLOAT_VEC4, 4), input("gl_MultiTexCoord0", GL_FLOAT_VEC4, 4),
+        input("gl_FogCoord", GL_FLOAT, 1), input("gl_Normal", GL_FLOAT_VEC3, 3)}},
       {"void main(void) and comments that speak of attributes", Api::compatibility,
        {"/* attribute vec3 no; */ // attribute vec4 never; void main() {}\n#version 110 // old\n// #define attribute\n"
         "attribute /* in */ vec3 position; // attribute\nvoid main ( void ) /* main */\n{ gl_Position = vec4 ( position , 1.0 ) ; }\n"},
@@ -39,9 +39,9 @@ const std::vector<Stage>& stages() {
         "DECLARE(vec3, position);\nENTRY(mai) { gl_Position = vec4(position, - NEGATIVE); }\n"},
        {position}},
       {"lists, matrices and arrays", Api::compatibility,
-       {"#version 120\nattribute vec3 position, unused, other; attribute mat4 m; attribute vec2 a[3]; invariant varying vec4 c;\n"
-        "void main() { gl_Position = m * vec4(position + other, a[2].x); c = vec4(a[0], a[1]); }"},
-       {position, input("other", GL_FLOAT_VEC3, 3), input("m", GL_FLOAT_MAT4, 16), input("a", GL_FLOAT_VEC2, 6, 3, true)}},
+       {"#version 150 compatibility\nattribute vec3 position, unused, other; attribute mat2 m; attribute vec2 a[2]; invariant varying vec4 c;\n"
+        "void main() { gl_Position = vec4(m * position.xy, other.x, a[1].x); c = vec4(a[0], a[1]); }"},
+       {position, input("other", GL_FLOAT_VEC3, 3), input("m", GL_FLOAT_MAT2, 4), input("a", GL_FLOAT_VEC2, 4, 2, true)}},
       {"arrays in GLSL 1.10", Api::compatibility,
        {"#version 110\nattribute vec3 position; varying vec2 v[20]; void main() { for (int i = 0; i < 20; ++i) v[i] = position.xy; gl_Position = vec4(1.0); }"},
        {position}},

@@ -22,8 +22,8 @@ std::vector<EsStage> stages() {
               "void main() { c = vec4(a, a); v[0] = a; v[1] = position.xy; gl_Position = vec4(position, 1.0); gl_PointSize = 2.0; }"}};
   for (const char* version : {"300", "310", "320"}) {
     all.push_back({version, "#version " + std::string(version) + " es\nprecision mediump float; layout(location = 0) in highp vec3 position; in mediump vec2 a; in ivec2 i;\n"
-                            "struct S { vec2 x; mediump float y[2]; }; out S s; flat out ivec2 o; centroid out vec4 c; float start = 1.0;\n"
-                            "void main() { s.x = a; s.y[0] = a.x; s.y[1] = 1.0; o = i + gl_VertexID; c = vec4(start); start += 1.0; gl_Position = vec4(position, 1.0); }"});
+                            "struct S { vec2 x; mediump float y; }; out S s; out vec2 z[2]; flat out ivec2 o; centroid out vec4 c; float start = 1.0;\n"
+                            "void main() { s.x = a; s.y = a.x; z[0] = a; z[1] = a; o = i + gl_VertexID; c = vec4(start); start += 1.0; gl_Position = vec4(position, 1.0); }"});
   }
   return all;
 }
@@ -77,8 +77,11 @@ TEST(DeriveEs, NumbersOfLinearInputsAndOutputs) {
       ASSERT_EQ(refined.error, "");
       const std::vector<float>& middle = refined.values[3];
       EXPECT_EQ(std::vector<float>(middle.begin(), middle.begin() + 4), (std::vector<float>{4, 4, 2, 1}));
-      if (modern) EXPECT_EQ(std::bit_cast<int>(middle[4]), 25);
-      if (!modern) EXPECT_EQ(middle[5], 4.0F);
+      if (modern) {
+        EXPECT_EQ(std::bit_cast<int>(middle[4]), 25);
+      } else {
+        EXPECT_EQ(middle[5], 4.0F);
+      }
     }
   }
 }

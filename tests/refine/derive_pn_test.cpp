@@ -178,7 +178,11 @@ void expect_same_edge(const Form& form, bool mixed_w) {
         std::array<float, 3> w = {1, 1, 1};
         if (mixed_w) w[(rotation + 2) % 3] = side == 0 ? 1.0F : 2.0F;
         std::vector<std::array<float, 2>> lattice;
-        for (int i = 0; i <= 32; ++i) lattice.push_back(on_edge(rotation, static_cast<float>(side == 0 ? i : 32 - i) / 32));
+        // Odd multiples of 2^-15, too: there the products of weights are rounded.
+        for (int i = 0; i <= 32; ++i) {
+          const int s = std::min(i * 1023 + (i % 2), 32768);
+          lattice.push_back(on_edge(rotation, static_cast<float>(side == 0 ? s : 32768 - s) / 32768));
+        }
         seen.push_back(refine(form, t, lattice, w));
         ASSERT_EQ(seen.back().error, "");
       }

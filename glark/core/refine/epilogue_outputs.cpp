@@ -237,6 +237,7 @@ bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit) {
 
 // With linear_outputs there are three slots, one per corner; otherwise slot 0 holds the provoking corner's flat outputs.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types) {
+  if (!unit_has_outputs(plan, unit)) return {};
   const bool interpolated = plan.refinement == core::Refinement::linear_outputs;
   Statements statements(plan, mixed_types);
   std::string variables;

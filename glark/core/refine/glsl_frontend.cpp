@@ -12,7 +12,7 @@
 #include <mutex>
 #include <unordered_set>
 
-#include "glark/core/refine/glsl_tokens.h"
+#include "glark/core/refine/glsl_interface.h"
 
 namespace glark::refine {
 namespace {
@@ -85,9 +85,42 @@ void relax_requirement(Token& directive) {
   directive.text = "#" + to_text(body);
 }
 
+// glslang pastes tokens from GLSL 1.30 on; drivers do in every version. The version that glslang is told is put right afterwards.
+struct VersionDisguise {
+  std::string directive;  // the application's #version, or empty
+  bool worn = false;
+};
+constexpr const char* disguised_version = "#version 130";
+
+VersionDisguise disguise_version(Tokens& tokens, bool es) {
+  VersionDisguise disguise;
+  const GlslVersion version = version_of(tokens, es);
+  const bool pastes = std::any_of(tokens.begin(), tokens.end(), [](const Token& token) {
+    return token.kind == TokenKind::directive && token.text.find("##") != std::string::npos;
+  });
+  disguise.worn = pastes && !version.es && version.number < 130;
+  if (!disguise.worn) return disguise;
+  const auto is_version = [](const Token& token) { return directive_name(token) == "version"; };
+  const auto directive = std::find_if(tokens.begin(), tokens.end(), is_version);
+  if (directive != tokens.end()) {
+    disguise.directive = directive->text;
+    directive->text = disguised_version;
+  } else {
+    tokens.front().before.insert(0, std::string(disguised_version) + "\n");
+  }
+  const std::string number = std::to_string(version.number);
+  rename_identifiers(
+      tokens, [&](const std::string& name) { return name == "__VERSION__" ? number : std::string(); }, tests_macros);
+  return disguise;
+}
+
+void remove_disguise(const VersionDisguise& disguise, std::string& text) {
+  const std::size_t at = disguise.worn ? text.find(disguised_version) : std::string::npos;
+  if (at != std::string::npos) text.replace(at, std::string_view(disguised_version).size(), disguise.directive);
+}
+
 // The source as glslang must see it, and the macros to define in front of it.
-std::string adapt_source(const std::string& source, const std::vector<std::string>& extensions, std::string& preamble) {
-  Tokens tokens = tokenize(source);
+std::string adapt_source(Tokens tokens, const std::vector<std::string>& extensions, std::string& preamble) {
   for (Token& token : tokens) {
     if (directive_name(token) == "extension") relax_requirement(token);
   }
@@ -106,6 +139,12 @@ std::string adapt_source(const std::string& source, const std::vector<std::strin
     for (const std::string& name : present) preamble += std::string("#define ") + present_prefix + name + " 1\n";
   }
   return to_text(tokens);
+}
+
+// What drivers accept and glslang does not: subroutines, built-ins of vendors' extensions, features of newer versions.
+bool is_limitation(const std::string& error) {
+  return error.find("not yet implemented") != std::string::npos || error.find("not supported") != std::string::npos ||
+         (error.find("'gl_") != std::string::npos && error.find("undeclared") != std::string::npos);
 }
 
 class FindMemoryWrites : public glslang::TIntermTraverser {
@@ -149,7 +188,9 @@ class FindMemoryWrites : public glslang::TIntermTraverser {
 Preprocessed preprocess(const std::string& source, bool es, const std::vector<std::string>& extensions) {
   initialize();
   std::string preamble;
-  const std::string adapted = adapt_source(source, extensions, preamble);
+  Tokens tokens = tokenize(source);
+  const VersionDisguise disguise = disguise_version(tokens, es);
+  const std::string adapted = adapt_source(std::move(tokens), extensions, preamble);
   const char* const text = adapted.c_str();
   const int length = static_cast<int>(adapted.size());
   glslang::TShader shader(EShLangVertex);
@@ -159,6 +200,7 @@ Preprocessed preprocess(const std::string& source, bool es, const std::vector<st
   Preprocessed result;
   result.ok = shader.preprocess(&resources(), default_version(es), ENoProfile, false, false, messages, &result.text, includer);
   if (!result.ok) result.error = first_error(shader.getInfoLog());
+  remove_disguise(disguise, result.text);
   return result;
 }
 
@@ -172,6 +214,7 @@ Parsed parse_vertex_shader(const std::string& preprocessed, bool es) {
   result.ok = shader.parse(&resources(), default_version(es), ENoProfile, false, false, messages);
   if (!result.ok) {
     result.error = first_error(shader.getInfoLog());
+    result.limited = is_limitation(result.error);
     return result;
   }
   if (TIntermNode* const root = shader.getIntermediate()->getTreeRoot()) {

@@ -54,7 +54,7 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
   for (std::size_t i = 0; i < units.size(); ++i) {
     const Tokens& tokens = units[i].tokens;
     const Parsed parsed = parse_vertex_shader(to_text(tokens), es);
-    const bool unknown = !parsed.ok && uses_unknown_extension(tokens);
+    const bool unknown = !parsed.ok && (parsed.limited || uses_unknown_extension(tokens));
     if (!parsed.ok && !unknown) {
       result.error = (units.size() == 1 ? "vertex shader: " : "vertex shader " + std::to_string(i) + ": ") + parsed.error;
       return result;

@@ -13,8 +13,13 @@ namespace {
 
 constexpr int deepest_nesting = 64;  // OpenGL's own minimum of GL_MAX_LIST_NESTING
 
+// Out of the way of applications that number their lists themselves; and not one that glGenLists gave out meanwhile (Mesa
+// goes on from the highest name in use).
 GLuint new_segment_name(Context& c) {
   const std::lock_guard lock(c.share->mutex);
+  while (c.gl.IsList(c.share->next_list_name) != GL_FALSE) {
+    ++c.share->next_list_name;
+  }
   return c.share->next_list_name++;
 }
 

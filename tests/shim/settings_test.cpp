@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/settings/settings.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace glark::settings {
+namespace {
+
+Parsed parse_all(std::vector<const char*> environment) {
+  environment.push_back(nullptr);
+  return parse(environment.data());
+}
+
+std::string only_problem(const char* entry) {
+  const Parsed parsed = parse_all({entry});
+  return parsed.problems.size() == 1 ? parsed.problems[0] : "";
+}
+
+}  // namespace
+
+TEST(Settings, AnEmptyEnvironmentGivesTheDefaults) {
+  const Parsed parsed = parse(nullptr);
+  EXPECT_TRUE(parsed.problems.empty());
+  EXPECT_FALSE(parsed.settings.context.transparent);
+  EXPECT_EQ(parsed.settings.context.level, 2u);
+  EXPECT_EQ(parsed.settings.log_level, core::LogLevel::warning);
+  EXPECT_TRUE(parsed.settings.captures.empty());
+}
+
+TEST(Settings, EveryVariableIsRead) {
+  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_LEVEL=4", "GLARK_MAX_LEVEL=9", "GLARK_REFINE=outputs", "GLARK_WIREFRAME=1",
+                                   "GLARK_LOG=debug", "GLARK_STATS=s.json", "GLARK_CAPTURE=7:a.png"});
+  EXPECT_TRUE(parsed.problems.empty());
+  EXPECT_TRUE(parsed.settings.context.transparent);
+  EXPECT_EQ(parsed.settings.context.level, 4u);
+  EXPECT_EQ(parsed.settings.context.max_level, 9u);
+  EXPECT_EQ(parsed.settings.context.refinement, core::Refinement::linear_outputs);
+  EXPECT_TRUE(parsed.settings.context.wireframe);
+  EXPECT_EQ(parsed.settings.log_level, core::LogLevel::debug);
+  EXPECT_EQ(parsed.settings.statistics_file, "s.json");
+  EXPECT_EQ(parsed.settings.captures, (std::vector<CaptureRequest>{{7, "a.png"}}));
+}
+
+TEST(Settings, ANameIsNotTakenForALongerOne) {
+  EXPECT_EQ(parse_all({"GLARK_LEVELS=4", "XGLARK_LEVEL=5"}).settings.context.level, 2u);
+}
+
+TEST(Settings, AProblemNamesVariableValueAndLimit) {
+  EXPECT_EQ(only_problem("GLARK_LEVEL=x"), "GLARK_LEVEL is \"x\"; an integer from 0 to 11 is needed");
+  EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=12"), "GLARK_MAX_LEVEL is \"12\"; an integer from 0 to 11 is needed");
+  EXPECT_EQ(only_problem("GLARK_REFINE=cubic"), "GLARK_REFINE is \"cubic\"; linear, outputs or pn is needed");
+  EXPECT_EQ(only_problem("GLARK_ENABLE=maybe"), "GLARK_ENABLE is \"maybe\"; 0 or 1 is needed");
+  EXPECT_EQ(only_problem("GLARK_LOG=loud"), "GLARK_LOG is \"loud\"; error, warning, info or debug is needed");
+  EXPECT_EQ(only_problem("GLARK_CAPTURE=a.png"), "GLARK_CAPTURE is \"a.png\"; FRAME:FILE.png, with frames counted from 1, is needed");
+}
+
+TEST(Settings, AProblemLeavesTheDefault) { EXPECT_EQ(parse_all({"GLARK_LEVEL=-1"}).settings.context.level, 2u); }
+
+TEST(Settings, ALevelRaisesTheLimitThatNobodySet) {
+  const Parsed parsed = parse_all({"GLARK_LEVEL=8"});
+  EXPECT_TRUE(parsed.problems.empty());
+  EXPECT_EQ(parsed.settings.context.level, 8u);
+  EXPECT_EQ(parsed.settings.context.max_level, 8u);
+}
+
+TEST(Settings, ALimitThatIsSetHoldsTheLevelBack) {
+  const Parsed parsed = parse_all({"GLARK_LEVEL=8", "GLARK_MAX_LEVEL=3"});
+  EXPECT_EQ(parsed.settings.context.level, 3u);
+  ASSERT_EQ(parsed.problems.size(), 1u);
+  EXPECT_EQ(parsed.problems[0], "GLARK_LEVEL is 8, more than GLARK_MAX_LEVEL; the level is 3 now; raise GLARK_MAX_LEVEL");
+}
+
+TEST(ParseLevel, RejectsWhatIsNoLevel) {
+  EXPECT_EQ(parse_level("11"), 11u);
+  for (const char* text : {"", "12", "-1", "1.5", "2x", " 2", "0x2", "99999999999"}) EXPECT_FALSE(parse_level(text)) << text;
+}
+
+TEST(ParseCaptures, ACommaSeparatesOnlyBeforeAFrame) {
+  EXPECT_EQ(parse_captures("1:a.png,20:b,c.png"), (std::vector<CaptureRequest>{{1, "a.png"}, {20, "b,c.png"}}));
+}
+
+TEST(ParseCaptures, RejectsWhatIsNoRequest) {
+  for (const char* text : {"a.png", "0:a.png", "x:a.png", "1:a.jpg", "1:", "1:.png", "1:a.png,b"}) EXPECT_FALSE(parse_captures(text)) << text;
+}
+
+}  // namespace glark::settings
