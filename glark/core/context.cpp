@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/context.h"
 
-#include <cstring>
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "glark/core/pipeline.h"
 #include "glark/core/report.h"
@@ -11,16 +12,16 @@
 namespace glark::core {
 namespace {
 
-bool has_extension(const gl::Dispatch& gl, std::string_view name) {
+std::vector<std::string> extensions_of(const gl::Dispatch& gl) {
   GLint count = 0;
   gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  std::vector<std::string> names;
   for (GLint i = 0; i < count; ++i) {
-    const auto* text = reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
-    if (text != nullptr && name == text) {
-      return true;
+    if (const auto* text = reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))); text != nullptr) {
+      names.emplace_back(text);
     }
   }
-  return false;
+  return names;
 }
 
 GLint get(const gl::Dispatch& gl, GLenum name) {
@@ -77,8 +78,12 @@ void Context::read_capabilities() {
     log(LogLevel::warning, "context " + text + " is below OpenGL 4.3 and OpenGL ES 3.2: its draws stay as they are");
     return;
   }
-  capabilities.query_buffer = !es && (capabilities.version >= 44 || has_extension(gl, "GL_ARB_query_buffer_object"));
-  capabilities.multi_draw_indirect = !es || (has_extension(gl, "GL_EXT_multi_draw_indirect") && has_extension(gl, "GL_EXT_base_instance"));
+  capabilities.extensions = extensions_of(gl);
+  const auto has_extension = [&](std::string_view name) {
+    return std::find(capabilities.extensions.begin(), capabilities.extensions.end(), name) != capabilities.extensions.end();
+  };
+  capabilities.query_buffer = !es && (capabilities.version >= 44 || has_extension("GL_ARB_query_buffer_object"));
+  capabilities.multi_draw_indirect = !es || (has_extension("GL_EXT_multi_draw_indirect") && has_extension("GL_EXT_base_instance"));
   capabilities.max_vertex_attributes = get(gl, GL_MAX_VERTEX_ATTRIBS);
   capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
 }

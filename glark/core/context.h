@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "glark/core/bindings.h"
@@ -29,6 +30,7 @@ struct Capabilities {
   bool refinable = false;       // GL >= 4.3 or ES >= 3.2
   bool query_buffer = false;    // results of queries go to a buffer
   bool multi_draw_indirect = false;  // with a base instance; otherwise bins are read back
+  std::vector<std::string> extensions;
   GLint max_vertex_attributes = 16;
   GLint max_feedback_components = 64;
 };
@@ -119,6 +121,7 @@ class Context {
   ImmediateDraw immediate;
   std::vector<bool> pushed_ark_enables;  // with glPushAttrib(GL_ENABLE_BIT); one entry per push
   std::vector<bool> pushed_has_enable;
+  std::unordered_map<GLuint, std::uint64_t> query_surplus;  // triangles that our captures added to a query of the application
   std::shared_ptr<Program> current_program;  // null: none, or not known to us
   std::string extension_string;
   std::unique_ptr<Pipeline> pipeline;

@@ -81,6 +81,7 @@ class Pipeline {
   bool found_room(const capture::Layout& layout, std::uint64_t triangles) const;
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
   capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan);
+  void keep_out_of_queries(std::uint64_t triangles);  // of the application's, which count our captures too
   void submit(const Plan& plan, const capture::CoarseTriangles& triangles);
   void restore(const Plan& plan, bool changed_indirect);
   void restore_storage();

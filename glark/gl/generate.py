@@ -248,7 +248,8 @@ def uniform_body(command, real):
     values = ", ".join(names[2:] if of_program else names[1:])
     mirrors = f"t.context->uniform_mirrors({names[0] if of_program else ''})"
     return [
-        f"if (t.context == nullptr) {{ {real}; return; }}",
+        f"if (t.context == nullptr || (!t.context->mirror_uniforms && !t.context->compiling_list && location < glark::core::virtual_location_base)) "
+        f"{{ {real}; return; }}",
         f"if (location < glark::core::virtual_location_base) {real};",
         "if (t.context->compiling_list) { t.context->list_changes_uniforms = true; return; }",
         "if (!t.context->mirror_uniforms) return;",

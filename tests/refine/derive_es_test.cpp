@@ -17,20 +17,27 @@ struct EsStage {
 };
 
 std::vector<EsStage> stages() {
-  std::vector<EsStage> all = {
-      {"100", "attribute highp vec3 position; attribute mediump vec2 a; precision mediump float; varying lowp vec4 c; varying vec2 v[2]; invariant gl_Position;\n"
-              "void main() { c = vec4(a, a); v[0] = a; v[1] = position.xy; gl_Position = vec4(position, 1.0); gl_PointSize = 2.0; }"}};
+  std::vector<EsStage> all = {{"100",
+                               "attribute highp vec3 position; attribute mediump vec2 a; precision mediump float; "
+                               "varying lowp vec4 c; varying vec2 v[2]; invariant gl_Position;\n"
+                               "void main() { c = vec4(a, a); v[0] = a; v[1] = position.xy; gl_Position = "
+                               "vec4(position, 1.0); gl_PointSize = 2.0; }"}};
   for (const char* version : {"300", "310", "320"}) {
-    all.push_back({version, "#version " + std::string(version) + " es\nprecision mediump float; layout(location = 0) in highp vec3 position; in mediump vec2 a; in ivec2 i;\n"
-                            "struct S { vec2 x; mediump float y; }; out S s; out vec2 z[2]; flat out ivec2 o; centroid out vec4 c; float start = 1.0;\n"
-                            "void main() { s.x = a; s.y = a.x; z[0] = a; z[1] = a; o = i + gl_VertexID; c = vec4(start); start += 1.0; gl_Position = vec4(position, 1.0); }"});
+    all.push_back({version, "#version " + std::string(version) +
+                                " es\nprecision mediump float; layout(location = 0) in highp vec3 position; in mediump "
+                                "vec2 a; in ivec2 i;\n"
+                                "struct S { vec2 x; mediump float y; }; out S s; out vec2 z[2]; flat out ivec2 o; "
+                                "centroid out vec4 c; float start = 1.0;\n"
+                                "void main() { s.x = a; s.y = a.x; z[0] = a; z[1] = a; o = i + gl_VertexID; c = "
+                                "vec4(start); start += 1.0; gl_Position = vec4(position, 1.0); }"});
   }
   return all;
 }
 
 std::vector<FieldValues> inputs(bool integers) {
-  std::vector<FieldValues> fields = {{"position", GL_FLOAT_VEC3, {{{0, 0, 0}, {8, 0, 2}, {0, 16, 4}}}, capture::Role::position},
-                                     {"a", GL_FLOAT_VEC2, {{{0, 1}, {8, 1}, {4, 1}}}}};
+  std::vector<FieldValues> fields = {
+      {"position", GL_FLOAT_VEC3, {{{0, 0, 0}, {8, 0, 2}, {0, 16, 4}}}, capture::Role::position},
+      {"a", GL_FLOAT_VEC2, {{{0, 1}, {8, 1}, {4, 1}}}}};
   if (integers) {
     fields.push_back({"i", GL_INT_VEC2, {{{bits(1), bits(2)}, {bits(3), bits(4)}, {bits(-5), bits(6)}}}});
     fields.push_back({"gl_VertexID", GL_INT, {{{bits(10)}, {bits(20)}, {bits(30)}}}});
@@ -41,7 +48,8 @@ std::vector<FieldValues> inputs(bool integers) {
 TEST(DeriveEs, EveryVersionLinksInEveryRefinement) {
   if (!make_current(Api::es)) GTEST_SKIP() << "no ES context";
   for (const EsStage& stage : stages()) {
-    for (const auto refinement : {core::Refinement::linear_inputs, core::Refinement::linear_outputs, core::Refinement::pn}) {
+    for (const auto refinement :
+         {core::Refinement::linear_inputs, core::Refinement::linear_outputs, core::Refinement::pn}) {
       ASSERT_EQ(link_error({stage.source}), "");
       EXPECT_TRUE(inspect_vertex_stage({stage.source}, true).ok) << inspect_vertex_stage({stage.source}, true).error;
       DeriveRequest request;
@@ -50,7 +58,9 @@ TEST(DeriveEs, EveryVersionLinksInEveryRefinement) {
       std::vector<FieldValues> fields = inputs(std::string(stage.version) != "100");
       fields.push_back({"a_normal", GL_FLOAT_VEC3, {{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}, capture::Role::normal});
       request.vertex_sources[0].insert(stage.source.find("void main() {"),
-                                       std::string(stage.version) == "100" ? "attribute vec3 a_normal; varying vec3 vn;\n" : "in vec3 a_normal; out vec3 vn;\n");
+                                       std::string(stage.version) == "100"
+                                           ? "attribute vec3 a_normal; varying vec3 vn;\n"
+                                           : "in vec3 a_normal; out vec3 vn;\n");
       request.vertex_sources[0].insert(request.vertex_sources[0].find("void main() {") + 13, " vn = a_normal; ");
       request.layout = make_record(fields).layout;
       request.refinement = refinement;

@@ -43,10 +43,13 @@ std::string fragment_shader(const std::string& vertex) {
   const std::size_t version = vertex.find("#version");
   const bool es = vertex.find(" es\n") != std::string::npos;
   if (es) return vertex.substr(version, vertex.find('\n', version) - version) + "\nvoid main() {}\n";
-  return version == std::string::npos || vertex.find("#version 100") != std::string::npos ? "#version 100\nvoid main() {}\n" : "";
+  return version == std::string::npos || vertex.find("#version 100") != std::string::npos
+             ? "#version 100\nvoid main() {}\n"
+             : "";
 }
 
-GLuint link(const std::vector<std::string>& sources, const std::vector<std::string>& varyings, bool es, std::string& error) {
+GLuint link(const std::vector<std::string>& sources, const std::vector<std::string>& varyings, bool es,
+            std::string& error) {
   GLARK_GL(glCreateProgram, PFNGLCREATEPROGRAMPROC);
   GLARK_GL(glAttachShader, PFNGLATTACHSHADERPROC);
   GLARK_GL(glTransformFeedbackVaryings, PFNGLTRANSFORMFEEDBACKVARYINGSPROC);
@@ -58,7 +61,8 @@ GLuint link(const std::vector<std::string>& sources, const std::vector<std::stri
   if (!fragment.empty()) glAttachShader(program, compile(GL_FRAGMENT_SHADER, fragment, error));
   std::vector<const char*> names;
   for (const std::string& varying : varyings) names.push_back(varying.c_str());
-  if (!names.empty()) glTransformFeedbackVaryings(program, static_cast<GLsizei>(names.size()), names.data(), GL_INTERLEAVED_ATTRIBS);
+  if (!names.empty())
+    glTransformFeedbackVaryings(program, static_cast<GLsizei>(names.size()), names.data(), GL_INTERLEAVED_ATTRIBS);
   if (!error.empty()) return program;
   glLinkProgram(program);
   GLint ok = 0;

@@ -11,8 +11,9 @@ namespace glark::refine {
 namespace {
 
 TEST(GlslTokens, TextIsKeptToTheByte) {
-  for (const char* text : {"", " ", "a", "#version 120\nvoid main(){}\n", "x/*c*/+++y//e\n", "1.5e-3f.x 0x1u .5\n  # define A \\\n  b\nc", "\x80@$`\"'",
-                           "a //\\\nstill a comment\nb", "/* open", "#"}) {
+  for (const char* text :
+       {"", " ", "a", "#version 120\nvoid main(){}\n", "x/*c*/+++y//e\n", "1.5e-3f.x 0x1u .5\n  # define A \\\n  b\nc",
+        "\x80@$`\"'", "a //\\\nstill a comment\nb", "/* open", "#"}) {
     EXPECT_EQ(to_text(tokenize(text)), text);
   }
 }
@@ -47,7 +48,8 @@ TEST(GlslInterface, Versions) {
 }
 
 TEST(GlslInterface, InputsAreFoundAmongParametersAndLocals) {
-  const Interface interface = interface_of("layout(location = 0) in highp vec3 a, b[2]; void f(in vec3 c, out float d) { vec3 e; } in mat2[3] g;");
+  const Interface interface = interface_of(
+      "layout(location = 0) in highp vec3 a, b[2]; void f(in vec3 c, out float d) { vec3 e; } in mat2[3] g;");
   ASSERT_TRUE(interface.ok) << interface.error;
   ASSERT_EQ(interface.declarations.size(), 2U);
   EXPECT_EQ(interface.declarations[0].storage, Storage::input);
@@ -59,7 +61,8 @@ TEST(GlslInterface, InputsAreFoundAmongParametersAndLocals) {
 
 TEST(GlslInterface, BlocksStructuresAndInitialisers) {
   const Interface interface = interface_of(
-      "struct S { vec2 x, y[2]; } s; out flat B { S s; int k; } inst[2]; float a = f(1, 2), b[] = {1, 2}, c; precision highp float; invariant gl_Position; ;");
+      "struct S { vec2 x, y[2]; } s; out flat B { S s; int k; } inst[2]; float a = f(1, 2), b[] = {1, 2}, c; precision "
+      "highp float; invariant gl_Position; ;");
   ASSERT_TRUE(interface.ok) << interface.error;
   ASSERT_NE(interface.structure("S"), nullptr);
   EXPECT_EQ(interface.structure("S")->members.size(), 3U - 1U);

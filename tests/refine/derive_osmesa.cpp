@@ -14,8 +14,16 @@ bool make_current(Api api) {
   if (api == Api::es) return false;
   OSMesaContext& context = contexts[api == Api::core ? 1 : 0];
   if (context == nullptr) {
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, api == Api::core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION, 4, OSMESA_CONTEXT_MINOR_VERSION, 5, 0, 0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_PROFILE,
+                              api == Api::core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              4,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              5,
+                              0,
+                              0};
     context = OSMesaCreateContextAttribs(attributes, nullptr);
   }
   return context != nullptr && OSMesaMakeCurrent(context, image.data(), GL_UNSIGNED_BYTE, 16, 16);

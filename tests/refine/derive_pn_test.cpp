@@ -37,8 +37,9 @@ Vector reference_position(const Triangle& t, double w, double u, double v) {
   const Vector e = 1.0 / 6 * (b(0, 1) + b(1, 0) + b(1, 2) + b(2, 1) + b(2, 0) + b(0, 2));
   const Vector middle = 1.0 / 3 * (t[0].p() + t[1].p() + t[2].p());
   const Vector b111 = e + 0.5 * (e - middle);
-  return w * w * w * t[0].p() + u * u * u * t[1].p() + v * v * v * t[2].p() + 3 * w * w * u * b(0, 1) + 3 * w * u * u * b(1, 0) +
-         3 * u * u * v * b(1, 2) + 3 * u * v * v * b(2, 1) + 3 * v * v * w * b(2, 0) + 3 * v * w * w * b(0, 2) + 6 * w * u * v * b111;
+  return w * w * w * t[0].p() + u * u * u * t[1].p() + v * v * v * t[2].p() + 3 * w * w * u * b(0, 1) +
+         3 * w * u * u * b(1, 0) + 3 * u * u * v * b(1, 2) + 3 * u * v * v * b(2, 1) + 3 * v * v * w * b(2, 0) +
+         3 * v * w * w * b(0, 2) + 6 * w * u * v * b111;
 }
 
 Vector reference_normal(const Triangle& t, double w, double u, double v) {
@@ -46,7 +47,8 @@ Vector reference_normal(const Triangle& t, double w, double u, double v) {
     const Vector d = t[j].p() - t[i].p();
     return unit(t[i].n() + t[j].n() - 2 * dot(d, t[i].n() + t[j].n()) / dot(d, d) * d);
   };
-  return unit(w * w * t[0].n() + u * u * t[1].n() + v * v * t[2].n() + w * u * n(0, 1) + u * v * n(1, 2) + v * w * n(2, 0));
+  return unit(w * w * t[0].n() + u * u * t[1].n() + v * v * t[2].n() + w * u * n(0, 1) + u * v * n(1, 2) +
+              v * w * n(2, 0));
 }
 
 struct Form {
@@ -57,11 +59,13 @@ struct Form {
 };
 const std::vector<Form>& forms() {
   static const std::vector<Form> all = {
-      {"varying vec3 p; varying vec3 n; void main() { p = gl_Vertex.xyz; n = gl_Normal; gl_Position = gl_Vertex; }", Api::compatibility,
-       "gl_Vertex", "gl_Normal", true},
-      {"#version 150\nin vec3 a; in vec3 b; out vec3 p; out vec3 n; void main() { p = a; n = b; gl_Position = vec4(1.0); }", Api::core, "a",
-       "b", false},
-      {"#version 450 core\nin vec4 a; in vec4 b; out vec3 p; out vec3 n; void main() { p = a.xyz; n = b.xyz * b.w; gl_Position = a; }",
+      {"varying vec3 p; varying vec3 n; void main() { p = gl_Vertex.xyz; n = gl_Normal; gl_Position = gl_Vertex; }",
+       Api::compatibility, "gl_Vertex", "gl_Normal", true},
+      {"#version 150\nin vec3 a; in vec3 b; out vec3 p; out vec3 n; void main() { p = a; n = b; gl_Position = "
+       "vec4(1.0); }",
+       Api::core, "a", "b", false},
+      {"#version 450 core\nin vec4 a; in vec4 b; out vec3 p; out vec3 n; void main() { p = a.xyz; n = b.xyz * b.w; "
+       "gl_Position = a; }",
        Api::core, "a", "b", true}};
   return all;
 }
@@ -72,13 +76,18 @@ std::vector<float> widened(const std::array<float, 3>& v, bool to_four) {
   return words;
 }
 
-Refined refine(const Form& form, const Triangle& t, const std::vector<std::array<float, 2>>& lattice, const std::array<float, 3>& w = {1, 1, 1}) {
+Refined refine(const Form& form, const Triangle& t, const std::vector<std::array<float, 2>>& lattice,
+               const std::array<float, 3>& w = {1, 1, 1}) {
   Experiment e;
   e.request.vertex_sources = {form.source};
   e.request.refinement = core::Refinement::pn;
-  FieldValues position = {form.position, form.homogeneous ? static_cast<GLenum>(GL_FLOAT_VEC4) : GL_FLOAT_VEC3, {}, capture::Role::position};
+  FieldValues position = {form.position,
+                          form.homogeneous ? static_cast<GLenum>(GL_FLOAT_VEC4) : GL_FLOAT_VEC3,
+                          {},
+                          capture::Role::position};
   const bool wide_normal = form.normal == "b" && form.homogeneous;
-  FieldValues normal = {form.normal, wide_normal ? static_cast<GLenum>(GL_FLOAT_VEC4) : GL_FLOAT_VEC3, {}, capture::Role::normal};
+  FieldValues normal = {
+      form.normal, wide_normal ? static_cast<GLenum>(GL_FLOAT_VEC4) : GL_FLOAT_VEC3, {}, capture::Role::normal};
   for (int k = 0; k < 3; ++k) {
     position.corners[k] = widened(t[k].position, form.homogeneous);
     if (form.homogeneous) position.corners[k][3] = w[k];
@@ -94,7 +103,9 @@ Refined refine(const Form& form, const Triangle& t, const std::vector<std::array
 std::vector<std::array<float, 2>> full_lattice(int segments) {
   std::vector<std::array<float, 2>> points;
   for (int i = 0; i <= segments; ++i) {
-    for (int j = 0; i + j <= segments; ++j) points.push_back({static_cast<float>(i) / static_cast<float>(segments), static_cast<float>(j) / static_cast<float>(segments)});
+    for (int j = 0; i + j <= segments; ++j)
+      points.push_back(
+          {static_cast<float>(i) / static_cast<float>(segments), static_cast<float>(j) / static_cast<float>(segments)});
   }
   return points;
 }
@@ -190,7 +201,8 @@ void expect_same_edge(const Form& form, bool mixed_w) {
     for (const Refined& other : seen) {
       for (std::size_t i = 0; i < other.values.size(); ++i) {
         for (int word = 0; word < 6; ++word) {
-          ASSERT_EQ(std::bit_cast<int>(other.values[i][word]), std::bit_cast<int>(seen[0].values[i][word])) << form.source << i;
+          ASSERT_EQ(std::bit_cast<int>(other.values[i][word]), std::bit_cast<int>(seen[0].values[i][word]))
+              << form.source << i;
         }
       }
     }
@@ -207,6 +219,16 @@ TEST(DerivePn, AnEdgeHasTheSameBitsFromBothTrianglesInEveryRotation) {
 TEST(DerivePn, AnEdgeIsNotAffectedByTheWOfTheThirdCorner) {
   ASSERT_TRUE(make_current(Api::compatibility));
   expect_same_edge(forms()[0], true);
+}
+
+TEST(DerivePn, AnEdgeBetweenDifferentWStaysStraightInHomogeneousSpace) {
+  ASSERT_TRUE(make_current(Api::compatibility));
+  const Triangle t = {Corner{{0, 0, 0}, {-1, 0, 1}}, Corner{{1, 0, 0}, {1, 0, 1}}, Corner{{0, 1, 0}, {0, 1, 1}}};
+  const Refined mixed = refine(forms()[0], t, {{0.5F, 0}}, {1, 2, 1});
+  const Refined equal = refine(forms()[0], t, {{0.5F, 0}}, {2, 2, 2});
+  ASSERT_EQ(mixed.error + equal.error, "");
+  EXPECT_NEAR(mixed.values[0][2], 0.0F, 1e-6F);
+  EXPECT_GT(equal.values[0][2], 0.1F);
 }
 
 TEST(DerivePn, EdgesAreCurved) {
@@ -248,7 +270,8 @@ TEST(DerivePn, WithoutANormalTheInputsAreLinear) {
   Experiment e;
   e.request.vertex_sources = {"void main() { gl_Position = gl_Vertex; }"};
   e.request.refinement = core::Refinement::pn;
-  e.record = make_record({{"gl_Vertex", GL_FLOAT_VEC4, {{{0, 0, 0, 1}, {8, 0, 2, 1}, {0, 16, 4, 1}}}, capture::Role::position}});
+  e.record = make_record(
+      {{"gl_Vertex", GL_FLOAT_VEC4, {{{0, 0, 0, 1}, {8, 0, 2, 1}, {0, 16, 4, 1}}}, capture::Role::position}});
   e.varyings = {"gl_Position"};
   const Refined refined = run(e);
   ASSERT_EQ(refined.error, "");

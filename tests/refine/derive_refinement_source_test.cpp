@@ -11,10 +11,13 @@ namespace {
 
 Experiment experiment(const std::string& refinement_source) {
   Experiment e;
-  e.request.vertex_sources = {"#version 120\nattribute vec2 extra[2]; varying vec4 o; void main() { gl_Position = gl_Vertex; o = vec4(extra[0], extra[1]); }"};
+  e.request.vertex_sources = {
+      "#version 120\nattribute vec2 extra[2]; varying vec4 o; void main() { gl_Position = gl_Vertex; o = "
+      "vec4(extra[0], extra[1]); }"};
   e.request.refinement_source = refinement_source;
-  e.record = make_record({{"gl_Vertex", GL_FLOAT_VEC4, {{{0, 0, 0, 1}, {8, 0, 2, 1}, {0, 16, 4, 1}}}},
-                          {"extra", GL_FLOAT_VEC2, {{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}}}, capture::Role::other, 2, true}});
+  e.record = make_record(
+      {{"gl_Vertex", GL_FLOAT_VEC4, {{{0, 0, 0, 1}, {8, 0, 2, 1}, {0, 16, 4, 1}}}},
+       {"extra", GL_FLOAT_VEC2, {{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}}}, capture::Role::other, 2, true}});
   e.varyings = {"gl_Position", "o"};
   e.captured_words = 8;
   return e;
@@ -29,17 +32,19 @@ TEST(DeriveRefinementSource, SeesTheBuiltInRefinementAndChangesInputs) {
 
 TEST(DeriveRefinementSource, SeesCornersAndBarycentrics) {
   ASSERT_TRUE(make_current(Api::compatibility));
-  const Refined refined = run(experiment(
-      "void refine() {\n  gl_Vertex = vec4(ark_barycentric, ark_corner_gl_Vertex[1].x);\n  extra[0] = ark_corner_extra[2 * 2 + 1];\n}\n"));
+  const Refined refined =
+      run(experiment("void refine() {\n  gl_Vertex = vec4(ark_barycentric, ark_corner_gl_Vertex[1].x);\n  extra[0] = "
+                     "ark_corner_extra[2 * 2 + 1];\n}\n"));
   ASSERT_EQ(refined.error, "");
   EXPECT_EQ(refined.values[3], (std::vector<float>{0.25F, 0.5F, 0.25F, 8, 11, 12, 7, 8}));
 }
 
 TEST(DeriveRefinementSource, MayHaveMacrosFunctionsUniformsAndDirectives) {
   ASSERT_TRUE(make_current(Api::compatibility));
-  const Refined refined = run(experiment("#version 120\n#extension GL_ARB_gpu_shader5 : enable\n#define POSITION gl_Vertex // the position\n"
-                                         "uniform vec4 offset = vec4(1.0);\nvec4 moved(vec4 p) { return p + offset; }\n"
-                                         "void refine(void) { POSITION = moved(POSITION); }"));
+  const Refined refined = run(
+      experiment("#version 120\n#extension GL_ARB_gpu_shader5 : enable\n#define POSITION gl_Vertex // the position\n"
+                 "uniform vec4 offset = vec4(1.0);\nvec4 moved(vec4 p) { return p + offset; }\n"
+                 "void refine(void) { POSITION = moved(POSITION); }"));
   ASSERT_EQ(refined.error, "");
   EXPECT_EQ(refined.values[3][0], 5.0F);
 }
@@ -47,7 +52,8 @@ TEST(DeriveRefinementSource, MayHaveMacrosFunctionsUniformsAndDirectives) {
 TEST(DeriveRefinementSource, WorksBesideAnApplicationFunctionOfTheSameName) {
   ASSERT_TRUE(make_current(Api::compatibility));
   Experiment e = experiment("void refine() { gl_Vertex.x = 1.0; }");
-  e.request.vertex_sources = {"varying vec4 o; void refine() { gl_Position = gl_Vertex; o = vec4(3.0); } void main() { refine(); }"};
+  e.request.vertex_sources = {
+      "varying vec4 o; void refine() { gl_Position = gl_Vertex; o = vec4(3.0); } void main() { refine(); }"};
   const Refined refined = run(e);
   ASSERT_EQ(refined.error, "");
   EXPECT_EQ(refined.values[3], (std::vector<float>{1, 4, 2, 1, 3, 3, 3, 3}));
@@ -68,7 +74,9 @@ TEST(DeriveRefinementSource, ErrorsNameItsOwnLines) {
 TEST(DeriveRefinementSource, AnApplicationVariableCalledLikeTheInterfaceIsRenamed) {
   ASSERT_TRUE(make_current(Api::compatibility));
   Experiment e = experiment("void refine() { gl_Vertex.x = ark_barycentric.x; }");
-  e.request.vertex_sources = {"varying vec4 o; float ark_barycentric = 5.0; void main() { gl_Position = gl_Vertex; o = vec4(ark_barycentric); }"};
+  e.request.vertex_sources = {
+      "varying vec4 o; float ark_barycentric = 5.0; void main() { gl_Position = gl_Vertex; o = vec4(ark_barycentric); "
+      "}"};
   const Refined refined = run(e);
   ASSERT_EQ(refined.error, "");
   EXPECT_EQ(refined.values[3], (std::vector<float>{0.25F, 4, 2, 1, 5, 5, 5, 5}));
@@ -79,8 +87,9 @@ TEST(DeriveRefinementSource, FollowsPnTriangles) {
   Experiment e;
   e.request.vertex_sources = {"void main() { gl_Position = gl_Vertex; }"};
   e.request.refinement = core::Refinement::pn;
-  e.record = make_record({{"gl_Vertex", GL_FLOAT_VEC4, {{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}}, capture::Role::position},
-                          {"gl_Normal", GL_FLOAT_VEC3, {{{-1, 0, 1}, {1, 0, 1}, {0, 1, 1}}}, capture::Role::normal}});
+  e.record =
+      make_record({{"gl_Vertex", GL_FLOAT_VEC4, {{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}}, capture::Role::position},
+                   {"gl_Normal", GL_FLOAT_VEC3, {{{-1, 0, 1}, {1, 0, 1}, {0, 1, 1}}}, capture::Role::normal}});
   e.varyings = {"gl_Position"};
   e.lattice = {{0.5F, 0}};
   e.request.refinement_source = "void refine() { gl_Vertex.w = gl_Normal.z; }";

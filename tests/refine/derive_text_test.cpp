@@ -39,7 +39,9 @@ TEST(DeriveText, ChunksAreInputsInTheLanguagesWay) {
 }
 
 TEST(DeriveText, VersionStaysFirstAndExtensionsPrecedeEverything) {
-  DeriveRequest r = request("#version 150\n#extension GL_ARB_gpu_shader_fp64 : enable\nin vec3 a; void main() { gl_Position = vec4(a, gl_VertexID); }");
+  DeriveRequest r = request(
+      "#version 150\n#extension GL_ARB_gpu_shader_fp64 : enable\nin vec3 a; void main() { gl_Position = vec4(a, "
+      "gl_VertexID); }");
   r.refinement_source = "#extension GL_ARB_shading_language_packing : enable\nvoid refine() {}";
   const Tokens tokens = tokenize(derived(r));
   EXPECT_EQ(directive_name(tokens[0]), "version");
@@ -51,21 +53,27 @@ TEST(DeriveText, VersionStaysFirstAndExtensionsPrecedeEverything) {
 }
 
 TEST(DeriveText, PreciseWhereTheLanguageHasIt) {
-  EXPECT_NE(derived(request("#version 400\nin vec3 a; void main() { gl_Position = vec4(a, 1.0); }")).find("#define glark_precise precise"), std::string::npos);
+  EXPECT_NE(derived(request("#version 400\nin vec3 a; void main() { gl_Position = vec4(a, 1.0); }"))
+                .find("#define glark_precise precise"),
+            std::string::npos);
   const std::string early = derived(request("#version 150\nin vec3 a; void main() { gl_Position = vec4(a, 1.0); }"));
   EXPECT_NE(early.find("#ifdef GL_ARB_gpu_shader5"), std::string::npos);
-  const std::string taken = derived(request("#version 150\nin vec3 a; void main() { vec3 sample = a; gl_Position = vec4(sample, 1.0); }"));
+  const std::string taken =
+      derived(request("#version 150\nin vec3 a; void main() { vec3 sample = a; gl_Position = vec4(sample, 1.0); }"));
   EXPECT_EQ(taken.find("GL_ARB_gpu_shader5"), std::string::npos);
 }
 
 TEST(DeriveText, AUniformThatTakesOurNameIsRefused) {
-  const Derivation derivation = derive_vertex_stage(request("uniform vec3 glark_patch; attribute vec3 a; void main() { gl_Position = vec4(a + glark_patch, 1.0); }"));
+  const Derivation derivation = derive_vertex_stage(
+      request("uniform vec3 glark_patch; attribute vec3 a; void main() { gl_Position = vec4(a + glark_patch, 1.0); }"));
   EXPECT_FALSE(derivation.ok);
   EXPECT_NE(derivation.error.find("'glark_patch'"), std::string::npos);
 }
 
 TEST(DeriveText, TheSameRequestGivesTheSameText) {
-  DeriveRequest r = request("#version 150 compatibility\nin vec3 a; out vec3 b; void main() { b = a + gl_Normal; gl_Position = gl_Vertex; gl_FrontColor = gl_Color; }");
+  DeriveRequest r = request(
+      "#version 150 compatibility\nin vec3 a; out vec3 b; void main() { b = a + gl_Normal; gl_Position = gl_Vertex; "
+      "gl_FrontColor = gl_Color; }");
   r.refinement = core::Refinement::linear_outputs;
   EXPECT_EQ(derived(r), derived(r));
 }

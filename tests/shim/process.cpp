@@ -23,7 +23,7 @@ Outcome run(const std::string& command) {
 }
 
 Outcome run_preloaded(const std::string& program, const std::string& environment) {
-  return run("env " + environment + " LD_PRELOAD=" GLARK_LIBRARY " " + program);
+  return run("env ASAN_OPTIONS=detect_leaks=0 " + environment + " LD_PRELOAD=" PRELOAD " " + program);
 }
 
 std::string read_file(const std::string& path) {

@@ -8,20 +8,13 @@
 #include <cstdint>
 
 #include "glark/core/bindings.h"
-#include "glark/core/capture/capture.h"
+#include "glark/core/capture/coarse_triangles.h"
+#include "glark/core/capture/layout.h"
+#include "glark/core/depth/binned_instances.h"
 #include "glark/core/gpu_buffer.h"
 #include "glark/core/pattern/gpu_pool.h"
 
 namespace glark::depth {
-
-// Instances sorted by piece: each is a coarse record followed by its patch (vec4), `stride` bytes.
-struct BinnedInstances {
-  GLuint instances = 0;
-  GLsizei stride = 0;
-  GLuint commands = 0;          // buffer with a DrawElementsIndirectCommand for each piece
-  GLintptr commands_offset = 0;
-  GLsizei command_count = 0;
-};
 
 struct BinRequest {
   const capture::Layout* layout = nullptr;

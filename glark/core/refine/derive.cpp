@@ -64,7 +64,8 @@ class Deriver {
     IdentifierSet fixed = {lattice_input, patch_input};
     for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
     for (const std::string& name : application_identifiers_) {
-      const bool ours = !request_.refinement_source.empty() && (name == "ark_barycentric" || name.starts_with("ark_corner_"));
+      const bool ours =
+          !request_.refinement_source.empty() && (name == "ark_barycentric" || name.starts_with("ark_corner_"));
       if (!ours && !fixed.contains(name)) continue;
       if (is_visible_to_api(name)) {
         error_ = "'" + name + "' is a name that glark needs; rename this uniform, output or block";
@@ -95,7 +96,8 @@ class Deriver {
     plan_.corner_words = request_.layout.corner_words;
     plan_.chunk_count = request_.layout.chunk_count();
     for (const VertexUnit& unit : units_) {
-      plan_.structures.insert(plan_.structures.end(), unit.interface.structures.begin(), unit.interface.structures.end());
+      plan_.structures.insert(plan_.structures.end(), unit.interface.structures.begin(),
+                              unit.interface.structures.end());
     }
     if (!plan_inputs()) return false;
     plan_refinement();
@@ -190,7 +192,9 @@ class Deriver {
       const std::string& text = tokens[i].text;
       if (names.contains(text) || text == "ftransform" || built_in_input(text) != nullptr) return true;
       // A call may read an input.
-      if (tokens[i].kind == TokenKind::identifier && tokens[i + 1].is("(") && numeric_type(std::string_view(text)) == nullptr) return true;
+      if (tokens[i].kind == TokenKind::identifier && tokens[i + 1].is("(") &&
+          numeric_type(std::string_view(text)) == nullptr)
+        return true;
     }
     return false;
   }
@@ -208,8 +212,10 @@ class Deriver {
     }
     const MainEpilogue epilogue = main_epilogue(plan_, declarations_in_main);
     Tokens& tokens = units_[plan_.main_unit].tokens;
-    tokens.back().before += with_prefix(epilogue.declarations, prefix_) + plan_.refinement_source + with_prefix(epilogue.main, prefix_);
-    insert_after_version(tokens, with_prefix(epilogue_header(plan_, all_identifiers_), prefix_) + refinement_extensions_);
+    tokens.back().before +=
+        with_prefix(epilogue.declarations, prefix_) + plan_.refinement_source + with_prefix(epilogue.main, prefix_);
+    insert_after_version(tokens,
+                         with_prefix(epilogue_header(plan_, all_identifiers_), prefix_) + refinement_extensions_);
   }
 
   // Globals for the built-in inputs that this unit mentions, or that its main fills.
@@ -222,9 +228,11 @@ class Deriver {
       const BuiltInInput* const input = built_in_input(name);
       if (input == nullptr || is_declared(units_[u].interface, name)) continue;
       // One that the record does not hold is constant for the draw, or the draw could not be refined.
-      const bool captured = std::any_of(plan_.inputs.begin(), plan_.inputs.end(),
-                                        [&](const InputVariable& variable) { return variable.field.name == input->field; });
-      lines.insert(std::string(input->type) + " " + global_name("@", *input) + (input->system_value && !captured ? " = 0;\n" : ";\n"));
+      const bool captured = std::any_of(plan_.inputs.begin(), plan_.inputs.end(), [&](const InputVariable& variable) {
+        return variable.field.name == input->field;
+      });
+      lines.insert(std::string(input->type) + " " + global_name("@", *input) +
+                   (input->system_value && !captured ? " = 0;\n" : ";\n"));
     }
     std::string text;
     for (const std::string& line : lines) text += line;
@@ -243,7 +251,9 @@ class Deriver {
   std::string missing_declarations_in_main() const {
     std::string text;
     for (const InputVariable& input : plan_.inputs) {
-      if (built_in_input(input.field.name) != nullptr || is_declared(units_[plan_.main_unit].interface, input.field.name)) continue;
+      if (built_in_input(input.field.name) != nullptr ||
+          is_declared(units_[plan_.main_unit].interface, input.field.name))
+        continue;
       text += std::string(input.type->name) + " " + input.global;
       text += input.field.is_array ? "[" + std::to_string(input.field.array_size) + "];\n" : ";\n";
     }
@@ -256,8 +266,8 @@ class Deriver {
     for (const Variable& variable : resets_[u]) {
       text += "  { " + variable.type + " @initial";
       for (const std::string& size : variable.sizes) text += "[" + size + "]";
-      text += " = " + to_text(units_[u].tokens, variable.initializer_begin, variable.initializer_end) + "; " + new_names_(variable.name) +
-              " = @initial; }\n";
+      text += " = " + to_text(units_[u].tokens, variable.initializer_begin, variable.initializer_end) + "; " +
+              new_names_(variable.name) + " = @initial; }\n";
     }
     return text + "}\n";
   }

@@ -14,9 +14,10 @@
 namespace glark::refine {
 
 // Names of the vertex inputs of a derived program; the caller binds their locations before linking.
-inline constexpr const char* lattice_input = "glark_lattice";     // vec2: local barycentrics lu, lv in units of 2^-15
-inline constexpr const char* patch_input = "glark_patch";         // vec4: placement of the piece
-inline constexpr const char* chunk_input_prefix = "glark_chunk";  // vec4 glark_chunk0, glark_chunk1, ...: words of the coarse record
+inline constexpr const char* lattice_input = "glark_lattice";  // vec2: local barycentrics lu, lv in units of 2^-15
+inline constexpr const char* patch_input = "glark_patch";      // vec4: placement of the piece
+inline constexpr const char* chunk_input_prefix =
+    "glark_chunk";  // vec4 glark_chunk0, glark_chunk1, ...: words of the coarse record
 
 struct DeriveRequest {
   std::vector<std::string> vertex_sources;  // one per vertex shader object, as compiled by the application
@@ -24,17 +25,18 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
-  int provoking_corner = 2;                 // corner whose value a flat output takes
-  bool flat_colors = false;                 // glShadeModel(GL_FLAT): built-in colours are flat
-  std::string refinement_source;            // the application's own refinement shader (glRefinementShaderSourceARK), or empty
-  std::vector<std::string> extensions;      // of the context ("GL_ARB_..."): which GL_ macros its preprocessor defines; empty: unknown
+  int provoking_corner = 2;       // corner whose value a flat output takes
+  bool flat_colors = false;       // glShadeModel(GL_FLAT): built-in colours are flat
+  std::string refinement_source;  // the application's own refinement shader (glRefinementShaderSourceARK), or empty
+  std::vector<std::string>
+      extensions;  // of the context ("GL_ARB_..."): which GL_ macros its preprocessor defines; empty: unknown
 };
 
 // What the vertex stage does that decides whether and how it can be refined.
 struct VertexStageTraits {
-  bool reads_vertex_id = false;     // gl_VertexID (or gl_BaseVertex, gl_DrawID, ...): outputs must be interpolated
+  bool reads_vertex_id = false;  // gl_VertexID (or gl_BaseVertex, gl_DrawID, ...): outputs must be interpolated
   bool reads_instance_id = false;
-  bool has_side_effects = false;    // image stores, buffer writes, atomics
+  bool has_side_effects = false;  // image stores, buffer writes, atomics
   bool writes_flat_outputs = false;
   bool has_subroutines = false;
 };

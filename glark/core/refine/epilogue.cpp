@@ -83,7 +83,8 @@ std::string refinement_declarations(const EpiloguePlan& plan) {
     const int elements = input.field.array_size;
     text += std::string(input.type->name) + " " + name + "[" + std::to_string(3 * elements) + "];\n";
     for (int i = 0; i < 3 * elements; ++i) {
-      fill += "  " + name + "[" + std::to_string(i) + "] = " + corner_expression(plan, input, i % elements, i / elements) + ";\n";
+      fill += "  " + name + "[" + std::to_string(i) +
+              "] = " + corner_expression(plan, input, i % elements, i / elements) + ";\n";
     }
   }
   return text + fill + "}\n";
@@ -96,9 +97,8 @@ std::string interpolate_function(const EpiloguePlan& plan, TypeSet& mixed_types)
 }
 
 bool uses_integers(const EpiloguePlan& plan) {
-  return std::any_of(plan.inputs.begin(), plan.inputs.end(), [](const InputVariable& input) {
-    return input.type->scalar != Scalar::float32;
-  });
+  return std::any_of(plan.inputs.begin(), plan.inputs.end(),
+                     [](const InputVariable& input) { return input.type->scalar != Scalar::float32; });
 }
 
 std::string enable_where_present(const std::string& extension) {
@@ -114,7 +114,8 @@ std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& appli
   std::string text;
   if (uses_integers(plan) && !version.at_least(330, 300)) text += enable_where_present("GL_ARB_shader_bit_encoding");
   if (version.at_least(400, 320)) return text + "#define @precise precise\n";
-  const bool words_are_free = !application_identifiers.contains("precise") && !application_identifiers.contains("sample");
+  const bool words_are_free =
+      !application_identifiers.contains("precise") && !application_identifiers.contains("sample");
   if (!words_are_free || !version.at_least(110, 310)) return text + "#define @precise\n";
   const std::string extension = version.es ? "GL_EXT_gpu_shader5" : "GL_ARB_gpu_shader5";
   return text + "#ifdef " + extension + "\n#extension " + extension + " : enable\n#define @precise precise\n" +

@@ -27,11 +27,11 @@ struct InputVariable {
 // An output of the vertex stage, declared in or (built-in) assigned to unit `unit`.
 struct OutputVariable {
   std::size_t unit = 0;
-  std::string path;                // "color", "block.color", "gl_Position"
+  std::string path;  // "color", "block.color", "gl_Position"
   std::string type;
   std::vector<std::string> sizes;  // array sizes, none open
   bool flat = false;
-  std::string problem;             // why it cannot be saved, or empty
+  std::string problem;  // why it cannot be saved, or empty
 };
 
 struct EpiloguePlan {
@@ -43,9 +43,9 @@ struct EpiloguePlan {
   std::vector<InputVariable> inputs;
   std::vector<OutputVariable> outputs;  // linear_outputs: all; otherwise those that are flat
   std::vector<Structure> structures;
-  std::vector<bool> resets;             // per unit: has a function that initialises its globals again
+  std::vector<bool> resets;  // per unit: has a function that initialises its globals again
   std::size_t main_unit = 0;
-  std::string refinement_source;        // rewritten text of the application's refinement shader, or empty
+  std::string refinement_source;  // rewritten text of the application's refinement shader, or empty
   std::set<std::string> refinement_identifiers;
 
   bool curved() const { return refinement == core::Refinement::pn; }
@@ -68,7 +68,8 @@ std::string pn_functions();
 std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types);
 
 // epilogue_outputs.cpp
-std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit, bool flat_colors);
+std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
+                                            bool flat_colors);
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures);
 // Functions "@save<slot>_<unit>" and "@finish_<unit>" of one unit, with the variables that they need.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types);

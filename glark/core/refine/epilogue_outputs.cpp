@@ -111,7 +111,8 @@ class Collector {
     for (int i = 0; i < std::max(count, 1); ++i) {
       for (const Variable& member : block.members) add(unit, member, instance.name + "[" + std::to_string(i) + "].");
     }
-    if (count < 0) outputs_.back().problem = "output block array '" + instance.name + "' has a size that is no plain number";
+    if (count < 0)
+      outputs_.back().problem = "output block array '" + instance.name + "' has a size that is no plain number";
   }
 
   void add(std::size_t unit, const Variable& variable, const std::string& instance) {
@@ -142,16 +143,17 @@ class Collector {
 };
 
 const Structure* find_structure(const std::vector<Structure>& structures, const std::string& name) {
-  const auto found = std::find_if(structures.begin(), structures.end(), [&](const Structure& s) { return s.name == name; });
+  const auto found =
+      std::find_if(structures.begin(), structures.end(), [&](const Structure& s) { return s.name == name; });
   return found == structures.end() ? nullptr : &*found;
 }
 
 bool type_interpolates(const std::string& type, const std::vector<Structure>& structures) {
   if (const NumericType* const numeric = numeric_type(std::string_view(type))) return numeric->interpolates();
   const Structure* const structure = find_structure(structures, type);
-  return structure == nullptr || std::any_of(structure->members.begin(), structure->members.end(), [&](const Variable& member) {
-           return type_interpolates(member.type, structures);
-         });
+  return structure == nullptr ||
+         std::any_of(structure->members.begin(), structure->members.end(),
+                     [&](const Variable& member) { return type_interpolates(member.type, structures); });
 }
 
 // A statement over the same element of several variables.
@@ -163,7 +165,8 @@ class Statements {
 
   // paths[0] = paths[1], element by element: GLSL 1.10 and ES 1.00 do not assign arrays.
   std::string copy(const std::vector<std::string>& sizes, const Paths& paths) {
-    return for_elements(sizes, 0, paths, [](const Paths& element) { return "  " + element[0] + " = " + element[1] + ";\n"; });
+    return for_elements(sizes, 0, paths,
+                        [](const Paths& element) { return "  " + element[0] + " = " + element[1] + ";\n"; });
   }
 
   // paths[0] = the interpolation of paths[1..3]
@@ -173,13 +176,15 @@ class Statements {
 
  private:
   template <typename Leaf>
-  std::string for_elements(const std::vector<std::string>& sizes, std::size_t dimension, const Paths& paths, const Leaf& leaf) {
+  std::string for_elements(const std::vector<std::string>& sizes, std::size_t dimension, const Paths& paths,
+                           const Leaf& leaf) {
     if (dimension == sizes.size()) return leaf(paths);
     const int count = literal(sizes[dimension]);
     std::string text;
     // Arrays of implied size may be indexed by constants only, so short ones are unrolled.
     if (count >= 0 && count <= 16) {
-      for (int i = 0; i < count; ++i) text += for_elements(sizes, dimension + 1, indexed(paths, std::to_string(i)), leaf);
+      for (int i = 0; i < count; ++i)
+        text += for_elements(sizes, dimension + 1, indexed(paths, std::to_string(i)), leaf);
       return text;
     }
     const std::string index = "@i" + std::to_string(loops_++);
@@ -223,7 +228,8 @@ std::string declaration(const OutputVariable& output, const std::string& name) {
 
 }  // namespace
 
-std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit, bool flat_colors) {
+std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
+                                            bool flat_colors) {
   return Collector(units, flat_colors).collect(main_unit);
 }
 
@@ -232,7 +238,8 @@ bool is_flat(const OutputVariable& output, const std::vector<Structure>& structu
 }
 
 bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit) {
-  return std::any_of(plan.outputs.begin(), plan.outputs.end(), [&](const OutputVariable& output) { return output.unit == unit; });
+  return std::any_of(plan.outputs.begin(), plan.outputs.end(),
+                     [&](const OutputVariable& output) { return output.unit == unit; });
 }
 
 // With linear_outputs there are three slots, one per corner; otherwise slot 0 holds the provoking corner's flat outputs.
@@ -256,7 +263,8 @@ std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet
       saves[slot] += statements.copy(output.sizes, {saved, output.path});
     }
     const std::string& source = paths[interpolated ? 1 + plan.provoking_corner : 1];
-    finish += copied ? statements.copy(output.sizes, {output.path, source}) : statements.interpolate(output.type, output.sizes, paths);
+    finish += copied ? statements.copy(output.sizes, {output.path, source})
+                     : statements.interpolate(output.type, output.sizes, paths);
   }
   const std::string suffix = "_" + std::to_string(unit);
   std::string text = variables;

@@ -18,14 +18,16 @@ const InputVariable* find_vector(const EpiloguePlan& plan, capture::Role role) {
   return nullptr;
 }
 
-std::string arguments(const EpiloguePlan& plan, const InputVariable& input, const std::string& before, const std::string& after) {
+std::string arguments(const EpiloguePlan& plan, const InputVariable& input, const std::string& before,
+                      const std::string& after) {
   std::string text;
   for (int corner = 0; corner < 3; ++corner) text += ", " + before + corner_expression(plan, input, 0, corner) + after;
   return text;
 }
 
 // The w of a vec4 stays linear.
-std::string with_linear_w(const EpiloguePlan& plan, const InputVariable& input, const std::string& curved, TypeSet& mixed_types) {
+std::string with_linear_w(const EpiloguePlan& plan, const InputVariable& input, const std::string& curved,
+                          TypeSet& mixed_types) {
   if (input.type->rows == 3) return curved;
   mixed_types.insert("float");
   const std::string w = arguments(plan, input, "", ".w").substr(2);
@@ -52,7 +54,8 @@ std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types) {
   const InputVariable& position = *pn_position(plan);
   const InputVariable& normal = *pn_normal(plan);
   const bool homogeneous = position.type->rows == 4;
-  const std::string points = homogeneous ? arguments(plan, position, "", "") : arguments(plan, position, "vec4(", ", 1.0)");
+  const std::string points =
+      homogeneous ? arguments(plan, position, "", "") : arguments(plan, position, "vec4(", ", 1.0)");
   const std::string normals = arguments(plan, normal, "", normal.type->rows == 4 ? ".xyz" : "");
   const std::string flat_points = arguments(plan, position, "", homogeneous ? ".xyz" : "");
   const std::string curved = "@pn_position(@weights" + points + normals + ")";

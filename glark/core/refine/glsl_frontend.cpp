@@ -23,18 +23,19 @@ TBuiltInResource generous_resources() {
   int* const begin = &resources.maxLights;
   int* const end = reinterpret_cast<int*>(&resources.limits);
   std::for_each(begin, end, [](int& value) { value = std::max(value, 0); });
-  for (int* limit : {&resources.maxVertexAttribs, &resources.maxTextureUnits, &resources.maxTextureCoords, &resources.maxDrawBuffers,
-                     &resources.maxClipDistances, &resources.maxCullDistances, &resources.maxCombinedClipAndCullDistances,
-                     &resources.maxClipPlanes, &resources.maxLights}) {
+  for (int* limit : {&resources.maxVertexAttribs, &resources.maxTextureUnits, &resources.maxTextureCoords,
+                     &resources.maxDrawBuffers, &resources.maxClipDistances, &resources.maxCullDistances,
+                     &resources.maxCombinedClipAndCullDistances, &resources.maxClipPlanes, &resources.maxLights}) {
     *limit = std::max(*limit, 32);
   }
-  for (int* limit : {&resources.maxVertexUniformComponents, &resources.maxVertexUniformVectors, &resources.maxVaryingFloats,
-                     &resources.maxVaryingVectors, &resources.maxVaryingComponents, &resources.maxVertexOutputComponents,
-                     &resources.maxVertexOutputVectors, &resources.maxVertexTextureImageUnits,
-                     &resources.maxCombinedTextureImageUnits, &resources.maxImageUnits, &resources.maxVertexImageUniforms,
-                     &resources.maxCombinedImageUniforms, &resources.maxAtomicCounterBindings, &resources.maxVertexAtomicCounters,
-                     &resources.maxVertexAtomicCounterBuffers, &resources.maxAtomicCounterBufferSize,
-                     &resources.maxTransformFeedbackBuffers, &resources.maxTransformFeedbackInterleavedComponents}) {
+  for (int* limit :
+       {&resources.maxVertexUniformComponents, &resources.maxVertexUniformVectors, &resources.maxVaryingFloats,
+        &resources.maxVaryingVectors, &resources.maxVaryingComponents, &resources.maxVertexOutputComponents,
+        &resources.maxVertexOutputVectors, &resources.maxVertexTextureImageUnits,
+        &resources.maxCombinedTextureImageUnits, &resources.maxImageUnits, &resources.maxVertexImageUniforms,
+        &resources.maxCombinedImageUniforms, &resources.maxAtomicCounterBindings, &resources.maxVertexAtomicCounters,
+        &resources.maxVertexAtomicCounterBuffers, &resources.maxAtomicCounterBufferSize,
+        &resources.maxTransformFeedbackBuffers, &resources.maxTransformFeedbackInterleavedComponents}) {
     *limit = std::max(*limit, 1 << 20);
   }
   resources.limits = {true, true, true, true, true, true, true, true, true};
@@ -64,8 +65,8 @@ std::string first_error(const char* log) {
 }
 
 bool is_extension_macro(const std::string& name) {
-  static const std::unordered_set<std::string> others = {"GL_ES", "GL_core_profile", "GL_compatibility_profile", "GL_es_profile",
-                                                         "GL_FRAGMENT_PRECISION_HIGH"};
+  static const std::unordered_set<std::string> others = {"GL_ES", "GL_core_profile", "GL_compatibility_profile",
+                                                         "GL_es_profile", "GL_FRAGMENT_PRECISION_HIGH"};
   return name.starts_with("GL_") && !others.contains(name);
 }
 
@@ -73,7 +74,8 @@ constexpr const char* present_prefix = "glark_present_";
 constexpr const char* absent_prefix = "glark_absent_";
 
 bool tests_macros(std::string_view directive) {
-  return directive == "if" || directive == "ifdef" || directive == "ifndef" || directive == "elif" || directive == "define";
+  return directive == "if" || directive == "ifdef" || directive == "ifndef" || directive == "elif" ||
+         directive == "define";
 }
 
 // glslang refuses `require` of what it does not know; the driver has already accepted it.
@@ -153,13 +155,15 @@ class FindMemoryWrites : public glslang::TIntermTraverser {
 
   bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
     const glslang::TOperator op = node->getOp();
-    const bool image = op == glslang::EOpImageStore || op == glslang::EOpImageStoreLod || (op >= glslang::EOpImageAtomicAdd && op <= glslang::EOpImageAtomicStore);
+    const bool image = op == glslang::EOpImageStore || op == glslang::EOpImageStoreLod ||
+                       (op >= glslang::EOpImageAtomicAdd && op <= glslang::EOpImageAtomicStore);
     const bool atomic = op >= glslang::EOpAtomicAdd && op <= glslang::EOpAtomicCounterCompSwap;
     if (image || atomic) found = true;
     const glslang::TIntermSequence& arguments = node->getSequence();
     const glslang::TQualifierList& qualifiers = node->getQualifierList();
     for (std::size_t i = 0; op == glslang::EOpFunctionCall && i < qualifiers.size() && i < arguments.size(); ++i) {
-      if (qualifiers[i] == glslang::EvqOut || qualifiers[i] == glslang::EvqInOut) note_target(arguments[i]->getAsTyped());
+      if (qualifiers[i] == glslang::EvqOut || qualifiers[i] == glslang::EvqInOut)
+        note_target(arguments[i]->getAsTyped());
     }
     return true;
   }
@@ -198,7 +202,8 @@ Preprocessed preprocess(const std::string& source, bool es, const std::vector<st
   shader.setPreamble(preamble.c_str());
   glslang::TShader::ForbidIncluder includer;
   Preprocessed result;
-  result.ok = shader.preprocess(&resources(), default_version(es), ENoProfile, false, false, messages, &result.text, includer);
+  result.ok =
+      shader.preprocess(&resources(), default_version(es), ENoProfile, false, false, messages, &result.text, includer);
   if (!result.ok) result.error = first_error(shader.getInfoLog());
   remove_disguise(disguise, result.text);
   return result;

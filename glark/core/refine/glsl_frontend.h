@@ -20,7 +20,8 @@ Preprocessed preprocess(const std::string& source, bool es, const std::vector<st
 
 struct Parsed {
   bool ok = false;
-  bool limited = false;        // not ok because of something that glslang does not implement, rather than a mistake in the shader
+  bool limited =
+      false;  // not ok because of something that glslang does not implement, rather than a mistake in the shader
   bool writes_memory = false;  // image stores and atomics, atomic counters, writes to buffer blocks
   std::string error;           // the first line of the compiler's log
 };

@@ -13,9 +13,10 @@ namespace {
 using Names = std::unordered_set<std::string_view>;
 
 const Names& qualifiers() {
-  static const Names names = {"const",  "in",      "out",      "inout",    "attribute", "varying",   "uniform",       "buffer",   "shared",
-                              "flat",   "smooth",  "patch",    "sample",   "centroid",  "invariant", "noperspective", "precise",  "lowp",
-                              "highp",  "mediump", "coherent", "volatile", "restrict",  "readonly",  "writeonly",     "subroutine", "layout"};
+  static const Names names = {
+      "const", "in",      "out",      "inout",    "attribute", "varying",   "uniform",       "buffer",     "shared",
+      "flat",  "smooth",  "patch",    "sample",   "centroid",  "invariant", "noperspective", "precise",    "lowp",
+      "highp", "mediump", "coherent", "volatile", "restrict",  "readonly",  "writeonly",     "subroutine", "layout"};
   return names;
 }
 
@@ -80,9 +81,10 @@ class Reader {
   // Newer qualifiers are ordinary names in older shaders: there something else than a name follows them.
   bool at_qualifier() const {
     if (!qualifiers().contains(at().text)) return false;
-    const bool may_be_name = at().is("sample") || at().is("buffer") || at().is("patch") || at().is("shared") || at().is("precise") ||
-                             at().is("subroutine") || at().is("layout");
-    return !may_be_name || ahead().kind == TokenKind::identifier || ((at().is("layout") || at().is("subroutine")) && ahead().is("("));
+    const bool may_be_name = at().is("sample") || at().is("buffer") || at().is("patch") || at().is("shared") ||
+                             at().is("precise") || at().is("subroutine") || at().is("layout");
+    return !may_be_name || ahead().kind == TokenKind::identifier ||
+           ((at().is("layout") || at().is("subroutine")) && ahead().is("("));
   }
 
   Qualifiers read_qualifiers() {
@@ -243,7 +245,8 @@ class Reader {
 }  // namespace
 
 const Structure* Interface::structure(const std::string& name) const {
-  const auto found = std::find_if(structures.begin(), structures.end(), [&](const Structure& s) { return s.name == name; });
+  const auto found =
+      std::find_if(structures.begin(), structures.end(), [&](const Structure& s) { return s.name == name; });
   return found == structures.end() ? nullptr : &*found;
 }
 

@@ -42,8 +42,8 @@ struct Structure {
 // One statement at global scope that declares variables or an interface block.
 struct Declaration {
   Storage storage = Storage::none;
-  std::size_t begin = 0;       // first token, a qualifier or the type
-  std::size_t type_token = 0;  // of the type; the qualifiers lie in front of it
+  std::size_t begin = 0;            // first token, a qualifier or the type
+  std::size_t type_token = 0;       // of the type; the qualifiers lie in front of it
   std::vector<Variable> variables;  // of a block: its instance, or nothing
   bool is_block = false;
   std::string block_name;

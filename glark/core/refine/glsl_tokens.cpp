@@ -107,7 +107,8 @@ class Scanner {
     const bool hexadecimal = peek(0) == '0' && (peek(1) == 'x' || peek(1) == 'X');
     while (at_ < text_.size()) {
       const char c = text_[at_];
-      const bool exponent_sign = !hexadecimal && (c == '+' || c == '-') && (text_[at_ - 1] == 'e' || text_[at_ - 1] == 'E');
+      const bool exponent_sign =
+          !hexadecimal && (c == '+' || c == '-') && (text_[at_ - 1] == 'e' || text_[at_ - 1] == 'E');
       if (!is_digit(c) && !is_letter(c) && c != '.' && !exponent_sign) break;
       ++at_;
     }
@@ -164,7 +165,8 @@ std::string_view directive_name(const Token& token) {
   return text.substr(begin, end - begin);
 }
 
-void rename_identifiers(Tokens& tokens, const Rename& rename, const std::function<bool(std::string_view)>& in_directive) {
+void rename_identifiers(Tokens& tokens, const Rename& rename,
+                        const std::function<bool(std::string_view)>& in_directive) {
   for (Token& token : tokens) {
     if (token.kind == TokenKind::identifier) {
       std::string name = rename(token.text);

@@ -35,6 +35,7 @@ std::string_view directive_name(const Token& token);
 
 // Replaces identifiers, also those within directives whose name `in_directive` accepts. `rename` returns the new name or "" to keep.
 using Rename = std::function<std::string(const std::string&)>;
-void rename_identifiers(Tokens& tokens, const Rename& rename, const std::function<bool(std::string_view)>& in_directive = {});
+void rename_identifiers(Tokens& tokens, const Rename& rename,
+                        const std::function<bool(std::string_view)>& in_directive = {});
 
 }  // namespace glark::refine

@@ -16,8 +16,8 @@ struct NumericType {
   std::string_view name;  // in GLSL: "vec3", "mat4x3"
   GLenum gl = 0;          // in the API: GL_FLOAT_VEC3
   Scalar scalar = Scalar::float32;
-  int columns = 1;        // 1 for scalars and vectors
-  int rows = 1;           // components of a column
+  int columns = 1;  // 1 for scalars and vectors
+  int rows = 1;     // components of a column
 
   int components() const { return columns * rows; }
   int words() const { return components() * (scalar == Scalar::float64 ? 2 : 1); }

@@ -14,8 +14,8 @@ namespace {
 bool writes_memory_by_name(const Tokens& tokens) {
   return std::any_of(tokens.begin(), tokens.end(), [](const Token& token) {
     return token.kind == TokenKind::identifier &&
-           (token.text.starts_with("imageStore") || token.text.starts_with("imageAtomic") || token.text.starts_with("atomic") ||
-            token.text == "buffer");
+           (token.text.starts_with("imageStore") || token.text.starts_with("imageAtomic") ||
+            token.text.starts_with("atomic") || token.text == "buffer");
   });
 }
 
@@ -56,7 +56,8 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
     const Parsed parsed = parse_vertex_shader(to_text(tokens), es);
     const bool unknown = !parsed.ok && (parsed.limited || uses_unknown_extension(tokens));
     if (!parsed.ok && !unknown) {
-      result.error = (units.size() == 1 ? "vertex shader: " : "vertex shader " + std::to_string(i) + ": ") + parsed.error;
+      result.error =
+          (units.size() == 1 ? "vertex shader: " : "vertex shader " + std::to_string(i) + ": ") + parsed.error;
       return result;
     }
     if (unknown ? writes_memory_by_name(tokens) : parsed.writes_memory) result.traits.has_side_effects = true;
@@ -65,15 +66,16 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
     structures.insert(structures.end(), units[i].interface.structures.begin(), units[i].interface.structures.end());
   }
   const std::vector<OutputVariable> outputs = collect_outputs(units, main_unit, false);
-  result.traits.writes_flat_outputs =
-      std::any_of(outputs.begin(), outputs.end(), [&](const OutputVariable& output) { return is_flat(output, structures); });
+  result.traits.writes_flat_outputs = std::any_of(
+      outputs.begin(), outputs.end(), [&](const OutputVariable& output) { return is_flat(output, structures); });
   result.ok = true;
   return result;
 }
 
 }  // namespace
 
-Inspection inspect_vertex_stage(const std::vector<std::string>& vertex_sources, bool es, const std::vector<std::string>& extensions) {
+Inspection inspect_vertex_stage(const std::vector<std::string>& vertex_sources, bool es,
+                                const std::vector<std::string>& extensions) {
   try {
     return inspect(vertex_sources, es, extensions);
   } catch (const std::exception& exception) {

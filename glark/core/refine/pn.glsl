@@ -26,7 +26,7 @@ vec3 glark_pn_tangent(vec4 near, vec3 unit_normal, vec4 far) {
 // Weights w of corner `near`, u of corner `far`; symmetric in the ends.
 vec3 glark_pn_edge(vec3 near_control, vec3 far_control, float w, float u) {
   glark_precise float near_weight = (w * w) * u;
-  glark_precise float far_weight = u * (u * w);
+  glark_precise float far_weight = (u * u) * w;
   glark_precise vec3 sum = near_control * near_weight + far_control * far_weight;
   return sum;
 }

@@ -102,7 +102,7 @@ void ProgramBuilder::prepare(core::Program& program) const {
     program.cause = program.from_binary ? core::Cause::program_binary : core::Cause::no_program;
     return;
   }
-  const Inspection inspection = inspect_vertex_stage(vertex_sources(program), traits_.language == capture::Language::es);
+  const Inspection inspection = inspect_vertex_stage(vertex_sources(program), traits_.language == capture::Language::es, traits_.extensions);
   program.traits = inspection.traits;
   if (!inspection.ok) {
     program.cause = core::Cause::program_not_derived;
@@ -177,6 +177,7 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   request.provoking_corner = key.provoking_corner;
   request.flat_colors = key.flat_colors;
   request.refinement_source = program.refinement_source;
+  request.extensions = traits_.extensions;
   const Derivation derivation = derive_vertex_stage(request);
   std::string error = derivation.error;
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources, owner != nullptr ? owner->name : 0, error) : 0;
@@ -189,6 +190,9 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   slot = std::make_unique<core::DerivedProgram>();
   slot->name = name;
   slot->layout = std::move(request.layout);
+  const auto other = std::find_if(program.derived.begin(), program.derived.end(),
+                                  [&](const auto& entry) { return entry.second != nullptr && entry.second != slot; });
+  copy_virtual_uniforms(gl_, program.virtual_uniforms, other != program.derived.end() ? other->second.get() : nullptr, *slot);
   if (owner != nullptr) {
     map_uniform_locations(gl_, owner->name, *slot);
     copy_uniform_values(gl_, owner->name, *slot);

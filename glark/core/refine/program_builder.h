@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "glark/core/capture/layout.h"
 #include "glark/core/program.h"
@@ -18,6 +19,7 @@ struct BuilderTraits {
   int glsl_version = 450;
   GLint max_vertex_attributes = 16;
   GLint max_feedback_components = 64;
+  std::vector<std::string> extensions;  // of the context: what its preprocessor defines
   GLuint lattice_location = 0;
   GLuint patch_location = 1;
   GLuint first_chunk_location = 2;

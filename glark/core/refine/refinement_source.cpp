@@ -32,8 +32,8 @@ RefinementSource prepare_refinement_source(const Tokens& source, const std::stri
   }
   // Up to GLSL 1.50 the line after "#line n" is line n + 1.
   const std::string line = version.at_least(330, 100) ? "1 " : "0 ";
-  result.text = "#line " + line + std::to_string(refinement_source_string) + "\n" + to_text(tokens) + "\n#line " + line +
-                std::to_string(refinement_source_string + 1) + "\n";
+  result.text = "#line " + line + std::to_string(refinement_source_string) + "\n" + to_text(tokens) + "\n#line " +
+                line + std::to_string(refinement_source_string + 1) + "\n";
   return result;
 }
 

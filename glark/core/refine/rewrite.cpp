@@ -76,7 +76,8 @@ std::string global_name(const std::string& prefix, const BuiltInInput& input) {
 std::string free_prefix(const IdentifierSet& identifiers) {
   std::string prefix = "glark_";
   const auto taken = [&](const std::string& name) { return name.starts_with(prefix); };
-  for (int i = 1; std::any_of(identifiers.begin(), identifiers.end(), taken); ++i) prefix = "glark" + std::to_string(i) + "_";
+  for (int i = 1; std::any_of(identifiers.begin(), identifiers.end(), taken); ++i)
+    prefix = "glark" + std::to_string(i) + "_";
   return prefix;
 }
 
@@ -125,7 +126,8 @@ std::size_t find_main_unit(const std::vector<VertexUnit>& units) {
 }
 
 void insert_declaration(Tokens& tokens, const std::string& text) {
-  const auto first = std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return t.kind != TokenKind::directive; });
+  const auto first =
+      std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return t.kind != TokenKind::directive; });
   first->before += "\n" + text;
 }
 
@@ -133,7 +135,8 @@ void insert_after_version(Tokens& tokens, const std::string& text) {
   Token token;
   token.kind = TokenKind::directive;
   token.text = text;
-  auto position = std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return directive_name(t) == "version"; });
+  auto position =
+      std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return directive_name(t) == "version"; });
   if (position == tokens.end()) {
     token.text += "\n";
     position = tokens.begin();

@@ -246,6 +246,22 @@ void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::Derive
   }
 }
 
+void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names, const core::DerivedProgram* other,
+                           core::DerivedProgram& derived) {
+  const std::vector<ActiveUniform> uniforms = active_uniforms(gl, derived.name);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const GLint target = gl.GetUniformLocation(derived.name, names[i].c_str());
+    derived.virtual_location_of.push_back(target);
+    const GLint source = other != nullptr && i < other->virtual_location_of.size() ? other->virtual_location_of[i] : -1;
+    const std::string base = names[i].substr(0, names[i].find('['));
+    for (const ActiveUniform& uniform : uniforms) {
+      if (target >= 0 && source >= 0 && uniform.name == base) {
+        copy_value(gl, other->name, source, derived.name, target, uniform.type);
+      }
+    }
+  }
+}
+
 void copy_block_bindings(const gl::Dispatch& gl, GLuint from, GLuint to) {
   GLint count = 0;
   gl.GetProgramiv(from, GL_ACTIVE_UNIFORM_BLOCKS, &count);

@@ -4,6 +4,9 @@
 // Agreement of a derived program's uniforms, blocks and outputs with the application's program.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "glark/core/program.h"
 #include "glark/gl/dispatch.h"
 
@@ -14,6 +17,11 @@ void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to);
 
 // After linking: fills derived.location_of.
 void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedProgram& derived);
+
+// Uniforms that only the refinement shader declares: their locations in `derived`, and their values from `other` (may be null),
+// another program derived from the same one.
+void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names, const core::DerivedProgram* other,
+                           core::DerivedProgram& derived);
 
 // Values of all uniforms outside blocks, and the bindings of uniform and storage blocks.
 void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::DerivedProgram& derived);

@@ -6,8 +6,9 @@
 
 #include <map>
 
-#include "glark/core/capture/capture.h"
-#include "glark/core/depth/bins.h"
+#include "glark/core/capture/coarse_triangles.h"
+#include "glark/core/capture/record.h"
+#include "glark/core/depth/binned_instances.h"
 #include "glark/core/pattern/gpu_pool.h"
 
 namespace glark::submit {

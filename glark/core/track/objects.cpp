@@ -46,16 +46,46 @@ bool counts_primitives(GLenum target) {
   }
 }
 
-void query_begun(Context& c, GLenum target) {
-  if (counts_primitives(target)) {
-    ++c.bindings.primitive_queries;
+// The slot that remembers which query counts triangles of stream 0; null for other targets.
+GLuint* triangle_query(Context& c, GLenum target, GLuint index) {
+  if (index != 0) {
+    return nullptr;
+  }
+  return target == GL_PRIMITIVES_GENERATED                    ? &c.bindings.primitives_generated_query
+         : target == GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN ? &c.bindings.primitives_written_query
+                                                              : nullptr;
+}
+
+void query_begun(Context& c, GLenum target, GLuint index, GLuint id) {
+  if (!counts_primitives(target)) {
+    return;
+  }
+  ++c.bindings.primitive_queries;
+  if (GLuint* slot = triangle_query(c, target, index); slot != nullptr && *slot == 0) {
+    *slot = id;
+    c.query_surplus.erase(id);
   }
 }
 
-void query_ended(Context& c, GLenum target) {
-  if (counts_primitives(target)) {
-    c.bindings.primitive_queries = std::max(0, c.bindings.primitive_queries - 1);
+void query_ended(Context& c, GLenum target, GLuint index) {
+  if (!counts_primitives(target)) {
+    return;
   }
+  c.bindings.primitive_queries = std::max(0, c.bindings.primitive_queries - 1);
+  if (GLuint* slot = triangle_query(c, target, index); slot != nullptr) {
+    *slot = 0;
+  }
+}
+
+// Takes what our captures added out of a result that GL has written to client memory.
+template <typename Value>
+void correct_result(const Context& c, GLuint id, GLenum name, Value* result) {
+  const auto found = c.query_surplus.find(id);
+  if (found == c.query_surplus.end() || result == nullptr || c.bindings.query_buffer != 0 ||
+      (name != GL_QUERY_RESULT && name != GL_QUERY_RESULT_NO_WAIT)) {
+    return;
+  }
+  *result -= std::min(*result, static_cast<Value>(found->second));
 }
 
 }  // namespace
@@ -158,22 +188,42 @@ void ResumeTransformFeedback(Context& c) {
 
 void BeginQuery(Context& c, GLenum target, GLuint id) {
   c.gl.BeginQuery(target, id);
-  query_begun(c, target);
+  query_begun(c, target, 0, id);
 }
 
 void EndQuery(Context& c, GLenum target) {
   c.gl.EndQuery(target);
-  query_ended(c, target);
+  query_ended(c, target, 0);
 }
 
 void BeginQueryIndexed(Context& c, GLenum target, GLuint index, GLuint id) {
   c.gl.BeginQueryIndexed(target, index, id);
-  query_begun(c, target);
+  query_begun(c, target, index, id);
 }
 
 void EndQueryIndexed(Context& c, GLenum target, GLuint index) {
   c.gl.EndQueryIndexed(target, index);
-  query_ended(c, target);
+  query_ended(c, target, index);
+}
+
+void GetQueryObjectiv(Context& c, GLuint id, GLenum name, GLint* result) {
+  c.gl.GetQueryObjectiv(id, name, result);
+  correct_result(c, id, name, result);
+}
+
+void GetQueryObjectuiv(Context& c, GLuint id, GLenum name, GLuint* result) {
+  c.gl.GetQueryObjectuiv(id, name, result);
+  correct_result(c, id, name, result);
+}
+
+void GetQueryObjecti64v(Context& c, GLuint id, GLenum name, GLint64* result) {
+  c.gl.GetQueryObjecti64v(id, name, result);
+  correct_result(c, id, name, result);
+}
+
+void GetQueryObjectui64v(Context& c, GLuint id, GLenum name, GLuint64* result) {
+  c.gl.GetQueryObjectui64v(id, name, result);
+  correct_result(c, id, name, result);
 }
 
 }  // namespace hook

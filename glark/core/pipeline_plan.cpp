@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Before a draw: whether it can be refined, by which program, to which depth, and with room for its triangles.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "glark/core/context.h"
+#include "glark/core/pipeline.h"
+#include "glark/core/refine/fixed_function_state.h"
+#include "glark/core/refine/uniform_copy.h"
+
+namespace glark::core {
+
+bool Pipeline::ensure_pool() {
+  if (pool_.built()) {
+    return true;
+  }
+  if (pool_failed_) {
+    return false;
+  }
+  ErrorScope errors(context_);
+  pool_failed_ = !build_pool(std::max(context_.options.max_level, context_.options.level));
+  return !pool_failed_;
+}
+
+void Pipeline::count_passed(Cause cause) {
+  const auto index = static_cast<std::size_t>(cause);
+  ++statistics().passed_through[index];
+  if (!logged_[index]) {
+    logged_.set(index);
+    const CauseText& text = text_of(cause);
+    const bool expected = cause == Cause::not_triangles || cause == Cause::level_zero || cause == Cause::rasterizer_discard || cause == Cause::invalid_draw;
+    log(expected ? LogLevel::debug : LogLevel::info,
+        "draws stay as the application asked: " + std::string(text.explanation) + "; to change that: " + std::string(text.remedy));
+  }
+}
+
+Cause Pipeline::check_state(const DrawCall& call) const {
+  const Bindings& b = context_.bindings;
+  const bool transparent = context_.options.transparent;
+  if (!is_triangle_mode(call.mode)) {
+    return Cause::not_triangles;
+  }
+  if (b.render_mode != GL_RENDER) {
+    return Cause::render_mode;
+  }
+  if (b.transform_feedback_active && !b.transform_feedback_paused && !owns_feedback()) {
+    return Cause::transform_feedback;
+  }
+  if (transparent && b.primitive_queries > 0) {
+    return Cause::primitive_query;
+  }
+  if (transparent && b.polygon_mode != GL_FILL) {
+    return Cause::polygon_mode;
+  }
+  if (b.rasterizer_discard && !owns_feedback()) {
+    return Cause::rasterizer_discard;
+  }
+  if (context_.capabilities.api == Capabilities::Api::core && b.vertex_array == 0) {
+    return Cause::invalid_draw;
+  }
+  return Cause::count_;
+}
+
+refine::FragmentReads Pipeline::fragment_reads(const Program* fragment) const {
+  std::string text;
+  if (fragment != nullptr) {
+    for (const StageSource& stage : fragment->stages) {
+      text += *stage.source;
+    }
+  } else if (gl_.GetProgramStringARB != nullptr && gl_.IsEnabled(GL_FRAGMENT_PROGRAM_ARB) != GL_FALSE) {
+    GLint length = 0;
+    gl_.GetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_LENGTH_ARB, &length);
+    text.resize(static_cast<std::size_t>(length));
+    gl_.GetProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_STRING_ARB, text.data());
+  } else {
+    return {};
+  }
+  return refine::fragment_reads(text);
+}
+
+Program* Pipeline::fixed_function_program(Program* fragment) {
+  const GLuint fragment_name = fragment != nullptr ? fragment->name : 0;
+  if (context_.fixed_function_stale || fixed_function_fragment_ != fragment_name) {
+    context_.fixed_function_stale = false;
+    fixed_function_fragment_ = fragment_name;
+    fixed_function_state_ = refine::read_fixed_function_state(gl_, fragment_reads(fragment));
+  }
+  std::shared_ptr<Program>& slot = fixed_function_[{fixed_function_state_, fragment_name}];
+  if (slot == nullptr) {
+    ErrorScope errors(context_);
+    slot = builder_.fixed_function(fixed_function_state_, fragment);
+    slot->refinement_source = fixed_function_refinement_;
+  }
+  return slot.get();
+}
+
+Cause Pipeline::find_program(Plan& plan) {
+  const Bindings& b = context_.bindings;
+  Program* current = context_.current_program.get();
+  if (b.program != 0 && current == nullptr) {
+    return Cause::no_program;
+  }
+  if (b.program == 0 && b.pipeline != 0) {
+    return Cause::program_pipeline;
+  }
+  if (current != nullptr && (current->stages.empty() || current->has_stage(GL_VERTEX_SHADER))) {
+    plan.program = plan.owner = current;
+  } else {
+    if (!context_.is_compatibility()) {
+      return Cause::no_program;
+    }
+    if (b.vertex_program) {
+      return Cause::assembly_program;
+    }
+    plan.owner = current;
+    plan.program = fixed_function_program(current);
+  }
+  if (!plan.program->prepared) {
+    ErrorScope errors(context_);
+    builder_.prepare(*plan.program);
+  }
+  return plan.program->cause;
+}
+
+DerivedKey Pipeline::key_of(const Program& program, bool tagged) const {
+  DerivedKey key;
+  key.refinement = context_.options.transparent ? context_.options.refinement : context_.ark.refinement;
+  key.provoking_corner = context_.bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION ? 0 : 2;
+  key.flat_colors = context_.is_compatibility() && context_.bindings.shade_model == GL_FLAT;
+  key.tagged = tagged;
+  (void)program;
+  return key;
+}
+
+void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
+  if (context_.options.transparent) {
+    plan.level = context_.options.level;
+    return;
+  }
+  const ArkState& ark = context_.ark;
+  if (ark.depth_source == DepthSource::uniform) {
+    plan.level = ark.uniform_level;
+    return;
+  }
+  GLint array_enabled = 0;
+  gl_.GetVertexAttribiv(ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &array_enabled);
+  plan.adaptive = call.tags_vary || (array_enabled != 0 && call.arrays != nullptr);
+  if (!plan.adaptive) {
+    GLfloat current[4] = {0, 0, 0, 0};
+    gl_.GetVertexAttribfv(ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
+    const float tag = std::isnan(current[0]) ? 0.0F : current[0];
+    plan.level = static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(ark.pool_level)));
+  }
+  plan.deepest = static_cast<unsigned>(ark.pool_level);
+}
+
+Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
+  context_.refresh_bindings();
+  if (const Cause cause = check_state(call); cause != Cause::count_) {
+    return cause;
+  }
+  if (const Cause cause = find_program(plan); cause != Cause::count_) {
+    return cause;
+  }
+  plan_depth(call, plan);
+  if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback()) {
+    return Cause::level_zero;
+  }
+  if (!ensure_pool()) {
+    return Cause::out_of_memory;
+  }
+  const DerivedKey key = key_of(*plan.program, plan.adaptive);
+  const auto found = plan.program->derived.find(key);
+  if (found != plan.program->derived.end()) {
+    plan.derived = found->second.get();
+  } else {
+    ErrorScope errors(context_);
+    const std::lock_guard lock(context_.share->mutex);
+    plan.derived = builder_.derive(*plan.program, plan.owner, key);
+    context_.share->any_derived.store(true, std::memory_order_relaxed);
+    context_.mirror_uniforms = true;
+  }
+  if (plan.derived == nullptr) {
+    return Cause::program_not_derived;
+  }
+  if (owns_feedback() && plan.derived != feedback_program_) {
+    return Cause::transform_feedback;
+  }
+  plan.layout = &plan.derived->layout;
+  if (plan.derived->capture_program == 0) {
+    ErrorScope errors(context_);
+    plan.derived->capture_program = capture_.program_for(*plan.layout, context_.ark.tag_attribute);
+  }
+  plan.capture_program = plan.derived->capture_program;
+  return plan.capture_program == 0 ? Cause::program_not_derived : Cause::count_;
+}
+
+Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
+  if (!capture_.can_reserve(*plan.layout, triangles)) {
+    return Cause::out_of_memory;
+  }
+  if (capture_.has_room(*plan.layout, triangles) && (!plan.adaptive || (bins_ready_ && bins_.has_room(*plan.layout, static_cast<std::uint32_t>(triangles), plan.deepest)))) {
+    return Cause::count_;
+  }
+  ErrorScope errors(context_);
+  if (!capture_.reserve(*plan.layout, triangles)) {
+    return Cause::out_of_memory;
+  }
+  if (plan.adaptive) {
+    bins_ready_ = bins_ready_ || bins_.prepare(pool_);
+    if (!bins_ready_ || !bins_.reserve(*plan.layout, static_cast<std::uint32_t>(triangles), plan.deepest)) {
+      return Cause::out_of_memory;
+    }
+  }
+  return Cause::count_;
+}
+
+void Pipeline::copy_stale_uniforms(const Plan& plan) {
+  if (plan.owner != nullptr && plan.owner->uniforms_stale) {
+    ErrorScope errors(context_);
+    for (const UniformMirror& mirror : plan.owner->mirrors) {
+      refine::copy_uniform_values(gl_, plan.owner->name, *mirror.derived);
+    }
+    plan.owner->uniforms_stale = false;
+  }
+}
+
+DerivedProgram* Pipeline::derived_for(Program& program, Program* owner) {
+  ErrorScope errors(context_);
+  context_.refresh_bindings();
+  if (!program.prepared) {
+    builder_.prepare(program);
+  }
+  if (program.cause != Cause::count_) {
+    program.refinement_log = std::string(text_of(program.cause).explanation);
+    return nullptr;
+  }
+  context_.mirror_uniforms = true;
+  context_.share->any_derived.store(true, std::memory_order_relaxed);
+  const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
+  return builder_.derive(program, owner, key_of(program, tagged));
+}
+
+Program* Pipeline::program_for_refinement(GLuint name) {
+  if (name == 0) {
+    return context_.is_compatibility() ? fixed_function_program(nullptr) : nullptr;
+  }
+  const auto found = context_.share->programs.find(name);
+  return found != context_.share->programs.end() ? found->second.get() : nullptr;
+}
+
+void Pipeline::set_fixed_function_refinement(std::string source) {
+  fixed_function_refinement_ = std::move(source);
+  for (auto& [key, program] : fixed_function_) {
+    builder_.discard(*program);
+    program->refinement_source = fixed_function_refinement_;
+  }
+}
+
+void Pipeline::tag_attribute_changed() {
+  for (auto& [key, program] : fixed_function_) {
+    builder_.discard(*program);
+  }
+  const std::lock_guard lock(context_.share->mutex);
+  for (auto& [name, program] : context_.share->programs) {
+    builder_.discard(*program);
+  }
+}
+
+void Pipeline::forget_program(GLuint name) {
+  for (auto entry = fixed_function_.begin(); entry != fixed_function_.end();) {
+    if (entry->first.second == name && name != 0) {
+      builder_.discard(*entry->second);
+      gl_.DeleteProgram(entry->second->name);
+      entry = fixed_function_.erase(entry);
+    } else {
+      ++entry;
+    }
+  }
+}
+
+}  // namespace glark::core

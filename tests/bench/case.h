@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A case: a name that --filter matches, and what it adds to the report.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/bench/interleave.h"
+#include "tests/bench/report.h"
+
+namespace glark::bench {
+
+struct Case {
+  std::string name;
+  std::function<void(Report&, const Effort&)> run;
+};
+
+void add_draw_cases(std::vector<Case>& cases);
+void add_pool_cases(std::vector<Case>& cases);
+void add_capture_cases(std::vector<Case>& cases);
+void add_call_cases(std::vector<Case>& cases);
+void add_adaptive_cases(std::vector<Case>& cases);
+
+}  // namespace glark::bench

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Timing on a machine that others use too: the competitors take turns, a few milliseconds each, and are compared turn by turn.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace glark::bench {
+
+struct Effort {
+  double sample_seconds = 0.004;  // one turn of one competitor: as many draws as that takes, at least one
+  double total_seconds = 0.6;     // of one comparison, about
+  int fewest_rounds = 5;          // while a round takes less than a second; one round otherwise
+  int most_rounds = 61;
+  double longest_draw_seconds = 30;  // a competitor expected to take longer is left out
+};
+
+struct Competitor {
+  std::function<void()> prepare;  // before every turn, not timed: binds its state
+  std::function<void()> draw;     // timed
+};
+
+// Seconds of one draw, by round.
+struct Times {
+  std::vector<double> seconds;
+  double median() const;
+  double least() const;
+};
+
+std::vector<Times> interleave(const std::vector<Competitor>& competitors, const Effort& effort);
+
+// Median over the rounds of `slow` / `fast`: how many times as fast `fast` is.
+double speed_ratio(const Times& slow, const Times& fast);
+
+// Median over the rounds of the sum of factors[i] * times[i].
+double combination(const std::vector<Times>& times, const std::vector<double>& factors);
+
+}  // namespace glark::bench

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "tests/bench/offscreen.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/bench/gl.h"
+
+#include <GL/osmesa.h>
+
+namespace glark::bench {
+
+Offscreen::Offscreen() : pixels_(static_cast<std::size_t>(picture_size) * picture_size) {
+  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
+  if (context != nullptr && OSMesaMakeCurrent(context, pixels_.data(), GL_UNSIGNED_BYTE, picture_size, picture_size) != GL_FALSE) {
+    context_ = context;
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(0, 0, 0, 1);
+  }
+}
+
+Offscreen::~Offscreen() {
+  if (context_ != nullptr) OSMesaDestroyContext(static_cast<OSMesaContext>(context_));
+}
+
+Picture read_picture() {
+  Picture picture(static_cast<std::size_t>(4) * picture_size * picture_size);
+  glFinish();
+  glReadPixels(0, 0, picture_size, picture_size, GL_RGBA, GL_UNSIGNED_BYTE, picture.data());
+  return picture;
+}
+
+std::string difference(const Picture& a, const Picture& b) {
+  constexpr int small_step = 12;
+  int shown = 0;
+  int different = 0;
+  for (std::size_t i = 0; i < a.size(); i += 4) {
+    int step = 0;
+    bool lit = false;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      step = std::max(step, std::abs(a[k] - b[k]));
+      lit = lit || a[k] != 0 || b[k] != 0;
+    }
+    shown += lit ? 1 : 0;
+    different += step > small_step ? 1 : 0;
+  }
+  if (shown < picture_size * picture_size / 100) return "the picture is empty";
+  if (different * 50 > shown) return std::to_string(different) + " of " + std::to_string(shown) + " pixels differ";
+  return {};
+}
+
+}  // namespace glark::bench

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The rows of the table: what was measured, what others reach, what we go for.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace glark::bench {
+
+enum class Goal { at_least, at_most, none };
+
+struct Row {
+  std::string measure;
+  std::string best_known;  // of the thesis or of others; empty: nothing is known
+  Goal goal = Goal::none;
+  double target = 0;
+  double measured = 0;
+  std::string unit;                     // "x": a ratio
+  std::map<std::string, double> detail; // what the figure was made of; JSON only
+
+  bool met() const;
+};
+
+class Report {
+ public:
+  void add(Row row);
+  // What could not be measured, and why. Not a target that was met.
+  void add_error(std::string text);
+  void note(std::string text);
+
+  const std::vector<Row>& rows() const { return rows_; }
+  bool has_errors() const { return !errors_.empty(); }
+  std::string table() const;
+  // False if the file cannot be written.
+  bool write_json(const std::string& path) const;
+
+ private:
+  std::vector<Row> rows_;
+  std::vector<std::string> errors_;
+  std::vector<std::string> notes_;
+};
+
+// The processor's name, the number of cores and the GL renderer.
+std::string machine();
+
+}  // namespace glark::bench
