@@ -48,7 +48,9 @@ constinit thread_local Current current __attribute__((tls_model("initial-exec"))
 
 Record& record_of(Registry& all, Provider provider, void* native) {
   std::unique_ptr<Record>& record = all.records[{provider, native}];
-  if (record == nullptr) record = std::make_unique<Record>(Record{.provider = provider, .native = native, .share = core::make_share_group(), .context = nullptr});
+  if (record == nullptr)
+    record = std::make_unique<Record>(
+        Record{.provider = provider, .native = native, .share = core::make_share_group(), .context = nullptr});
   return *record;
 }
 
@@ -109,7 +111,8 @@ void context_created(Provider provider, void* native, void* share) {
   std::unique_ptr<Record> stale;
   const std::lock_guard lock(all.mutex);
   // The same address again: the old context went without our seeing it (eglTerminate).
-  if (const auto found = all.records.find({provider, native}); found != all.records.end() && found->second->users == 0) {
+  if (const auto found = all.records.find({provider, native});
+      found != all.records.end() && found->second->users == 0) {
     stale = std::move(found->second);
     all.records.erase(found);
   }

@@ -21,7 +21,7 @@ const T* dynamic_address(const dl_phdr_info& object, ElfW(Addr) value) {
 }
 
 struct SymbolTable {
-  const ElfW(Sym)* symbols = nullptr;
+  const ElfW(Sym) * symbols = nullptr;
   const char* strings = nullptr;
   const std::uint32_t* gnu_hash = nullptr;
 };
@@ -42,7 +42,7 @@ SymbolTable symbol_table(const dl_phdr_info& object) {
 
 // The layout of DT_GNU_HASH: bucket count, index of the first hashed symbol, words of the Bloom filter, its shift, the
 // filter, the buckets, the chains (whose last entry has bit 0 set).
-const ElfW(Sym)* find_defined(const SymbolTable& table, std::string_view name) {
+const ElfW(Sym) * find_defined(const SymbolTable& table, std::string_view name) {
   if (table.symbols == nullptr || table.strings == nullptr || table.gnu_hash == nullptr) return nullptr;
   const std::uint32_t bucket_count = table.gnu_hash[0];
   const std::uint32_t first_hashed = table.gnu_hash[1];
@@ -53,7 +53,8 @@ const ElfW(Sym)* find_defined(const SymbolTable& table, std::string_view name) {
   for (std::uint32_t i = bucket_count == 0 ? 0 : buckets[hash % bucket_count]; i >= first_hashed && i != 0; ++i) {
     const std::uint32_t entry = chains[i - first_hashed];
     const ElfW(Sym)& symbol = table.symbols[i];
-    if ((entry | 1) == (hash | 1) && symbol.st_shndx != SHN_UNDEF && name == table.strings + symbol.st_name) return &symbol;
+    if ((entry | 1) == (hash | 1) && symbol.st_shndx != SHN_UNDEF && name == table.strings + symbol.st_name)
+      return &symbol;
     if (entry & 1) break;
   }
   return nullptr;
@@ -63,7 +64,9 @@ const ElfW(Sym)* find_defined(const SymbolTable& table, std::string_view name) {
 int look_for_dlvsym(dl_phdr_info* object, std::size_t, void* found) {
   const char* slash = std::strrchr(object->dlpi_name, '/');
   const std::string_view file = slash == nullptr ? object->dlpi_name : slash + 1;
-  if (!file.starts_with("libc.") && !file.starts_with("libdl.") && !file.starts_with("libc-") && !file.starts_with("libdl-")) return 0;
+  if (!file.starts_with("libc.") && !file.starts_with("libdl.") && !file.starts_with("libc-") &&
+      !file.starts_with("libdl-"))
+    return 0;
   const ElfW(Sym)* symbol = find_defined(symbol_table(*object), "dlvsym");
   if (symbol == nullptr) return 0;
   *static_cast<std::uintptr_t*>(found) = object->dlpi_addr + symbol->st_value;
@@ -143,16 +146,18 @@ bool in_main_program(const void* address) {
   static void* const main_base = [] {
     void* base = nullptr;
     // The first object is the main program.
-    dl_iterate_phdr([](dl_phdr_info* object, std::size_t, void* result) {
-      Dl_info info{};
-      for (int i = 0; i < object->dlpi_phnum; ++i)
-        if (object->dlpi_phdr[i].p_type == PT_LOAD) {
-          dladdr(reinterpret_cast<void*>(object->dlpi_addr + object->dlpi_phdr[i].p_vaddr), &info);
-          break;
-        }
-      *static_cast<void**>(result) = info.dli_fbase;
-      return 1;
-    }, &base);
+    dl_iterate_phdr(
+        [](dl_phdr_info* object, std::size_t, void* result) {
+          Dl_info info{};
+          for (int i = 0; i < object->dlpi_phnum; ++i)
+            if (object->dlpi_phdr[i].p_type == PT_LOAD) {
+              dladdr(reinterpret_cast<void*>(object->dlpi_addr + object->dlpi_phdr[i].p_vaddr), &info);
+              break;
+            }
+          *static_cast<void**>(result) = info.dli_fbase;
+          return 1;
+        },
+        &base);
     return base;
   }();
   Dl_info info{};

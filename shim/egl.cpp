@@ -46,7 +46,8 @@ GLARK_EXPORT EglBoolean eglDestroyContext(void* display, void* context) {
 GLARK_EXPORT EglBoolean eglMakeCurrent(void* display, void* draw, void* read, void* context) {
   make_current_begins(Provider::egl, context);
   const EglBoolean succeeded = GLARK_REAL(eglMakeCurrent)(display, draw, read, context);
-  if (succeeded && (context == current_native() || is_gl(display, context))) make_current_done(Provider::egl, context, {display, draw});
+  if (succeeded && (context == current_native() || is_gl(display, context)))
+    make_current_done(Provider::egl, context, {display, draw});
   return succeeded;
 }
 
@@ -62,12 +63,14 @@ GLARK_EXPORT EglBoolean eglSwapBuffers(void* display, void* surface) {
   return GLARK_REAL(eglSwapBuffers)(display, surface);
 }
 
-GLARK_EXPORT EglBoolean eglSwapBuffersWithDamageKHR(void* display, void* surface, const EglInt* rectangles, EglInt count) {
+GLARK_EXPORT EglBoolean eglSwapBuffersWithDamageKHR(void* display, void* surface, const EglInt* rectangles,
+                                                    EglInt count) {
   end_frame_of(surface);
   return GLARK_REAL(eglSwapBuffersWithDamageKHR)(display, surface, rectangles, count);
 }
 
-GLARK_EXPORT EglBoolean eglSwapBuffersWithDamageEXT(void* display, void* surface, const EglInt* rectangles, EglInt count) {
+GLARK_EXPORT EglBoolean eglSwapBuffersWithDamageEXT(void* display, void* surface, const EglInt* rectangles,
+                                                    EglInt count) {
   end_frame_of(surface);
   return GLARK_REAL(eglSwapBuffersWithDamageEXT)(display, surface, rectangles, count);
 }

@@ -31,8 +31,9 @@ struct PackParameter {
   bool in_es;
 };
 constexpr std::array pack_parameters{
-    PackParameter{GL_PACK_ALIGNMENT, 4, true},     PackParameter{GL_PACK_ROW_LENGTH, 0, true},   PackParameter{GL_PACK_SKIP_ROWS, 0, true},
-    PackParameter{GL_PACK_SKIP_PIXELS, 0, true},   PackParameter{GL_PACK_SWAP_BYTES, 0, false},  PackParameter{GL_PACK_LSB_FIRST, 0, false},
+    PackParameter{GL_PACK_ALIGNMENT, 4, true},     PackParameter{GL_PACK_ROW_LENGTH, 0, true},
+    PackParameter{GL_PACK_SKIP_ROWS, 0, true},     PackParameter{GL_PACK_SKIP_PIXELS, 0, true},
+    PackParameter{GL_PACK_SWAP_BYTES, 0, false},   PackParameter{GL_PACK_LSB_FIRST, 0, false},
     PackParameter{GL_PACK_IMAGE_HEIGHT, 0, false}, PackParameter{GL_PACK_SKIP_IMAGES, 0, false},
 };
 
@@ -42,15 +43,16 @@ struct TransferParameter {
   GLfloat value;
 };
 constexpr std::array transfer_parameters{
-    TransferParameter{GL_MAP_COLOR, 0}, TransferParameter{GL_RED_SCALE, 1},  TransferParameter{GL_GREEN_SCALE, 1},
+    TransferParameter{GL_MAP_COLOR, 0},  TransferParameter{GL_RED_SCALE, 1},   TransferParameter{GL_GREEN_SCALE, 1},
     TransferParameter{GL_BLUE_SCALE, 1}, TransferParameter{GL_ALPHA_SCALE, 1}, TransferParameter{GL_RED_BIAS, 0},
-    TransferParameter{GL_GREEN_BIAS, 0}, TransferParameter{GL_BLUE_BIAS, 0},  TransferParameter{GL_ALPHA_BIAS, 0},
+    TransferParameter{GL_GREEN_BIAS, 0}, TransferParameter{GL_BLUE_BIAS, 0},   TransferParameter{GL_ALPHA_BIAS, 0},
 };
 
 // Sets the state that reading depends on for its lifetime.
 class ReadState {
  public:
-  explicit ReadState(core::Context& context) : gl_(context.gl), api_(context.capabilities.api), version_(context.capabilities.version) {
+  explicit ReadState(core::Context& context)
+      : gl_(context.gl), api_(context.capabilities.api), version_(context.capabilities.version) {
     const bool es = api_ == core::Capabilities::Api::es;
     separate_read_ = version_ >= 30;
     has_read_buffer_ = !es || version_ >= 30;
@@ -69,9 +71,11 @@ class ReadState {
     if (has_read_buffer_) gl_.ReadBuffer(static_cast<GLenum>(read_buffer_));
     if (separate_read_) gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(framebuffer_));
     if (api_ == core::Capabilities::Api::compatibility)
-      for (std::size_t i = 0; i < transfer_parameters.size(); ++i) gl_.PixelTransferf(transfer_parameters[i].name, transfer_[i]);
+      for (std::size_t i = 0; i < transfer_parameters.size(); ++i)
+        gl_.PixelTransferf(transfer_parameters[i].name, transfer_[i]);
     for (std::size_t i = 0; i < pack_parameters.size(); ++i)
-      if (!es || (pack_parameters[i].in_es && (version_ >= 30 || i == 0))) gl_.PixelStorei(pack_parameters[i].name, pack_[i]);
+      if (!es || (pack_parameters[i].in_es && (version_ >= 30 || i == 0)))
+        gl_.PixelStorei(pack_parameters[i].name, pack_[i]);
     if (version_ >= 21) gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(pack_buffer_));
   }
 
@@ -95,7 +99,8 @@ class ReadState {
   void select_default_framebuffer(bool es) {
     if (separate_read_) {
       gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer_);
-      if (current_provider() == Provider::osmesa || !current_is_offscreen()) gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+      if (current_provider() == Provider::osmesa || !current_is_offscreen())
+        gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     }
     if (!has_read_buffer_) return;
     gl_.GetIntegerv(GL_READ_BUFFER, &read_buffer_);
@@ -147,7 +152,8 @@ void write_png(core::Context& context, const settings::CaptureRequest& request) 
   const std::vector<unsigned char> colors = read_colors(context, size);
   errno = 0;
   if (stbi_write_png(request.file.c_str(), size.width, size.height, 3, colors.data(), 0) == 0)
-    core::log(core::LogLevel::error, what + (errno != 0 ? std::strerror(errno) : "writing failed") + "; name a file in a folder that exists and can be written with GLARK_CAPTURE");
+    core::log(core::LogLevel::error, what + (errno != 0 ? std::strerror(errno) : "writing failed") +
+                                         "; name a file in a folder that exists and can be written with GLARK_CAPTURE");
 }
 
 }  // namespace

@@ -29,11 +29,13 @@ void end_frame_of(GlxDrawable drawable) {
 }  // namespace
 
 GLARK_EXPORT GlxProc glXGetProcAddress(const GLubyte* name) {
-  return reinterpret_cast<GlxProc>(wrapper_or(text(name), reinterpret_cast<void*>(GLARK_REAL(glXGetProcAddress)(name))));
+  return reinterpret_cast<GlxProc>(
+      wrapper_or(text(name), reinterpret_cast<void*>(GLARK_REAL(glXGetProcAddress)(name))));
 }
 
 GLARK_EXPORT GlxProc glXGetProcAddressARB(const GLubyte* name) {
-  return reinterpret_cast<GlxProc>(wrapper_or(text(name), reinterpret_cast<void*>(GLARK_REAL(glXGetProcAddressARB)(name))));
+  return reinterpret_cast<GlxProc>(
+      wrapper_or(text(name), reinterpret_cast<void*>(GLARK_REAL(glXGetProcAddressARB)(name))));
 }
 
 GLARK_EXPORT void* glXCreateContext(void* display, void* visual, void* share, int direct) {
@@ -44,7 +46,8 @@ GLARK_EXPORT void* glXCreateNewContext(void* display, void* config, int type, vo
   return created(GLARK_REAL(glXCreateNewContext)(display, config, type, share, direct), share);
 }
 
-GLARK_EXPORT void* glXCreateContextAttribsARB(void* display, void* config, void* share, int direct, const int* attributes) {
+GLARK_EXPORT void* glXCreateContextAttribsARB(void* display, void* config, void* share, int direct,
+                                              const int* attributes) {
   return created(GLARK_REAL(glXCreateContextAttribsARB)(display, config, share, direct, attributes), share);
 }
 
@@ -77,7 +80,8 @@ GLARK_EXPORT void glXSwapBuffers(void* display, GlxDrawable drawable) {
   GLARK_REAL(glXSwapBuffers)(display, drawable);
 }
 
-GLARK_EXPORT std::int64_t glXSwapBuffersMscOML(void* display, GlxDrawable drawable, std::int64_t target, std::int64_t divisor, std::int64_t remainder) {
+GLARK_EXPORT std::int64_t glXSwapBuffersMscOML(void* display, GlxDrawable drawable, std::int64_t target,
+                                               std::int64_t divisor, std::int64_t remainder) {
   end_frame_of(drawable);
   return GLARK_REAL(glXSwapBuffersMscOML)(display, drawable, target, divisor, remainder);
 }

@@ -37,7 +37,8 @@ const Name window_system_names[] = {
 }  // namespace
 
 const Name* find_name(std::string_view name) {
-  const bool window_system = name.starts_with("glX") || name.starts_with("egl") || name.starts_with("OSMesa") || name.starts_with("dl");
+  const bool window_system =
+      name.starts_with("glX") || name.starts_with("egl") || name.starts_with("OSMesa") || name.starts_with("dl");
   if (!window_system) return name.starts_with("gl") ? find_gl(name) : nullptr;
   for (const Name& entry : window_system_names)
     if (entry.name == name) return &entry;

@@ -16,12 +16,16 @@ void* created(void* context, void* share) {
 }  // namespace
 
 GLARK_EXPORT OSMesaProc OSMesaGetProcAddress(const char* name) {
-  return reinterpret_cast<OSMesaProc>(wrapper_or(name, reinterpret_cast<void*>(GLARK_REAL(OSMesaGetProcAddress)(name))));
+  return reinterpret_cast<OSMesaProc>(
+      wrapper_or(name, reinterpret_cast<void*>(GLARK_REAL(OSMesaGetProcAddress)(name))));
 }
 
-GLARK_EXPORT void* OSMesaCreateContext(GLenum format, void* share) { return created(GLARK_REAL(OSMesaCreateContext)(format, share), share); }
+GLARK_EXPORT void* OSMesaCreateContext(GLenum format, void* share) {
+  return created(GLARK_REAL(OSMesaCreateContext)(format, share), share);
+}
 
-GLARK_EXPORT void* OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint stencil_bits, GLint accumulation_bits, void* share) {
+GLARK_EXPORT void* OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint stencil_bits, GLint accumulation_bits,
+                                          void* share) {
   return created(GLARK_REAL(OSMesaCreateContextExt)(format, depth_bits, stencil_bits, accumulation_bits, share), share);
 }
 

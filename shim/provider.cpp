@@ -23,7 +23,8 @@ template <std::size_t index>
 std::uintptr_t missing_function() {
   static std::atomic<bool> said{false};
   if (!said.exchange(true))
-    core::log(core::LogLevel::warning, std::string(gl::members()[index].name) + " was called, but the OpenGL driver does not have it; the call is ignored");
+    core::log(core::LogLevel::warning, std::string(gl::members()[index].name) +
+                                           " was called, but the OpenGL driver does not have it; the call is ignored");
   return 0;
 }
 
@@ -39,7 +40,8 @@ constexpr auto missing_functions = make_missing_functions(std::make_index_sequen
 void* ask(const Provider* provider, const char* name) {
   if (provider == nullptr) return nullptr;
   switch (*provider) {
-    case Provider::glx: return reinterpret_cast<void*>(GLARK_REAL(glXGetProcAddressARB)(reinterpret_cast<const GLubyte*>(name)));
+    case Provider::glx:
+      return reinterpret_cast<void*>(GLARK_REAL(glXGetProcAddressARB)(reinterpret_cast<const GLubyte*>(name)));
     case Provider::egl: return reinterpret_cast<void*>(GLARK_REAL(eglGetProcAddress)(name));
     case Provider::osmesa: return reinterpret_cast<void*>(GLARK_REAL(OSMesaGetProcAddress)(name));
   }

@@ -64,7 +64,8 @@ nlohmann::json frame_times(std::vector<double> ms) {
 nlohmann::json passed_through(const core::Statistics& counters) {
   nlohmann::json causes = nlohmann::json::object();
   for (unsigned i = 0; i < core::cause_count; ++i)
-    if (const auto count = counters.passed_through[i].load()) causes[std::string(core::text_of(static_cast<core::Cause>(i)).key)] = count;
+    if (const auto count = counters.passed_through[i].load())
+      causes[std::string(core::text_of(static_cast<core::Cause>(i)).key)] = count;
   return causes;
 }
 
@@ -73,7 +74,10 @@ nlohmann::json report(Times& all) {
   return {
       {"program", program_invocation_short_name},
       {"process", getpid()},
-      {"draws", {{"seen", counters.draws_seen.load()}, {"refined", counters.draws_refined.load()}, {"passed_through", passed_through(counters)}}},
+      {"draws",
+       {{"seen", counters.draws_seen.load()},
+        {"refined", counters.draws_refined.load()},
+        {"passed_through", passed_through(counters)}}},
       {"coarse_triangles", counters.coarse_triangles.load()},
       {"refined_triangles", counters.refined_triangles.load()},
       {"captures", {{"made", counters.captures_made.load()}, {"reused", counters.captures_reused.load()}}},
@@ -91,7 +95,8 @@ void write_file(const std::string& file, const std::string& text) {
     std::ofstream out(aside);
     out << text << '\n';
     if (!out.flush()) {
-      core::log(core::LogLevel::error, "the statistics cannot be written to " + aside + ": " + std::strerror(errno) + "; name a file in a folder that can be written with GLARK_STATS");
+      core::log(core::LogLevel::error, "the statistics cannot be written to " + aside + ": " + std::strerror(errno) +
+                                           "; name a file in a folder that can be written with GLARK_STATS");
       return;
     }
   }

@@ -15,7 +15,8 @@ bool adopt_glx() {
   const auto get_drawable = find_function<GlxDrawable (*)()>("glXGetCurrentDrawable");
   if (get_context == nullptr || get_display == nullptr || get_drawable == nullptr) return false;
   void* context = get_context();
-  if (context != nullptr) make_current_done(Provider::glx, context, {get_display(), reinterpret_cast<void*>(get_drawable())});
+  if (context != nullptr)
+    make_current_done(Provider::glx, context, {get_display(), reinterpret_cast<void*>(get_drawable())});
   return context != nullptr;
 }
 

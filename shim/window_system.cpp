@@ -29,7 +29,8 @@ std::uintptr_t missing_function() { return 0; }
 // An extension that a library does not export is found through the library's own GetProcAddress.
 void* ask_provider(std::string_view name) {
   if (name.find("GetProcAddress") != std::string_view::npos) return nullptr;
-  if (name.starts_with("glX")) return reinterpret_cast<void*>(GLARK_REAL(glXGetProcAddressARB)(reinterpret_cast<const GLubyte*>(name.data())));
+  if (name.starts_with("glX"))
+    return reinterpret_cast<void*>(GLARK_REAL(glXGetProcAddressARB)(reinterpret_cast<const GLubyte*>(name.data())));
   if (name.starts_with("egl")) return reinterpret_cast<void*>(GLARK_REAL(eglGetProcAddress)(name.data()));
   return reinterpret_cast<void*>(GLARK_REAL(OSMesaGetProcAddress)(name.data()));
 }
@@ -50,7 +51,8 @@ void* real_window_function(WindowFunction function) {
   if (real != nullptr) return real;
   real = find_real(names[index]);
   if (real == nullptr) {
-    core::log(core::LogLevel::debug, std::string(names[index]) + " was called or looked for, but no library here has it");
+    core::log(core::LogLevel::debug,
+              std::string(names[index]) + " was called or looked for, but no library here has it");
     return reinterpret_cast<void*>(&missing_function);
   }
   real_functions[index].store(real, std::memory_order_release);

@@ -24,7 +24,8 @@ int glXMakeCurrent(void* display, GlxDrawable drawable, void* context);
 int glXMakeContextCurrent(void* display, GlxDrawable draw, GlxDrawable read, void* context);
 int glXMakeCurrentReadSGI(void* display, GlxDrawable draw, GlxDrawable read, void* context);
 void glXSwapBuffers(void* display, GlxDrawable drawable);
-std::int64_t glXSwapBuffersMscOML(void* display, GlxDrawable drawable, std::int64_t target, std::int64_t divisor, std::int64_t remainder);
+std::int64_t glXSwapBuffersMscOML(void* display, GlxDrawable drawable, std::int64_t target, std::int64_t divisor,
+                                  std::int64_t remainder);
 
 // EGL.
 using EglBoolean = unsigned;
@@ -65,8 +66,9 @@ void* real_window_function(WindowFunction function);
 void note_real_window_function(const char* name, void* real);
 
 // GLARK_REAL(glXSwapBuffers)(display, drawable)
-#define GLARK_REAL(function) \
-  (reinterpret_cast<decltype(&::function)>(::glark::shim::real_window_function(::glark::shim::WindowFunction::function)))
+#define GLARK_REAL(function)                \
+  (reinterpret_cast<decltype(&::function)>( \
+      ::glark::shim::real_window_function(::glark::shim::WindowFunction::function)))
 
 // What a GetProcAddress shall return: our wrapper of that name where the real one is there or the function is ours.
 void* wrapper_or(const char* name, void* real);

@@ -35,15 +35,15 @@ struct Bindings {
   bool rasterizer_discard = false;
   bool primitive_restart = false;
   bool primitive_restart_fixed = false;
-  bool vertex_program = false;   // GL_VERTEX_PROGRAM_ARB
-  bool two_side = false;         // GL_VERTEX_PROGRAM_TWO_SIDE
-  GLenum polygon_mode = GL_FILL; // GL_FILL only where both faces are
+  bool vertex_program = false;    // GL_VERTEX_PROGRAM_ARB
+  bool two_side = false;          // GL_VERTEX_PROGRAM_TWO_SIDE
+  GLenum polygon_mode = GL_FILL;  // GL_FILL only where both faces are
   GLenum front_polygon_mode = GL_FILL;
   GLenum back_polygon_mode = GL_FILL;
   GLenum shade_model = GL_SMOOTH;
   GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
   GLenum render_mode = GL_RENDER;
-  int primitive_queries = 0;     // active queries that a capture would show in
+  int primitive_queries = 0;              // active queries that a capture would show in
   GLuint primitives_generated_query = 0;  // the active ones that the application reads as numbers of triangles; 0: none
   GLuint primitives_written_query = 0;
 };

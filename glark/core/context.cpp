@@ -17,7 +17,8 @@ std::vector<std::string> extensions_of(const gl::Dispatch& gl) {
   gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
   std::vector<std::string> names;
   for (GLint i = 0; i < count; ++i) {
-    if (const auto* text = reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))); text != nullptr) {
+    if (const auto* text = reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+        text != nullptr) {
       names.emplace_back(text);
     }
   }
@@ -39,7 +40,8 @@ Context::Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group
 
 Context::~Context() = default;
 
-std::unique_ptr<Context> Context::create(const gl::Dispatch& gl, std::shared_ptr<ShareGroup> share, const ContextOptions& options) {
+std::unique_ptr<Context> Context::create(const gl::Dispatch& gl, std::shared_ptr<ShareGroup> share,
+                                         const ContextOptions& options) {
   std::unique_ptr<Context> context(new Context(gl, std::move(share), options));
   context->read_capabilities();
   if (context->capabilities.refinable) {
@@ -70,7 +72,8 @@ void Context::read_capabilities() {
     capabilities.api = Capabilities::Api::es;
     capabilities.refinable = capabilities.version >= 32;
   } else {
-    const bool core = capabilities.version >= 32 && (get(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
+    const bool core =
+        capabilities.version >= 32 && (get(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
     capabilities.api = core ? Capabilities::Api::core : Capabilities::Api::compatibility;
     capabilities.refinable = capabilities.version >= 43;
   }
@@ -80,10 +83,12 @@ void Context::read_capabilities() {
   }
   capabilities.extensions = extensions_of(gl);
   const auto has_extension = [&](std::string_view name) {
-    return std::find(capabilities.extensions.begin(), capabilities.extensions.end(), name) != capabilities.extensions.end();
+    return std::find(capabilities.extensions.begin(), capabilities.extensions.end(), name) !=
+           capabilities.extensions.end();
   };
   capabilities.query_buffer = !es && (capabilities.version >= 44 || has_extension("GL_ARB_query_buffer_object"));
-  capabilities.multi_draw_indirect = !es || (has_extension("GL_EXT_multi_draw_indirect") && has_extension("GL_EXT_base_instance"));
+  capabilities.multi_draw_indirect =
+      !es || (has_extension("GL_EXT_multi_draw_indirect") && has_extension("GL_EXT_base_instance"));
   capabilities.max_vertex_attributes = get(gl, GL_MAX_VERTEX_ATTRIBS);
   capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
 }
@@ -101,13 +106,15 @@ void Context::frame_finished() {
 }
 
 std::span<const UniformMirror> Context::uniform_mirrors() const {
-  return current_program != nullptr ? std::span<const UniformMirror>(current_program->mirrors) : std::span<const UniformMirror>();
+  return current_program != nullptr ? std::span<const UniformMirror>(current_program->mirrors)
+                                    : std::span<const UniformMirror>();
 }
 
 std::span<const UniformMirror> Context::uniform_mirrors(GLuint program) const {
   const std::lock_guard lock(share->mutex);
   const auto found = share->programs.find(program);
-  return found != share->programs.end() ? std::span<const UniformMirror>(found->second->mirrors) : std::span<const UniformMirror>();
+  return found != share->programs.end() ? std::span<const UniformMirror>(found->second->mirrors)
+                                        : std::span<const UniformMirror>();
 }
 
 void Context::update_refining() {
@@ -135,7 +142,8 @@ void Context::refresh_bindings() {
   b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
   b.draw_indirect_buffer = static_cast<GLuint>(get(gl, GL_DRAW_INDIRECT_BUFFER_BINDING));
   b.query_buffer = capabilities.query_buffer ? static_cast<GLuint>(get(gl, GL_QUERY_BUFFER_BINDING)) : 0;
-  b.parameter_buffer = desktop && capabilities.version >= 46 ? static_cast<GLuint>(get(gl, GL_PARAMETER_BUFFER_BINDING)) : 0;
+  b.parameter_buffer =
+      desktop && capabilities.version >= 46 ? static_cast<GLuint>(get(gl, GL_PARAMETER_BUFFER_BINDING)) : 0;
   b.feedback_buffer = static_cast<GLuint>(get(gl, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING));
   b.storage_buffer = static_cast<GLuint>(get(gl, GL_SHADER_STORAGE_BUFFER_BINDING));
   for (GLuint i = 0; i < b.storage.size(); ++i) {

@@ -26,9 +26,9 @@ class Pipeline;
 struct Capabilities {
   enum class Api { compatibility, core, es };
   Api api = Api::compatibility;
-  int version = 0;              // 45 for 4.5
-  bool refinable = false;       // GL >= 4.3 or ES >= 3.2
-  bool query_buffer = false;    // results of queries go to a buffer
+  int version = 0;                   // 45 for 4.5
+  bool refinable = false;            // GL >= 4.3 or ES >= 3.2
+  bool query_buffer = false;         // results of queries go to a buffer
   bool multi_draw_indirect = false;  // with a base instance; otherwise bins are read back
   std::vector<std::string> extensions;
   GLint max_vertex_attributes = 16;
@@ -59,7 +59,7 @@ struct ListCompilation {
   GLenum mode = 0;
   std::shared_ptr<DisplayList> list;
   GLuint open_segment = 0;
-  GLenum begun_mode = 0;          // of a glBegin that is open in a draw segment
+  GLenum begun_mode = 0;  // of a glBegin that is open in a draw segment
   bool in_draw = false;
   bool in_begin = false;
 };
@@ -75,7 +75,8 @@ struct ImmediateDraw {
 class Context {
  public:
   // The context must be current. `gl` outlives it.
-  static std::unique_ptr<Context> create(const gl::Dispatch& gl, std::shared_ptr<ShareGroup> share, const ContextOptions& options);
+  static std::unique_ptr<Context> create(const gl::Dispatch& gl, std::shared_ptr<ShareGroup> share,
+                                         const ContextOptions& options);
   ~Context();
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -88,8 +89,8 @@ class Context {
   const gl::Dispatch& gl;
 
   // Read by the generated wrappers at every call.
-  bool refining = false;        // draw calls must reach their hooks
-  bool mirror_uniforms = false; // uniform calls must reach derived programs
+  bool refining = false;         // draw calls must reach their hooks
+  bool mirror_uniforms = false;  // uniform calls must reach derived programs
   bool compiling_list = false;
   bool list_changes_uniforms = false;
   std::uint64_t immediate_vertices = 0;
@@ -121,7 +122,8 @@ class Context {
   ImmediateDraw immediate;
   std::vector<bool> pushed_ark_enables;  // with glPushAttrib(GL_ENABLE_BIT); one entry per push
   std::vector<bool> pushed_has_enable;
-  std::unordered_map<GLuint, std::uint64_t> query_surplus;  // triangles that our captures added to a query of the application
+  std::unordered_map<GLuint, std::uint64_t>
+      query_surplus;                         // triangles that our captures added to a query of the application
   std::shared_ptr<Program> current_program;  // null: none, or not known to us
   std::string extension_string;
   std::unique_ptr<Pipeline> pipeline;

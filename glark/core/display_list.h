@@ -16,17 +16,17 @@ namespace glark::core {
 struct ListSegment {
   enum class Kind { state, draw, call, call_offset };
   Kind kind = Kind::state;
-  GLuint list = 0;               // our list to call; for `call` the application's list; call_offset: added to glListBase
-  GLenum mode = GL_TRIANGLES;    // of a draw segment
-  std::uint64_t vertices = 0;    // of a draw segment
+  GLuint list = 0;             // our list to call; for `call` the application's list; call_offset: added to glListBase
+  GLenum mode = GL_TRIANGLES;  // of a draw segment
+  std::uint64_t vertices = 0;  // of a draw segment
   std::uint64_t triangles = 0;
-  bool exact = true;             // `triangles` is the count, not a bound
-  bool sets_tags = false;        // glDepthTag1i was called inside
+  bool exact = true;       // `triangles` is the count, not a bound
+  bool sets_tags = false;  // glDepthTag1i was called inside
 };
 
 struct DisplayList {
   std::vector<ListSegment> segments;
-  bool refinable = false;        // false: call the application's list as it is
+  bool refinable = false;  // false: call the application's list as it is
   bool changes_uniforms = false;
 };
 

@@ -17,8 +17,8 @@ namespace glark::core {
 class Issue {
  public:
   template <typename Callable>
-    requires(!std::is_same_v<std::remove_cvref_t<Callable>, Issue>)
-  Issue(Callable&& callable)  // NOLINT(google-explicit-constructor): stands for the callable
+  requires(!std::is_same_v<std::remove_cvref_t<Callable>, Issue>)
+      Issue(Callable&& callable)  // NOLINT(google-explicit-constructor): stands for the callable
       : object_(const_cast<void*>(static_cast<const void*>(&callable))),
         call_([](void* object) { (*static_cast<std::remove_reference_t<Callable>*>(object))(); }) {}
   void operator()() const { call_(object_); }
@@ -45,14 +45,15 @@ struct DrawCall {
   GLenum mode = 0;
   std::uint64_t triangles = 0;  // of the whole call: the count, or a bound if !exact
   bool exact = true;
-  bool tags_vary = false;       // glDepthTag1i was called between its vertices
-  bool forced = false;          // glDrawARP: refined with GL_ARK disabled too
+  bool tags_vary = false;             // glDepthTag1i was called between its vertices
+  bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
   const ArrayDraw* arrays = nullptr;  // set if its capture may be kept
-  Issue issue;                  // makes the application's own call
+  Issue issue;                        // makes the application's own call
 };
 
 inline bool is_triangle_mode(GLenum mode) {
-  return mode == GL_TRIANGLES || mode == GL_TRIANGLE_STRIP || mode == GL_TRIANGLE_FAN || mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON;
+  return mode == GL_TRIANGLES || mode == GL_TRIANGLE_STRIP || mode == GL_TRIANGLE_FAN || mode == GL_QUADS ||
+         mode == GL_QUAD_STRIP || mode == GL_POLYGON;
 }
 
 // Triangles that GL makes of `vertices` in `mode` (OpenGL 4.6 compatibility, 10.1); primitive restart can only lower it.

@@ -6,38 +6,19 @@
 #include <cstring>
 
 namespace glark::core {
-namespace {
+CopyWriteBinding::CopyWriteBinding(const gl::Dispatch& gl, GLuint buffer) : gl_(gl) {
+  GLint previous = 0;
+  gl.GetIntegerv(GL_COPY_WRITE_BUFFER_BINDING, &previous);
+  previous_ = static_cast<GLuint>(previous);
+  gl.BindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+}
 
-// Binds to GL_COPY_WRITE_BUFFER for the life of the scope; only where direct state access is missing, and only on rare paths.
-class CopyWriteBinding {
- public:
-  CopyWriteBinding(const gl::Dispatch& gl, GLuint buffer) : gl_(gl) {
-    GLint previous = 0;
-    gl.GetIntegerv(GL_COPY_WRITE_BUFFER_BINDING, &previous);
-    previous_ = static_cast<GLuint>(previous);
-    gl.BindBuffer(GL_COPY_WRITE_BUFFER, buffer);
-  }
-  ~CopyWriteBinding() { gl_.BindBuffer(GL_COPY_WRITE_BUFFER, previous_); }
-  CopyWriteBinding(const CopyWriteBinding&) = delete;
-  CopyWriteBinding& operator=(const CopyWriteBinding&) = delete;
-
- private:
-  const gl::Dispatch& gl_;
-  GLuint previous_;
-};
-
-bool direct_state_access(const gl::Dispatch& gl) { return gl.CreateBuffers != nullptr && gl.NamedBufferData != nullptr; }
-
-}  // namespace
+CopyWriteBinding::~CopyWriteBinding() { gl_.BindBuffer(GL_COPY_WRITE_BUFFER, previous_); }
 
 bool GpuBuffer::allocate(const gl::Dispatch& gl, GLsizeiptr size, const void* data, GLenum usage) {
   GLuint fresh = 0;
-  const bool direct = direct_state_access(gl);
-  if (direct) {
-    gl.CreateBuffers(1, &fresh);
-    gl.NamedBufferData(fresh, size, data, usage);
-  } else {
-    gl.GenBuffers(1, &fresh);
+  gl.GenBuffers(1, &fresh);
+  {
     const CopyWriteBinding binding(gl, fresh);
     gl.BufferData(GL_COPY_WRITE_BUFFER, size, data, usage);
   }
@@ -56,19 +37,11 @@ bool GpuBuffer::reserve(const gl::Dispatch& gl, GLsizeiptr size, GLenum usage) {
 }
 
 void GpuBuffer::write(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, const void* data) const {
-  if (direct_state_access(gl)) {
-    gl.NamedBufferSubData(name_, offset, size, data);
-    return;
-  }
   const CopyWriteBinding binding(gl, name_);
   gl.BufferSubData(GL_COPY_WRITE_BUFFER, offset, size, data);
 }
 
 void GpuBuffer::read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const {
-  if (gl.GetNamedBufferSubData != nullptr) {
-    gl.GetNamedBufferSubData(name_, offset, size, data);
-    return;
-  }
   const CopyWriteBinding binding(gl, name_);
   const void* mapped = gl.MapBufferRange(GL_COPY_WRITE_BUFFER, offset, size, GL_MAP_READ_BIT);
   if (mapped != nullptr) {

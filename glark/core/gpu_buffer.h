@@ -8,6 +8,20 @@
 
 namespace glark::core {
 
+// Binds to GL_COPY_WRITE_BUFFER for the life of the scope. Reads a binding back: for rare paths only. Functions without a binding
+// (glNamedBufferData ...) are missing from OpenGL ES, where their addresses may nevertheless be had.
+class CopyWriteBinding {
+ public:
+  CopyWriteBinding(const gl::Dispatch& gl, GLuint buffer);
+  ~CopyWriteBinding();
+  CopyWriteBinding(const CopyWriteBinding&) = delete;
+  CopyWriteBinding& operator=(const CopyWriteBinding&) = delete;
+
+ private:
+  const gl::Dispatch& gl_;
+  GLuint previous_;
+};
+
 class GpuBuffer {
  public:
   // (Re)allocates; contents are `data` or undefined. False if GL has no memory: the old storage is then kept.

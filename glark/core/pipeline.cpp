@@ -60,7 +60,8 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
   GpuBuffer* own = nullptr;
   capture::CaptureCache::Entry* entry = nullptr;
   if (call.arrays != nullptr && call.exact && !b.primitive_restart && !b.primitive_restart_fixed) {
-    const capture::Epochs epochs{context_.share->buffer_epoch.load(std::memory_order_relaxed), context_.vertex_array_epoch};
+    const capture::Epochs epochs{context_.share->buffer_epoch.load(std::memory_order_relaxed),
+                                 context_.vertex_array_epoch};
     const auto [answer, found] = cache_.look_up({*call.arrays, plan.capture_program, b.vertex_array}, epochs, [&] {
       ErrorScope errors(context_);
       return capture::reads_only_buffers(gl_, *plan.layout, call.arrays->index_type != 0, context_.ark.tag_attribute) &&
@@ -72,7 +73,8 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
     }
     if (answer == Answer::keep) {
       ErrorScope errors(context_);
-      if (found->buffer.reserve(gl_, static_cast<GLsizeiptr>(call.triangles) * plan.layout->triangle_words() * 4 + 16, GL_STATIC_COPY)) {
+      if (found->buffer.reserve(gl_, static_cast<GLsizeiptr>(call.triangles) * plan.layout->triangle_words() * 4 + 16,
+                                GL_STATIC_COPY)) {
         own = &found->buffer;
         entry = found;
       }
@@ -198,12 +200,15 @@ void Pipeline::draw(const DrawCall& call) {
 
 bool Pipeline::begin_immediate(GLenum mode) {
   const auto nothing = [] {};
-  const DrawCall call{.mode = mode, .tags_vary = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag, .issue = nothing};
+  const DrawCall call{.mode = mode,
+                      .tags_vary = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag,
+                      .issue = nothing};
   ++statistics().draws_seen;
   immediate_plan_ = Plan{};
   Cause cause = plan_draw(call, immediate_plan_);
   if (cause == Cause::count_) {
-    const std::uint64_t capacity = immediate_bytes / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
+    const std::uint64_t capacity =
+        immediate_bytes / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
     cause = ensure_room(immediate_plan_, capacity);
   }
   if (cause != Cause::count_) {
@@ -216,11 +221,13 @@ bool Pipeline::begin_immediate(GLenum mode) {
 
 void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary) {
   (void)tags_vary;
-  const std::uint64_t capacity = immediate_bytes / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
+  const std::uint64_t capacity =
+      immediate_bytes / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
   std::uint64_t triangles = triangles_of(mode, vertices);
   if (triangles > capacity) {
-    log(LogLevel::warning, "glBegin..glEnd of " + std::to_string(triangles) + " triangles exceeds the " + std::to_string(capacity) +
-                               " that are captured at once; the rest is not drawn; use vertex arrays for meshes of this size");
+    log(LogLevel::warning,
+        "glBegin..glEnd of " + std::to_string(triangles) + " triangles exceeds the " + std::to_string(capacity) +
+            " that are captured at once; the rest is not drawn; use vertex arrays for meshes of this size");
     triangles = capacity;
   }
   const capture::CoarseTriangles captured = capture_.end(*immediate_plan_.layout, triangles, context_.bindings);

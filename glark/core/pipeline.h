@@ -66,8 +66,8 @@ class Pipeline {
     GLuint capture_program = 0;
     const capture::Layout* layout = nullptr;
     bool adaptive = false;
-    unsigned level = 0;      // uniform level
-    unsigned deepest = 0;    // that an adaptive draw can reach
+    unsigned level = 0;    // uniform level
+    unsigned deepest = 0;  // that an adaptive draw can reach
   };
 
   Cause check_state(const DrawCall& call) const;

@@ -31,9 +31,11 @@ void Pipeline::count_passed(Cause cause) {
   if (!logged_[index]) {
     logged_.set(index);
     const CauseText& text = text_of(cause);
-    const bool expected = cause == Cause::not_triangles || cause == Cause::level_zero || cause == Cause::rasterizer_discard || cause == Cause::invalid_draw;
+    const bool expected = cause == Cause::not_triangles || cause == Cause::level_zero ||
+                          cause == Cause::rasterizer_discard || cause == Cause::invalid_draw;
     log(expected ? LogLevel::debug : LogLevel::info,
-        "draws stay as the application asked: " + std::string(text.explanation) + "; to change that: " + std::string(text.remedy));
+        "draws stay as the application asked: " + std::string(text.explanation) +
+            "; to change that: " + std::string(text.remedy));
   }
 }
 
@@ -202,7 +204,9 @@ Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
   if (!capture_.can_reserve(*plan.layout, triangles)) {
     return Cause::out_of_memory;
   }
-  if (capture_.has_room(*plan.layout, triangles) && (!plan.adaptive || (bins_ready_ && bins_.has_room(*plan.layout, static_cast<std::uint32_t>(triangles), plan.deepest)))) {
+  if (capture_.has_room(*plan.layout, triangles) &&
+      (!plan.adaptive ||
+       (bins_ready_ && bins_.has_room(*plan.layout, static_cast<std::uint32_t>(triangles), plan.deepest)))) {
     return Cause::count_;
   }
   ErrorScope errors(context_);

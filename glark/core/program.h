@@ -38,7 +38,7 @@ struct DerivedKey {
 struct DerivedProgram {
   GLuint name = 0;
   capture::Layout layout;
-  GLuint capture_program = 0;               // of the capture stage
+  GLuint capture_program = 0;              // of the capture stage
   std::vector<GLint> location_of;          // application location -> ours, -1 where we have none
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
 };
@@ -50,17 +50,18 @@ struct UniformMirror {
 
   GLint location(GLint application) const {
     const auto& table = application >= virtual_location_base ? derived->virtual_location_of : derived->location_of;
-    const auto index = static_cast<std::size_t>(application >= virtual_location_base ? application - virtual_location_base : application);
+    const auto index = static_cast<std::size_t>(
+        application >= virtual_location_base ? application - virtual_location_base : application);
     return application >= 0 && index < table.size() ? table[index] : -1;
   }
 };
 
 struct Program {
-  GLuint name = 0;            // the application's program; for fixed function a program of ours that holds the generated shader
+  GLuint name = 0;  // the application's program; for fixed function a program of ours that holds the generated shader
   bool fixed_function = false;
   std::vector<StageSource> stages;
   bool from_binary = false;
-  bool prepared = false;      // fields, traits and cause below are valid
+  bool prepared = false;        // fields, traits and cause below are valid
   Cause cause = Cause::count_;  // why it cannot be refined; count_ if it can
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
@@ -69,7 +70,7 @@ struct Program {
   std::string refinement_source;
   std::string refinement_log;
   std::vector<std::string> virtual_uniforms;  // names, by location - virtual_location_base
-  bool uniforms_stale = false;  // changed by a display list: copy all values before the next refined draw
+  bool uniforms_stale = false;                // changed by a display list: copy all values before the next refined draw
 
   bool has_stage(GLenum stage) const {
     for (const StageSource& source : stages) {

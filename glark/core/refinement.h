@@ -9,7 +9,7 @@ namespace glark::core {
 inline constexpr unsigned max_supported_level = 11;
 
 enum class Refinement {
-  linear_inputs,   // interpolate the vertex attributes, run the vertex stage on every refined vertex (Boubekeur 2007, ch. 7.2.4)
+  linear_inputs,  // interpolate the vertex attributes, run the vertex stage on every refined vertex (Boubekeur 2007, ch. 7.2.4)
   linear_outputs,  // run the vertex stage on the corners, interpolate its results
   pn,              // curved PN triangles (Vlachos et al. 2001)
 };

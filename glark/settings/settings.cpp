@@ -21,21 +21,23 @@ std::optional<unsigned> parse_number(std::string_view text) {
 std::optional<std::string_view> find(const char* const* environment, std::string_view name) {
   for (; environment != nullptr && *environment != nullptr; ++environment) {
     const std::string_view entry = *environment;
-    if (entry.size() > name.size() && entry[name.size()] == '=' && entry.starts_with(name)) return entry.substr(name.size() + 1);
+    if (entry.size() > name.size() && entry[name.size()] == '=' && entry.starts_with(name))
+      return entry.substr(name.size() + 1);
   }
   return std::nullopt;
 }
 
 // One variable: absent or empty leaves `setting` alone.
 template <class T>
-void read(Parsed& parsed, const char* const* environment, const char* name, std::optional<T> (*parse_value)(std::string_view), std::string_view needed,
-          T& setting) {
+void read(Parsed& parsed, const char* const* environment, const char* name,
+          std::optional<T> (*parse_value)(std::string_view), std::string_view needed, T& setting) {
   const std::optional<std::string_view> text = find(environment, name);
   if (!text || text->empty()) return;
   if (std::optional<T> value = parse_value(*text))
     setting = std::move(*value);
   else
-    parsed.problems.push_back(std::string(name) + " is \"" + std::string(*text) + "\"; " + std::string(needed) + " is needed");
+    parsed.problems.push_back(std::string(name) + " is \"" + std::string(*text) + "\"; " + std::string(needed) +
+                              " is needed");
 }
 
 // The end of the file name that starts at `text`: its length.
@@ -112,12 +114,14 @@ Parsed parse(const char* const* environment) {
   read(parsed, environment, variable::wireframe, parse_switch, needed_switch(), settings.context.wireframe);
   read(parsed, environment, variable::log, parse_log_level, needed_log_level(), settings.log_level);
   read(parsed, environment, variable::capture, parse_captures, needed_captures(), settings.captures);
-  if (const std::optional<std::string_view> file = find(environment, variable::statistics)) settings.statistics_file = *file;
+  if (const std::optional<std::string_view> file = find(environment, variable::statistics))
+    settings.statistics_file = *file;
   // A level that was asked for is reached: only a limit that was asked for as well holds it back.
   if (settings.context.level > settings.context.max_level) {
     if (find(environment, variable::max_level))
-      parsed.problems.push_back(std::string(variable::level) + " is " + std::to_string(settings.context.level) + ", more than " + variable::max_level +
-                                "; the level is " + std::to_string(settings.context.max_level) + " now; raise " + variable::max_level);
+      parsed.problems.push_back(std::string(variable::level) + " is " + std::to_string(settings.context.level) +
+                                ", more than " + variable::max_level + "; the level is " +
+                                std::to_string(settings.context.max_level) + " now; raise " + variable::max_level);
     else
       settings.context.max_level = settings.context.level;
     settings.context.level = std::min(settings.context.level, settings.context.max_level);

@@ -52,7 +52,8 @@ class Report {
 
   int print() const {
     if (get_string_ == nullptr || get_integer_ == nullptr || get_string_(GL_VERSION) == nullptr) return no_context;
-    std::printf("%s\n  vendor     %s\n  renderer   %s\n  version    %s\n", way_, text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION));
+    std::printf("%s\n  vendor     %s\n  renderer   %s\n  version    %s\n", way_, text(GL_VENDOR), text(GL_RENDERER),
+                text(GL_VERSION));
     std::vector<std::string> lacks = missing();
     if (lacks.empty()) {
       std::printf("  refinement yes: GL_ARK_adaptive_refinement\n");
@@ -84,7 +85,8 @@ class Report {
     if (version < needed) return {api_ == Api::es ? "OpenGL ES 3.2" : "OpenGL 4.3"};
     std::vector<std::string> lacks;
     for (const Limit& limit : limits)
-      if (integer(limit.value) < limit.needed) lacks.push_back(std::string(limit.name) + " of " + std::to_string(limit.needed));
+      if (integer(limit.value) < limit.needed)
+        lacks.push_back(std::string(limit.name) + " of " + std::to_string(limit.needed));
     return lacks;
   }
 
@@ -127,7 +129,8 @@ int try_osmesa(const char* way) {
   static std::array<unsigned char, 4 * 4 * 4> buffer;
   OSMesaContext context = create(OSMESA_RGBA, 24, 8, 0, nullptr);
   if (context == nullptr || !make_current(context, buffer.data(), GL_UNSIGNED_BYTE, 4, 4)) return no_context;
-  return Report(way, Api::desktop, [](const char* name) { return reinterpret_cast<void*>(osmesa_get_proc(name)); }).print();
+  return Report(way, Api::desktop, [](const char* name) { return reinterpret_cast<void*>(osmesa_get_proc(name)); })
+      .print();
 }
 
 int try_egl(const char* way, Api api) {

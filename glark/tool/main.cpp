@@ -19,22 +19,35 @@ using glark::tool::exit_usage;
 template <class T>
 CLI::Validator checked(std::optional<T> (*parse)(std::string_view), std::string_view needed) {
   return CLI::Validator(
-      [=](std::string& text) { return parse(text) ? std::string() : '"' + text + "\" is not valid; " + std::string(needed) + " is needed"; }, std::string());
+      [=](std::string& text) {
+        return parse(text) ? std::string() : '"' + text + "\" is not valid; " + std::string(needed) + " is needed";
+      },
+      std::string());
 }
 
 void describe_run(CLI::App& run, glark::tool::RunOptions& options) {
   using namespace glark::settings;
-  run.add_option("--level", options.level, "Uniform level of refinement, 0 to 11")->check(checked(parse_level, needed_level()))->type_name("N");
-  run.add_option("--max-level", options.max_level, "Deepest level that patterns are made for, 0 to 11")->check(checked(parse_level, needed_level()))->type_name("N");
-  run.add_option("--refine", options.refine, "linear (vertex stage on every refined vertex), outputs (interpolate its results) or pn (curved)")
-      ->check(checked(parse_refinement, needed_refinement()))->type_name("KIND");
+  run.add_option("--level", options.level, "Uniform level of refinement, 0 to 11")
+      ->check(checked(parse_level, needed_level()))
+      ->type_name("N");
+  run.add_option("--max-level", options.max_level, "Deepest level that patterns are made for, 0 to 11")
+      ->check(checked(parse_level, needed_level()))
+      ->type_name("N");
+  run.add_option("--refine", options.refine,
+                 "linear (vertex stage on every refined vertex), outputs (interpolate its results) or pn (curved)")
+      ->check(checked(parse_refinement, needed_refinement()))
+      ->type_name("KIND");
   run.add_flag("--wireframe", options.wireframe, "Draw the refined triangles as lines");
   run.add_option("--capture", options.captures, "Write that frame, counted from 1, as an image; may be repeated")
-      ->check(checked(parse_captures, needed_captures()))->type_name("FRAME:FILE.png")->allow_extra_args(false);
+      ->check(checked(parse_captures, needed_captures()))
+      ->type_name("FRAME:FILE.png")
+      ->allow_extra_args(false);
   run.add_option("--log", options.log, "Most verbose messages wanted: error, warning, info or debug")
-      ->check(checked(parse_log_level, needed_log_level()))->type_name("LEVEL");
+      ->check(checked(parse_log_level, needed_log_level()))
+      ->type_name("LEVEL");
   run.add_option("--stats", options.statistics, "Write statistics of the run")->type_name("FILE.json");
-  run.footer("PROGRAM and all that follows it are run as they are. Write -- before a program whose name begins with a dash.");
+  run.footer(
+      "PROGRAM and all that follows it are run as they are. Write -- before a program whose name begins with a dash.");
 }
 
 // The program of `glark run` begins at "--" or at the first word that is neither an option nor its value; what follows is not
@@ -43,7 +56,8 @@ std::vector<std::string> take_program(const CLI::App& run, std::vector<std::stri
   auto word = words.begin() + 1;  // past "run"
   for (; word != words.end() && word->starts_with("-") && *word != "--"; ++word) {
     const CLI::Option* option = run.get_option_no_throw(word->substr(0, word->find('=')));
-    const bool value_follows = option != nullptr && option->get_items_expected_min() > 0 && word->find('=') == std::string::npos;
+    const bool value_follows =
+        option != nullptr && option->get_items_expected_min() > 0 && word->find('=') == std::string::npos;
     if (value_follows && word + 1 != words.end()) ++word;
   }
   const auto program = word != words.end() && *word == "--" ? word + 1 : word;
@@ -63,7 +77,8 @@ int main(int argc, char** argv) {
   CLI::App app("glark refines the triangles of unmodified OpenGL programs.", "glark");
   app.set_version_flag("--version", "glark " GLARK_VERSION);
   glark::tool::RunOptions options;
-  CLI::App* run = app.add_subcommand("run", "Run a program with refinement: glark run [options] [--] PROGRAM [ARGUMENTS]");
+  CLI::App* run =
+      app.add_subcommand("run", "Run a program with refinement: glark run [options] [--] PROGRAM [ARGUMENTS]");
   describe_run(*run, options);
   CLI::App* info = app.add_subcommand("info", "Say what OpenGL is here and whether glark can refine with it");
 

@@ -32,14 +32,16 @@ std::optional<fs::path> find_library() {
   const fs::path prefix = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
   for (const fs::path folder : {"lib", "lib/glark", GLARK_LIBRARY_FOLDER, GLARK_LIBRARY_FOLDER "/glark"})
     if (const fs::path file = prefix / folder / library_name; fs::exists(file)) return file;
-  say(std::string(library_name) + " is not in " + (prefix / "lib").string() + "; install glark completely or set " + library_variable + " to the file");
+  say(std::string(library_name) + " is not in " + (prefix / "lib").string() + "; install glark completely or set " +
+      library_variable + " to the file");
   return std::nullopt;
 }
 
 // Preloads that the user already has stay, after ours.
 bool preload(const fs::path& library) {
   if (library.string().find_first_of(": ") != std::string::npos) {
-    say("the path " + library.string() + " contains a colon or a space, which LD_PRELOAD cannot express; move glark or link to it from another folder");
+    say("the path " + library.string() +
+        " contains a colon or a space, which LD_PRELOAD cannot express; move glark or link to it from another folder");
     return false;
   }
   const char* others = std::getenv("LD_PRELOAD");
@@ -62,14 +64,16 @@ std::optional<std::string> writable(const std::string& option, const std::string
   if (exists)
     say(option + ": " + path.string() + " cannot be written: " + std::strerror(errno) + "; name another file");
   else
-    say(option + ": the folder " + folder.string() + " cannot be written: " + std::strerror(errno) + "; make it or name another");
+    say(option + ": the folder " + folder.string() + " cannot be written: " + std::strerror(errno) +
+        "; make it or name another");
   return std::nullopt;
 }
 
 std::optional<std::string> captures_value(const std::vector<std::string>& wanted) {
   std::string value;
   for (const std::string& text : wanted)
-    for (const settings::CaptureRequest& request : settings::parse_captures(text).value_or(std::vector<settings::CaptureRequest>())) {
+    for (const settings::CaptureRequest& request :
+         settings::parse_captures(text).value_or(std::vector<settings::CaptureRequest>())) {
       const std::optional<std::string> file = writable("--capture", request.file);
       if (!file) return std::nullopt;
       if (!value.empty()) value += ',';

@@ -7,7 +7,6 @@
 #include GLARK_HEADER_BEFORE
 #endif
 #include <GL/glark.h>
-#include <GL/glark.h>
 
 #if !GL_ARK_adaptive_refinement
 #error "glark.h does not announce the extension"
@@ -34,12 +33,19 @@ int use(void) { return glARKinit(); }
 /* Initialisation fails to compile where a function and its type differ. */
 extern const struct functions linked;
 const struct functions linked = {
-  glARKinit,    glARKParameteriARK,          glDepthTag1i,         glDepthTagPointerARK,      glDrawARP, glDrawARPElementsARK,
-  glRefinementShaderSourceARK, glGetRefinementivARK, glGetRefinementInfoLogARK,
+    glARKinit,
+    glARKParameteriARK,
+    glDepthTag1i,
+    glDepthTagPointerARK,
+    glDrawARP,
+    glDrawARPElementsARK,
+    glRefinementShaderSourceARK,
+    glGetRefinementivARK,
+    glGetRefinementInfoLogARK,
 };
 
-void use(const GLchar *source);
-void use(const GLchar *source) {
+void use(const GLchar* source);
+void use(const GLchar* source) {
   GLint status;
   glARKinit(4);
   glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);

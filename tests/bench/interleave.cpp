@@ -72,7 +72,8 @@ std::vector<Times> interleave(const std::vector<Competitor>& competitors, const 
 
 double speed_ratio(const Times& slow, const Times& fast) {
   std::vector<double> ratios;
-  for (std::size_t i = 0; i < slow.seconds.size() && i < fast.seconds.size(); ++i) ratios.push_back(slow.seconds[i] / fast.seconds[i]);
+  for (std::size_t i = 0; i < slow.seconds.size() && i < fast.seconds.size(); ++i)
+    ratios.push_back(slow.seconds[i] / fast.seconds[i]);
   return median_of(ratios);
 }
 

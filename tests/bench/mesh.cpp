@@ -53,7 +53,8 @@ void join_rings(const Ring& upper, const Ring& lower, std::vector<std::uint32_t>
   int i = 0;
   int j = 0;
   while (i < upper.size || j < lower.size) {
-    const bool advance_upper = j == lower.size || (i < upper.size && (2 * i + 1) * lower.size <= (2 * j + 1) * upper.size);
+    const bool advance_upper =
+        j == lower.size || (i < upper.size && (2 * i + 1) * lower.size <= (2 * j + 1) * upper.size);
     if (advance_upper) {
       indices.insert(indices.end(), {upper.at(i), upper.at(i + 1), lower.at(j)});
       ++i;
@@ -92,7 +93,8 @@ void append_tile(const pattern::Pool& pool, const pattern::Instance& tile, const
     const float v = static_cast<float>(lattice.v) * unit;
     fine.vertices.push_back(mix(corners, tile.ou + tile.s * u, tile.ov + tile.s * v));
   }
-  for (std::uint32_t i = 0; i < piece.index_count; ++i) fine.indices.push_back(base + pool.indices[piece.first_index + i]);
+  for (std::uint32_t i = 0; i < piece.index_count; ++i)
+    fine.indices.push_back(base + pool.indices[piece.first_index + i]);
 }
 
 }  // namespace
@@ -129,7 +131,8 @@ Mesh make_plane(int cells, float half) {
   const auto at = [cells](int i, int j) { return static_cast<std::uint32_t>(j * (cells + 1) + i); };
   for (int j = 0; j < cells; ++j) {
     for (int i = 0; i < cells; ++i) {
-      mesh.indices.insert(mesh.indices.end(), {at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
+      mesh.indices.insert(mesh.indices.end(),
+                          {at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
     }
   }
   return mesh;
@@ -144,9 +147,9 @@ Mesh first_triangles(const Mesh& mesh, std::size_t triangles) {
 Mesh refine(const Mesh& coarse, unsigned level) {
   const pattern::Pool pool = pattern::build_pool(level);
   const int depth = static_cast<int>(level);
-  const std::vector<pattern::Instance> tiles = level <= pattern::deepest_uniform
-                                                   ? std::vector<pattern::Instance>{{pattern::uniform_piece(depth), 0, 0, 1, 0}}
-                                                   : pattern::expand(depth, depth, depth, pattern::Interior::minimum);
+  const std::vector<pattern::Instance> tiles =
+      level <= pattern::deepest_uniform ? std::vector<pattern::Instance>{{pattern::uniform_piece(depth), 0, 0, 1, 0}}
+                                        : pattern::expand(depth, depth, depth, pattern::Interior::minimum);
   Mesh fine;
   for (std::size_t t = 0; t < coarse.triangles(); ++t) {
     const Vertex* corners[3];

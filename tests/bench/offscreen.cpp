@@ -13,7 +13,8 @@ namespace glark::bench {
 
 Offscreen::Offscreen() : pixels_(static_cast<std::size_t>(picture_size) * picture_size) {
   const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
-  if (context != nullptr && OSMesaMakeCurrent(context, pixels_.data(), GL_UNSIGNED_BYTE, picture_size, picture_size) != GL_FALSE) {
+  if (context != nullptr &&
+      OSMesaMakeCurrent(context, pixels_.data(), GL_UNSIGNED_BYTE, picture_size, picture_size) != GL_FALSE) {
     context_ = context;
     glEnable(GL_DEPTH_TEST);
     glClearColor(0, 0, 0, 1);

@@ -23,7 +23,9 @@ std::string number(double value) {
   return text.data();
 }
 
-std::string with_unit(double value, const std::string& unit) { return number(value) + (unit == "x" ? "x" : " " + unit); }
+std::string with_unit(double value, const std::string& unit) {
+  return number(value) + (unit == "x" ? "x" : " " + unit);
+}
 
 std::string target_of(const Row& row) {
   switch (row.goal) {
@@ -36,7 +38,8 @@ std::string target_of(const Row& row) {
 std::string verdict_of(const Row& row) { return row.goal == Goal::none ? "-" : row.met() ? "ok" : "short"; }
 
 std::array<std::string, 5> cells_of(const Row& row) {
-  return {row.measure, row.best_known.empty() ? "-" : row.best_known, target_of(row), with_unit(row.measured, row.unit), verdict_of(row)};
+  return {row.measure, row.best_known.empty() ? "-" : row.best_known, target_of(row), with_unit(row.measured, row.unit),
+          verdict_of(row)};
 }
 
 }  // namespace
@@ -101,7 +104,8 @@ bool Report::write_json(const std::string& path) const {
     rows.push_back(std::move(entry));
   }
   std::ofstream file(path);
-  file << nlohmann::ordered_json{{"machine", machine()}, {"rows", rows}, {"notes", notes_}, {"errors", errors_}}.dump(2) << '\n';
+  file << nlohmann::ordered_json{{"machine", machine()}, {"rows", rows}, {"notes", notes_}, {"errors", errors_}}.dump(2)
+       << '\n';
   return file.good();
 }
 
@@ -117,8 +121,8 @@ std::string machine() {
   }
   const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const auto* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-  return processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " + (renderer != nullptr ? renderer : "no context") +
-         ", " + (version != nullptr ? version : "");
+  return processor + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " +
+         (renderer != nullptr ? renderer : "no context") + ", " + (version != nullptr ? version : "");
 }
 
 }  // namespace glark::bench

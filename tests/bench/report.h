@@ -18,8 +18,8 @@ struct Row {
   Goal goal = Goal::none;
   double target = 0;
   double measured = 0;
-  std::string unit;                     // "x": a ratio
-  std::map<std::string, double> detail; // what the figure was made of; JSON only
+  std::string unit;                      // "x": a ratio
+  std::map<std::string, double> detail;  // what the figure was made of; JSON only
 
   bool met() const;
 };

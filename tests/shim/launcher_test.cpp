@@ -20,14 +20,15 @@ void expect_refused(const std::string& arguments, int status, const std::string&
 
 }  // namespace
 
-TEST(Launcher, TheExitStatusIsTheProgramsOwn) {
-  EXPECT_EQ(glark("run sh -c 'exit 7'").status, 7);
-}
+TEST(Launcher, TheExitStatusIsTheProgramsOwn) { EXPECT_EQ(glark("run sh -c 'exit 7'").status, 7); }
 
 TEST(Launcher, OptionsBecomeTheEnvironment) {
-  const Outcome outcome = glark("run --level 3 --max-level=5 --refine pn --wireframe --log info --stats /tmp/s.json --capture 2:/tmp/a.png --capture 3:/tmp/b,c.png env");
-  for (const char* line : {"GLARK_ENABLE=1\n", "GLARK_LEVEL=3\n", "GLARK_MAX_LEVEL=5\n", "GLARK_REFINE=pn\n", "GLARK_WIREFRAME=1\n", "GLARK_LOG=info\n",
-                           "GLARK_STATS=/tmp/s.json\n", "GLARK_CAPTURE=2:/tmp/a.png,3:/tmp/b,c.png\n"})
+  const Outcome outcome = glark(
+      "run --level 3 --max-level=5 --refine pn --wireframe --log info --stats /tmp/s.json --capture 2:/tmp/a.png "
+      "--capture 3:/tmp/b,c.png env");
+  for (const char* line :
+       {"GLARK_ENABLE=1\n", "GLARK_LEVEL=3\n", "GLARK_MAX_LEVEL=5\n", "GLARK_REFINE=pn\n", "GLARK_WIREFRAME=1\n",
+        "GLARK_LOG=info\n", "GLARK_STATS=/tmp/s.json\n", "GLARK_CAPTURE=2:/tmp/a.png,3:/tmp/b,c.png\n"})
     EXPECT_NE(outcome.output.find(line), std::string::npos) << line << outcome.output;
 }
 
@@ -37,25 +38,35 @@ TEST(Launcher, WhatFollowsTheProgramIsItsOwn) {
 }
 
 TEST(Launcher, OtherPreloadsAreKept) {
-  EXPECT_EQ(run("env LD_PRELOAD=libm.so.6 " GLARK_TOOL " run printenv LD_PRELOAD").output, GLARK_LIBRARY ":libm.so.6\n");
+  EXPECT_EQ(run("env LD_PRELOAD=libm.so.6 " GLARK_TOOL " run printenv LD_PRELOAD").output,
+            GLARK_LIBRARY ":libm.so.6\n");
 }
 
 TEST(Launcher, AMissingProgramIs127) { expect_refused("run no-such-program", 127, "no-such-program is not found"); }
-TEST(Launcher, AProgramThatIsNotExecutableIs126) { expect_refused("run /etc/passwd", 126, "/etc/passwd cannot be run: Permission denied"); }
+TEST(Launcher, AProgramThatIsNotExecutableIs126) {
+  expect_refused("run /etc/passwd", 126, "/etc/passwd cannot be run: Permission denied");
+}
 TEST(Launcher, AnUnknownOptionIs2) { expect_refused("run --depth 3 true", 2, "--depth"); }
 TEST(Launcher, AnUnknownCommandIs2) { expect_refused("walk", 2, "walk"); }
 TEST(Launcher, NoCommandIs2) { expect_refused("", 2, "glark --help"); }
 TEST(Launcher, NoProgramIs2) { expect_refused("run --level 2", 2, "no program"); }
-TEST(Launcher, ALevelBeyondTheLimitIs2) { expect_refused("run --level 12 true", 2, "\"12\" is not valid; an integer from 0 to 11 is needed"); }
+TEST(Launcher, ALevelBeyondTheLimitIs2) {
+  expect_refused("run --level 12 true", 2, "\"12\" is not valid; an integer from 0 to 11 is needed");
+}
 TEST(Launcher, AnUnknownRefinementIs2) { expect_refused("run --refine cubic true", 2, "linear, outputs or pn"); }
 TEST(Launcher, ACaptureWithoutAFrameIs2) { expect_refused("run --capture a.png true", 2, "FRAME:FILE.png"); }
-TEST(Launcher, ACaptureFolderThatIsMissingIs2) { expect_refused("run --capture 1:/nowhere/a.png true", 2, "/nowhere cannot be written"); }
-TEST(Launcher, AStatisticsFolderThatIsMissingIs2) { expect_refused("run --stats /nowhere/s.json true", 2, "/nowhere cannot be written"); }
+TEST(Launcher, ACaptureFolderThatIsMissingIs2) {
+  expect_refused("run --capture 1:/nowhere/a.png true", 2, "/nowhere cannot be written");
+}
+TEST(Launcher, AStatisticsFolderThatIsMissingIs2) {
+  expect_refused("run --stats /nowhere/s.json true", 2, "/nowhere cannot be written");
+}
 
 TEST(Launcher, AMissingLibraryIs2) {
   const Outcome outcome = run("env GLARK_LIBRARY=/nowhere/libGLARK.so " GLARK_TOOL " run true");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.output.find("GLARK_LIBRARY names /nowhere/libGLARK.so, which does not exist"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("GLARK_LIBRARY names /nowhere/libGLARK.so, which does not exist"), std::string::npos)
+      << outcome.output;
 }
 
 TEST(Launcher, HelpAndVersionSucceed) {

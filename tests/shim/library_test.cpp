@@ -25,8 +25,10 @@ TEST(Library, ExportsOnlyWhatItInterposes) {
   int count = 0;
   for (std::string name; names >> name; ++count) {
     const bool linker = name == "dlsym" || name == "dlvsym" || name == "dlopen";
-    const bool gl = name.starts_with("gl") && name.size() > 2 && (std::isupper(static_cast<unsigned char>(name[2])) != 0);
-    const bool egl = name.starts_with("egl") && name.size() > 3 && (std::isupper(static_cast<unsigned char>(name[3])) != 0);
+    const bool gl =
+        name.starts_with("gl") && name.size() > 2 && (std::isupper(static_cast<unsigned char>(name[2])) != 0);
+    const bool egl =
+        name.starts_with("egl") && name.size() > 3 && (std::isupper(static_cast<unsigned char>(name[3])) != 0);
     EXPECT_TRUE(linker || gl || egl || name.starts_with("OSMesa")) << name;
   }
   EXPECT_GT(count, 800);
@@ -41,11 +43,15 @@ TEST(Library, ThreadStateIsInitialExec) {
 // A registry of the future has a draw that nobody has classed.
 TEST(Generator, AnUnclassedDrawFailsTheBuild) {
   const std::string folder = testing::TempDir() + "generate" + std::to_string(getpid());
-  run("mkdir -p " + folder + "; sed 's#<commands namespace=\"GL\">#&<command><proto>void <name>glDrawNewThingEXT</name></proto></command>#' " GLARK_GL_XML
-      " > " + folder + "/gl.xml");
-  const Outcome outcome = run("python3 " GENERATOR "/generate.py " + folder + " " GENERATOR "/classes.txt " + folder + "/gl.xml " GENERATOR "/glark.xml");
+  run("mkdir -p " + folder +
+      "; sed 's#<commands namespace=\"GL\">#&<command><proto>void "
+      "<name>glDrawNewThingEXT</name></proto></command>#' " GLARK_GL_XML " > " +
+      folder + "/gl.xml");
+  const Outcome outcome = run("python3 " GENERATOR "/generate.py " + folder + " " GENERATOR "/classes.txt " + folder +
+                              "/gl.xml " GENERATOR "/glark.xml");
   EXPECT_NE(outcome.status, 0);
-  EXPECT_NE(outcome.output.find("functions that look like draws have no class: glDrawNewThingEXT"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("functions that look like draws have no class: glDrawNewThingEXT"), std::string::npos)
+      << outcome.output;
 }
 
 }  // namespace glark::test

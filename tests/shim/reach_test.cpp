@@ -36,15 +36,14 @@ TEST_P(ReachByLookup, TheWrapperIsFound) {
   EXPECT_EQ(outcome.output, std::string("glDrawArrays is ours\nglClear is the driver's\nglDrawARP is ours\n") + drawn);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, ReachByLookup, testing::Values("dlsym", "dlvsym", "get_proc"), [](const auto& way) { return std::string(way.param); });
+INSTANTIATE_TEST_SUITE_P(Ways, ReachByLookup, testing::Values("dlsym", "dlvsym", "get_proc"),
+                         [](const auto& way) { return std::string(way.param); });
 
 TEST(Reach, ThroughAPluginThatIsLinked) {
   EXPECT_EQ(run_preloaded(program("shim_unlinked plugin ") + PLUGIN).output, drawn);
 }
 
-TEST(Reach, DeepBindIsDropped) {
-  EXPECT_EQ(run_preloaded(program("shim_unlinked deepbind ") + PLUGIN).output, drawn);
-}
+TEST(Reach, DeepBindIsDropped) { EXPECT_EQ(run_preloaded(program("shim_unlinked deepbind ") + PLUGIN).output, drawn); }
 
 TEST(Reach, NextIsPassedThroughAndAnUnseenContextIsAdopted) {
   EXPECT_EQ(run_preloaded(program("shim_next_main")).output, "next glDrawArrays is the driver's\nadopted yes\n");
@@ -65,7 +64,8 @@ TEST(Reach, ThreadsThatShareAndDestroyContexts) {
 TEST(Linker, ResultsAndErrorsAreThoseOfTheProgramAlone) {
   // Which object the message names is all that may differ.
   const std::string without_objects = " | sed 's#[^ ]*: undefined#undefined#'";
-  EXPECT_EQ(run_preloaded(program("shim_linker") + without_objects).output, run(program("shim_linker") + without_objects).output);
+  EXPECT_EQ(run_preloaded(program("shim_linker") + without_objects).output,
+            run(program("shim_linker") + without_objects).output);
 }
 
 TEST(Linker, AFunctionThatTheProgramDefinesStaysItsOwn) {
@@ -107,7 +107,9 @@ TEST(FrameCapture, TheFrameIsWritten) {
 TEST(FrameCapture, AFileThatCannotBeWrittenIsAMessageAndNoFailure) {
   const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_CAPTURE=1:/nowhere/a.png");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.output.find("glark: error: frame 1 cannot be written to /nowhere/a.png: No such file or directory"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("glark: error: frame 1 cannot be written to /nowhere/a.png: No such file or directory"),
+            std::string::npos)
+      << outcome.output;
 }
 
 TEST(Settings, ABadValueIsAMessageAndNoFailure) {

@@ -31,8 +31,9 @@ TEST(Settings, AnEmptyEnvironmentGivesTheDefaults) {
 }
 
 TEST(Settings, EveryVariableIsRead) {
-  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_LEVEL=4", "GLARK_MAX_LEVEL=9", "GLARK_REFINE=outputs", "GLARK_WIREFRAME=1",
-                                   "GLARK_LOG=debug", "GLARK_STATS=s.json", "GLARK_CAPTURE=7:a.png"});
+  const Parsed parsed =
+      parse_all({"GLARK_ENABLE=1", "GLARK_LEVEL=4", "GLARK_MAX_LEVEL=9", "GLARK_REFINE=outputs", "GLARK_WIREFRAME=1",
+                 "GLARK_LOG=debug", "GLARK_STATS=s.json", "GLARK_CAPTURE=7:a.png"});
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_TRUE(parsed.settings.context.transparent);
   EXPECT_EQ(parsed.settings.context.level, 4u);
@@ -54,7 +55,8 @@ TEST(Settings, AProblemNamesVariableValueAndLimit) {
   EXPECT_EQ(only_problem("GLARK_REFINE=cubic"), "GLARK_REFINE is \"cubic\"; linear, outputs or pn is needed");
   EXPECT_EQ(only_problem("GLARK_ENABLE=maybe"), "GLARK_ENABLE is \"maybe\"; 0 or 1 is needed");
   EXPECT_EQ(only_problem("GLARK_LOG=loud"), "GLARK_LOG is \"loud\"; error, warning, info or debug is needed");
-  EXPECT_EQ(only_problem("GLARK_CAPTURE=a.png"), "GLARK_CAPTURE is \"a.png\"; FRAME:FILE.png, with frames counted from 1, is needed");
+  EXPECT_EQ(only_problem("GLARK_CAPTURE=a.png"),
+            "GLARK_CAPTURE is \"a.png\"; FRAME:FILE.png, with frames counted from 1, is needed");
 }
 
 TEST(Settings, AProblemLeavesTheDefault) { EXPECT_EQ(parse_all({"GLARK_LEVEL=-1"}).settings.context.level, 2u); }
@@ -70,12 +72,14 @@ TEST(Settings, ALimitThatIsSetHoldsTheLevelBack) {
   const Parsed parsed = parse_all({"GLARK_LEVEL=8", "GLARK_MAX_LEVEL=3"});
   EXPECT_EQ(parsed.settings.context.level, 3u);
   ASSERT_EQ(parsed.problems.size(), 1u);
-  EXPECT_EQ(parsed.problems[0], "GLARK_LEVEL is 8, more than GLARK_MAX_LEVEL; the level is 3 now; raise GLARK_MAX_LEVEL");
+  EXPECT_EQ(parsed.problems[0],
+            "GLARK_LEVEL is 8, more than GLARK_MAX_LEVEL; the level is 3 now; raise GLARK_MAX_LEVEL");
 }
 
 TEST(ParseLevel, RejectsWhatIsNoLevel) {
   EXPECT_EQ(parse_level("11"), 11u);
-  for (const char* text : {"", "12", "-1", "1.5", "2x", " 2", "0x2", "99999999999"}) EXPECT_FALSE(parse_level(text)) << text;
+  for (const char* text : {"", "12", "-1", "1.5", "2x", " 2", "0x2", "99999999999"})
+    EXPECT_FALSE(parse_level(text)) << text;
 }
 
 TEST(ParseCaptures, ACommaSeparatesOnlyBeforeAFrame) {
@@ -83,7 +87,8 @@ TEST(ParseCaptures, ACommaSeparatesOnlyBeforeAFrame) {
 }
 
 TEST(ParseCaptures, RejectsWhatIsNoRequest) {
-  for (const char* text : {"a.png", "0:a.png", "x:a.png", "1:a.jpg", "1:", "1:.png", "1:a.png,b"}) EXPECT_FALSE(parse_captures(text)) << text;
+  for (const char* text : {"a.png", "0:a.png", "x:a.png", "1:a.jpg", "1:", "1:.png", "1:a.png,b"})
+    EXPECT_FALSE(parse_captures(text)) << text;
 }
 
 }  // namespace glark::settings

@@ -56,7 +56,8 @@ GLuint CaptureStage::build(const CaptureSources& sources) const {
   for (const std::string& varying : sources.varyings) {
     varyings.push_back(varying.c_str());
   }
-  gl_.TransformFeedbackVaryings(program, static_cast<GLsizei>(varyings.size()), varyings.data(), GL_INTERLEAVED_ATTRIBS);
+  gl_.TransformFeedbackVaryings(program, static_cast<GLsizei>(varyings.size()), varyings.data(),
+                                GL_INTERLEAVED_ATTRIBS);
   gl_.LinkProgram(program);
   GLint linked = GL_FALSE;
   gl_.GetProgramiv(program, GL_LINK_STATUS, &linked);
@@ -75,7 +76,8 @@ GLuint CaptureStage::build(const CaptureSources& sources) const {
 }
 
 bool CaptureStage::can_reserve(const Layout& layout, std::uint64_t triangles) const {
-  return triangles <= static_cast<std::uint64_t>(largest_capture_bytes) / static_cast<std::uint64_t>(std::max(1, layout.triangle_words() * 4));
+  return triangles <= static_cast<std::uint64_t>(largest_capture_bytes) /
+                          static_cast<std::uint64_t>(std::max(1, layout.triangle_words() * 4));
 }
 
 bool CaptureStage::has_room(const Layout& layout, std::uint64_t triangles) const {
@@ -103,12 +105,9 @@ bool CaptureStage::reserve(const Layout& layout, std::uint64_t triangles) {
 }
 
 void CaptureStage::bind_target(GLuint buffer, GLintptr offset, GLsizeiptr size, const core::Bindings& bindings) const {
-  if (gl_.TransformFeedbackBufferRange != nullptr) {
-    gl_.TransformFeedbackBufferRange(feedback_, 0, buffer, offset, size);
-  } else {
-    gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, offset, size);
-    gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);  // only the generic point: the object keeps its own
-  }
+  gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, offset, size);
+  // Only the generic point: the object keeps its own.
+  gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);
 }
 
 void CaptureStage::begin(GLuint program, const core::Bindings& bindings, bool exact, core::GpuBuffer* own_buffer) {

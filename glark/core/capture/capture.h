@@ -19,7 +19,8 @@ namespace glark::capture {
 
 class CaptureStage {
  public:
-  CaptureStage(const gl::Dispatch& gl, Language language, bool query_buffer) : gl_(gl), language_(language), query_buffer_(query_buffer) {}
+  CaptureStage(const gl::Dispatch& gl, Language language, bool query_buffer)
+      : gl_(gl), language_(language), query_buffer_(query_buffer) {}
 
   // Program that captures `layout`, built on first use; 0 if it cannot be. Rare path: wrap in an ErrorScope.
   GLuint program_for(const Layout& layout, GLuint tag_attribute);

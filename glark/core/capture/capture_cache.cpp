@@ -12,11 +12,12 @@ constexpr std::uint64_t frames_to_keep = 120;
 constexpr std::size_t most_entries = 4096;
 
 bool watched(const gl::Dispatch& gl, GLint buffer) {
-  if (buffer == 0 || gl.GetNamedBufferParameteriv == nullptr) {
+  if (buffer == 0) {
     return false;
   }
+  const core::CopyWriteBinding binding(gl, static_cast<GLuint>(buffer));
   GLint flags = 0;
-  gl.GetNamedBufferParameteriv(static_cast<GLuint>(buffer), GL_BUFFER_STORAGE_FLAGS, &flags);
+  gl.GetBufferParameteriv(GL_COPY_WRITE_BUFFER, GL_BUFFER_STORAGE_FLAGS, &flags);  // stays 0 where there is no such storage
   return (flags & GL_MAP_PERSISTENT_BIT) == 0;
 }
 
@@ -69,10 +70,11 @@ bool builtin_watched(const gl::Dispatch& gl, const std::string& name) {
 }
 
 int locations_of(const Field& field) {
-  const int columns = field.type == GL_FLOAT_MAT2 || field.type == GL_FLOAT_MAT2x3 || field.type == GL_FLOAT_MAT2x4   ? 2
-                      : field.type == GL_FLOAT_MAT3 || field.type == GL_FLOAT_MAT3x2 || field.type == GL_FLOAT_MAT3x4 ? 3
-                      : field.type == GL_FLOAT_MAT4 || field.type == GL_FLOAT_MAT4x2 || field.type == GL_FLOAT_MAT4x3 ? 4
-                                                                                                                       : 1;
+  const int columns =
+      field.type == GL_FLOAT_MAT2 || field.type == GL_FLOAT_MAT2x3 || field.type == GL_FLOAT_MAT2x4   ? 2
+      : field.type == GL_FLOAT_MAT3 || field.type == GL_FLOAT_MAT3x2 || field.type == GL_FLOAT_MAT3x4 ? 3
+      : field.type == GL_FLOAT_MAT4 || field.type == GL_FLOAT_MAT4x2 || field.type == GL_FLOAT_MAT4x3 ? 4
+                                                                                                      : 1;
   return columns * field.array_size;
 }
 

@@ -30,9 +30,9 @@ struct Epochs {
 class CaptureCache {
  public:
   enum class Answer {
-    fresh,     // capture to the ring
-    keep,      // capture into the entry's own buffer
-    kept,      // the records are there
+    fresh,  // capture to the ring
+    keep,   // capture into the entry's own buffer
+    kept,   // the records are there
   };
   struct Entry {
     Epochs epochs;

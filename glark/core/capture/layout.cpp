@@ -17,24 +17,40 @@ struct TypeRow {
 };
 
 constexpr TypeRow type_rows[] = {
-    {GL_FLOAT, "float", 1, false},          {GL_FLOAT_VEC2, "vec2", 2, false},       {GL_FLOAT_VEC3, "vec3", 3, false},
-    {GL_FLOAT_VEC4, "vec4", 4, false},      {GL_FLOAT_MAT2, "mat2", 4, false},       {GL_FLOAT_MAT3, "mat3", 9, false},
-    {GL_FLOAT_MAT4, "mat4", 16, false},     {GL_FLOAT_MAT2x3, "mat2x3", 6, false},   {GL_FLOAT_MAT2x4, "mat2x4", 8, false},
-    {GL_FLOAT_MAT3x2, "mat3x2", 6, false},  {GL_FLOAT_MAT3x4, "mat3x4", 12, false},  {GL_FLOAT_MAT4x2, "mat4x2", 8, false},
-    {GL_FLOAT_MAT4x3, "mat4x3", 12, false}, {GL_INT, "int", 1, true},                {GL_INT_VEC2, "ivec2", 2, true},
-    {GL_INT_VEC3, "ivec3", 3, true},        {GL_INT_VEC4, "ivec4", 4, true},         {GL_UNSIGNED_INT, "uint", 1, true},
-    {GL_UNSIGNED_INT_VEC2, "uvec2", 2, true}, {GL_UNSIGNED_INT_VEC3, "uvec3", 3, true}, {GL_UNSIGNED_INT_VEC4, "uvec4", 4, true},
+    {GL_FLOAT, "float", 1, false},
+    {GL_FLOAT_VEC2, "vec2", 2, false},
+    {GL_FLOAT_VEC3, "vec3", 3, false},
+    {GL_FLOAT_VEC4, "vec4", 4, false},
+    {GL_FLOAT_MAT2, "mat2", 4, false},
+    {GL_FLOAT_MAT3, "mat3", 9, false},
+    {GL_FLOAT_MAT4, "mat4", 16, false},
+    {GL_FLOAT_MAT2x3, "mat2x3", 6, false},
+    {GL_FLOAT_MAT2x4, "mat2x4", 8, false},
+    {GL_FLOAT_MAT3x2, "mat3x2", 6, false},
+    {GL_FLOAT_MAT3x4, "mat3x4", 12, false},
+    {GL_FLOAT_MAT4x2, "mat4x2", 8, false},
+    {GL_FLOAT_MAT4x3, "mat4x3", 12, false},
+    {GL_INT, "int", 1, true},
+    {GL_INT_VEC2, "ivec2", 2, true},
+    {GL_INT_VEC3, "ivec3", 3, true},
+    {GL_INT_VEC4, "ivec4", 4, true},
+    {GL_UNSIGNED_INT, "uint", 1, true},
+    {GL_UNSIGNED_INT_VEC2, "uvec2", 2, true},
+    {GL_UNSIGNED_INT_VEC3, "uvec3", 3, true},
+    {GL_UNSIGNED_INT_VEC4, "uvec4", 4, true},
 };
 
 const TypeRow* row_of(GLenum type) {
-  const auto* found = std::find_if(std::begin(type_rows), std::end(type_rows), [type](const TypeRow& row) { return row.type == type; });
+  const auto* found =
+      std::find_if(std::begin(type_rows), std::end(type_rows), [type](const TypeRow& row) { return row.type == type; });
   return found != std::end(type_rows) ? found : nullptr;
 }
 
 bool contains(const std::string& lower, std::string_view word) { return lower.find(word) != std::string::npos; }
 
 std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -48,7 +64,8 @@ Field* find_role(std::vector<Field>& fields, const char* builtin, std::initializ
   }
   for (const std::string_view word : words) {
     for (Field& field : fields) {
-      if (!is_builtin(field) && !field.is_array && is_vector_of_three_or_four(field.type) && contains(lower_case(field.name), word)) {
+      if (!is_builtin(field) && !field.is_array && is_vector_of_three_or_four(field.type) &&
+          contains(lower_case(field.name), word)) {
         return &field;
       }
     }
@@ -109,7 +126,8 @@ CaptureSources capture_sources(const Layout& layout, Language language, GLuint t
   std::string declarations;
   std::string body;
   int index = 0;
-  const auto add = [&](const std::string& type, const std::string& array, const std::string& source, int location, bool integer) {
+  const auto add = [&](const std::string& type, const std::string& array, const std::string& source, int location,
+                       bool integer) {
     const std::string number = std::to_string(index++);
     std::string input = source;
     if (location >= 0) {
@@ -130,7 +148,7 @@ CaptureSources capture_sources(const Layout& layout, Language language, GLuint t
   if (layout.tagged) {
     result.varyings.push_back(add("float", "", "", static_cast<int>(tag_attribute), false));
   }
-  const char* version = language == Language::es ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
+  const char* version = language == Language::es     ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
                         : language == Language::core ? "#version 430 core\n"
                                                      : "#version 430 compatibility\n";
   result.vertex = version + declarations + "void main() {\n" + body + "  gl_Position = vec4(0.0);\n}\n";

@@ -15,14 +15,14 @@ enum class Role { other, position, normal };
 
 // An active input of the vertex stage, or a system value that it reads.
 struct Field {
-  std::string name;        // as glGetActiveAttrib reports it, without "[0]": "gl_Vertex", "position", "gl_VertexID"
-  GLenum type = 0;         // GL_FLOAT, GL_FLOAT_VEC3, GL_FLOAT_MAT4, GL_INT_VEC2, GL_UNSIGNED_INT, ...
-  int array_size = 1;      // elements when the input is an array
-  bool is_array = false;   // declared as an array, even of one element
-  int location = -1;       // generic attribute location; -1 for built-ins and system values
-  Role role = Role::other; // which field PN triangles take as position and normal
-  int offset = 0;          // first word within the corner record
-  int words = 0;           // words of the whole input: array_size * columns * rows
+  std::string name;         // as glGetActiveAttrib reports it, without "[0]": "gl_Vertex", "position", "gl_VertexID"
+  GLenum type = 0;          // GL_FLOAT, GL_FLOAT_VEC3, GL_FLOAT_MAT4, GL_INT_VEC2, GL_UNSIGNED_INT, ...
+  int array_size = 1;       // elements when the input is an array
+  bool is_array = false;    // declared as an array, even of one element
+  int location = -1;        // generic attribute location; -1 for built-ins and system values
+  Role role = Role::other;  // which field PN triangles take as position and normal
+  int offset = 0;           // first word within the corner record
+  int words = 0;            // words of the whole input: array_size * columns * rows
 };
 
 // One corner: fields one after the other, then the depth tag (float) if `tagged`.

@@ -12,7 +12,7 @@ namespace glark::depth {
 struct BinnedInstances {
   GLuint instances = 0;
   GLsizei stride = 0;
-  GLuint commands = 0;          // buffer with a DrawElementsIndirectCommand for each piece
+  GLuint commands = 0;  // buffer with a DrawElementsIndirectCommand for each piece
   GLintptr commands_offset = 0;
   GLsizei command_count = 0;
 };

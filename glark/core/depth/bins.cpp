@@ -23,13 +23,16 @@ constexpr std::size_t work_words = work_commands + 5 * pattern::piece_count;
 constexpr GLuint group_size = 64;
 constexpr GLsizeiptr deep_reserve_bytes = GLsizeiptr{32} << 20;
 
-constexpr const char* uniform_names[] = {"record_offset", "corner_words", "tag_offset",      "uniform_tag",      "triangle_bound",
-                                         "count_on_gpu",  "pool_level",   "smooth_interior", "instance_capacity"};
+constexpr const char* uniform_names[] = {"record_offset", "corner_words",    "tag_offset",
+                                         "uniform_tag",   "triangle_bound",  "count_on_gpu",
+                                         "pool_level",    "smooth_interior", "instance_capacity"};
 
 }  // namespace
 
 BinStage::Pass BinStage::compile(int pass) const {
-  const std::string version = language_ == capture::Language::es ? "#version 320 es\nprecision highp float;\nprecision highp int;\n" : "#version 430\n";
+  const std::string version = language_ == capture::Language::es
+                                  ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
+                                  : "#version 430\n";
   const std::string source = version + "#define GLARK_PASS " + std::to_string(pass) + "\n" + bins_source;
   const char* text = source.c_str();
   const GLuint shader = gl_.CreateShader(GL_COMPUTE_SHADER);
@@ -128,9 +131,12 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer) {
     gl_.UseProgram(passes_[i].program);
     set_uniforms(passes_[i], request);
     gl_.DispatchCompute(i == 1 ? 1 : groups, 1, 1);
-    gl_.MemoryBarrier(i == 2 ? GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT : GL_SHADER_STORAGE_BARRIER_BIT);
+    gl_.MemoryBarrier(i == 2
+                          ? GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT
+                          : GL_SHADER_STORAGE_BARRIER_BIT);
   }
-  return {instances_.name(), request.layout->triangle_words() * 4 + 16, work_.name(), static_cast<GLintptr>(work_commands * 4), pattern::piece_count};
+  return {instances_.name(), request.layout->triangle_words() * 4 + 16, work_.name(),
+          static_cast<GLintptr>(work_commands * 4), pattern::piece_count};
 }
 
 std::uint64_t BinStage::take_refined_triangles() {

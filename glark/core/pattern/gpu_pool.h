@@ -25,7 +25,9 @@ class GpuPool {
   GLsizeiptr gpu_bytes() const { return vertices_.size() + indices_.size() + patches_.size(); }
 
   // A uniform level is drawn as tile_count(level) tiles of uniform(min(level, deepest_uniform)).
-  static unsigned tile_count(unsigned level) { return level <= deepest_uniform ? 1U : 1U << (2 * (level - deepest_uniform)); }
+  static unsigned tile_count(unsigned level) {
+    return level <= deepest_uniform ? 1U : 1U << (2 * (level - deepest_uniform));
+  }
   static unsigned first_tile(unsigned level);
 
  private:

@@ -30,8 +30,9 @@ void read_lighting(const gl::Dispatch& gl, FixedFunctionState& state) {
 }
 
 bool texture_enabled(const gl::Dispatch& gl) {
-  return gl.IsEnabled(GL_TEXTURE_2D) != GL_FALSE || gl.IsEnabled(GL_TEXTURE_1D) != GL_FALSE || gl.IsEnabled(GL_TEXTURE_3D) != GL_FALSE ||
-         gl.IsEnabled(GL_TEXTURE_CUBE_MAP) != GL_FALSE || gl.IsEnabled(GL_TEXTURE_RECTANGLE) != GL_FALSE;
+  return gl.IsEnabled(GL_TEXTURE_2D) != GL_FALSE || gl.IsEnabled(GL_TEXTURE_1D) != GL_FALSE ||
+         gl.IsEnabled(GL_TEXTURE_3D) != GL_FALSE || gl.IsEnabled(GL_TEXTURE_CUBE_MAP) != GL_FALSE ||
+         gl.IsEnabled(GL_TEXTURE_RECTANGLE) != GL_FALSE;
 }
 
 void read_texture_units(const gl::Dispatch& gl, FixedFunctionState& state, const FragmentReads& fragment) {
@@ -65,7 +66,8 @@ bool point_size_attenuates(const gl::Dispatch& gl) {
 
 FragmentReads fragment_reads(const std::string& source) {
   std::string lower(source);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   constexpr std::string_view word = "texcoord";
   FragmentReads reads{true, 0};
   for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at)) {

@@ -63,10 +63,11 @@ void ProgramBuilder::read_fields(core::Program& program) const {
   for (GLint i = 0; i < count; ++i) {
     capture::Field field;
     GLsizei length = 0;
-    gl_.GetActiveAttrib(program.name, static_cast<GLuint>(i), static_cast<GLsizei>(buffer.size()), &length, &field.array_size, &field.type, buffer.data());
+    gl_.GetActiveAttrib(program.name, static_cast<GLuint>(i), static_cast<GLsizei>(buffer.size()), &length,
+                        &field.array_size, &field.type, buffer.data());
     field.name = buffer.substr(0, static_cast<std::size_t>(length));
-    if (field.name == "gl_VertexID" || field.name == "gl_InstanceID" || field.name == "gl_BaseVertex" || field.name == "gl_BaseInstance" ||
-        field.name == "gl_DrawID") {
+    if (field.name == "gl_VertexID" || field.name == "gl_InstanceID" || field.name == "gl_BaseVertex" ||
+        field.name == "gl_BaseInstance" || field.name == "gl_DrawID") {
       continue;  // system values, below
     }
     if (field.name.ends_with("[0]")) {
@@ -77,7 +78,8 @@ void ProgramBuilder::read_fields(core::Program& program) const {
     field.location = capture::is_builtin(field) ? -1 : gl_.GetAttribLocation(program.name, field.name.c_str());
     if (capture::words_of(field.type) == 0) {
       program.cause = core::Cause::program_not_derived;
-      core::log(core::LogLevel::warning, label(program) + ": vertex input " + field.name + " has a type that is not captured; its draws stay as they are");
+      core::log(core::LogLevel::warning, label(program) + ": vertex input " + field.name +
+                                             " has a type that is not captured; its draws stay as they are");
       return;
     }
     program.fields.push_back(std::move(field));
@@ -102,11 +104,13 @@ void ProgramBuilder::prepare(core::Program& program) const {
     program.cause = program.from_binary ? core::Cause::program_binary : core::Cause::no_program;
     return;
   }
-  const Inspection inspection = inspect_vertex_stage(vertex_sources(program), traits_.language == capture::Language::es, traits_.extensions);
+  const Inspection inspection =
+      inspect_vertex_stage(vertex_sources(program), traits_.language == capture::Language::es, traits_.extensions);
   program.traits = inspection.traits;
   if (!inspection.ok) {
     program.cause = core::Cause::program_not_derived;
-    core::log(core::LogLevel::warning, label(program) + " is not refined: " + inspection.error + "; its draws stay as they are");
+    core::log(core::LogLevel::warning,
+              label(program) + " is not refined: " + inspection.error + "; its draws stay as they are");
     return;
   }
   program.cause = cause_of(program, inspection.traits);
@@ -116,14 +120,14 @@ void ProgramBuilder::prepare(core::Program& program) const {
   read_fields(program);
   const capture::Layout layout = capture::make_layout(program.fields, false);
   const int free_locations = traits_.max_vertex_attributes - static_cast<GLint>(traits_.first_chunk_location);
-  if (program.cause == core::Cause::count_ &&
-      (layout.fields.empty() || layout.chunk_count() > free_locations || layout.corner_words + 1 > traits_.max_feedback_components)) {
+  if (program.cause == core::Cause::count_ && (layout.fields.empty() || layout.chunk_count() > free_locations ||
+                                               layout.corner_words + 1 > traits_.max_feedback_components)) {
     program.cause = layout.fields.empty() ? core::Cause::program_not_derived : core::Cause::too_many_attributes;
   }
 }
 
-GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_stage, GLuint settings_of,
-                                        std::string& error) const {
+GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_stage,
+                                        GLuint settings_of, std::string& error) const {
   const GLuint name = gl_.CreateProgram();
   std::vector<GLuint> shaders;
   for (const std::string& source : vertex_stage) {
@@ -139,8 +143,10 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   }
   gl_.BindAttribLocation(name, traits_.lattice_location, lattice_input);
   gl_.BindAttribLocation(name, traits_.patch_location, patch_input);
-  for (GLint chunk = 0; chunk + static_cast<GLint>(traits_.first_chunk_location) < traits_.max_vertex_attributes; ++chunk) {
-    gl_.BindAttribLocation(name, traits_.first_chunk_location + static_cast<GLuint>(chunk), (chunk_input_prefix + std::to_string(chunk)).c_str());
+  for (GLint chunk = 0; chunk + static_cast<GLint>(traits_.first_chunk_location) < traits_.max_vertex_attributes;
+       ++chunk) {
+    gl_.BindAttribLocation(name, traits_.first_chunk_location + static_cast<GLuint>(chunk),
+                           (chunk_input_prefix + std::to_string(chunk)).c_str());
   }
   if (settings_of != 0) {
     copy_link_settings(gl_, settings_of, name);
@@ -162,7 +168,8 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   return 0;
 }
 
-core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Program* owner, const core::DerivedKey& key) const {
+core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Program* owner,
+                                             const core::DerivedKey& key) const {
   const auto found = program.derived.find(key);
   if (found != program.derived.end()) {
     return found->second.get();
@@ -180,7 +187,9 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   request.extensions = traits_.extensions;
   const Derivation derivation = derive_vertex_stage(request);
   std::string error = derivation.error;
-  const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources, owner != nullptr ? owner->name : 0, error) : 0;
+  const GLuint name =
+      derivation.ok ? compile_and_link(program, derivation.vertex_sources, owner != nullptr ? owner->name : 0, error)
+                    : 0;
   program.refinement_log = error;
   if (name == 0) {
     ++core::statistics().programs_failed;
@@ -192,7 +201,8 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   slot->layout = std::move(request.layout);
   const auto other = std::find_if(program.derived.begin(), program.derived.end(),
                                   [&](const auto& entry) { return entry.second != nullptr && entry.second != slot; });
-  copy_virtual_uniforms(gl_, program.virtual_uniforms, other != program.derived.end() ? other->second.get() : nullptr, *slot);
+  copy_virtual_uniforms(gl_, program.virtual_uniforms, other != program.derived.end() ? other->second.get() : nullptr,
+                        *slot);
   if (owner != nullptr) {
     map_uniform_locations(gl_, owner->name, *slot);
     copy_uniform_values(gl_, owner->name, *slot);
@@ -203,7 +213,8 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   return slot.get();
 }
 
-std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctionState& state, const core::Program* fragment) const {
+std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctionState& state,
+                                                              const core::Program* fragment) const {
   auto program = std::make_shared<core::Program>();
   program->fixed_function = true;
   const std::string source = fixed_function_vertex_shader(state);

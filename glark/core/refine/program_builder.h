@@ -43,8 +43,8 @@ class ProgramBuilder {
   void discard(core::Program& program) const;
 
  private:
-  GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources, GLuint settings_of,
-                          std::string& error) const;
+  GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources,
+                          GLuint settings_of, std::string& error) const;
   void read_fields(core::Program& program) const;
 
   const gl::Dispatch& gl_;

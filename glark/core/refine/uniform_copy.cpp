@@ -27,7 +27,8 @@ std::vector<ActiveUniform> active_uniforms(const gl::Dispatch& gl, GLuint progra
   for (GLint i = 0; i < count; ++i) {
     ActiveUniform uniform;
     GLsizei length = 0;
-    gl.GetActiveUniform(program, static_cast<GLuint>(i), static_cast<GLsizei>(buffer.size()), &length, &uniform.size, &uniform.type, buffer.data());
+    gl.GetActiveUniform(program, static_cast<GLuint>(i), static_cast<GLsizei>(buffer.size()), &length, &uniform.size,
+                        &uniform.type, buffer.data());
     uniform.name = buffer.substr(0, static_cast<std::size_t>(length));
     if (uniform.name.size() > 3 && uniform.name.ends_with("[0]")) {
       uniform.name.resize(uniform.name.size() - 3);
@@ -56,13 +57,26 @@ Shape shape_of(GLenum type) {
     Shape shape;
   };
   static constexpr Row rows[] = {
-      {GL_FLOAT, {Scalar::floating, 1, 1}},        {GL_FLOAT_VEC2, {Scalar::floating, 1, 2}},   {GL_FLOAT_VEC3, {Scalar::floating, 1, 3}},
-      {GL_FLOAT_VEC4, {Scalar::floating, 1, 4}},   {GL_FLOAT_MAT2, {Scalar::floating, 2, 2}},   {GL_FLOAT_MAT3, {Scalar::floating, 3, 3}},
-      {GL_FLOAT_MAT4, {Scalar::floating, 4, 4}},   {GL_FLOAT_MAT2x3, {Scalar::floating, 2, 3}}, {GL_FLOAT_MAT2x4, {Scalar::floating, 2, 4}},
-      {GL_FLOAT_MAT3x2, {Scalar::floating, 3, 2}}, {GL_FLOAT_MAT3x4, {Scalar::floating, 3, 4}}, {GL_FLOAT_MAT4x2, {Scalar::floating, 4, 2}},
-      {GL_FLOAT_MAT4x3, {Scalar::floating, 4, 3}}, {GL_INT_VEC2, {Scalar::integer, 1, 2}},      {GL_INT_VEC3, {Scalar::integer, 1, 3}},
-      {GL_INT_VEC4, {Scalar::integer, 1, 4}},      {GL_BOOL_VEC2, {Scalar::integer, 1, 2}},     {GL_BOOL_VEC3, {Scalar::integer, 1, 3}},
-      {GL_BOOL_VEC4, {Scalar::integer, 1, 4}},     {GL_UNSIGNED_INT, {Scalar::unsigned_integer, 1, 1}},
+      {GL_FLOAT, {Scalar::floating, 1, 1}},
+      {GL_FLOAT_VEC2, {Scalar::floating, 1, 2}},
+      {GL_FLOAT_VEC3, {Scalar::floating, 1, 3}},
+      {GL_FLOAT_VEC4, {Scalar::floating, 1, 4}},
+      {GL_FLOAT_MAT2, {Scalar::floating, 2, 2}},
+      {GL_FLOAT_MAT3, {Scalar::floating, 3, 3}},
+      {GL_FLOAT_MAT4, {Scalar::floating, 4, 4}},
+      {GL_FLOAT_MAT2x3, {Scalar::floating, 2, 3}},
+      {GL_FLOAT_MAT2x4, {Scalar::floating, 2, 4}},
+      {GL_FLOAT_MAT3x2, {Scalar::floating, 3, 2}},
+      {GL_FLOAT_MAT3x4, {Scalar::floating, 3, 4}},
+      {GL_FLOAT_MAT4x2, {Scalar::floating, 4, 2}},
+      {GL_FLOAT_MAT4x3, {Scalar::floating, 4, 3}},
+      {GL_INT_VEC2, {Scalar::integer, 1, 2}},
+      {GL_INT_VEC3, {Scalar::integer, 1, 3}},
+      {GL_INT_VEC4, {Scalar::integer, 1, 4}},
+      {GL_BOOL_VEC2, {Scalar::integer, 1, 2}},
+      {GL_BOOL_VEC3, {Scalar::integer, 1, 3}},
+      {GL_BOOL_VEC4, {Scalar::integer, 1, 4}},
+      {GL_UNSIGNED_INT, {Scalar::unsigned_integer, 1, 1}},
       {GL_UNSIGNED_INT_VEC2, {Scalar::unsigned_integer, 1, 2}},
       {GL_UNSIGNED_INT_VEC3, {Scalar::unsigned_integer, 1, 3}},
       {GL_UNSIGNED_INT_VEC4, {Scalar::unsigned_integer, 1, 4}},
@@ -180,7 +194,8 @@ void copy_fragment_outputs(const gl::Dispatch& gl, GLuint from, GLuint to) {
     const GLint index = gl.GetProgramResourceLocationIndex(from, GL_PROGRAM_OUTPUT, name.c_str());
     if (location >= 0) {
       const std::string base = name.ends_with("[0]") ? name.substr(0, name.size() - 3) : name;
-      gl.BindFragDataLocationIndexed(to, static_cast<GLuint>(location), index > 0 ? static_cast<GLuint>(index) : 0U, base.c_str());
+      gl.BindFragDataLocationIndexed(to, static_cast<GLuint>(location), index > 0 ? static_cast<GLuint>(index) : 0U,
+                                     base.c_str());
     }
   }
 }
@@ -195,7 +210,8 @@ void copy_feedback_varyings(const gl::Dispatch& gl, GLuint from, GLuint to) {
     std::array<char, 512> name{};
     GLsizei size = 0;
     GLenum type = 0;
-    gl.GetTransformFeedbackVarying(from, static_cast<GLuint>(i), static_cast<GLsizei>(name.size()), nullptr, &size, &type, name.data());
+    gl.GetTransformFeedbackVarying(from, static_cast<GLuint>(i), static_cast<GLsizei>(name.size()), nullptr, &size,
+                                   &type, name.data());
     names.emplace_back(name.data());
   }
   if (!names.empty()) {
@@ -246,8 +262,8 @@ void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::Derive
   }
 }
 
-void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names, const core::DerivedProgram* other,
-                           core::DerivedProgram& derived) {
+void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names,
+                           const core::DerivedProgram* other, core::DerivedProgram& derived) {
   const std::vector<ActiveUniform> uniforms = active_uniforms(gl, derived.name);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const GLint target = gl.GetUniformLocation(derived.name, names[i].c_str());

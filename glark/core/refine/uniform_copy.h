@@ -20,8 +20,8 @@ void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedPro
 
 // Uniforms that only the refinement shader declares: their locations in `derived`, and their values from `other` (may be null),
 // another program derived from the same one.
-void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names, const core::DerivedProgram* other,
-                           core::DerivedProgram& derived);
+void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names,
+                           const core::DerivedProgram* other, core::DerivedProgram& derived);
 
 // Values of all uniforms outside blocks, and the bindings of uniform and storage blocks.
 void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::DerivedProgram& derived);

@@ -17,7 +17,9 @@ constexpr GLuint never_advance = 0x7fffffff;  // divisor: one patch for all inst
 constexpr GLsizei patch_bytes = 16;
 constexpr GLsizei chunk_bytes = 16;
 
-const void* index_offset(std::uint32_t first_index) { return reinterpret_cast<const void*>(static_cast<std::size_t>(first_index) * 2); }
+const void* index_offset(std::uint32_t first_index) {
+  return reinterpret_cast<const void*>(static_cast<std::size_t>(first_index) * 2);
+}
 
 }  // namespace
 
@@ -51,19 +53,20 @@ void SubmitStage::bind_vertex_array(int chunks, Source source, GLuint indices) {
   gl_.VertexBindingDivisor(record_binding, 1);
 }
 
-void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles, const capture::Layout& layout, unsigned level,
-                               const core::GpuBuffer& count_command) {
+void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles,
+                               const capture::Layout& layout, unsigned level, const core::GpuBuffer& count_command) {
   bind_vertex_array(layout.chunk_count(), Source::uniform, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
   gl_.BindVertexBuffer(record_binding, triangles.buffer, triangles.offset, layout.triangle_words() * 4);
-  const unsigned piece_level = level < static_cast<unsigned>(pattern::deepest_uniform) ? level : static_cast<unsigned>(pattern::deepest_uniform);
+  const unsigned piece_level =
+      level < static_cast<unsigned>(pattern::deepest_uniform) ? level : static_cast<unsigned>(pattern::deepest_uniform);
   const pattern::Piece& piece = pool.piece(pattern::uniform_piece(static_cast<int>(piece_level)));
   if (triangles.count_on_gpu) {
     // All but the instance count, which the query has written.
     const std::uint32_t rest[3] = {piece.first_index, piece.base_vertex, 0};
-    count_command.write(gl_, offsetof(capture::CountCommand, index_count), sizeof(std::uint32_t), &piece.index_count);
-    count_command.write(gl_, offsetof(capture::CountCommand, first_index), sizeof(rest), rest);
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, count_command.name());
+    gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, index_count), sizeof(std::uint32_t), &piece.index_count);
+    gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, first_index), sizeof(rest), rest);
   }
   const unsigned first = pattern::GpuPool::first_tile(level);
   for (unsigned tile = 0; tile < pattern::GpuPool::tile_count(level); ++tile) {
@@ -71,13 +74,15 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const capture::Coar
     if (triangles.count_on_gpu) {
       gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr);
     } else {
-      gl_.DrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(piece.index_count), GL_UNSIGNED_SHORT, index_offset(piece.first_index),
-                                          static_cast<GLsizei>(triangles.count), piece.base_vertex);
+      gl_.DrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(piece.index_count), GL_UNSIGNED_SHORT,
+                                          index_offset(piece.first_index), static_cast<GLsizei>(triangles.count),
+                                          piece.base_vertex);
     }
   }
 }
 
-void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, const capture::Layout& layout) {
+void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins,
+                              const capture::Layout& layout) {
   bind_vertex_array(layout.chunk_count(), Source::binned, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
   gl_.BindVertexBuffer(patch_binding, bins.instances, bins.stride - patch_bytes, bins.stride);
@@ -85,11 +90,13 @@ void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedI
   gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, bins.commands);
   const auto multi_draw = gl_.MultiDrawElementsIndirect;
   if (multi_draw != nullptr) {
-    multi_draw(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(bins.commands_offset), bins.command_count, 0);
+    multi_draw(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(bins.commands_offset), bins.command_count,
+               0);
     return;
   }
   for (GLsizei command = 0; command < bins.command_count; ++command) {
-    gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(bins.commands_offset + command * GLintptr{20}));
+    gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT,
+                             reinterpret_cast<const void*>(bins.commands_offset + command * GLintptr{20}));
   }
 }
 

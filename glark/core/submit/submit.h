@@ -24,8 +24,8 @@ class SubmitStage {
 
   // Every coarse triangle at the same level: one instanced draw for each tile of the level. Binds a vertex array of ours;
   // with a count on the GPU also GL_DRAW_INDIRECT_BUFFER (`count_command`).
-  void draw_uniform(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles, const capture::Layout& layout, unsigned level,
-                    const core::GpuBuffer& count_command);
+  void draw_uniform(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles,
+                    const capture::Layout& layout, unsigned level, const core::GpuBuffer& count_command);
   // Binds a vertex array of ours and GL_DRAW_INDIRECT_BUFFER.
   void draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, const capture::Layout& layout);
   void release();

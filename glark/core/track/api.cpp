@@ -26,7 +26,9 @@ bool refuse(Context& c, bool needs_pool) {
 
 GLuint highest_tag(const Context& c) { return static_cast<GLuint>(std::max(c.ark.pool_level, 0)); }
 
-bool is_tag_type(GLenum type) { return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT || type == GL_FLOAT; }
+bool is_tag_type(GLenum type) {
+  return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT || type == GL_FLOAT;
+}
 
 // Refined triangles only: adjacency, patches, points and lines have none of their own.
 bool refuse_mode(Context& c, GLenum mode) {
@@ -158,12 +160,14 @@ void ARKParameteriARK(Context& c, GLenum name, GLint value) {
       break;
     case GL_DEPTH_TAG_ATTRIBUTE_ARK: set_tag_attribute(c, value); break;
     case GL_POLYGON_SPLIT_ARK:
-      if (set_choice(c, token == GL_POLYGON_TRIANGLES_ARK || token == GL_POLYGON_CENTROID_ARK, token == GL_POLYGON_TRIANGLES_ARK, first)) {
+      if (set_choice(c, token == GL_POLYGON_TRIANGLES_ARK || token == GL_POLYGON_CENTROID_ARK,
+                     token == GL_POLYGON_TRIANGLES_ARK, first)) {
         c.ark.polygon_split = first ? PolygonSplit::triangles : PolygonSplit::centroid;
       }
       break;
     case GL_PATTERN_INTERIOR_ARK:
-      if (set_choice(c, token == GL_MINIMUM_INTERIOR_ARK || token == GL_SMOOTH_INTERIOR_ARK, token == GL_MINIMUM_INTERIOR_ARK, first)) {
+      if (set_choice(c, token == GL_MINIMUM_INTERIOR_ARK || token == GL_SMOOTH_INTERIOR_ARK,
+                     token == GL_MINIMUM_INTERIOR_ARK, first)) {
         c.ark.smooth_interior = !first;
       }
       break;
@@ -221,7 +225,8 @@ void DrawARPElementsARK(Context& c, GLenum mode, GLsizei count, GLenum type, con
   with_ark(c, [&] { DrawElements(c, mode, count, type, indices); });
 }
 
-void RefinementShaderSourceARK(Context& c, GLuint name, GLsizei count, const GLchar* const* string, const GLint* length) {
+void RefinementShaderSourceARK(Context& c, GLuint name, GLsizei count, const GLchar* const* string,
+                               const GLint* length) {
   if (count < 0) {
     c.raise(GL_INVALID_VALUE);
     return;
@@ -250,7 +255,9 @@ void GetRefinementivARK(Context& c, GLuint name, GLenum parameter, GLint* value)
     case GL_REFINEMENT_STATUS_ARK:
       *value = c.pipeline->derived_for(*program, name != 0 ? program : nullptr) != nullptr ? GL_TRUE : GL_FALSE;
       break;
-    case GL_REFINEMENT_LOG_LENGTH_ARK: *value = program->refinement_log.empty() ? 0 : static_cast<GLint>(program->refinement_log.size() + 1); break;
+    case GL_REFINEMENT_LOG_LENGTH_ARK:
+      *value = program->refinement_log.empty() ? 0 : static_cast<GLint>(program->refinement_log.size() + 1);
+      break;
     case GL_REFINEMENT_SOURCE_LENGTH_ARK:
       *value = program->refinement_source.empty() ? 0 : static_cast<GLint>(program->refinement_source.size() + 1);
       break;

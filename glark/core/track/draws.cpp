@@ -23,9 +23,13 @@ void draw(Context& context, const DrawCall& call) {
 
 namespace {
 
-bool restarts(const Context& context) { return context.bindings.primitive_restart || context.bindings.primitive_restart_fixed; }
+bool restarts(const Context& context) {
+  return context.bindings.primitive_restart || context.bindings.primitive_restart_fixed;
+}
 
-bool is_index_type(GLenum type) { return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT; }
+bool is_index_type(GLenum type) {
+  return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
+}
 
 // One array draw; `issue` is the application's own call.
 void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
@@ -33,7 +37,8 @@ void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
     issue();  // GL_INVALID_VALUE
     return;
   }
-  const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) * static_cast<std::uint64_t>(draw_of.instances);
+  const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) *
+                                  static_cast<std::uint64_t>(draw_of.instances);
   draw(context, {.mode = draw_of.mode, .triangles = triangles, .arrays = &draw_of, .issue = issue});
 }
 
@@ -43,8 +48,10 @@ void draw_elements(Context& context, const ArrayDraw& draw_of, Issue issue) {
     return;
   }
   context.refresh_bindings();
-  const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) * static_cast<std::uint64_t>(draw_of.instances);
-  draw(context, {.mode = draw_of.mode, .triangles = triangles, .exact = !restarts(context), .arrays = &draw_of, .issue = issue});
+  const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) *
+                                  static_cast<std::uint64_t>(draw_of.instances);
+  draw(context,
+       {.mode = draw_of.mode, .triangles = triangles, .exact = !restarts(context), .arrays = &draw_of, .issue = issue});
 }
 
 std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws) {
@@ -58,7 +65,9 @@ std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws)
   return total;
 }
 
-void draw_rectangle(Context& context, Issue issue) { draw(context, {.mode = GL_QUADS, .triangles = 2, .issue = issue}); }
+void draw_rectangle(Context& context, Issue issue) {
+  draw(context, {.mode = GL_QUADS, .triangles = 2, .issue = issue});
+}
 
 }  // namespace
 }  // namespace track
@@ -77,50 +86,68 @@ void DrawArraysInstanced(Context& c, GLenum mode, GLint first, GLsizei count, GL
               [&] { c.gl.DrawArraysInstanced(mode, first, count, instances); });
 }
 
-void DrawArraysInstancedBaseInstance(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances, GLuint base_instance) {
+void DrawArraysInstancedBaseInstance(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances,
+                                     GLuint base_instance) {
   draw_arrays(c, {.mode = mode, .first = first, .count = count, .instances = instances, .base_instance = base_instance},
               [&] { c.gl.DrawArraysInstancedBaseInstance(mode, first, count, instances, base_instance); });
 }
 
 void DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
-  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices}, [&] { c.gl.DrawElements(mode, count, type, indices); });
+  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices},
+                [&] { c.gl.DrawElements(mode, count, type, indices); });
 }
 
-void DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices) {
+void DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                       const void* indices) {
   draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices},
                 [&] { c.gl.DrawRangeElements(mode, start, end, count, type, indices); });
 }
 
-void DrawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLint base_vertex) {
+void DrawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                            GLint base_vertex) {
   draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .base_vertex = base_vertex},
                 [&] { c.gl.DrawElementsBaseVertex(mode, count, type, indices, base_vertex); });
 }
 
-void DrawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void* indices,
-                                 GLint base_vertex) {
+void DrawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                                 const void* indices, GLint base_vertex) {
   draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .base_vertex = base_vertex},
                 [&] { c.gl.DrawRangeElementsBaseVertex(mode, start, end, count, type, indices, base_vertex); });
 }
 
-void DrawElementsInstanced(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances) {
+void DrawElementsInstanced(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                           GLsizei instances) {
   draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .instances = instances},
                 [&] { c.gl.DrawElementsInstanced(mode, count, type, indices, instances); });
 }
 
-void DrawElementsInstancedBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances,
-                                       GLuint base_instance) {
-  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .instances = instances, .base_instance = base_instance},
+void DrawElementsInstancedBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                                       GLsizei instances, GLuint base_instance) {
+  draw_elements(c,
+                {.mode = mode,
+                 .count = count,
+                 .index_type = type,
+                 .indices = indices,
+                 .instances = instances,
+                 .base_instance = base_instance},
                 [&] { c.gl.DrawElementsInstancedBaseInstance(mode, count, type, indices, instances, base_instance); });
 }
 
-void DrawElementsInstancedBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances,
-                                     GLint base_vertex) {
-  draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .base_vertex = base_vertex, .instances = instances},
+void DrawElementsInstancedBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                                     GLsizei instances, GLint base_vertex) {
+  draw_elements(c,
+                {.mode = mode,
+                 .count = count,
+                 .index_type = type,
+                 .indices = indices,
+                 .base_vertex = base_vertex,
+                 .instances = instances},
                 [&] { c.gl.DrawElementsInstancedBaseVertex(mode, count, type, indices, instances, base_vertex); });
 }
 
-void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices, GLsizei instances,
-                                                 GLint base_vertex, GLuint base_instance) {
+void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
+                                                 const void* indices, GLsizei instances, GLint base_vertex,
+                                                 GLuint base_instance) {
   const ArrayDraw draw_of{.mode = mode,
                           .count = count,
                           .index_type = type,
@@ -134,10 +161,13 @@ void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsize
 }
 
 void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
-  track::draw(c, {.mode = mode, .triangles = track::triangles_of_all(mode, count, draws), .issue = [&] { c.gl.MultiDrawArrays(mode, first, count, draws); }});
+  track::draw(c, {.mode = mode, .triangles = track::triangles_of_all(mode, count, draws), .issue = [&] {
+                    c.gl.MultiDrawArrays(mode, first, count, draws);
+                  }});
 }
 
-void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei draws) {
+void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
+                       GLsizei draws) {
   c.refresh_bindings();
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
@@ -145,8 +175,8 @@ void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
                   .issue = [&] { c.gl.MultiDrawElements(mode, count, type, indices, draws); }});
 }
 
-void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices, GLsizei draws,
-                                 const GLint* base_vertex) {
+void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
+                                 GLsizei draws, const GLint* base_vertex) {
   c.refresh_bindings();
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
@@ -188,10 +218,9 @@ void EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) 
   const auto columns = static_cast<std::uint64_t>(std::max(0, i2 - i1));
   const auto rows = static_cast<std::uint64_t>(std::max(0, j2 - j1));
   const GLenum rows_of = mode == GL_FILL ? GL_QUAD_STRIP : GL_LINES;
-  track::draw(c, {.mode = rows_of,
-                  .triangles = 2 * columns * rows,
-                  .exact = false,
-                  .issue = [&] { c.gl.EvalMesh2(mode, i1, i2, j1, j2); }});
+  track::draw(c, {.mode = rows_of, .triangles = 2 * columns * rows, .exact = false, .issue = [&] {
+                    c.gl.EvalMesh2(mode, i1, i2, j1, j2);
+                  }});
 }
 
 void DrawTransformFeedback(Context& c, GLenum mode, GLuint id) {

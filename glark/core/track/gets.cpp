@@ -54,7 +54,8 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
     case GL_REFINEMENT_ARK: return refinement_token(ark.refinement);
     case GL_DEPTH_SOURCE_ARK: return ark.depth_source == DepthSource::uniform ? GL_UNIFORM_DEPTH_ARK : GL_DEPTH_TAG_ARK;
     case GL_UNIFORM_DEPTH_LEVEL_ARK: return static_cast<GLint>(ark.uniform_level);
-    case GL_POLYGON_SPLIT_ARK: return ark.polygon_split == PolygonSplit::centroid ? GL_POLYGON_CENTROID_ARK : GL_POLYGON_TRIANGLES_ARK;
+    case GL_POLYGON_SPLIT_ARK:
+      return ark.polygon_split == PolygonSplit::centroid ? GL_POLYGON_CENTROID_ARK : GL_POLYGON_TRIANGLES_ARK;
     case GL_PATTERN_INTERIOR_ARK: return ark.smooth_interior ? GL_SMOOTH_INTERIOR_ARK : GL_MINIMUM_INTERIOR_ARK;
     default: return std::nullopt;
   }
@@ -63,7 +64,9 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
 // Writes our state, or leaves the query to GL. True if it was ours.
 template <typename Value>
 bool answer(Context& c, GLenum name, Value* data) {
-  const std::optional<GLint> value = name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_SMOOTH_INTERIOR_ARK) ? extension_state(c, name) : std::nullopt;
+  const std::optional<GLint> value = name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_SMOOTH_INTERIOR_ARK)
+                                         ? extension_state(c, name)
+                                         : std::nullopt;
   if (!value.has_value()) {
     return false;
   }

@@ -20,6 +20,20 @@ struct Counts {
   std::uint32_t instances = 0;
 };
 
+bool read_counts(Context& c, GLintptr offset, Counts& counts) {
+  if (c.capabilities.api != Capabilities::Api::es) {
+    c.gl.GetBufferSubData(GL_DRAW_INDIRECT_BUFFER, offset, sizeof counts, &counts);
+    return true;
+  }
+  const void* mapped = c.gl.MapBufferRange(GL_DRAW_INDIRECT_BUFFER, offset, sizeof counts, GL_MAP_READ_BIT);
+  if (mapped == nullptr) {
+    return false;
+  }
+  std::memcpy(&counts, mapped, sizeof counts);
+  c.gl.UnmapBuffer(GL_DRAW_INDIRECT_BUFFER);
+  return true;
+}
+
 std::vector<Counts> read_commands(Context& c, const void* indirect, GLsizei draws, GLsizei stride) {
   c.refresh_bindings();
   std::vector<Counts> result(static_cast<std::size_t>(std::max(draws, 0)));
@@ -28,7 +42,8 @@ std::vector<Counts> read_commands(Context& c, const void* indirect, GLsizei draw
       return {};
     }
     for (std::size_t i = 0; i < result.size(); ++i) {
-      std::memcpy(&result[i], static_cast<const char*>(indirect) + i * static_cast<std::size_t>(stride), sizeof(Counts));
+      std::memcpy(&result[i], static_cast<const char*>(indirect) + i * static_cast<std::size_t>(stride),
+                  sizeof(Counts));
     }
     return result;
   }
@@ -36,10 +51,10 @@ std::vector<Counts> read_commands(Context& c, const void* indirect, GLsizei draw
   c.gl.GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_SIZE, &size);
   for (std::size_t i = 0; i < result.size(); ++i) {
     const GLintptr offset = reinterpret_cast<GLintptr>(indirect) + static_cast<GLintptr>(i) * stride;
-    if (offset < 0 || offset % 4 != 0 || offset + static_cast<GLintptr>(sizeof(Counts)) > size || c.gl.GetBufferSubData == nullptr) {
+    if (offset < 0 || offset % 4 != 0 || offset + static_cast<GLintptr>(sizeof(Counts)) > size ||
+        !read_counts(c, offset, result[i])) {
       return {};
     }
-    c.gl.GetBufferSubData(GL_DRAW_INDIRECT_BUFFER, offset, sizeof(Counts), &result[i]);
   }
   return result;
 }
@@ -58,7 +73,8 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     track::draw(c, {.mode = GL_POINTS, .issue = issue});
     return;
   }
-  const std::vector<Counts> commands = read_commands(c, call.indirect, call.draws, call.stride != 0 ? call.stride : call.command_bytes);
+  const std::vector<Counts> commands =
+      read_commands(c, call.indirect, call.draws, call.stride != 0 ? call.stride : call.command_bytes);
   std::uint64_t triangles = 0;
   for (const Counts& command : commands) {
     triangles += triangles_of(call.mode, command.vertices) * command.instances;
@@ -69,7 +85,10 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     return;
   }
   const bool restarts = c.bindings.primitive_restart || c.bindings.primitive_restart_fixed;
-  track::draw(c, {.mode = call.mode, .triangles = triangles, .exact = call.exact && (call.command_bytes == arrays_command_bytes || !restarts), .issue = issue});
+  track::draw(c, {.mode = call.mode,
+                  .triangles = triangles,
+                  .exact = call.exact && (call.command_bytes == arrays_command_bytes || !restarts),
+                  .issue = issue});
 }
 
 }  // namespace
@@ -87,23 +106,50 @@ void DrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indi
 }
 
 void MultiDrawArraysIndirect(Context& c, GLenum mode, const void* indirect, GLsizei draws, GLsizei stride) {
-  draw_indirect(c, {.mode = mode, .indirect = indirect, .draws = draws, .stride = stride, .command_bytes = arrays_command_bytes, .exact = true},
+  draw_indirect(c,
+                {.mode = mode,
+                 .indirect = indirect,
+                 .draws = draws,
+                 .stride = stride,
+                 .command_bytes = arrays_command_bytes,
+                 .exact = true},
                 [&] { c.gl.MultiDrawArraysIndirect(mode, indirect, draws, stride); });
 }
 
-void MultiDrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect, GLsizei draws, GLsizei stride) {
-  draw_indirect(c, {.mode = mode, .indirect = indirect, .draws = draws, .stride = stride, .command_bytes = elements_command_bytes, .exact = true},
+void MultiDrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect, GLsizei draws,
+                               GLsizei stride) {
+  draw_indirect(c,
+                {.mode = mode,
+                 .indirect = indirect,
+                 .draws = draws,
+                 .stride = stride,
+                 .command_bytes = elements_command_bytes,
+                 .exact = true},
                 [&] { c.gl.MultiDrawElementsIndirect(mode, type, indirect, draws, stride); });
 }
 
 // The number of commands is on the GPU too: all of them are a bound.
-void MultiDrawArraysIndirectCount(Context& c, GLenum mode, const void* indirect, GLintptr count, GLsizei most, GLsizei stride) {
-  draw_indirect(c, {.mode = mode, .indirect = indirect, .draws = most, .stride = stride, .command_bytes = arrays_command_bytes, .exact = false},
+void MultiDrawArraysIndirectCount(Context& c, GLenum mode, const void* indirect, GLintptr count, GLsizei most,
+                                  GLsizei stride) {
+  draw_indirect(c,
+                {.mode = mode,
+                 .indirect = indirect,
+                 .draws = most,
+                 .stride = stride,
+                 .command_bytes = arrays_command_bytes,
+                 .exact = false},
                 [&] { c.gl.MultiDrawArraysIndirectCount(mode, indirect, count, most, stride); });
 }
 
-void MultiDrawElementsIndirectCount(Context& c, GLenum mode, GLenum type, const void* indirect, GLintptr count, GLsizei most, GLsizei stride) {
-  draw_indirect(c, {.mode = mode, .indirect = indirect, .draws = most, .stride = stride, .command_bytes = elements_command_bytes, .exact = false},
+void MultiDrawElementsIndirectCount(Context& c, GLenum mode, GLenum type, const void* indirect, GLintptr count,
+                                    GLsizei most, GLsizei stride) {
+  draw_indirect(c,
+                {.mode = mode,
+                 .indirect = indirect,
+                 .draws = most,
+                 .stride = stride,
+                 .command_bytes = elements_command_bytes,
+                 .exact = false},
                 [&] { c.gl.MultiDrawElementsIndirectCount(mode, type, indirect, count, most, stride); });
 }
 

@@ -140,7 +140,8 @@ void record_draw(Context& c, const DrawCall& call) {
   close_segment(c, {});
   open_segment(c, GL_COMPILE);
   call.issue();
-  close_segment(c, {.kind = ListSegment::Kind::draw, .mode = call.mode, .triangles = call.triangles, .exact = call.exact});
+  close_segment(c,
+                {.kind = ListSegment::Kind::draw, .mode = call.mode, .triangles = call.triangles, .exact = call.exact});
   execute_last(c);
   open_segment(c, c.list.mode);
 }
@@ -186,7 +187,8 @@ bool list_end(Context& c) {
 namespace hook {
 
 void NewList(Context& c, GLuint name, GLenum mode) {
-  const bool valid = name != 0 && (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE) && !c.compiling_list && !c.immediate.open;
+  const bool valid =
+      name != 0 && (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE) && !c.compiling_list && !c.immediate.open;
   if (!valid) {
     c.gl.NewList(name, mode);  // raises the error
     return;
@@ -257,7 +259,8 @@ void CallList(Context& c, GLuint name) {
 
 void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
   GLuint probe = 0;
-  if (c.compiling_list || !c.refining || n < 1 || lists == nullptr || !decode_name(type, lists, 0, probe) || c.immediate.open) {
+  if (c.compiling_list || !c.refining || n < 1 || lists == nullptr || !decode_name(type, lists, 0, probe) ||
+      c.immediate.open) {
     c.gl.CallLists(n, type, lists);
     forget_state(c, nullptr);
     return;

@@ -117,7 +117,8 @@ void BindBuffersBase(Context& c, GLenum target, GLuint first, GLsizei count, con
   c.bindings_stale = c.bindings_stale || target == GL_SHADER_STORAGE_BUFFER;
 }
 
-void BindBuffersRange(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers, const GLintptr* offsets, const GLsizeiptr* sizes) {
+void BindBuffersRange(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers,
+                      const GLintptr* offsets, const GLsizeiptr* sizes) {
   c.gl.BindBuffersRange(target, first, count, buffers, offsets, sizes);
   c.bindings_stale = c.bindings_stale || target == GL_SHADER_STORAGE_BUFFER;
 }

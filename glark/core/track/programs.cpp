@@ -91,7 +91,8 @@ void forget_deleted(Context& c, GLuint name) {
 GLint register_virtual_uniform(Context& c, Program& program, const GLchar* name) {
   const DerivedProgram* derived = c.pipeline->derived_for(program, &program);
   const std::string text(name);
-  if (derived == nullptr || text.rfind("gl_", 0) == 0 || text.rfind("glark_", 0) == 0 || c.gl.GetUniformLocation(derived->name, name) < 0) {
+  if (derived == nullptr || text.rfind("gl_", 0) == 0 || text.rfind("glark_", 0) == 0 ||
+      c.gl.GetUniformLocation(derived->name, name) < 0) {
     return -1;
   }
   std::size_t index = 0;
@@ -184,7 +185,8 @@ void UseProgram(Context& c, GLuint program) {
     return;
   }
   c.mirror_uniforms = c.share->any_derived.load(std::memory_order_relaxed);
-  if (program != 0 && (c.bindings.transform_feedback_active || (c.current_program = track::find_program(c, program)) == nullptr)) {
+  if (program != 0 &&
+      (c.bindings.transform_feedback_active || (c.current_program = track::find_program(c, program)) == nullptr)) {
     c.bindings_stale = true;  // GL may have refused
     return;
   }
@@ -223,7 +225,8 @@ void ShaderStorageBlockBinding(Context& c, GLuint program, GLuint index, GLuint 
   if (c.mirror_uniforms) {
     for (const UniformMirror& mirror : c.uniform_mirrors(program)) {
       std::string name(256, '\0');
-      c.gl.GetProgramResourceName(program, GL_SHADER_STORAGE_BLOCK, index, static_cast<GLsizei>(name.size()), nullptr, name.data());
+      c.gl.GetProgramResourceName(program, GL_SHADER_STORAGE_BLOCK, index, static_cast<GLsizei>(name.size()), nullptr,
+                                  name.data());
       const GLuint own = c.gl.GetProgramResourceIndex(mirror.program, GL_SHADER_STORAGE_BLOCK, name.c_str());
       if (own != GL_INVALID_INDEX) {
         c.gl.ShaderStorageBlockBinding(mirror.program, own, binding);

@@ -18,7 +18,9 @@ namespace glark::core::track {
 void draw(Context& context, const DrawCall& call);
 
 // While a display list is compiled (and not executed) state does not change.
-inline bool executes(const Context& context) { return !context.compiling_list || context.list.mode == GL_COMPILE_AND_EXECUTE; }
+inline bool executes(const Context& context) {
+  return !context.compiling_list || context.list.mode == GL_COMPILE_AND_EXECUTE;
+}
 
 // Display lists.
 void record_draw(Context& context, const DrawCall& call);

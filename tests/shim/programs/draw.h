@@ -41,7 +41,8 @@ static int draw(const struct Functions* gl) {
   const unsigned char* middle = &pixels[(8 * 16 + 8) * 4];
   printf("color %d %d %d\n", middle[0], middle[1], middle[2]);
   printf("error %x\n", gl->get_error());
-  printf("extension %s\n", strstr((const char*)gl->get_string(GL_EXTENSIONS), "GL_ARK_adaptive_refinement") ? "yes" : "no");
+  printf("extension %s\n",
+         strstr((const char*)gl->get_string(GL_EXTENSIONS), "GL_ARK_adaptive_refinement") ? "yes" : "no");
   gl->destroy(context);
   return 0;
 }

@@ -5,8 +5,9 @@
 #include "draw.h"
 
 int draw_as_plugin(void) {
-  const struct Functions gl = {glClear,  glDrawArrays, glVertexPointer,        glEnableClientState, glColor3f,           glFinish,
-                               glGetString, glGetError,   OSMesaCreateContextExt, OSMesaMakeCurrent,   OSMesaDestroyContext};
+  const struct Functions gl = {
+      glClear,     glDrawArrays, glVertexPointer,        glEnableClientState, glColor3f,           glFinish,
+      glGetString, glGetError,   OSMesaCreateContextExt, OSMesaMakeCurrent,   OSMesaDestroyContext};
   return draw(&gl);
 }
 

@@ -12,7 +12,8 @@ static void* by_dlsym(void* library, const char* name) { return dlsym(library, n
 static void* by_dlvsym(void* library, const char* name) {
   void* libc = dlopen("libc.so.6", RTLD_NOW);
   void* (*find)(void*, const char*) = (void* (*)(void*, const char*))dlvsym(libc, "dlsym", "GLIBC_2.34");
-  if (find == NULL) find = (void* (*)(void*, const char*))dlvsym(dlopen("libdl.so.2", RTLD_NOW), "dlsym", "GLIBC_2.2.5");
+  if (find == NULL)
+    find = (void* (*)(void*, const char*))dlvsym(dlopen("libdl.so.2", RTLD_NOW), "dlsym", "GLIBC_2.2.5");
   return find(library, name);
 }
 

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// glark-bench: measures refinement against what it competes with and prints a table. See docs/benchmarks.md.
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "tests/bench/case.h"
+#include "tests/bench/offscreen.h"
+
+namespace {
+
+constexpr const char* help = R"(usage: glark-bench [options]
+Measures refined draws against the same triangles refined beforehand and against tessellation shaders, the pattern pool,
+capture and binning, and calls that are passed through. Prints a table; 'short' is a target that is missed.
+
+  --filter TEXT  only cases whose name contains TEXT
+  --list         the names of the cases
+  --quick        fewer rounds
+  --thorough     more rounds
+  --json FILE    also writes the figures to FILE
+  --help         this text
+
+Exit status: 0 measured, whatever the figures say; 1 something could not be measured; 2 wrong usage.
+)";
+
+struct Options {
+  std::string filter;
+  std::string json;
+  bool list = false;
+  bool help = false;
+  glark::bench::Effort effort;
+};
+
+bool parse(int argc, char** argv, Options& options) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool has_value = i + 1 < argc;
+    if (word == "--filter" && has_value) {
+      options.filter = argv[++i];
+    } else if (word == "--json" && has_value) {
+      options.json = argv[++i];
+    } else if (word == "--list") {
+      options.list = true;
+    } else if (word == "--help") {
+      options.help = true;
+    } else if (word == "--quick") {
+      options.effort.total_seconds = 0.2;
+    } else if (word == "--thorough") {
+      options.effort.total_seconds = 3;
+    } else {
+      std::cerr << "glark-bench: '" << word << "' is not an option, or lacks its value; see --help\n";
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<glark::bench::Case> all_cases() {
+  std::vector<glark::bench::Case> cases;
+  glark::bench::add_draw_cases(cases);
+  glark::bench::add_pool_cases(cases);
+  glark::bench::add_capture_cases(cases);
+  glark::bench::add_call_cases(cases);
+  glark::bench::add_adaptive_cases(cases);
+  return cases;
+}
+
+int measure(const std::vector<glark::bench::Case>& cases, const Options& options) {
+  const glark::bench::Offscreen offscreen;
+  if (!offscreen.ready()) {
+    std::cerr << "glark-bench: OSMesa gives no context\n";
+    return 1;
+  }
+  glark::bench::Report report;
+  for (const auto& one : cases) {
+    try {
+      one.run(report, options.effort);
+    } catch (const std::exception& exception) {
+      report.add_error(exception.what());
+    }
+  }
+  std::cout << glark::bench::machine() << "\n\n" << report.table() << std::flush;
+  if (!options.json.empty() && !report.write_json(options.json)) {
+    std::cerr << "glark-bench: cannot write " << options.json << '\n';
+    return 1;
+  }
+  return report.has_errors() ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  if (!parse(argc, argv, options)) return 2;
+  if (options.help) {
+    std::cout << help;
+    return 0;
+  }
+  std::vector<glark::bench::Case> cases = all_cases();
+  std::erase_if(cases, [&](const auto& one) { return one.name.find(options.filter) == std::string::npos; });
+  if (options.list) {
+    for (const auto& one : cases) std::cout << one.name << '\n';
+    return 0;
+  }
+  if (cases.empty()) {
+    std::cerr << "glark-bench: no case contains '" << options.filter << "'; see --list\n";
+    return 2;
+  }
+  return measure(cases, options);
+}
