@@ -41,6 +41,7 @@ struct Bindings {
   GLenum front_polygon_mode = GL_FILL;
   GLenum back_polygon_mode = GL_FILL;
   GLenum shade_model = GL_SMOOTH;
+  bool clamp_vertex_color = true;  // compatibility only
   GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
   GLenum render_mode = GL_RENDER;
   int primitive_queries = 0;              // active queries that a capture would show in

@@ -8,6 +8,7 @@
 
 #include "glark/core/pipeline.h"
 #include "glark/core/report.h"
+#include "glark/core/track/track.h"
 
 namespace glark::core {
 namespace {
@@ -23,6 +24,25 @@ std::vector<std::string> extensions_of(const gl::Dispatch& gl) {
     }
   }
   return names;
+}
+
+// Some GL libraries have an address for every name, so a function pointer says nothing: what the context does not offer is taken
+// out here, and the core may then test for it.
+void remove_unsupported(gl::Dispatch& gl, const Capabilities& capabilities) {
+  if (capabilities.api == Capabilities::Api::es) {
+    gl.PolygonMode = nullptr;
+    gl.BindFragDataLocationIndexed = nullptr;
+    gl.ShaderStorageBlockBinding = nullptr;
+    gl.GetBufferSubData = nullptr;
+  }
+  if (!capabilities.multi_draw_indirect) {
+    gl.MultiDrawElementsIndirect = nullptr;
+  } else if (capabilities.api == Capabilities::Api::es) {
+    gl.MultiDrawElementsIndirect = gl.MultiDrawElementsIndirectEXT;
+  }
+  if (capabilities.api != Capabilities::Api::compatibility) {
+    gl.GetProgramStringARB = nullptr;
+  }
 }
 
 GLint get(const gl::Dispatch& gl, GLenum name) {
@@ -45,6 +65,8 @@ std::unique_ptr<Context> Context::create(const gl::Dispatch& gl, std::shared_ptr
   std::unique_ptr<Context> context(new Context(gl, std::move(share), options));
   context->read_capabilities();
   if (context->capabilities.refinable) {
+    context->supported = gl;
+    remove_unsupported(context->supported, context->capabilities);
     context->pipeline = std::make_unique<Pipeline>(*context);
     context->ark.tag_attribute = static_cast<GLuint>(context->capabilities.max_vertex_attributes - 1);
   }
@@ -89,6 +111,8 @@ void Context::read_capabilities() {
   capabilities.query_buffer = !es && (capabilities.version >= 44 || has_extension("GL_ARB_query_buffer_object"));
   capabilities.multi_draw_indirect =
       !es || (has_extension("GL_EXT_multi_draw_indirect") && has_extension("GL_EXT_base_instance"));
+  capabilities.quads_follow_convention =
+      !is_compatibility() || get(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
   capabilities.max_vertex_attributes = get(gl, GL_MAX_VERTEX_ATTRIBS);
   capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
 }
@@ -170,7 +194,11 @@ void Context::refresh_bindings() {
     b.vertex_program = gl.IsEnabled(GL_VERTEX_PROGRAM_ARB) != GL_FALSE;
     b.two_side = gl.IsEnabled(GL_VERTEX_PROGRAM_TWO_SIDE) != GL_FALSE;
     b.shade_model = static_cast<GLenum>(get(gl, GL_SHADE_MODEL));
+    b.clamp_vertex_color = get(gl, GL_CLAMP_VERTEX_COLOR) != GL_FALSE;
     b.render_mode = static_cast<GLenum>(get(gl, GL_RENDER_MODE));
+  }
+  if (current_program == nullptr ? b.program != 0 : current_program->name != b.program) {
+    track::adopt_current_program(*this);
   }
 }
 

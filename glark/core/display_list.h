@@ -13,6 +13,12 @@
 
 namespace glark::core {
 
+// A list called between glBegin and glEnd: it gives vertices.
+struct VertexList {
+  GLuint list = 0;
+  bool offset = false;  // `list` is added to glListBase
+};
+
 struct ListSegment {
   enum class Kind { state, draw, call, call_offset };
   Kind kind = Kind::state;
@@ -22,12 +28,15 @@ struct ListSegment {
   std::uint64_t triangles = 0;
   bool exact = true;       // `triangles` is the count, not a bound
   bool sets_tags = false;  // glDepthTag1i was called inside
+  std::vector<VertexList> vertex_lists = {};  // `vertices` are without theirs
 };
 
 struct DisplayList {
   std::vector<ListSegment> segments;
   bool refinable = false;  // false: call the application's list as it is
   bool changes_uniforms = false;
+  bool calls_lists = false;
+  std::uint64_t loose_vertices = 0;  // outside glBegin and glEnd; those of lists that it calls not counted
 };
 
 }  // namespace glark::core

@@ -40,11 +40,11 @@ constexpr std::uint64_t immediate_bytes = std::uint64_t{32} << 20;
 
 Pipeline::Pipeline(Context& context)
     : context_(context),
-      gl_(context.gl),
-      capture_(context.gl, language_of(context.capabilities), context.capabilities.query_buffer),
-      bins_(context.gl, language_of(context.capabilities)),
-      submit_(context.gl),
-      builder_(context.gl, builder_traits(context.capabilities)) {}
+      gl_(context.supported),
+      capture_(context.supported, language_of(context.capabilities), context.capabilities.query_buffer),
+      bins_(context.supported, language_of(context.capabilities)),
+      submit_(context.supported),
+      builder_(context.supported, builder_traits(context.capabilities)) {}
 
 bool Pipeline::build_pool(unsigned max_level) {
   if (!pool_.build(gl_, max_level)) {
@@ -81,10 +81,9 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
     }
   }
   ++statistics().captures_made;
-  capture_.begin(plan.capture_program, b, call.exact, own);
+  begin_capture(plan, call.exact, own);
   call.issue();
-  const capture::CoarseTriangles triangles = capture_.end(*plan.layout, call.triangles, b);
-  keep_out_of_queries(call.triangles);
+  const capture::CoarseTriangles triangles = end_capture(plan, call.triangles, call.exact);
   if (entry != nullptr) {
     entry->triangles = triangles;
     entry->filled = true;
@@ -97,13 +96,26 @@ bool Pipeline::found_room(const capture::Layout& layout, std::uint64_t triangles
   return triangles * static_cast<std::uint64_t>(layout.triangle_words()) * 4 <= largest_kept;
 }
 
-void Pipeline::keep_out_of_queries(std::uint64_t triangles) {
+void Pipeline::begin_capture(const Plan& plan, bool exact, GpuBuffer* own) {
+  if (plan.last_vertex_convention) {
+    gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+  }
+  capture_.begin(plan.capture_program, context_.bindings, exact, own);
+}
+
+capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t triangles, bool exact) {
   const Bindings& b = context_.bindings;
+  const capture::CoarseTriangles captured = capture_.end(*plan.layout, triangles, b);
+  if (plan.last_vertex_convention) {
+    gl_.ProvokingVertex(b.provoking_vertex);
+  }
+  // The application's queries have counted the capture too. Only here, and if GL alone knows the number, it is read back.
   for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
     if (query != 0) {
-      context_.query_surplus[query] += triangles;
+      context_.query_surplus[query] += exact ? triangles : capture_.counted();
     }
   }
+  return captured;
 }
 
 void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& triangles) {
@@ -215,7 +227,7 @@ bool Pipeline::begin_immediate(GLenum mode) {
     count_passed(cause);
     return false;
   }
-  capture_.begin(immediate_plan_.capture_program, context_.bindings, true, nullptr);
+  begin_capture(immediate_plan_, true, nullptr);
   return true;
 }
 
@@ -230,9 +242,8 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
             " that are captured at once; the rest is not drawn; use vertex arrays for meshes of this size");
     triangles = capacity;
   }
-  const capture::CoarseTriangles captured = capture_.end(*immediate_plan_.layout, triangles, context_.bindings);
+  const capture::CoarseTriangles captured = end_capture(immediate_plan_, triangles, true);
   ++statistics().captures_made;
-  keep_out_of_queries(triangles);
   if (triangles == 0) {
     restore(immediate_plan_, false);
     return;

@@ -66,6 +66,7 @@ class Pipeline {
     GLuint capture_program = 0;
     const capture::Layout* layout = nullptr;
     bool adaptive = false;
+    bool last_vertex_convention = false;  // while capturing
     unsigned level = 0;    // uniform level
     unsigned deepest = 0;  // that an adaptive draw can reach
   };
@@ -76,12 +77,14 @@ class Pipeline {
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
   void plan_depth(const DrawCall& call, Plan& plan) const;
-  DerivedKey key_of(const Program& program, bool tagged) const;
+  bool captures_last_vertex(GLenum mode) const;
+  DerivedKey key_of(GLenum mode, bool tagged) const;
+  void begin_capture(const Plan& plan, bool exact, GpuBuffer* own);
+  capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
   bool ensure_pool();
   bool found_room(const capture::Layout& layout, std::uint64_t triangles) const;
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
   capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan);
-  void keep_out_of_queries(std::uint64_t triangles);  // of the application's, which count our captures too
   void submit(const Plan& plan, const capture::CoarseTriangles& triangles);
   void restore(const Plan& plan, bool changed_indirect);
   void restore_storage();

@@ -51,7 +51,8 @@ Cause Pipeline::check_state(const DrawCall& call) const {
   if (b.transform_feedback_active && !b.transform_feedback_paused && !owns_feedback()) {
     return Cause::transform_feedback;
   }
-  if (transparent && b.primitive_queries > 0) {
+  // Counting our own triangles would need the query that the application has open.
+  if ((transparent && b.primitive_queries > 0) || (!call.exact && b.primitives_written_query != 0)) {
     return Cause::primitive_query;
   }
   if (transparent && b.polygon_mode != GL_FILL) {
@@ -127,13 +128,21 @@ Cause Pipeline::find_program(Plan& plan) {
   return plan.program->cause;
 }
 
-DerivedKey Pipeline::key_of(const Program& program, bool tagged) const {
+// OpenGL 4.6 compatibility, 13.4: quads may keep their last vertex as the provoking one under GL_FIRST_VERTEX_CONVENTION. They
+// are then captured under the last vertex convention, whose triangles end with it.
+bool Pipeline::captures_last_vertex(GLenum mode) const {
+  return context_.bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !context_.capabilities.quads_follow_convention &&
+         (mode == GL_QUADS || mode == GL_QUAD_STRIP);
+}
+
+DerivedKey Pipeline::key_of(GLenum mode, bool tagged) const {
   DerivedKey key;
   key.refinement = context_.options.transparent ? context_.options.refinement : context_.ark.refinement;
-  key.provoking_corner = context_.bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION ? 0 : 2;
+  const bool first = context_.bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !captures_last_vertex(mode);
+  key.provoking_corner = first ? 0 : 2;
   key.flat_colors = context_.is_compatibility() && context_.bindings.shade_model == GL_FLAT;
+  key.clamp_colors = context_.is_compatibility() && context_.bindings.clamp_vertex_color;
   key.tagged = tagged;
-  (void)program;
   return key;
 }
 
@@ -149,7 +158,7 @@ void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
   }
   GLint array_enabled = 0;
   gl_.GetVertexAttribiv(ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &array_enabled);
-  plan.adaptive = call.tags_vary || (array_enabled != 0 && call.arrays != nullptr);
+  plan.adaptive = call.tags_vary || array_enabled != 0;
   if (!plan.adaptive) {
     GLfloat current[4] = {0, 0, 0, 0};
     gl_.GetVertexAttribfv(ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
@@ -168,13 +177,14 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     return cause;
   }
   plan_depth(call, plan);
+  plan.last_vertex_convention = captures_last_vertex(call.mode);
   if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback()) {
     return Cause::level_zero;
   }
   if (!ensure_pool()) {
     return Cause::out_of_memory;
   }
-  const DerivedKey key = key_of(*plan.program, plan.adaptive);
+  const DerivedKey key = key_of(call.mode, plan.adaptive);
   const auto found = plan.program->derived.find(key);
   if (found != plan.program->derived.end()) {
     plan.derived = found->second.get();
@@ -245,7 +255,7 @@ DerivedProgram* Pipeline::derived_for(Program& program, Program* owner) {
   context_.mirror_uniforms = true;
   context_.share->any_derived.store(true, std::memory_order_relaxed);
   const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
-  return builder_.derive(program, owner, key_of(program, tagged));
+  return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged));
 }
 
 Program* Pipeline::program_for_refinement(GLuint name) {

@@ -31,6 +31,7 @@ struct DerivedKey {
   Refinement refinement = Refinement::linear_inputs;
   int provoking_corner = 2;
   bool flat_colors = false;
+  bool clamp_colors = false;
   bool tagged = false;
   auto operator<=>(const DerivedKey&) const = default;
 };

@@ -19,6 +19,7 @@ struct DrawCase {
   Shading shading;
   int coarse;  // triangles drawn
   unsigned level;
+  View view = View::sphere;  // culled: the vertex stage alone
 };
 
 double goal_of(unsigned level) { return level == 0 ? 0.85 : level >= 2 && level <= 6 ? 1.4 : 1.0; }
@@ -61,14 +62,18 @@ void add_ratio(Report& report, Row row, const std::vector<Times>& times) {
 }
 
 void run_static(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report, const Effort& effort) {
-  const Subject coarse(mesh, which.shading, View::sphere);
-  const Subject fine(refine(mesh, which.level), which.shading, View::sphere);
+  const Subject coarse(mesh, which.shading, which.view);
+  const Subject fine(refine(mesh, which.level), which.shading, which.view);
+  if (which.view == View::culled) {
+    const auto times = interleave({coarse.refined(which.level), fine.as_is()}, effort);
+    add_ratio(report, {name + "/static", "", Goal::none, 0, 0, "", {}}, times);
+    return;
+  }
   expect_same(name, coarse.refined(which.level), fine.as_is());
   const auto times = interleave({coarse.refined(which.level), fine.as_is()}, effort);
   add_ratio(report, {name + "/static", known_speed(which.level), Goal::at_least, goal_of(which.level), 0, "", {}}, times);
 }
 
-// Without the picture when that alone takes too long.
 void run_tessellation(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report, const Effort& effort) {
   const Subject coarse(mesh, which.shading, View::sphere);
   expect_same(name, coarse.refined(which.level), coarse.tessellated(which.level));
@@ -77,7 +82,7 @@ void run_tessellation(const std::string& name, const DrawCase& which, const Mesh
 }
 
 std::string name_of(const DrawCase& which) {
-  return std::string("draw/") + (which.shading == Shading::glsl ? "glsl" : "fixed") + "/" + std::to_string(which.coarse) + "/level" +
+  return std::string(which.view == View::culled ? "vertices/" : "draw/") + (which.shading == Shading::glsl ? "glsl" : "fixed") + "/" + std::to_string(which.coarse) + "/level" +
          std::to_string(which.level);
 }
 
@@ -102,9 +107,9 @@ void add_draw_cases(std::vector<Case>& cases) {
       add_case(cases, which, false);
     }
   }
+  for (unsigned level = 1; level <= 6; ++level) add_case(cases, {Shading::glsl, 1246, level, View::culled}, false);
   for (unsigned level = 1; level <= deepest_tessellation; ++level) add_case(cases, {Shading::glsl, 200, level}, true);
-  // Deeper ones take minutes a draw on a software renderer.
-  for (unsigned level = 1; level <= 4; ++level) add_case(cases, {Shading::glsl, 1246, level}, true);
+  for (unsigned level = 1; level <= deepest_tessellation; ++level) add_case(cases, {Shading::glsl, 1246, level}, true);
 }
 
 }  // namespace glark::bench

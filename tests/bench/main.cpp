@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // glark-bench: measures refinement against what it competes with and prints a table. See docs/benchmarks.md.
+#include <malloc.h>
+
 #include <exception>
 #include <iostream>
 #include <string>
@@ -67,6 +69,13 @@ std::vector<glark::bench::Case> all_cases() {
   return cases;
 }
 
+// llvmpipe allocates its vertices anew for every draw; without this the kernel's page faults would be most of the time.
+void keep_freed_memory() {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the greatest that glibc takes
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_TOP_PAD, 64 << 20);
+}
+
 int measure(const std::vector<glark::bench::Case>& cases, const Options& options) {
   const glark::bench::Offscreen offscreen;
   if (!offscreen.ready()) {
@@ -108,5 +117,6 @@ int main(int argc, char** argv) {
     std::cerr << "glark-bench: no case contains '" << options.filter << "'; see --list\n";
     return 2;
   }
+  keep_freed_memory();
   return measure(cases, options);
 }

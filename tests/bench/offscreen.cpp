@@ -17,6 +17,7 @@ Offscreen::Offscreen() : pixels_(static_cast<std::size_t>(picture_size) * pictur
       OSMesaMakeCurrent(context, pixels_.data(), GL_UNSIGNED_BYTE, picture_size, picture_size) != GL_FALSE) {
     context_ = context;
     glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
     glClearColor(0, 0, 0, 1);
   }
 }

@@ -125,13 +125,12 @@ Matrix projection_matrix() {
 
 Matrix view_matrix(View view) {
   switch (view) {
-    case View::sphere: return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -3.2F, 1};
     case View::plane: {  // 2 above the plane at its near end, looking a little down
       const float s = std::sin(0.3F);
       const float c = std::cos(0.3F);
       return {1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, -2 * c, -20 - 2 * s, 1};
     }
-    default: return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 500, 0, -3.2F, 1};
+    default: return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -3.2F, 1};
   }
 }
 
@@ -160,6 +159,9 @@ void set_fixed_function(View view) {
   glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 16);
 }
 
+// GL 4.6, 14.6.1: culling drops triangles before they are rasterised; vertices are processed all the same.
+void cull(View view) { glCullFace(view == View::culled ? GL_FRONT_AND_BACK : GL_BACK); }
+
 }  // namespace
 
 GLuint shaded_program() {
@@ -177,6 +179,7 @@ GLuint tessellation_program() {
 }
 
 void use_shading(Shading shading, View view) {
+  cull(view);
   if (shading == Shading::glsl) {
     set_uniforms(shaded_program(), view);
   } else {
@@ -185,6 +188,7 @@ void use_shading(Shading shading, View view) {
 }
 
 void use_tessellation(View view, unsigned level) {
+  cull(view);
   set_uniforms(tessellation_program(), view);
   glUniform1f(glGetUniformLocation(tessellation_program(), "segments"), static_cast<float>(1U << level));
   glPatchParameteri(GL_PATCH_VERTICES, 3);

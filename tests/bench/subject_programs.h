@@ -18,7 +18,7 @@ inline constexpr GLuint uv_input = 3;
 enum class View {
   sphere,     // the unit sphere fills the picture
   plane,      // from above the plane y = 0, towards the horizon
-  elsewhere,  // everything is clipped away
+  culled,  // as sphere, but no triangle is rasterised
 };
 
 // Built at first use in the context, which there is one of. Throws std::runtime_error if a program does not link.

@@ -118,12 +118,12 @@ TEST_P(DrawsElements, RangeBaseVertex) {
 
 TEST_P(DrawsElements, ArraysInstanced) {
   upload<GLuint>();
-  expect_same_scene({2 * 3}, [] { glDrawArraysInstanced(GL_TRIANGLE_FAN, 5, 4, 3); });
+  expect_same_scene({6 * 3}, [] { glDrawArraysInstanced(GL_TRIANGLE_STRIP, 3, 8, 3); });
 }
 
 TEST_P(DrawsElements, ArraysInstancedBaseInstance) {
   upload<GLuint>();
-  expect_same_scene({2 * 2}, [] { glDrawArraysInstancedBaseInstance(GL_TRIANGLE_FAN, 5, 4, 2, 2); });
+  expect_same_scene({6 * 2}, [] { glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 3, 8, 2, 2); });
 }
 
 TEST_P(DrawsElements, Instanced) {

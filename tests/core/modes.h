@@ -31,13 +31,20 @@ inline const ColoredVertex zigzag[6] = {{{-0.9F, -0.8F}, {1, 0, 0}},    {{-0.8F,
 inline const ColoredVertex hexagon[6] = {{{-0.9F, 0.1F}, {1, 0, 0}}, {{-0.5F, -0.8F}, {0, 1, 0}}, {{0.4F, -0.9F}, {0, 0, 1}},
                                          {{0.9F, -0.1F}, {1, 1, 0}}, {{0.5F, 0.8F}, {0, 1, 1}},   {{-0.4F, 0.9F}, {1, 0, 1}}};
 
+// Colours that are affine in the position: drivers cut quads along either diagonal.
+inline ColoredVertex affine(ColoredVertex vertex) {
+  const auto [x, y] = vertex.position;
+  return {vertex.position, {0.5F + 0.5F * x, 0.5F + 0.5F * y, 0.5F + 0.25F * (x - y)}};
+}
+
 inline const std::vector<ModeShape>& mode_shapes() {
   static const std::vector<ModeShape> shapes = {
       {"triangles", GL_TRIANGLES, 2, {zigzag[0], zigzag[2], zigzag[1], zigzag[3], zigzag[4], zigzag[5]}},
       {"triangle_strip", GL_TRIANGLE_STRIP, 4, {zigzag[0], zigzag[1], zigzag[2], zigzag[3], zigzag[4], zigzag[5]}},
       {"triangle_fan", GL_TRIANGLE_FAN, 4, {hexagon[0], hexagon[1], hexagon[2], hexagon[3], hexagon[4], hexagon[5]}},
-      {"quads", GL_QUADS, 4, {zigzag[0], zigzag[2], zigzag[3], zigzag[1], zigzag[2], zigzag[4], zigzag[5], zigzag[3]}},
-      {"quad_strip", GL_QUAD_STRIP, 4, {zigzag[0], zigzag[1], zigzag[2], zigzag[3], zigzag[4], zigzag[5]}},
+      {"quads", GL_QUADS, 4, {affine(zigzag[0]), affine(zigzag[2]), affine(zigzag[3]), affine(zigzag[1]),
+                           affine(zigzag[2]), affine(zigzag[4]), affine(zigzag[5]), affine(zigzag[3])}},
+      {"quad_strip", GL_QUAD_STRIP, 4, {affine(zigzag[0]), affine(zigzag[1]), affine(zigzag[2]), affine(zigzag[3]), affine(zigzag[4]), affine(zigzag[5])}},
       {"polygon", GL_POLYGON, 4, {hexagon[0], hexagon[1], hexagon[2], hexagon[3], hexagon[4], hexagon[5]}},
   };
   return shapes;

@@ -158,6 +158,12 @@ CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles,
   return result;
 }
 
+std::uint64_t CaptureStage::counted() const {
+  GLuint written = 0;
+  gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &written);
+  return written;
+}
+
 void CaptureStage::release() {
   for (const auto& [text, program] : programs_) {
     gl_.DeleteProgram(program);

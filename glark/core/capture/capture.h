@@ -31,6 +31,9 @@ class CaptureStage {
   void begin(GLuint program, const core::Bindings& bindings, bool exact, core::GpuBuffer* own_buffer);
   CoarseTriangles end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings);
 
+  // Triangles of the last capture that was not exact; waits for the GPU.
+  std::uint64_t counted() const;
+
   GLuint count_buffer() const { return count_command_.name(); }
   const core::GpuBuffer& count_command() const { return count_command_; }
   bool can_reserve(const Layout& layout, std::uint64_t triangles) const;

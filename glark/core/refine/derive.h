@@ -27,6 +27,7 @@ struct DeriveRequest {
   core::Refinement refinement = core::Refinement::linear_inputs;
   int provoking_corner = 2;       // corner whose value a flat output takes
   bool flat_colors = false;       // glShadeModel(GL_FLAT): built-in colours are flat
+  bool clamp_colors = false;      // glClampColor(GL_CLAMP_VERTEX_COLOR): built-in colours end at 0 and 1, before they are interpolated
   std::string refinement_source;  // the application's own refinement shader (glRefinementShaderSourceARK), or empty
   std::vector<std::string>
       extensions;  // of the context ("GL_ARB_..."): which GL_ macros its preprocessor defines; empty: unknown

@@ -31,6 +31,7 @@ struct OutputVariable {
   std::string type;
   std::vector<std::string> sizes;  // array sizes, none open
   bool flat = false;
+  bool clamped = false;  // to 0 .. 1
   std::string problem;  // why it cannot be saved, or empty
 };
 
@@ -69,7 +70,7 @@ std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types);
 
 // epilogue_outputs.cpp
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
-                                            bool flat_colors);
+                                            bool flat_colors, bool clamp_colors);
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures);
 // Functions "@save<slot>_<unit>" and "@finish_<unit>" of one unit, with the variables that they need.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types);

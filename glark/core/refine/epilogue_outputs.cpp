@@ -63,7 +63,8 @@ int implied_size(const std::vector<VertexUnit>& units, std::string_view name) {
 
 class Collector {
  public:
-  Collector(const std::vector<VertexUnit>& units, bool flat_colors) : units_(units), flat_colors_(flat_colors) {
+  Collector(const std::vector<VertexUnit>& units, bool flat_colors, bool clamp_colors)
+      : units_(units), flat_colors_(flat_colors), clamp_colors_(clamp_colors) {
     for (const VertexUnit& unit : units) {
       for (const Token& token : unit.tokens) {
         if (token.kind == TokenKind::identifier) ++occurrences_[token.text];
@@ -124,7 +125,10 @@ class Collector {
     output.sizes = variable.sizes;
     output.flat = variable.flat;
     const BuiltInOutput* const built_in = built_in_output(variable.name);
-    if (built_in != nullptr && built_in->color) output.flat = output.flat || flat_colors_;
+    if (built_in != nullptr && built_in->color) {
+      output.flat = output.flat || flat_colors_;
+      output.clamped = clamp_colors_;
+    }
     for (std::string& size : output.sizes) {
       if (size.find_first_not_of(" \n\t") != std::string::npos) continue;
       int implied = implied_size(units_, variable.name);
@@ -137,6 +141,7 @@ class Collector {
 
   const std::vector<VertexUnit>& units_;
   const bool flat_colors_;
+  const bool clamp_colors_;
   std::map<std::string, int> occurrences_;
   std::set<std::string> names_;
   std::vector<OutputVariable> outputs_;
@@ -229,8 +234,8 @@ std::string declaration(const OutputVariable& output, const std::string& name) {
 }  // namespace
 
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
-                                            bool flat_colors) {
-  return Collector(units, flat_colors).collect(main_unit);
+                                            bool flat_colors, bool clamp_colors) {
+  return Collector(units, flat_colors, clamp_colors).collect(main_unit);
 }
 
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures) {
@@ -260,7 +265,8 @@ std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet
       paths.push_back(saved);
       if (interpolated && copied && slot != plan.provoking_corner) continue;
       variables += declaration(output, saved);
-      saves[slot] += statements.copy(output.sizes, {saved, output.path});
+      saves[slot] += output.clamped ? "  " + saved + " = clamp(" + output.path + ", 0.0, 1.0);\n"
+                                    : statements.copy(output.sizes, {saved, output.path});
     }
     const std::string& source = paths[interpolated ? 1 + plan.provoking_corner : 1];
     finish += copied ? statements.copy(output.sizes, {output.path, source})

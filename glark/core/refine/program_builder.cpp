@@ -183,6 +183,7 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   request.refinement = program.traits.reads_vertex_id ? core::Refinement::linear_outputs : key.refinement;
   request.provoking_corner = key.provoking_corner;
   request.flat_colors = key.flat_colors;
+  request.clamp_colors = key.clamp_colors;
   request.refinement_source = program.refinement_source;
   request.extensions = traits_.extensions;
   const Derivation derivation = derive_vertex_stage(request);

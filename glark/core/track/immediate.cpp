@@ -7,6 +7,9 @@
 namespace glark::core::hook {
 
 void Begin(Context& c, GLenum mode) {
+  if (c.compiling_list && !c.list.in_begin) {
+    c.list.list->loose_vertices += c.immediate_vertices;
+  }
   c.immediate_vertices = 0;
   if (c.compiling_list) {
     if (!track::list_begin(c, mode)) {
@@ -29,6 +32,7 @@ void End(Context& c) {
     if (!track::list_end(c)) {
       c.gl.End();
     }
+    c.immediate_vertices = 0;
     return;
   }
   c.gl.End();

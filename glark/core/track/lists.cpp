@@ -42,7 +42,7 @@ std::shared_ptr<DisplayList> find_list(Context& c, GLuint name) {
 
 void delete_segments(Context& c, const DisplayList& list) {
   for (const ListSegment& segment : list.segments) {
-    if (segment.kind != ListSegment::Kind::call) {
+    if (segment.kind != ListSegment::Kind::call && segment.kind != ListSegment::Kind::call_offset) {
       c.gl.DeleteLists(segment.list, 1);
     }
   }
@@ -59,11 +59,48 @@ void forget_state(Context& c, const DisplayList* list) {
 
 void run_segment(Context& c, const ListSegment& segment, const DisplayList& list, int depth);
 
+GLuint list_base(const Context& c) {
+  GLint base = 0;
+  c.gl.GetIntegerv(GL_LIST_BASE, &base);  // a list may change it
+  return static_cast<GLuint>(base);
+}
+
+// What a call between glBegin and glEnd adds to the primitive.
+std::uint64_t vertices_of(Context& c, GLuint name, int depth) {
+  const std::shared_ptr<DisplayList> list = find_list(c, name);
+  if (list == nullptr || depth > deepest_nesting) {
+    return 0;
+  }
+  std::uint64_t count = list->loose_vertices;
+  for (const ListSegment& segment : list->segments) {
+    if (segment.kind == ListSegment::Kind::call) {
+      count += vertices_of(c, segment.list, depth + 1);
+    } else if (segment.kind == ListSegment::Kind::call_offset) {
+      count += vertices_of(c, list_base(c) + segment.list, depth + 1);
+    }
+  }
+  return count;
+}
+
+std::uint64_t triangles_of_segment(Context& c, const ListSegment& segment) {
+  if (segment.vertex_lists.empty()) {
+    return segment.triangles;
+  }
+  std::uint64_t vertices = segment.vertices;
+  for (const VertexList& inner : segment.vertex_lists) {
+    vertices += vertices_of(c, (inner.offset ? list_base(c) : 0) + inner.list, 0);
+  }
+  return triangles_of(segment.mode, vertices);
+}
+
 void call_list(Context& c, GLuint name, int depth) {
   const std::shared_ptr<DisplayList> list = find_list(c, name);
+  if (c.immediate.open) {
+    c.immediate_vertices += vertices_of(c, name, depth);
+  }
   if (list == nullptr || !list->refinable || !c.refining || depth > deepest_nesting || c.immediate.open) {
     c.gl.CallList(name);
-    forget_state(c, list.get());
+    forget_state(c, list != nullptr && !list->calls_lists ? list.get() : nullptr);
     return;
   }
   for (const ListSegment& segment : list->segments) {
@@ -79,13 +116,13 @@ void run_segment(Context& c, const ListSegment& segment, const DisplayList& list
       break;
     case ListSegment::Kind::draw:
       c.pipeline->draw({.mode = segment.mode,
-                        .triangles = segment.triangles,
+                        .triangles = triangles_of_segment(c, segment),
                         .exact = segment.exact,
                         .tags_vary = segment.sets_tags,
                         .issue = [&] { c.gl.CallList(segment.list); }});
       break;
-    case ListSegment::Kind::call:
-    case ListSegment::Kind::call_offset: call_list(c, segment.list, depth + 1); break;
+    case ListSegment::Kind::call: call_list(c, segment.list, depth + 1); break;
+    case ListSegment::Kind::call_offset: call_list(c, list_base(c) + segment.list, depth + 1); break;
   }
 }
 
@@ -99,7 +136,7 @@ void execute_last(Context& c) {
 }
 
 template <typename Name>
-GLuint name_at(const void* lists, GLsizei i) {
+GLuint integer_at(const void* lists, GLsizei i) {
   return static_cast<GLuint>(static_cast<GLint>(static_cast<const Name*>(lists)[i]));
 }
 
@@ -114,11 +151,11 @@ bool decode_name(GLenum type, const void* lists, GLsizei i, GLuint& name) {
     return value;
   };
   switch (type) {
-    case GL_BYTE: name = name_at<GLbyte>(lists, i); return true;
+    case GL_BYTE: name = integer_at<GLbyte>(lists, i); return true;
     case GL_UNSIGNED_BYTE: name = bytes[i]; return true;
-    case GL_SHORT: name = name_at<GLshort>(lists, i); return true;
+    case GL_SHORT: name = integer_at<GLshort>(lists, i); return true;
     case GL_UNSIGNED_SHORT: name = static_cast<const GLushort*>(lists)[i]; return true;
-    case GL_INT: name = name_at<GLint>(lists, i); return true;
+    case GL_INT: name = integer_at<GLint>(lists, i); return true;
     case GL_UNSIGNED_INT: name = static_cast<const GLuint*>(lists)[i]; return true;
     case GL_FLOAT: name = static_cast<GLuint>(static_cast<GLint>(static_cast<const GLfloat*>(lists)[i])); return true;
     case GL_2_BYTES: name = group(2); return true;
@@ -126,6 +163,30 @@ bool decode_name(GLenum type, const void* lists, GLsizei i, GLuint& name) {
     case GL_4_BYTES: name = group(4); return true;
     default: return false;
   }
+}
+
+GLuint name_at(GLenum type, const void* lists, GLsizei i) {
+  GLuint name = 0;
+  decode_name(type, lists, i, name);
+  return name;
+}
+
+// glCallLists while a list is compiled: what it calls depends on GL_LIST_BASE at the time of the call.
+void record_calls(Context& c, GLsizei n, GLenum type, const void* lists) {
+  c.list.list->calls_lists = true;
+  if (!c.list.cutting || c.list.in_begin) {
+    for (GLsizei i = 0; i < n; ++i) {
+      c.list.vertex_lists.push_back({name_at(type, lists, i), true});
+    }
+    c.gl.CallLists(n, type, lists);
+    return;
+  }
+  close_segment(c, {});
+  for (GLsizei i = 0; i < n; ++i) {
+    c.list.list->segments.push_back({.kind = ListSegment::Kind::call_offset, .list = name_at(type, lists, i)});
+    execute_last(c);
+  }
+  open_segment(c, c.list.mode);
 }
 
 }  // namespace
@@ -153,6 +214,7 @@ bool list_begin(Context& c, GLenum mode) {
   c.list.in_begin = true;
   c.immediate.tags_set = false;
   c.list.begun_mode = mode;
+  c.list.vertex_lists.clear();
   c.list.in_draw = is_triangle_mode(mode);
   if (c.list.in_draw) {
     close_segment(c, {});
@@ -176,7 +238,8 @@ bool list_end(Context& c) {
                     .mode = c.list.begun_mode,
                     .vertices = c.immediate_vertices,
                     .triangles = triangles_of(c.list.begun_mode, c.immediate_vertices),
-                    .sets_tags = c.immediate.tags_set});
+                    .sets_tags = c.immediate.tags_set || !c.list.vertex_lists.empty(),
+                    .vertex_lists = std::move(c.list.vertex_lists)});
   execute_last(c);
   open_segment(c, c.list.mode);
   return true;
@@ -199,11 +262,12 @@ void NewList(Context& c, GLuint name, GLenum mode) {
   c.list.cutting = c.pipeline != nullptr && (c.options.transparent || c.ark.pool_level >= 0);
   c.compiling_list = true;
   c.list_changes_uniforms = false;
+  c.immediate_vertices = 0;
+  c.list.list = std::make_shared<DisplayList>();
   if (!c.list.cutting) {
     c.gl.NewList(name, mode);
     return;
   }
-  c.list.list = std::make_shared<DisplayList>();
   open_segment(c, mode);
   c.update_refining();
 }
@@ -214,21 +278,26 @@ void EndList(Context& c) {
     return;
   }
   c.compiling_list = false;
+  c.list.list->loose_vertices += c.list.in_begin ? 0 : c.immediate_vertices;
+  c.list.list->changes_uniforms = c.list_changes_uniforms;
   if (!c.list.cutting) {
     c.gl.EndList();
     const std::lock_guard lock(c.share->mutex);
-    c.share->lists.erase(c.list.name);
+    c.share->lists[c.list.name] = std::move(c.list.list);
     return;
   }
   close_segment(c, {});
   const std::shared_ptr<DisplayList> list = c.list.list;
   list->refinable = !c.list.in_begin;  // a glBegin left open reaches into the next list
-  list->changes_uniforms = c.list_changes_uniforms;
   c.list.cutting = false;
   c.update_refining();
   c.gl.NewList(c.list.name, GL_COMPILE);
   for (const ListSegment& segment : list->segments) {
-    c.gl.CallList(segment.list);
+    if (segment.kind == ListSegment::Kind::call_offset) {
+      c.gl.CallLists(1, GL_UNSIGNED_INT, &segment.list);
+    } else {
+      c.gl.CallList(segment.list);
+    }
   }
   c.gl.EndList();
   std::shared_ptr<DisplayList> old = list;
@@ -247,7 +316,9 @@ void CallList(Context& c, GLuint name) {
     call_list(c, name, 0);
     return;
   }
+  c.list.list->calls_lists = true;
   if (!c.list.cutting || c.list.in_begin) {
+    c.list.vertex_lists.push_back({name, false});
     c.gl.CallList(name);
     return;
   }
@@ -259,18 +330,24 @@ void CallList(Context& c, GLuint name) {
 
 void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
   GLuint probe = 0;
-  if (c.compiling_list || !c.refining || n < 1 || lists == nullptr || !decode_name(type, lists, 0, probe) ||
-      c.immediate.open) {
+  if (n < 1 || lists == nullptr || !decode_name(type, lists, 0, probe)) {
+    c.gl.CallLists(n, type, lists);
+    return;
+  }
+  if (c.compiling_list) {
+    record_calls(c, n, type, lists);
+    return;
+  }
+  if (!c.refining || c.immediate.open) {
+    for (GLsizei i = 0; i < n && c.immediate.open; ++i) {
+      c.immediate_vertices += vertices_of(c, list_base(c) + name_at(type, lists, i), 0);
+    }
     c.gl.CallLists(n, type, lists);
     forget_state(c, nullptr);
     return;
   }
   for (GLsizei i = 0; i < n; ++i) {
-    GLint base = 0;
-    c.gl.GetIntegerv(GL_LIST_BASE, &base);  // a list may change it
-    GLuint name = 0;
-    decode_name(type, lists, i, name);
-    call_list(c, static_cast<GLuint>(base) + name, 0);
+    call_list(c, list_base(c) + name_at(type, lists, i), 0);
   }
 }
 

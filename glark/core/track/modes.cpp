@@ -119,6 +119,7 @@ void ProvokingVertex(Context& c, GLenum mode) {
   c.gl.ProvokingVertex(mode);
   if (track::executes(c) && (mode == GL_FIRST_VERTEX_CONVENTION || mode == GL_LAST_VERTEX_CONVENTION)) {
     c.bindings.provoking_vertex = mode;
+    c.touch_vertex_arrays();  // captures order their corners by it
   }
 }
 
@@ -126,6 +127,13 @@ void ShadeModel(Context& c, GLenum mode) {
   c.gl.ShadeModel(mode);
   if (track::executes(c) && (mode == GL_FLAT || mode == GL_SMOOTH)) {
     c.bindings.shade_model = mode;
+  }
+}
+
+void ClampColor(Context& c, GLenum target, GLenum clamp) {
+  c.gl.ClampColor(target, clamp);
+  if (track::executes(c)) {
+    c.bindings_stale = true;
   }
 }
 

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Display lists: they are refined by the state at the time of the call.
+#include "tests/core/modes.h"
+#include "tests/core/programs.h"
+#include "tests/core/scene.h"
+
+namespace glark::core::test {
+namespace {
+
+const ModeShape& strip() { return mode_shapes()[1]; }
+
+class DrawsLists : public testing::Test {
+ protected:
+  DrawsLists() { glARKinit(2); }
+  template <typename Contents>
+  GLuint compile(Contents&& contents) {
+    const GLuint list = glGenLists(1);
+    glNewList(list, GL_COMPILE);
+    contents();
+    glEndList();
+    return list;
+  }
+  OsmesaContext context_{Profile::compatibility};
+};
+
+void draw_shifted(GLfloat x, GLfloat y) {
+  glPushMatrix();
+  glTranslatef(x, y, 0);
+  glScalef(0.4F, 0.4F, 1);
+  draw_immediate(strip());
+  glPopMatrix();
+}
+
+TEST_F(DrawsLists, StateBetweenDraws) {
+  const GLuint list = compile([] {
+    draw_shifted(-0.5F, -0.5F);
+    glColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE);
+    draw_shifted(0.5F, 0.5F);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  });
+  expect_same_scene({8}, [list] { glCallList(list); });
+}
+
+TEST_F(DrawsLists, ColorLeftByTheListColorsWhatFollows) {
+  const GLuint list = compile([] { glColor3f(1, 0.5F, 0.25F); });
+  expect_same_scene({2}, [list] {
+    glColor3f(0, 0, 1);
+    glCallList(list);
+    glBegin(GL_QUADS);
+    for (const auto& [x, y] : {std::pair{-1, -1}, {0, -1}, {0, 1}, {-1, 1}}) glVertex2i(x, y);
+    glEnd();
+  });
+}
+
+TEST_F(DrawsLists, Nested) {
+  const GLuint leaf = compile([] { draw_immediate(strip()); });
+  const GLuint middle = compile([leaf] {
+    glPushMatrix();
+    glScalef(0.5F, 0.5F, 1);
+    glCallList(leaf);
+    glPopMatrix();
+  });
+  const GLuint root = compile([middle] {
+    glTranslatef(-0.5F, 0, 0);
+    glCallList(middle);
+    glTranslatef(1, 0, 0);
+    glCallList(middle);
+    glTranslatef(-0.5F, 0, 0);
+  });
+  expect_same_scene({8}, [root] { glCallList(root); });
+}
+
+TEST_F(DrawsLists, NestedListReplacedAfterCompilation) {
+  const GLuint leaf = compile([] { draw_shifted(-0.5F, -0.5F); });
+  const GLuint root = compile([leaf] { glCallList(leaf); });
+  glNewList(leaf, GL_COMPILE);
+  draw_immediate(strip());
+  draw_shifted(0.5F, 0.5F);
+  glEndList();
+  expect_same_scene({8}, [root] { glCallList(root); });
+}
+
+TEST_F(DrawsLists, CallListsWithABase) {
+  const GLuint base = glGenLists(3);
+  for (GLuint i = 0; i < 3; ++i) {
+    glNewList(base + i, GL_COMPILE);
+    draw_shifted(static_cast<GLfloat>(i) * 0.6F - 0.6F, 0);
+    glEndList();
+  }
+  const GLubyte names[] = {0, 2};
+  glListBase(base);
+  expect_same_scene({8}, [&] { glCallLists(2, GL_UNSIGNED_BYTE, names); });
+  const GLubyte pairs[] = {0, 1, 0, 2};
+  expect_same_scene({8}, [&] { glCallLists(2, GL_2_BYTES, pairs); });
+}
+
+TEST_F(DrawsLists, CallListsInAList) {
+  const GLuint base = glGenLists(2);
+  for (GLuint i = 0; i < 2; ++i) {
+    glNewList(base + i, GL_COMPILE);
+    draw_shifted(static_cast<GLfloat>(i) * 0.6F - 0.6F, 0);
+    glEndList();
+  }
+  glListBase(base);
+  const GLuint list = compile([] {
+    const GLubyte names[] = {0, 1};
+    glCallLists(2, GL_UNSIGNED_BYTE, names);
+  });
+  expect_same_scene({8}, [&] { glCallList(list); });
+}
+
+TEST_F(DrawsLists, CompileAndExecute) {
+  const GLuint list = glGenLists(1);
+  expect_same_scene({8}, [list] {
+    glNewList(list, GL_COMPILE_AND_EXECUTE);
+    draw_shifted(-0.5F, -0.5F);
+    draw_shifted(0.5F, 0.5F);
+    glEndList();
+  });
+  expect_same_scene({8}, [list] { glCallList(list); });
+}
+
+// Arrays are read when the list is compiled.
+TEST_F(DrawsLists, ArraysAreReadAtCompilation) {
+  std::vector<ColoredVertex> vertices = strip().vertices;
+  point_conventional_arrays(vertices.data());
+  const GLushort indices[] = {0, 1, 2, 2, 1, 3};
+  const GLuint list = compile([&] {
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 6);
+    glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, indices);
+  });
+  vertices.assign(vertices.size(), {});
+  expect_same_scene({6}, [list] { glCallList(list); });
+}
+
+TEST_F(DrawsLists, InsideBeginTheListGivesVertices) {
+  const GLuint list = compile([] {
+    for (int i = 1; i < 5; ++i) emit(strip().vertices[static_cast<std::size_t>(i)]);
+  });
+  expect_same_scene({4}, [list] {
+    glBegin(GL_TRIANGLE_STRIP);
+    emit(strip().vertices[0]);
+    glCallList(list);
+    emit(strip().vertices[5]);
+    glEnd();
+  });
+}
+
+TEST_F(DrawsLists, Rectangle) {
+  const GLuint list = compile([] { glRectf(-0.5F, -0.5F, 0.75F, 0.5F); });
+  glColor3f(1, 0, 0);
+  expect_same_scene({2}, [list] { glCallList(list); });
+}
+
+TEST_F(DrawsLists, UniformsChangedByAList) {
+  const GLuint program = link_program({.vertex = "#version 120\n"
+                                                 "uniform vec4 tint; uniform vec2 shift[2];\n"
+                                                 "void main() { gl_Position = gl_Vertex * vec4(0.5, 0.5, 1.0, 1.0) + vec4(shift[1], 0.0, 0.0);\n"
+                                                 "gl_FrontColor = gl_Color * tint; }\n"});
+  glUseProgram(program);
+  const GLint tint = glGetUniformLocation(program, "tint");
+  const GLint shift = glGetUniformLocation(program, "shift[1]");
+  const GLuint list = compile([=] {
+    glUniform4f(tint, 1, 0.5F, 0.25F, 1);
+    glUniform2f(shift, 0.4F, 0.3F);
+    draw_immediate(strip());
+    glUniform4f(tint, 0.25F, 0.5F, 1, 1);
+    glUniform2f(shift, -0.4F, -0.3F);
+    draw_immediate(strip());
+  });
+  expect_same_scene({12}, [=] {
+    glUniform4f(tint, 1, 1, 1, 1);
+    glUniform2f(shift, -0.4F, 0.3F);
+    draw_immediate(strip());
+    glCallList(list);
+  });
+}
+
+TEST_F(DrawsLists, ProgramChosenByAList) {
+  const GLuint program = link_program({.vertex = "#version 120\nvoid main() { gl_Position = gl_Vertex; gl_FrontColor = 1.0 - gl_Color; }\n"});
+  const GLuint list = compile([program] {
+    glUseProgram(program);
+    draw_immediate(strip());
+    glUseProgram(0);
+    draw_shifted(0, 0);
+  });
+  expect_same_scene({8}, [list] { glCallList(list); });
+}
+
+TEST_F(DrawsLists, DeletedAndCompiledAgain) {
+  const GLuint list = compile([] { draw_shifted(0, 0); });
+  glDeleteLists(list, 1);
+  glNewList(list, GL_COMPILE);
+  draw_immediate(strip());
+  glEndList();
+  expect_same_scene({4}, [list] { glCallList(list); });
+}
+
+TEST_F(DrawsLists, CompiledBeforeInitIsDrawnAtLeastUnrefined) {
+  OsmesaContext fresh(Profile::compatibility);
+  const GLuint list = compile([] { draw_immediate(strip()); });
+  const Picture plain = picture_of([list] { glCallList(list); });
+  refine_uniformly(2);
+  EXPECT_LE(differing_pixels(plain, picture_of([list] { glCallList(list); })), tolerated_pixels);
+}
+
+TEST_F(DrawsLists, TagsAreCompiled) {
+  const GLuint list = compile([] {
+    glDepthTag1i(2);
+    draw_immediate(strip());
+    glDepthTag1i(1);
+    draw_immediate(strip());
+    glDepthTag1i(0);
+  });
+  glEnable(GL_ARK);
+  picture_of([list] { glCallList(list); });
+  EXPECT_EQ(generated_primitives, 4U * 16 + 4 * 4);
+}
+
+TEST_F(DrawsLists, WithoutTagsTheCurrentTagCounts) {
+  const GLuint list = compile([] { draw_immediate(strip()); });
+  glEnable(GL_ARK);
+  glDepthTag1i(1);
+  picture_of([list] { glCallList(list); });
+  EXPECT_EQ(generated_primitives, 4U * 4);
+  glDepthTag1i(2);
+  picture_of([list] { glCallList(list); });
+  EXPECT_EQ(generated_primitives, 4U * 16);
+}
+
+}  // namespace
+}  // namespace glark::core::test
