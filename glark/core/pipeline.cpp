@@ -123,7 +123,10 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& triangle
   copy_stale_uniforms(plan);
   depth::BinnedInstances bins;
   if (plan.adaptive) {
-    bins = bins_.sort({plan.layout, triangles, 0, context_.ark.smooth_interior}, capture_.count_buffer());
+    bins = bins_.sort({plan.layout, triangles, 0, context_.ark.smooth_interior}, capture_.count_buffer(), b);
+    // The application's queries have counted the reordering too.
+    if (b.primitives_generated_query != 0) context_.query_surplus[b.primitives_generated_query] += bins_.instances_of_last();
+    if (b.primitives_written_query != 0) context_.query_surplus[b.primitives_written_query] += bins_.instances_of_last();
     counted_on_gpu_ = true;
   }
   gl_.UseProgram(plan.derived->name);

@@ -36,7 +36,8 @@ std::size_t refined_triangles(const Mesh& mesh, const std::vector<std::uint8_t>&
     const int a = tags[mesh.indices[3 * t]];
     const int b = tags[mesh.indices[3 * t + 1]];
     const int c = tags[mesh.indices[3 * t + 2]];
-    for (const pattern::Instance& instance : pattern::expand((a + b) >> 1, (b + c) >> 1, (c + a) >> 1, pattern::Interior::minimum)) {
+    for (const pattern::Instance& instance :
+         pattern::expand((a + b) >> 1, (b + c) >> 1, (c + a) >> 1, pattern::Interior::minimum)) {
       total += pool.pieces[static_cast<std::size_t>(instance.piece)].index_count / 3;
     }
   }
@@ -51,8 +52,19 @@ void run(Report& report, const Effort& effort) {
   const auto times = interleave({plane.tagged(), plane.refined(deepest)}, effort);
   const double uniform = static_cast<double>(mesh.triangles() << (2 * deepest));
   const double adaptive = static_cast<double>(refined_triangles(mesh, tags, pattern::build_pool(deepest)));
-  report.add({"adaptive/plane/fewer-triangles", "", Goal::none, 0, uniform / adaptive, "x", {{"adaptive", adaptive}, {"uniform", uniform}}});
-  report.add({"adaptive/plane/faster", "", Goal::none, 0, speed_ratio(times[1], times[0]), "x",
+  report.add({"adaptive/plane/fewer-triangles",
+              "",
+              Goal::none,
+              0,
+              uniform / adaptive,
+              "x",
+              {{"adaptive", adaptive}, {"uniform", uniform}}});
+  report.add({"adaptive/plane/faster",
+              "",
+              Goal::none,
+              0,
+              speed_ratio(times[1], times[0]),
+              "x",
               {{"adaptive_ms", times[0].median() * 1e3}, {"uniform_ms", times[1].median() * 1e3}}});
 }
 

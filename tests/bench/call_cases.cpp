@@ -56,7 +56,13 @@ void run(Report& report, const Effort&) {
   }
   for (const auto& [name, nanoseconds] : with) {
     const double plain = without.at(name);
-    report.add({"call/" + name + "/added", "", Goal::at_most, most_added, nanoseconds - plain, "ns", {{"with_ns", nanoseconds}, {"without_ns", plain}}});
+    report.add({"call/" + name + "/added",
+                "",
+                Goal::at_most,
+                most_added,
+                nanoseconds - plain,
+                "ns",
+                {{"with_ns", nanoseconds}, {"without_ns", plain}}});
   }
 }
 

@@ -44,11 +44,13 @@ Costs measure(int triangles, const Effort& effort) {
   Effort longer = effort;
   longer.total_seconds *= 2;
   // 0 coarse, 1 coarse touched, 2 refined, 3 refined touched, 4 adaptive 1 touched, 5 adaptive 0 touched
-  const auto times = interleave({plain.as_is(), plain.touched(plain.as_is()), settled(plain.refined(1)), plain.touched(plain.refined(1)), ones.touched(ones.tagged()),
-                                 zeros.touched(zeros.tagged())},
-                                longer);
-  return {combination(times, {1, 0, 0, 0, 0, 0}), combination(times, {-1, 0, 1, 0, 0, 0}), combination(times, {1, -1, -1, 1, 0, 0}),
-          combination(times, {1, -1, -1, 0, 1, 0}), combination(times, {0, -1, 0, 0, 0, 1})};
+  const auto times =
+      interleave({plain.as_is(), plain.touched(plain.as_is()), settled(plain.refined(1)),
+                  plain.touched(plain.refined(1)), ones.touched(ones.tagged()), zeros.touched(zeros.tagged())},
+                 longer);
+  return {combination(times, {1, 0, 0, 0, 0, 0}), combination(times, {-1, 0, 1, 0, 0, 0}),
+          combination(times, {1, -1, -1, 1, 0, 0}), combination(times, {1, -1, -1, 0, 1, 0}),
+          combination(times, {0, -1, 0, 0, 0, 1})};
 }
 
 void run_many(int triangles, Report& report, const Effort& effort) {
@@ -58,9 +60,27 @@ void run_many(int triangles, Report& report, const Effort& effort) {
   const std::string name = "capture/" + std::to_string(triangles);
   const Goal goal = triangles >= 10000 ? Goal::at_most : Goal::none;
   constexpr double most = 0.15;
-  report.add({name + "/uniform", "", goal, most, costs.uniform_capture * each, "us/triangle", {{"coarse_us", costs.coarse * each}}});
-  report.add({name + "/adaptive", "", goal, most, costs.adaptive_capture * each, "us/triangle", {{"coarse_us", costs.coarse * each}}});
-  report.add({name + "/level0-over-coarse", "prototype 0.34 us", Goal::none, 0, costs.adaptive_flat * each, "us/triangle", {{"coarse_us", costs.coarse * each}}});
+  report.add({name + "/uniform",
+              "",
+              goal,
+              most,
+              costs.uniform_capture * each,
+              "us/triangle",
+              {{"coarse_us", costs.coarse * each}}});
+  report.add({name + "/adaptive",
+              "",
+              goal,
+              most,
+              costs.adaptive_capture * each,
+              "us/triangle",
+              {{"coarse_us", costs.coarse * each}}});
+  report.add({name + "/level0-over-coarse",
+              "prototype 0.34 us",
+              Goal::none,
+              0,
+              costs.adaptive_flat * each,
+              "us/triangle",
+              {{"coarse_us", costs.coarse * each}}});
 }
 
 void run_one(Report& report, const Effort& effort) {
@@ -69,8 +89,15 @@ void run_one(Report& report, const Effort& effort) {
   constexpr double us = 1e6;
   report.add({"capture/1/coarse-draw", "", Goal::none, 0, costs.coarse * us, "us/draw", {}});
   report.add({"capture/1/refined-kept", "", Goal::none, 0, costs.cached * us, "us/draw", {}});
-  report.add({"capture/1/refined-captured", "", Goal::none, 0, (costs.cached + costs.uniform_capture) * us, "us/draw", {}});
-  report.add({"capture/1/adaptive-captured", "prototype 100 us", Goal::none, 0, (costs.cached + costs.adaptive_capture) * us, "us/draw", {}});
+  report.add(
+      {"capture/1/refined-captured", "", Goal::none, 0, (costs.cached + costs.uniform_capture) * us, "us/draw", {}});
+  report.add({"capture/1/adaptive-captured",
+              "prototype 100 us",
+              Goal::none,
+              0,
+              (costs.cached + costs.adaptive_capture) * us,
+              "us/draw",
+              {}});
 }
 
 }  // namespace
@@ -78,7 +105,8 @@ void run_one(Report& report, const Effort& effort) {
 void add_capture_cases(std::vector<Case>& cases) {
   cases.push_back({"capture/1", run_one});
   for (const int triangles : {100, 1000, 10000, 100000}) {
-    cases.push_back({"capture/" + std::to_string(triangles), [triangles](Report& report, const Effort& effort) { run_many(triangles, report, effort); }});
+    cases.push_back({"capture/" + std::to_string(triangles),
+                     [triangles](Report& report, const Effort& effort) { run_many(triangles, report, effort); }});
   }
 }
 

@@ -32,7 +32,9 @@ std::string known_speed(unsigned level) {
 
 Mesh coarse_mesh(int triangles) {
   constexpr int smallest_sphere = 20;
-  return triangles >= smallest_sphere ? make_sphere(triangles) : first_triangles(make_sphere(smallest_sphere), static_cast<std::size_t>(triangles));
+  return triangles >= smallest_sphere
+             ? make_sphere(triangles)
+             : first_triangles(make_sphere(smallest_sphere), static_cast<std::size_t>(triangles));
 }
 
 Picture picture_of(const Competitor& competitor) {
@@ -61,7 +63,8 @@ void add_ratio(Report& report, Row row, const std::vector<Times>& times) {
   report.add(std::move(row));
 }
 
-void run_static(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report, const Effort& effort) {
+void run_static(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report,
+                const Effort& effort) {
   const Subject coarse(mesh, which.shading, which.view);
   const Subject fine(refine(mesh, which.level), which.shading, which.view);
   if (which.view == View::culled) {
@@ -71,10 +74,22 @@ void run_static(const std::string& name, const DrawCase& which, const Mesh& mesh
   }
   expect_same(name, coarse.refined(which.level), fine.as_is());
   const auto times = interleave({coarse.refined(which.level), fine.as_is()}, effort);
-  add_ratio(report, {name + "/static", known_speed(which.level), Goal::at_least, goal_of(which.level), 0, "", {}}, times);
+  add_ratio(report, {name + "/static", known_speed(which.level), Goal::at_least, goal_of(which.level), 0, "", {}},
+            times);
 }
 
-void run_tessellation(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report, const Effort& effort) {
+// For comparison with figures of others: most are against a mesh without shared vertices.
+void run_separate(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report,
+                  const Effort& effort) {
+  const Subject coarse(mesh, which.shading, which.view);
+  const Subject fine(separate(refine(mesh, which.level)), which.shading, which.view);
+  expect_same(name, coarse.refined(which.level), fine.as_is());
+  const auto times = interleave({coarse.refined(which.level), fine.as_is()}, effort);
+  add_ratio(report, {name + "/static-not-indexed", known_speed(which.level), Goal::none, 0, 0, "", {}}, times);
+}
+
+void run_tessellation(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report,
+                      const Effort& effort) {
   const Subject coarse(mesh, which.shading, View::sphere);
   expect_same(name, coarse.refined(which.level), coarse.tessellated(which.level));
   const auto times = interleave({coarse.refined(which.level), coarse.tessellated(which.level)}, effort);
@@ -82,34 +97,46 @@ void run_tessellation(const std::string& name, const DrawCase& which, const Mesh
 }
 
 std::string name_of(const DrawCase& which) {
-  return std::string(which.view == View::culled ? "vertices/" : "draw/") + (which.shading == Shading::glsl ? "glsl" : "fixed") + "/" + std::to_string(which.coarse) + "/level" +
+  return std::string(which.view == View::culled ? "vertices/" : "draw/") +
+         (which.shading == Shading::glsl ? "glsl" : "fixed") + "/" + std::to_string(which.coarse) + "/level" +
          std::to_string(which.level);
 }
 
-void add_case(std::vector<Case>& cases, const DrawCase& which, bool tessellation) {
-  cases.push_back({name_of(which) + (tessellation ? "/tessellation" : "/static"), [which, tessellation](Report& report, const Effort& effort) {
+using Run = void (*)(const std::string&, const DrawCase&, const Mesh&, Report&, const Effort&);
+
+void add_case(std::vector<Case>& cases, const DrawCase& which, const char* against, Run run) {
+  cases.push_back({name_of(which) + "/" + against, [which, run](Report& report, const Effort& effort) {
                      glARKinit(pool_level);
-                     const Mesh mesh = coarse_mesh(which.coarse);
-                     (tessellation ? run_tessellation : run_static)(name_of(which), which, mesh, report, effort);
+                     run(name_of(which), which, coarse_mesh(which.coarse), report, effort);
                    }});
 }
 
 }  // namespace
 
 void add_draw_cases(std::vector<Case>& cases) {
-  constexpr DrawCase deep[] = {{Shading::glsl, 200, 7}, {Shading::glsl, 20, 8}, {Shading::glsl, 4, 9}, {Shading::glsl, 4, 10}, {Shading::glsl, 4, 11}};
+  constexpr DrawCase deep[] = {{Shading::glsl, 200, 7},
+                               {Shading::glsl, 20, 8},
+                               {Shading::glsl, 4, 9},
+                               {Shading::glsl, 4, 10},
+                               {Shading::glsl, 4, 11}};
   for (const Shading shading : {Shading::glsl, Shading::fixed_function}) {
     for (const int coarse : {200, 1246}) {
-      for (unsigned level = 0; level <= 6; ++level) add_case(cases, {shading, coarse, level}, false);
+      for (unsigned level = 0; level <= 6; ++level) add_case(cases, {shading, coarse, level}, "static", run_static);
     }
     for (DrawCase which : deep) {
       which.shading = shading;
-      add_case(cases, which, false);
+      add_case(cases, which, "static", run_static);
     }
   }
-  for (unsigned level = 1; level <= 6; ++level) add_case(cases, {Shading::glsl, 1246, level, View::culled}, false);
-  for (unsigned level = 1; level <= deepest_tessellation; ++level) add_case(cases, {Shading::glsl, 200, level}, true);
-  for (unsigned level = 1; level <= deepest_tessellation; ++level) add_case(cases, {Shading::glsl, 1246, level}, true);
+  for (unsigned level = 1; level <= 6; ++level)
+    add_case(cases, {Shading::glsl, 1246, level, View::culled}, "static", run_static);
+  for (unsigned level = 1; level <= 5; ++level) {
+    add_case(cases, {Shading::glsl, 1246, level}, "static-not-indexed", run_separate);
+  }
+  for (unsigned level = 1; level <= deepest_tessellation; ++level)
+    add_case(cases, {Shading::glsl, 200, level}, "tessellation", run_tessellation);
+  for (unsigned level = 1; level <= deepest_tessellation; ++level)
+    add_case(cases, {Shading::glsl, 1246, level}, "tessellation", run_tessellation);
 }
 
 }  // namespace glark::bench

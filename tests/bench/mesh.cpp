@@ -159,4 +159,11 @@ Mesh refine(const Mesh& coarse, unsigned level) {
   return fine;
 }
 
+Mesh separate(const Mesh& mesh) {
+  Mesh result;
+  result.vertices.reserve(mesh.indices.size());
+  for (const std::uint32_t index : mesh.indices) result.vertices.push_back(mesh.vertices[index]);
+  return result;
+}
+
 }  // namespace glark::bench

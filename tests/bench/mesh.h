@@ -17,7 +17,7 @@ struct Vertex {
 
 struct Mesh {
   std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> indices;  // triangles
+  std::vector<std::uint32_t> indices;  // triangles; empty: every three vertices are one
   std::size_t triangles() const { return indices.size() / 3; }
 };
 
@@ -33,5 +33,8 @@ Mesh first_triangles(const Mesh& mesh, std::size_t triangles);
 // Each triangle by 4^level, in the order of the pattern; vertices are shared inside a coarse triangle (from level 9: inside a
 // tile of it).
 Mesh refine(const Mesh& coarse, unsigned level);
+
+// The same triangles with three vertices of their own each, without indices.
+Mesh separate(const Mesh& mesh);
 
 }  // namespace glark::bench

@@ -29,7 +29,8 @@ double least_milliseconds(Work&& work) {
 
 std::size_t tile_bytes(unsigned level) {
   std::size_t tiles = 1;
-  for (unsigned deep = pattern::deepest_uniform + 1U; deep <= level; ++deep) tiles += pattern::GpuPool::tile_count(deep);
+  for (unsigned deep = pattern::deepest_uniform + 1U; deep <= level; ++deep)
+    tiles += pattern::GpuPool::tile_count(deep);
   return tiles * 16;
 }
 
@@ -46,8 +47,20 @@ void run(unsigned level, Report& report) {
   const pattern::Pool pool = pattern::build_pool(level);
   const double megabytes = static_cast<double>(pool.gpu_bytes() + tile_bytes(level)) / 1e6;
   report.add({name + "/gpu", level == 10 ? "thesis 26 MB" : "", goal, goals.megabytes, megabytes, "MB", {}});
-  report.add({name + "/cpu", level == 10 ? "thesis < 4 kB" : "", goal, 4, static_cast<double>(sizeof(pool.pieces)) / 1e3, "kB", {}});
-  report.add({name + "/build", "", Goal::none, 0, least_milliseconds([level] { static_cast<void>(pattern::build_pool(level)); }), "ms", {}});
+  report.add({name + "/cpu",
+              level == 10 ? "thesis < 4 kB" : "",
+              goal,
+              4,
+              static_cast<double>(sizeof(pool.pieces)) / 1e3,
+              "kB",
+              {}});
+  report.add({name + "/build",
+              "",
+              Goal::none,
+              0,
+              least_milliseconds([level] { static_cast<void>(pattern::build_pool(level)); }),
+              "ms",
+              {}});
   const double init = least_milliseconds([level] {
     glARKinit(level);
     glFinish();
@@ -59,7 +72,8 @@ void run(unsigned level, Report& report) {
 
 void add_pool_cases(std::vector<Case>& cases) {
   for (const unsigned level : {6U, 8U, 10U, 11U}) {
-    cases.push_back({"pool/level" + std::to_string(level), [level](Report& report, const Effort&) { run(level, report); }});
+    cases.push_back(
+        {"pool/level" + std::to_string(level), [level](Report& report, const Effort&) { run(level, report); }});
   }
 }
 

@@ -24,7 +24,11 @@ void generic_array(GLuint input, GLint size, std::size_t at) {
 }  // namespace
 
 Subject::Subject(const Mesh& mesh, Shading shading, View view, const std::vector<std::uint8_t>& tags)
-    : shading_(shading), view_(view), index_count_(static_cast<GLsizei>(mesh.indices.size())), first_vertex_(mesh.vertices.front()) {
+    : shading_(shading),
+      view_(view),
+      index_count_(static_cast<GLsizei>(mesh.indices.size())),
+      vertex_count_(static_cast<GLsizei>(mesh.vertices.size())),
+      first_vertex_(mesh.vertices.front()) {
   glGenVertexArrays(1, &array_);
   glBindVertexArray(array_);
   glGenBuffers(3, buffers_);
@@ -68,7 +72,13 @@ void Subject::bind(bool refined) const {
   }
 }
 
-void Subject::draw() const { glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr); }
+void Subject::draw() const {
+  if (index_count_ == 0) {
+    glDrawArrays(GL_TRIANGLES, 0, vertex_count_);
+  } else {
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  }
+}
 
 Competitor Subject::as_is() const {
   return {[this] {

@@ -36,7 +36,8 @@ class Subject {
 
   Shading shading_;
   View view_;
-  GLsizei index_count_;
+  GLsizei index_count_;  // 0: not indexed
+  GLsizei vertex_count_;
   Vertex first_vertex_;
   GLuint array_ = 0;
   GLuint buffers_[3] = {};  // vertices, indices, tags

@@ -120,7 +120,22 @@ constexpr float field = 0.35F;  // half the field of view, its tangent
 
 Matrix projection_matrix() {
   const float depth = far_plane - near_plane;
-  return {1 / field, 0, 0, 0, 0, 1 / field, 0, 0, 0, 0, -(far_plane + near_plane) / depth, -1, 0, 0, -2 * far_plane * near_plane / depth, 0};
+  return {1 / field,
+          0,
+          0,
+          0,
+          0,
+          1 / field,
+          0,
+          0,
+          0,
+          0,
+          -(far_plane + near_plane) / depth,
+          -1,
+          0,
+          0,
+          -2 * far_plane * near_plane / depth,
+          0};
 }
 
 Matrix view_matrix(View view) {
@@ -165,16 +180,19 @@ void cull(View view) { glCullFace(view == View::culled ? GL_FRONT_AND_BACK : GL_
 }  // namespace
 
 GLuint shaded_program() {
-  static const GLuint program = link({{GL_VERTEX_SHADER, std::string("#version 400\n#extension GL_ARB_explicit_attrib_location : enable\n") + transform_and_light + vertex_main},
-                                      {GL_FRAGMENT_SHADER, fragment_source}});
+  static const GLuint program =
+      link({{GL_VERTEX_SHADER, std::string("#version 400\n#extension GL_ARB_explicit_attrib_location : enable\n") +
+                                   transform_and_light + vertex_main},
+            {GL_FRAGMENT_SHADER, fragment_source}});
   return program;
 }
 
 GLuint tessellation_program() {
-  static const GLuint program = link({{GL_VERTEX_SHADER, control_point_vertex},
-                                      {GL_TESS_CONTROL_SHADER, control_source},
-                                      {GL_TESS_EVALUATION_SHADER, std::string("#version 400\n") + transform_and_light + evaluation_main},
-                                      {GL_FRAGMENT_SHADER, fragment_source}});
+  static const GLuint program =
+      link({{GL_VERTEX_SHADER, control_point_vertex},
+            {GL_TESS_CONTROL_SHADER, control_source},
+            {GL_TESS_EVALUATION_SHADER, std::string("#version 400\n") + transform_and_light + evaluation_main},
+            {GL_FRAGMENT_SHADER, fragment_source}});
   return program;
 }
 

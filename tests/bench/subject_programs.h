@@ -16,8 +16,8 @@ inline constexpr GLuint normal_input = 2;
 inline constexpr GLuint uv_input = 3;
 
 enum class View {
-  sphere,     // the unit sphere fills the picture
-  plane,      // from above the plane y = 0, towards the horizon
+  sphere,  // the unit sphere fills the picture
+  plane,   // from above the plane y = 0, towards the horizon
   culled,  // as sphere, but no triangle is rasterised
 };
 

@@ -8,11 +8,13 @@
 
 namespace glark::depth {
 
-// Instances sorted by piece: each is a coarse record followed by its patch (vec4), `stride` bytes.
+// Instances sorted by piece: their coarse records, and their patches (vec4), in the same order.
 struct BinnedInstances {
-  GLuint instances = 0;
-  GLsizei stride = 0;
-  GLuint commands = 0;  // buffer with a DrawElementsIndirectCommand for each piece
+  GLuint records = 0;
+  GLsizei record_stride = 0;    // bytes
+  GLuint patches = 0;
+  GLintptr patches_offset = 0;
+  GLuint commands = 0;          // buffer with a DrawElementsIndirectCommand for each piece
   GLintptr commands_offset = 0;
   GLsizei command_count = 0;
 };

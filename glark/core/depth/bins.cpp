@@ -16,7 +16,8 @@ constexpr char bins_source[] =
     ;
 
 // Words of the work buffer, as bins.glsl declares it.
-constexpr std::size_t work_header = 4;
+constexpr std::size_t work_all_instances = 4;
+constexpr std::size_t work_header = 12;
 constexpr std::size_t work_pieces = work_header + 2 * pattern::piece_count;
 constexpr std::size_t work_commands = work_pieces + 4 * pattern::piece_count;
 constexpr std::size_t work_words = work_commands + 5 * pattern::piece_count;
@@ -83,25 +84,33 @@ bool BinStage::prepare(const pattern::GpuPool& pool) {
 
 namespace {
 
-GLsizeiptr instance_bytes(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
+constexpr GLsizeiptr bytes_an_instance = 4 + 16;  // the number of its coarse triangle, and its patch
+
+std::uint32_t most_instances(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
   // At most four instances a triangle, unless it is cut into tiles (more than tile_level levels deep on every edge).
-  const GLsizeiptr stride = layout.triangle_words() * 4 + 16;
-  GLsizeiptr bytes = static_cast<GLsizeiptr>(triangles) * 4 * stride;
+  std::uint64_t instances = std::uint64_t{4} * triangles;
   if (deepest_tag > static_cast<unsigned>(pattern::tile_level)) {
-    const unsigned tiles = 1U << (2 * (deepest_tag - pattern::tile_level));
-    bytes = std::max(bytes, std::min(bytes * static_cast<GLsizeiptr>(tiles), deep_reserve_bytes));
+    const std::uint64_t tiles = std::uint64_t{1} << (2 * (deepest_tag - pattern::tile_level));
+    const auto reserve = static_cast<std::uint64_t>(deep_reserve_bytes / Reorder::stride(layout));
+    instances = std::max(instances, std::min(instances * tiles, reserve));
   }
-  return bytes;
+  return static_cast<std::uint32_t>(instances);
 }
 
 }  // namespace
 
 bool BinStage::has_room(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) const {
-  return instance_bytes(layout, triangles, deepest_tag) <= instances_.size();
+  const std::uint32_t instances = most_instances(layout, triangles, deepest_tag);
+  return instances <= capacity_ && reorder_.has_room(layout, instances);
 }
 
 bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
-  return instances_.reserve(gl_, instance_bytes(layout, triangles, deepest_tag), GL_DYNAMIC_COPY);
+  const std::uint32_t instances = most_instances(layout, triangles, deepest_tag);
+  if (instances > capacity_ && !instances_.reserve(gl_, static_cast<GLsizeiptr>(instances) * bytes_an_instance, GL_DYNAMIC_COPY)) {
+    return false;
+  }
+  capacity_ = static_cast<std::uint32_t>(instances_.size() / bytes_an_instance);
+  return reorder_.reserve(layout, instances);
 }
 
 void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
@@ -113,7 +122,7 @@ void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
                           request.triangles.count_on_gpu ? 1 : 0,
                           static_cast<GLint>(pool_level_),
                           request.smooth_interior ? 1 : 0,
-                          static_cast<GLint>(instances_.size() / (request.layout->triangle_words() * 4 + 16))};
+                          static_cast<GLint>(capacity_)};
   for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
     if (pass.uniform[i] >= 0) {
       gl_.Uniform1i(pass.uniform[i], values[i]);
@@ -121,7 +130,7 @@ void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
   }
 }
 
-BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer) {
+BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings) {
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, instances_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, work_.name());
@@ -131,12 +140,25 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer) {
     gl_.UseProgram(passes_[i].program);
     set_uniforms(passes_[i], request);
     gl_.DispatchCompute(i == 1 ? 1 : groups, 1, 1);
-    gl_.MemoryBarrier(i == 2
-                          ? GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT
-                          : GL_SHADER_STORAGE_BARRIER_BIT);
+    gl_.MemoryBarrier(i == 2 ? GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT |
+                                   GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT
+                             : GL_SHADER_STORAGE_BARRIER_BIT);
   }
-  return {instances_.name(), request.layout->triangle_words() * 4 + 16, work_.name(),
-          static_cast<GLintptr>(work_commands * 4), pattern::piece_count};
+  const Order order{instances_.name(), work_.name(), static_cast<GLintptr>(work_all_instances * 4)};
+  reorder_.run(*request.layout, request.triangles, order, bindings);
+  return {.records = reorder_.records(),
+          .record_stride = Reorder::stride(*request.layout),
+          .patches = instances_.name(),
+          .patches_offset = static_cast<GLintptr>(capacity_) * 4,
+          .commands = work_.name(),
+          .commands_offset = static_cast<GLintptr>(work_commands * 4),
+          .command_count = pattern::piece_count};
+}
+
+std::uint32_t BinStage::instances_of_last() const {
+  std::uint32_t instances = 0;
+  work_.read(gl_, work_all_instances * 4, sizeof(instances), &instances);
+  return instances;
 }
 
 std::uint64_t BinStage::take_refined_triangles() {
@@ -157,6 +179,8 @@ void BinStage::release() {
   }
   work_.release(gl_);
   instances_.release(gl_);
+  reorder_.release();
+  capacity_ = 0;
 }
 
 }  // namespace glark::depth

@@ -13,13 +13,16 @@ layout(local_size_x = 64) in;
 #endif
 
 layout(std430, binding = 0) readonly buffer Records { uint records[]; };
+// Sorted by piece: instance_capacity numbers of coarse triangles, then as many patches (4 words each).
 layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
-// uint words: 0 refined triangles (low), 1 (high), 2 instances wanted, 3 unused, then counts, cursors, pieces (4 words each:
-// index count, first index, base vertex, 0) and DrawElementsIndirectCommands (5 words each).
+// uint words: 0 refined triangles (low), 1 (high), 2 and 3 unused, 4 a DrawElementsIndirectCommand of all instances (5 words),
+// 9 to 11 unused, then counts, cursors, pieces (4 words each: index count, first index, base vertex, 0) and the
+// DrawElementsIndirectCommands of the pieces (5 words each).
 layout(std430, binding = 2) buffer Work { uint work[]; };
 layout(std430, binding = 3) readonly buffer Count { uint count_command[]; };
 
-const int counts = 4;
+const int all_instances = 4;
+const int counts = 12;
 const int cursors = counts + piece_count;
 const int pieces = cursors + piece_count;
 const int commands = pieces + 4 * piece_count;
@@ -56,6 +59,8 @@ void main() {
     work[0] = low;
     base += count;
   }
+  work[all_instances] = base;
+  work[all_instances + 1] = 1u;
 }
 
 #else
@@ -74,20 +79,16 @@ void emit_instance(int piece, float ou, float ov, float s, float r) {
 #if GLARK_PASS == 0
   atomicAdd(work[counts + piece], 1u);
 #else
-  uint slot = atomicAdd(work[cursors + piece], 1u);
-  if (slot >= uint(instance_capacity)) {
+  int slot = int(atomicAdd(work[cursors + piece], 1u));
+  if (slot >= instance_capacity) {
     return;
   }
-  int words = 3 * corner_words;
-  int from = record_offset + triangle * words;
-  int to = int(slot) * (words + 4);
-  for (int i = 0; i < words; ++i) {
-    instances[to + i] = records[from + i];
-  }
-  instances[to + words] = floatBitsToUint(ou);
-  instances[to + words + 1] = floatBitsToUint(ov);
-  instances[to + words + 2] = floatBitsToUint(s);
-  instances[to + words + 3] = floatBitsToUint(r);
+  instances[slot] = uint(triangle);
+  int to = instance_capacity + 4 * slot;
+  instances[to] = floatBitsToUint(ou);
+  instances[to + 1] = floatBitsToUint(ov);
+  instances[to + 2] = floatBitsToUint(s);
+  instances[to + 3] = floatBitsToUint(r);
 #endif
 }
 

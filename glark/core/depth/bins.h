@@ -11,6 +11,7 @@
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/binned_instances.h"
+#include "glark/core/depth/reorder.h"
 #include "glark/core/gpu_buffer.h"
 #include "glark/core/pattern/gpu_pool.h"
 
@@ -25,15 +26,18 @@ struct BinRequest {
 
 class BinStage {
  public:
-  BinStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+  BinStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language), reorder_(gl, language) {}
 
   // Compiles the passes and uploads the piece table; again after the pool was replaced. False: adaptive drawing is not to be had.
   bool prepare(const pattern::GpuPool& pool);
   // Room for the instances of a draw; false without memory.
   bool reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag);
   bool has_room(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) const;
-  // Dispatches the passes. Changes the program and the storage buffer bindings 0 to 3, which the caller restores.
-  BinnedInstances sort(const BinRequest& request, GLuint count_buffer);
+  // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer bindings 0 to
+  // 3, which the caller restores.
+  BinnedInstances sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings);
+  // Instances that the last sort() made; reads back.
+  std::uint32_t instances_of_last() const;
   // Triangles drawn since the last call; reads back.
   std::uint64_t take_refined_triangles();
   void release();
@@ -52,6 +56,8 @@ class BinStage {
   std::array<Pass, 3> passes_{};
   core::GpuBuffer work_;
   core::GpuBuffer instances_;
+  std::uint32_t capacity_ = 0;  // instances
+  Reorder reorder_;
   unsigned pool_level_ = 0;
 };
 

@@ -36,31 +36,27 @@ GLARK_SHARED_FUNCTION bool lifts_interior(int least, int most, int smooth_interi
   return smooth_interior != 0 && least == 0 && most >= smooth_difference;
 }
 
-GLARK_EXPAND_FUNCTION void expand_skirt(GLARK_SINK_PARAMETER int level, int d, int smooth_interior, float ou, float ov,
-                                        float s, float r) {
-  bool through_middle_row = smooth_interior != 0 && d >= level + smooth_difference;
-  GLARK_EMIT(through_middle_row ? smooth_skirt_piece(level, d) : skirt_piece(level, d), ou, ov, s, r);
+GLARK_SHARED_FUNCTION int skirt_of(int level, int d, int smooth_interior) {
+  return smooth_interior != 0 && d >= level + smooth_difference ? smooth_skirt_piece(level, d) : skirt_piece(level, d);
 }
 
-// One tile: all depths equal and at most 8, or the least 0 or 2..6.
+// One tile: all depths equal and at most 8, or the least 0 or 2..6. GLARK_EMIT stands here twice only: processors that run both
+// sides of a branch pay for each place.
 GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int d2, int smooth_interior, float ou,
                                        float ov, float s) {
   int least = lesser(d0, lesser(d1, d2));
   int most = greater(d0, greater(d1, d2));
-  if (least == most) {
-    GLARK_EMIT(uniform_piece(least), ou, ov, s, 0.0f);
-  } else if (least >= shallowest_interior || lifts_interior(least, most, smooth_interior)) {
-    int level = greater(least, shallowest_interior);
-    GLARK_EMIT(interior_piece(level), ou, ov, s, 0.0f);
-    expand_skirt(GLARK_SINK_ARGUMENT level, d0, smooth_interior, ou, ov, s, 0.0f);
-    expand_skirt(GLARK_SINK_ARGUMENT level, d1, smooth_interior, ou, ov, s, 1.0f);
-    expand_skirt(GLARK_SINK_ARGUMENT level, d2, smooth_interior, ou, ov, s, 2.0f);
-  } else if (d0 == 0) {
-    GLARK_EMIT(fan_piece(d1, d2), ou, ov, s, 0.0f);
-  } else if (d1 == 0) {
-    GLARK_EMIT(fan_piece(d2, d0), ou, ov, s, 1.0f);
-  } else {
-    GLARK_EMIT(fan_piece(d0, d1), ou, ov, s, 2.0f);
+  bool regular = least == most;
+  bool skirted = !regular && (least >= shallowest_interior || lifts_interior(least, most, smooth_interior));
+  int level = greater(least, shallowest_interior);
+  int short_edge = d0 == 0 ? 0 : d1 == 0 ? 1 : 2;  // of a fan
+  int fan = short_edge == 0 ? fan_piece(d1, d2) : short_edge == 1 ? fan_piece(d2, d0) : fan_piece(d0, d1);
+  bool fanned = !regular && !skirted;
+  GLARK_EMIT(regular ? uniform_piece(least) : skirted ? interior_piece(level) : fan, ou, ov, s,
+             fanned ? float(short_edge) : 0.0f);
+  for (int edge = 0; edge < 3 && skirted; ++edge) {
+    int d = edge == 0 ? d0 : edge == 1 ? d1 : d2;
+    GLARK_EMIT(skirt_of(level, d, smooth_interior), ou, ov, s, float(edge));
   }
 }
 

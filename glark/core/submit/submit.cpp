@@ -85,8 +85,8 @@ void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedI
                               const capture::Layout& layout) {
   bind_vertex_array(layout.chunk_count(), Source::binned, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
-  gl_.BindVertexBuffer(patch_binding, bins.instances, bins.stride - patch_bytes, bins.stride);
-  gl_.BindVertexBuffer(record_binding, bins.instances, 0, bins.stride);
+  gl_.BindVertexBuffer(patch_binding, bins.patches, bins.patches_offset, patch_bytes);
+  gl_.BindVertexBuffer(record_binding, bins.records, 0, bins.record_stride);
   gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, bins.commands);
   const auto multi_draw = gl_.MultiDrawElementsIndirect;
   if (multi_draw != nullptr) {

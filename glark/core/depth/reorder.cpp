@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/depth/reorder.h"
+
+#include <string>
+#include <vector>
+
+namespace glark::depth {
+namespace {
+
+std::string mover_source(capture::Language language, int chunks) {
+  std::string inputs;
+  std::string body;
+  for (int chunk = 0; chunk < chunks; ++chunk) {
+    const std::string number = std::to_string(chunk);
+    inputs += "layout(location = " + number + ") in vec4 chunk" + number + ";\nout vec4 moved" + number + ";\n";
+    body += "  moved" + number + " = chunk" + number + ";\n";
+  }
+  const char* version = language == capture::Language::es ? "#version 320 es\nprecision highp float;\n" : "#version 430\n";
+  return version + inputs + "void main() {\n" + body + "  gl_Position = vec4(0.0);\n}\n";
+}
+
+GLuint compile(const gl::Dispatch& gl, GLenum stage, const std::string& source) {
+  const GLuint shader = gl.CreateShader(stage);
+  const char* text = source.c_str();
+  gl.ShaderSource(shader, 1, &text, nullptr);
+  gl.CompileShader(shader);
+  return shader;
+}
+
+}  // namespace
+
+Reorder::Mover Reorder::build(int chunks) const {
+  Mover mover;
+  const GLuint program = gl_.CreateProgram();
+  std::vector<GLuint> shaders{compile(gl_, GL_VERTEX_SHADER, mover_source(language_, chunks))};
+  if (language_ == capture::Language::es) {
+    shaders.push_back(compile(gl_, GL_FRAGMENT_SHADER, "#version 320 es\nvoid main() {}\n"));
+  }
+  std::vector<std::string> names;
+  std::vector<const char*> varyings;
+  for (int chunk = 0; chunk < chunks; ++chunk) {
+    names.push_back("moved" + std::to_string(chunk));
+  }
+  for (const std::string& name : names) {
+    varyings.push_back(name.c_str());
+  }
+  for (const GLuint shader : shaders) {
+    gl_.AttachShader(program, shader);
+  }
+  gl_.TransformFeedbackVaryings(program, chunks, varyings.data(), GL_INTERLEAVED_ATTRIBS);
+  gl_.LinkProgram(program);
+  GLint linked = GL_FALSE;
+  gl_.GetProgramiv(program, GL_LINK_STATUS, &linked);
+  for (const GLuint shader : shaders) {
+    gl_.DeleteShader(shader);
+  }
+  if (linked == GL_FALSE) {
+    gl_.DeleteProgram(program);
+    return mover;
+  }
+  mover.program = program;
+  gl_.GenVertexArrays(1, &mover.vertex_array);
+  return mover;
+}
+
+bool Reorder::has_room(const capture::Layout& layout, std::uint32_t instances) const {
+  return movers_.contains(layout.chunk_count()) && static_cast<GLsizeiptr>(instances) * stride(layout) <= records_.size();
+}
+
+bool Reorder::reserve(const capture::Layout& layout, std::uint32_t instances) {
+  if (feedback_ == 0) {
+    gl_.GenTransformFeedbacks(1, &feedback_);
+  }
+  Mover& mover = movers_[layout.chunk_count()];
+  if (mover.program == 0) {
+    mover = build(layout.chunk_count());
+  }
+  return mover.program != 0 && records_.reserve(gl_, static_cast<GLsizeiptr>(instances) * stride(layout), GL_DYNAMIC_COPY);
+}
+
+void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order, const core::Bindings& bindings) {
+  const Mover& mover = movers_.at(layout.chunk_count());
+  gl_.UseProgram(mover.program);
+  gl_.BindVertexArray(mover.vertex_array);
+  gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, order.indices);
+  for (int chunk = 0; chunk < layout.chunk_count(); ++chunk) {
+    const auto location = static_cast<GLuint>(chunk);
+    gl_.EnableVertexAttribArray(location);
+    gl_.VertexAttribFormat(location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(chunk * 16));
+    gl_.VertexAttribBinding(location, 0);
+  }
+  gl_.BindVertexBuffer(0, triangles.buffer, triangles.offset, layout.triangle_words() * 4);
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
+  gl_.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, records_.name());
+  gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);  // only the generic point: the object keeps its own
+  gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, order.commands);
+  if (!bindings.rasterizer_discard) {
+    gl_.Enable(GL_RASTERIZER_DISCARD);
+  }
+  gl_.BeginTransformFeedback(GL_POINTS);
+  gl_.DrawElementsIndirect(GL_POINTS, GL_UNSIGNED_INT, reinterpret_cast<const void*>(order.command_offset));
+  gl_.EndTransformFeedback();
+  if (!bindings.rasterizer_discard) {
+    gl_.Disable(GL_RASTERIZER_DISCARD);
+  }
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
+}
+
+void Reorder::release() {
+  for (const auto& [chunks, mover] : movers_) {
+    gl_.DeleteProgram(mover.program);
+    gl_.DeleteVertexArrays(1, &mover.vertex_array);
+  }
+  movers_.clear();
+  if (feedback_ != 0) {
+    gl_.DeleteTransformFeedbacks(1, &feedback_);
+    feedback_ = 0;
+  }
+  records_.release(gl_);
+}
+
+}  // namespace glark::depth

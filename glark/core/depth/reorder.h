@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Coarse records put into the order of their instances: drawn as points through an index buffer and captured again. Vertex
+// fetch moves whole records, which a compute shader would do word by word.
+#pragma once
+
+#include <map>
+
+#include "glark/core/bindings.h"
+#include "glark/core/capture/coarse_triangles.h"
+#include "glark/core/capture/layout.h"
+#include "glark/core/gpu_buffer.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::depth {
+
+// The order: indices (uint32) from the start of `indices`, as many as the DrawElementsIndirectCommand in `commands` says.
+struct Order {
+  GLuint indices = 0;
+  GLuint commands = 0;
+  GLintptr command_offset = 0;
+};
+
+class Reorder {
+ public:
+  Reorder(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+
+  // Room for `instances` records, and the program for their layout. Rare path inside: wrap in an ErrorScope.
+  bool reserve(const capture::Layout& layout, std::uint32_t instances);
+  bool has_room(const capture::Layout& layout, std::uint32_t instances) const;
+
+  // Binds a program, a vertex array and GL_DRAW_INDIRECT_BUFFER; the rest is put back as `bindings` has it.
+  void run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order, const core::Bindings& bindings);
+
+  GLuint records() const { return records_.name(); }
+  static GLsizei stride(const capture::Layout& layout) { return layout.chunk_count() * 16; }
+  void release();
+
+ private:
+  struct Mover {  // of records of so many chunks
+    GLuint program = 0;
+    GLuint vertex_array = 0;
+  };
+  Mover build(int chunks) const;
+
+  const gl::Dispatch& gl_;
+  capture::Language language_;
+  std::map<int, Mover> movers_;
+  core::GpuBuffer records_;
+  GLuint feedback_ = 0;
+};
+
+}  // namespace glark::depth
