@@ -28,6 +28,7 @@ struct ListSegment {
   std::uint64_t triangles = 0;
   bool exact = true;       // `triangles` is the count, not a bound
   bool sets_tags = false;  // glDepthTag1i was called inside
+  bool whole_polygons = false;  // as in DrawCall
   std::vector<VertexList> vertex_lists = {};  // `vertices` are without theirs
 };
 

@@ -46,6 +46,7 @@ struct DrawCall {
   std::uint64_t triangles = 0;  // of the whole call: the count, or a bound if !exact
   bool exact = true;
   bool tags_vary = false;             // glDepthTag1i was called between its vertices
+  bool whole_polygons = false;        // its triangles are those of GL's quads, or of one GL_POLYGON alone
   bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
   const ArrayDraw* arrays = nullptr;  // set if its capture may be kept
   Issue issue;                        // makes the application's own call
@@ -55,6 +56,9 @@ inline bool is_triangle_mode(GLenum mode) {
   return mode == GL_TRIANGLES || mode == GL_TRIANGLE_STRIP || mode == GL_TRIANGLE_FAN || mode == GL_QUADS ||
          mode == GL_QUAD_STRIP || mode == GL_POLYGON;
 }
+
+// Whether the polygons of `primitives` commands can be told apart: each quad is two triangles, a GL_POLYGON any number of them.
+inline bool tells_polygons_apart(GLenum mode, std::uint64_t primitives) { return mode != GL_POLYGON || primitives == 1; }
 
 // Triangles that GL makes of `vertices` in `mode` (OpenGL 4.6 compatibility, 10.1); primitive restart can only lower it.
 inline std::uint64_t triangles_of(GLenum mode, std::uint64_t vertices) {

@@ -42,6 +42,7 @@ Pipeline::Pipeline(Context& context)
     : context_(context),
       gl_(context.supported),
       capture_(context.supported, language_of(context.capabilities), context.capabilities.query_buffer),
+      centroids_(context.supported),
       bins_(context.supported, language_of(context.capabilities)),
       submit_(context.supported),
       builder_(context.supported, builder_traits(context.capabilities)) {}
@@ -118,12 +119,14 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
   return captured;
 }
 
-void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& triangles) {
+void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured) {
   const Bindings& b = context_.bindings;
   copy_stale_uniforms(plan);
+  const auto [triangles, count_command, tags_are_edge_depths] = records_of(plan, captured);
   depth::BinnedInstances bins;
   if (plan.adaptive) {
-    bins = bins_.sort({plan.layout, triangles, 0, context_.ark.smooth_interior}, capture_.count_buffer(), b);
+    bins = bins_.sort({plan.layout, triangles, 0, context_.ark.smooth_interior, tags_are_edge_depths},
+                      count_command->name(), b);
     // The application's queries have counted the reordering too.
     if (b.primitives_generated_query != 0) context_.query_surplus[b.primitives_generated_query] += bins_.instances_of_last();
     if (b.primitives_written_query != 0) context_.query_surplus[b.primitives_written_query] += bins_.instances_of_last();
@@ -147,7 +150,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& triangle
   if (plan.adaptive) {
     submit_.draw_binned(pool_, bins, *plan.layout);
   } else {
-    submit_.draw_uniform(pool_, triangles, *plan.layout, plan.level, capture_.count_command());
+    submit_.draw_uniform(pool_, triangles, *plan.layout, plan.level, *count_command);
     statistics().refined_triangles += triangles.count_on_gpu ? 0 : std::uint64_t{triangles.count} << (2 * plan.level);
   }
   if (wireframe) {
@@ -177,7 +180,7 @@ void Pipeline::restore(const Plan& plan, bool changed_indirect) {
   if (changed_indirect) {
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, b.draw_indirect_buffer);
   }
-  if (plan.adaptive) {
+  if (plan.adaptive || plan.polygons) {
     restore_storage();
   }
 }
@@ -217,6 +220,7 @@ bool Pipeline::begin_immediate(GLenum mode) {
   const auto nothing = [] {};
   const DrawCall call{.mode = mode,
                       .tags_vary = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag,
+                      .whole_polygons = true,
                       .issue = nothing};
   ++statistics().draws_seen;
   immediate_plan_ = Plan{};
@@ -294,6 +298,7 @@ void Pipeline::release() {
   fixed_function_.clear();
   cache_.release(gl_);
   capture_.release();
+  centroids_.release();
   bins_.release();
   submit_.release();
   pool_.release(gl_);

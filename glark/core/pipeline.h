@@ -7,11 +7,13 @@
 #include <bitset>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "glark/core/capture/capture.h"
 #include "glark/core/capture/capture_cache.h"
 #include "glark/core/depth/bins.h"
+#include "glark/core/depth/centroid_split.h"
 #include "glark/core/draw_call.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/program.h"
@@ -43,6 +45,8 @@ class Pipeline {
   bool begin_feedback(GLenum mode);
   void end_feedback() { feedback_program_ = nullptr; }
   bool owns_feedback() const { return feedback_program_ != nullptr; }
+  // The program of the feedback is the one for tags that vary: all its draws go that way.
+  bool feedback_tagged() const { return owns_feedback() && feedback_program_->layout.tagged; }
 
   // The derived program for the state of now, for GL_REFINEMENT_STATUS_ARK; null if it cannot be built.
   DerivedProgram* derived_for(Program& program, Program* owner);
@@ -65,6 +69,7 @@ class Pipeline {
     DerivedProgram* derived = nullptr;
     GLuint capture_program = 0;
     const capture::Layout* layout = nullptr;
+    std::optional<depth::Decomposition> polygons;  // to be split at their centroids
     bool adaptive = false;
     bool last_vertex_convention = false;  // while capturing
     unsigned level = 0;    // uniform level
@@ -78,14 +83,26 @@ class Pipeline {
   Program* fixed_function_program(Program* fragment);
   void plan_depth(const DrawCall& call, Plan& plan) const;
   bool captures_last_vertex(GLenum mode) const;
+  bool splits_at_centroid(const DrawCall& call, const Plan& plan) const;
+  std::optional<depth::Decomposition> decomposition_for(GLenum mode, bool last_vertex_convention);
+  std::vector<float> probe(GLenum mode, bool last_vertex_convention);
+  bool ready_to_split(const Plan& plan, const depth::SplitRequest& request);
   DerivedKey key_of(GLenum mode, bool tagged) const;
   void begin_capture(const Plan& plan, bool exact, GpuBuffer* own);
   capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
   bool ensure_pool();
   bool found_room(const capture::Layout& layout, std::uint64_t triangles) const;
+  bool ensure_bins(const Plan& plan, std::uint32_t triangles);
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
   capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan);
-  void submit(const Plan& plan, const capture::CoarseTriangles& triangles);
+  // What is drawn: the captured triangles, or those about the centroids of their polygons.
+  struct Records {
+    capture::CoarseTriangles triangles;
+    const GpuBuffer* count_command = nullptr;
+    bool tags_are_edge_depths = false;
+  };
+  Records records_of(const Plan& plan, const capture::CoarseTriangles& captured);
+  void submit(const Plan& plan, const capture::CoarseTriangles& captured);
   void restore(const Plan& plan, bool changed_indirect);
   void restore_storage();
   void copy_stale_uniforms(const Plan& plan);
@@ -95,6 +112,7 @@ class Pipeline {
   pattern::GpuPool pool_;
   capture::CaptureStage capture_;
   capture::CaptureCache cache_;
+  depth::CentroidSplit centroids_;
   depth::BinStage bins_;
   submit::SubmitStage submit_;
   refine::ProgramBuilder builder_;
@@ -104,10 +122,12 @@ class Pipeline {
   std::string fixed_function_refinement_;
   Plan immediate_plan_;
   DerivedProgram* feedback_program_ = nullptr;
+  std::map<std::pair<GLenum, GLenum>, std::optional<depth::Decomposition>> decompositions_;  // by mode, provoking convention
   std::bitset<cause_count> logged_;
   bool bins_ready_ = false;
   bool pool_failed_ = false;
   bool counted_on_gpu_ = false;
+  bool split_failed_ = false;
 };
 
 }  // namespace glark::core

@@ -158,7 +158,7 @@ void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
   }
   GLint array_enabled = 0;
   gl_.GetVertexAttribiv(ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &array_enabled);
-  plan.adaptive = call.tags_vary || array_enabled != 0;
+  plan.adaptive = call.tags_vary || feedback_tagged() || array_enabled != 0;
   if (!plan.adaptive) {
     GLfloat current[4] = {0, 0, 0, 0};
     gl_.GetVertexAttribfv(ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
@@ -178,7 +178,10 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   }
   plan_depth(call, plan);
   plan.last_vertex_convention = captures_last_vertex(call.mode);
-  if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback()) {
+  if (splits_at_centroid(call, plan)) {
+    plan.polygons = decomposition_for(call.mode, plan.last_vertex_convention);
+  }
+  if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback() && !plan.polygons) {
     return Cause::level_zero;
   }
   if (!ensure_pool()) {
@@ -210,6 +213,20 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   return plan.capture_program == 0 ? Cause::program_not_derived : Cause::count_;
 }
 
+bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {
+  // Programs with varyings cannot be made while the bound transform feedback object is active, not even a paused one.
+  const bool step_aside = context_.bindings.transform_feedback_active;
+  if (step_aside) {
+    gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture_.feedback());
+  }
+  bins_ready_ = bins_ready_ || bins_.prepare(pool_);
+  const bool room = bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest);
+  if (step_aside) {
+    gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, context_.bindings.transform_feedback);
+  }
+  return room;
+}
+
 Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
   if (!capture_.can_reserve(*plan.layout, triangles)) {
     return Cause::out_of_memory;
@@ -223,11 +240,8 @@ Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
   if (!capture_.reserve(*plan.layout, triangles)) {
     return Cause::out_of_memory;
   }
-  if (plan.adaptive) {
-    bins_ready_ = bins_ready_ || bins_.prepare(pool_);
-    if (!bins_ready_ || !bins_.reserve(*plan.layout, static_cast<std::uint32_t>(triangles), plan.deepest)) {
-      return Cause::out_of_memory;
-    }
+  if (plan.adaptive && !ensure_bins(plan, static_cast<std::uint32_t>(triangles))) {
+    return Cause::out_of_memory;
   }
   return Cause::count_;
 }

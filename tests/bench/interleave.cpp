@@ -77,12 +77,10 @@ double speed_ratio(const Times& slow, const Times& fast) {
   return median_of(ratios);
 }
 
-double combination(const std::vector<Times>& times, const std::vector<double>& factors) {
-  std::vector<double> sums(times.front().seconds.size(), 0.0);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    for (std::size_t round = 0; round < sums.size(); ++round) sums[round] += factors[i] * times[i].seconds[round];
-  }
-  return median_of(sums);
+double least_combination(const std::vector<Times>& times, const std::vector<double>& factors) {
+  double sum = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) sum += factors[i] * times[i].least();
+  return sum;
 }
 
 }  // namespace glark::bench

@@ -34,7 +34,7 @@ std::vector<Times> interleave(const std::vector<Competitor>& competitors, const 
 // Median over the rounds of `slow` / `fast`: how many times as fast `fast` is.
 double speed_ratio(const Times& slow, const Times& fast);
 
-// Median over the rounds of the sum of factors[i] * times[i].
-double combination(const std::vector<Times>& times, const std::vector<double>& factors);
+// The sum of factors[i] * the least of times[i]: differences drown in what a median still holds of other programs.
+double least_combination(const std::vector<Times>& times, const std::vector<double>& factors);
 
 }  // namespace glark::bench

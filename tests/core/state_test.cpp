@@ -107,6 +107,7 @@ class State : public testing::TestWithParam<Profile> {
     glEnable(0xFFFF);
     draw();
     EXPECT_EQ(pending_errors(), "0x0500 ");
+    glBindBuffer(GL_QUERY_BUFFER, 0);
     picture_of(draw);
     EXPECT_GE(generated_primitives, triangles);
   }

@@ -26,7 +26,8 @@ constexpr GLsizeiptr deep_reserve_bytes = GLsizeiptr{32} << 20;
 
 constexpr const char* uniform_names[] = {"record_offset", "corner_words",    "tag_offset",
                                          "uniform_tag",   "triangle_bound",  "count_on_gpu",
-                                         "pool_level",    "smooth_interior", "instance_capacity"};
+                                         "pool_level",    "smooth_interior", "instance_capacity",
+                                         "tags_are_edge_depths"};
 
 }  // namespace
 
@@ -84,7 +85,7 @@ bool BinStage::prepare(const pattern::GpuPool& pool) {
 
 namespace {
 
-constexpr GLsizeiptr bytes_an_instance = 4 + 16;  // the number of its coarse triangle, and its patch
+constexpr GLsizeiptr bytes_an_instance = 12 + 16;  // the numbers of its corners, and its patch
 
 std::uint32_t most_instances(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
   // At most four instances a triangle, unless it is cut into tiles (more than tile_level levels deep on every edge).
@@ -122,7 +123,8 @@ void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
                           request.triangles.count_on_gpu ? 1 : 0,
                           static_cast<GLint>(pool_level_),
                           request.smooth_interior ? 1 : 0,
-                          static_cast<GLint>(capacity_)};
+                          static_cast<GLint>(capacity_),
+                          request.tags_are_edge_depths ? 1 : 0};
   for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
     if (pass.uniform[i] >= 0) {
       gl_.Uniform1i(pass.uniform[i], values[i]);
@@ -149,7 +151,7 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, c
   return {.records = reorder_.records(),
           .record_stride = Reorder::stride(*request.layout),
           .patches = instances_.name(),
-          .patches_offset = static_cast<GLintptr>(capacity_) * 4,
+          .patches_offset = static_cast<GLintptr>(capacity_) * 12,
           .commands = work_.name(),
           .commands_offset = static_cast<GLintptr>(work_commands * 4),
           .command_count = pattern::piece_count};
@@ -158,7 +160,7 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, c
 std::uint32_t BinStage::instances_of_last() const {
   std::uint32_t instances = 0;
   work_.read(gl_, work_all_instances * 4, sizeof(instances), &instances);
-  return instances;
+  return instances / 3;
 }
 
 std::uint64_t BinStage::take_refined_triangles() {

@@ -13,7 +13,7 @@ layout(local_size_x = 64) in;
 #endif
 
 layout(std430, binding = 0) readonly buffer Records { uint records[]; };
-// Sorted by piece: instance_capacity numbers of coarse triangles, then as many patches (4 words each).
+// Sorted by piece: the corners of instance_capacity coarse triangles (3 words each), then as many patches (4 words each).
 layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
 // uint words: 0 refined triangles (low), 1 (high), 2 and 3 unused, 4 a DrawElementsIndirectCommand of all instances (5 words),
 // 9 to 11 unused, then counts, cursors, pieces (4 words each: index count, first index, base vertex, 0) and the
@@ -35,6 +35,7 @@ uniform int triangle_bound;
 uniform int count_on_gpu;
 uniform int pool_level;
 uniform int smooth_interior;
+uniform int tags_are_edge_depths;  // corner k holds the depth of edge k
 uniform int instance_capacity;
 
 #if GLARK_PASS == 1
@@ -59,7 +60,7 @@ void main() {
     work[0] = low;
     base += count;
   }
-  work[all_instances] = base;
+  work[all_instances] = 3u * base;
   work[all_instances + 1] = 1u;
 }
 
@@ -83,8 +84,10 @@ void emit_instance(int piece, float ou, float ov, float s, float r) {
   if (slot >= instance_capacity) {
     return;
   }
-  instances[slot] = uint(triangle);
-  int to = instance_capacity + 4 * slot;
+  for (int corner = 0; corner < 3; ++corner) {
+    instances[3 * slot + corner] = uint(3 * triangle + corner);
+  }
+  int to = 3 * instance_capacity + 4 * slot;
   instances[to] = floatBitsToUint(ou);
   instances[to + 1] = floatBitsToUint(ov);
   instances[to + 2] = floatBitsToUint(s);
@@ -107,6 +110,10 @@ void main() {
   int a = tag_of(0);
   int b = tag_of(1);
   int c = tag_of(2);
+  if (tags_are_edge_depths != 0) {
+    expand_pattern(a, b, c, smooth_interior);
+    return;
+  }
   // Erratum 1: the mean of two tags may be a half; any rule of the two ends alone keeps edges together.
   expand_pattern((a + b) >> 1, (b + c) >> 1, (c + a) >> 1, smooth_interior);
 }

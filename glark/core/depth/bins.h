@@ -22,6 +22,7 @@ struct BinRequest {
   capture::CoarseTriangles triangles;
   unsigned uniform_tag = 0;  // where the layout holds no tags
   bool smooth_interior = false;
+  bool tags_are_edge_depths = false;  // of edges 0, 1, 2, in the place of the tags of corners 0, 1, 2
 };
 
 class BinStage {
@@ -45,7 +46,7 @@ class BinStage {
  private:
   struct Pass {
     GLuint program = 0;
-    std::array<GLint, 9> uniform{};
+    std::array<GLint, 10> uniform{};
   };
 
   Pass compile(int pass) const;

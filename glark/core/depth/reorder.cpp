@@ -2,19 +2,28 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/depth/reorder.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace glark::depth {
 namespace {
 
-std::string mover_source(capture::Language language, int chunks) {
+constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
+constexpr const char* types[] = {"", "float", "vec2", "vec3", "vec4"};
+
+// The words of a corner in as few inputs as can be: four at a time, then the rest.
+int inputs_of(int corner_words) { return (corner_words + 3) / 4; }
+int size_of_input(int corner_words, int input) { return std::min(4, corner_words - 4 * input); }
+
+std::string mover_source(capture::Language language, int corner_words) {
   std::string inputs;
   std::string body;
-  for (int chunk = 0; chunk < chunks; ++chunk) {
-    const std::string number = std::to_string(chunk);
-    inputs += "layout(location = " + number + ") in vec4 chunk" + number + ";\nout vec4 moved" + number + ";\n";
-    body += "  moved" + number + " = chunk" + number + ";\n";
+  for (int input = 0; input < inputs_of(corner_words); ++input) {
+    const std::string number = std::to_string(input);
+    const std::string type = types[size_of_input(corner_words, input)];
+    inputs += "layout(location = " + number + ") in " + type + " words" + number + ";\nout " + type + " moved" + number + ";\n";
+    body += "  moved" + number + " = words" + number + ";\n";
   }
   const char* version = language == capture::Language::es ? "#version 320 es\nprecision highp float;\n" : "#version 430\n";
   return version + inputs + "void main() {\n" + body + "  gl_Position = vec4(0.0);\n}\n";
@@ -30,17 +39,17 @@ GLuint compile(const gl::Dispatch& gl, GLenum stage, const std::string& source) 
 
 }  // namespace
 
-Reorder::Mover Reorder::build(int chunks) const {
+Reorder::Mover Reorder::build(int corner_words) const {
   Mover mover;
   const GLuint program = gl_.CreateProgram();
-  std::vector<GLuint> shaders{compile(gl_, GL_VERTEX_SHADER, mover_source(language_, chunks))};
+  std::vector<GLuint> shaders{compile(gl_, GL_VERTEX_SHADER, mover_source(language_, corner_words))};
   if (language_ == capture::Language::es) {
     shaders.push_back(compile(gl_, GL_FRAGMENT_SHADER, "#version 320 es\nvoid main() {}\n"));
   }
   std::vector<std::string> names;
   std::vector<const char*> varyings;
-  for (int chunk = 0; chunk < chunks; ++chunk) {
-    names.push_back("moved" + std::to_string(chunk));
+  for (int input = 0; input < inputs_of(corner_words); ++input) {
+    names.push_back("moved" + std::to_string(input));
   }
   for (const std::string& name : names) {
     varyings.push_back(name.c_str());
@@ -48,7 +57,7 @@ Reorder::Mover Reorder::build(int chunks) const {
   for (const GLuint shader : shaders) {
     gl_.AttachShader(program, shader);
   }
-  gl_.TransformFeedbackVaryings(program, chunks, varyings.data(), GL_INTERLEAVED_ATTRIBS);
+  gl_.TransformFeedbackVaryings(program, static_cast<GLsizei>(varyings.size()), varyings.data(), GL_INTERLEAVED_ATTRIBS);
   gl_.LinkProgram(program);
   GLint linked = GL_FALSE;
   gl_.GetProgramiv(program, GL_LINK_STATUS, &linked);
@@ -65,32 +74,33 @@ Reorder::Mover Reorder::build(int chunks) const {
 }
 
 bool Reorder::has_room(const capture::Layout& layout, std::uint32_t instances) const {
-  return movers_.contains(layout.chunk_count()) && static_cast<GLsizeiptr>(instances) * stride(layout) <= records_.size();
+  return movers_.contains(layout.corner_words) &&
+         static_cast<GLsizeiptr>(instances) * stride(layout) + chunk_overrun <= records_.size();
 }
 
 bool Reorder::reserve(const capture::Layout& layout, std::uint32_t instances) {
   if (feedback_ == 0) {
     gl_.GenTransformFeedbacks(1, &feedback_);
   }
-  Mover& mover = movers_[layout.chunk_count()];
+  Mover& mover = movers_[layout.corner_words];
   if (mover.program == 0) {
-    mover = build(layout.chunk_count());
+    mover = build(layout.corner_words);
   }
-  return mover.program != 0 && records_.reserve(gl_, static_cast<GLsizeiptr>(instances) * stride(layout), GL_DYNAMIC_COPY);
+  return mover.program != 0 && records_.reserve(gl_, static_cast<GLsizeiptr>(instances) * stride(layout) + chunk_overrun, GL_DYNAMIC_COPY);
 }
 
 void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order, const core::Bindings& bindings) {
-  const Mover& mover = movers_.at(layout.chunk_count());
+  const Mover& mover = movers_.at(layout.corner_words);
   gl_.UseProgram(mover.program);
   gl_.BindVertexArray(mover.vertex_array);
   gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, order.indices);
-  for (int chunk = 0; chunk < layout.chunk_count(); ++chunk) {
-    const auto location = static_cast<GLuint>(chunk);
+  for (int input = 0; input < inputs_of(layout.corner_words); ++input) {
+    const auto location = static_cast<GLuint>(input);
     gl_.EnableVertexAttribArray(location);
-    gl_.VertexAttribFormat(location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(chunk * 16));
+    gl_.VertexAttribFormat(location, size_of_input(layout.corner_words, input), GL_FLOAT, GL_FALSE, static_cast<GLuint>(input * 16));
     gl_.VertexAttribBinding(location, 0);
   }
-  gl_.BindVertexBuffer(0, triangles.buffer, triangles.offset, layout.triangle_words() * 4);
+  gl_.BindVertexBuffer(0, triangles.buffer, triangles.offset, layout.corner_words * 4);
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   gl_.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, records_.name());
   gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);  // only the generic point: the object keeps its own
@@ -98,8 +108,8 @@ void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles&
   if (!bindings.rasterizer_discard) {
     gl_.Enable(GL_RASTERIZER_DISCARD);
   }
-  gl_.BeginTransformFeedback(GL_POINTS);
-  gl_.DrawElementsIndirect(GL_POINTS, GL_UNSIGNED_INT, reinterpret_cast<const void*>(order.command_offset));
+  gl_.BeginTransformFeedback(GL_TRIANGLES);
+  gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(order.command_offset));
   gl_.EndTransformFeedback();
   if (!bindings.rasterizer_discard) {
     gl_.Disable(GL_RASTERIZER_DISCARD);
@@ -108,7 +118,7 @@ void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles&
 }
 
 void Reorder::release() {
-  for (const auto& [chunks, mover] : movers_) {
+  for (const auto& [words, mover] : movers_) {
     gl_.DeleteProgram(mover.program);
     gl_.DeleteVertexArrays(1, &mover.vertex_array);
   }

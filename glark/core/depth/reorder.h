@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Coarse records put into the order of their instances: drawn as points through an index buffer and captured again. Vertex
-// fetch moves whole records, which a compute shader would do word by word.
+// Coarse records put into the order of their instances: drawn through an index buffer and captured again. Vertex fetch moves
+// whole corners, which a compute shader would do word by word. Drawn as triangles, since Mesa keeps the mode of a paused
+// transform feedback (the application's) in the context, not in the object: ours must have the same.
 #pragma once
 
 #include <map>
@@ -15,7 +16,7 @@
 
 namespace glark::depth {
 
-// The order: indices (uint32) from the start of `indices`, as many as the DrawElementsIndirectCommand in `commands` says.
+// The order: three corners an instance (uint32) from the start of `indices`, as many as the DrawElementsIndirectCommand in `commands` says.
 struct Order {
   GLuint indices = 0;
   GLuint commands = 0;
@@ -34,19 +35,19 @@ class Reorder {
   void run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order, const core::Bindings& bindings);
 
   GLuint records() const { return records_.name(); }
-  static GLsizei stride(const capture::Layout& layout) { return layout.chunk_count() * 16; }
+  static GLsizei stride(const capture::Layout& layout) { return layout.triangle_words() * 4; }
   void release();
 
  private:
-  struct Mover {  // of records of so many chunks
+  struct Mover {
     GLuint program = 0;
     GLuint vertex_array = 0;
   };
-  Mover build(int chunks) const;
+  Mover build(int corner_words) const;
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::map<int, Mover> movers_;
+  std::map<int, Mover> movers_;  // by words of a corner
   core::GpuBuffer records_;
   GLuint feedback_ = 0;
 };

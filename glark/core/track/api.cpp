@@ -211,6 +211,10 @@ void DrawARP(Context& c, GLenum mode, GLint first, GLsizei count) {
     c.raise(GL_INVALID_OPERATION);
     return;
   }
+  if (first < 0 || count < 0) {  // Mesa accepts a negative first
+    c.raise(GL_INVALID_VALUE);
+    return;
+  }
   with_ark(c, [&] { DrawArrays(c, mode, first, count); });
 }
 

@@ -39,7 +39,11 @@ void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
   }
   const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) *
                                   static_cast<std::uint64_t>(draw_of.instances);
-  draw(context, {.mode = draw_of.mode, .triangles = triangles, .arrays = &draw_of, .issue = issue});
+  draw(context, {.mode = draw_of.mode,
+                 .triangles = triangles,
+                 .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
+                 .arrays = &draw_of,
+                 .issue = issue});
 }
 
 void draw_elements(Context& context, const ArrayDraw& draw_of, Issue issue) {
@@ -50,8 +54,12 @@ void draw_elements(Context& context, const ArrayDraw& draw_of, Issue issue) {
   context.refresh_bindings();
   const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) *
                                   static_cast<std::uint64_t>(draw_of.instances);
-  draw(context,
-       {.mode = draw_of.mode, .triangles = triangles, .exact = !restarts(context), .arrays = &draw_of, .issue = issue});
+  draw(context, {.mode = draw_of.mode,
+                 .triangles = triangles,
+                 .exact = !restarts(context),
+                 .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
+                 .arrays = &draw_of,
+                 .issue = issue});
 }
 
 std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws) {
@@ -161,9 +169,10 @@ void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsize
 }
 
 void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
-  track::draw(c, {.mode = mode, .triangles = track::triangles_of_all(mode, count, draws), .issue = [&] {
-                    c.gl.MultiDrawArrays(mode, first, count, draws);
-                  }});
+  track::draw(c, {.mode = mode,
+                  .triangles = track::triangles_of_all(mode, count, draws),
+                  .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
+                  .issue = [&] { c.gl.MultiDrawArrays(mode, first, count, draws); }});
 }
 
 void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
@@ -172,6 +181,7 @@ void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
                   .exact = !track::restarts(c),
+                  .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .issue = [&] { c.gl.MultiDrawElements(mode, count, type, indices, draws); }});
 }
 
@@ -181,6 +191,7 @@ void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, 
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
                   .exact = !track::restarts(c),
+                  .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .issue = [&] { c.gl.MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); }});
 }
 

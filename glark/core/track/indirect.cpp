@@ -76,8 +76,10 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
   const std::vector<Counts> commands =
       read_commands(c, call.indirect, call.draws, call.stride != 0 ? call.stride : call.command_bytes);
   std::uint64_t triangles = 0;
+  std::uint64_t primitives = 0;
   for (const Counts& command : commands) {
     triangles += triangles_of(call.mode, command.vertices) * command.instances;
+    primitives += command.instances;
   }
   if (commands.empty()) {
     c.pipeline->count_passed(Cause::indirect_unbounded);
@@ -88,6 +90,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
   track::draw(c, {.mode = call.mode,
                   .triangles = triangles,
                   .exact = call.exact && (call.command_bytes == arrays_command_bytes || !restarts),
+                  .whole_polygons = tells_polygons_apart(call.mode, primitives),
                   .issue = issue});
 }
 

@@ -119,6 +119,7 @@ void run_segment(Context& c, const ListSegment& segment, const DisplayList& list
                         .triangles = triangles_of_segment(c, segment),
                         .exact = segment.exact,
                         .tags_vary = segment.sets_tags,
+                        .whole_polygons = segment.whole_polygons,
                         .issue = [&] { c.gl.CallList(segment.list); }});
       break;
     case ListSegment::Kind::call: call_list(c, segment.list, depth + 1); break;
@@ -202,7 +203,11 @@ void record_draw(Context& c, const DrawCall& call) {
   open_segment(c, GL_COMPILE);
   call.issue();
   close_segment(c,
-                {.kind = ListSegment::Kind::draw, .mode = call.mode, .triangles = call.triangles, .exact = call.exact});
+                {.kind = ListSegment::Kind::draw,
+                 .mode = call.mode,
+                 .triangles = call.triangles,
+                 .exact = call.exact,
+                 .whole_polygons = call.whole_polygons});
   execute_last(c);
   open_segment(c, c.list.mode);
 }
@@ -239,6 +244,7 @@ bool list_end(Context& c) {
                     .vertices = c.immediate_vertices,
                     .triangles = triangles_of(c.list.begun_mode, c.immediate_vertices),
                     .sets_tags = c.immediate.tags_set || !c.list.vertex_lists.empty(),
+                    .whole_polygons = true,
                     .vertex_lists = std::move(c.list.vertex_lists)});
   execute_last(c);
   open_segment(c, c.list.mode);

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// From the captured triangles of polygons to coarse records of triangles about their centroids. GLARK_PASS: 0 centroids and
+// face depths, 1 records. The includer supplies #version and GLARK_PASS.
+// Based on: Boubekeur 2007, ch. 7.2.3, "ARP for General Polygonal Meshes" (edge depths, their mean as the face depth, the split at
+// the centroid). Means are rounded down here, where the thesis leaves open how.
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer Captured { uint captured[]; };
+layout(std430, binding = 1) buffer Split { uint split[]; };  // records, then one corner for each centroid
+layout(std430, binding = 2) readonly buffer CapturedCount { uint captured_count[]; };
+layout(std430, binding = 3) writeonly buffer SplitCount { uint split_count[]; };
+
+uniform int record_offset;  // of the captured triangles, in words
+uniform int corner_words;
+uniform int tag_offset;     // in a corner; < 0: there are no tags
+uniform int first_integer;  // words from here to the tag are integers, the same at all vertices of a polygon
+uniform int pool_level;
+uniform int sides;          // of every polygon
+uniform int polygon_bound;
+uniform int count_on_gpu;
+uniform int centroids;      // first word of the centroids
+uniform int is_fan;
+uniform int corners[4];     // depth::Decomposition
+
+int polygon_count() {
+  return count_on_gpu != 0 ? min(polygon_bound, int(captured_count[1]) / (sides - 2)) : polygon_bound;
+}
+
+// First word of a vertex, in the order of the boundary.
+int vertex_at(int polygon, int vertex) {
+  int corner = 6 * polygon + corners[vertex & 3];
+  if (is_fan != 0) {
+    int triangle = clamp(vertex - 1, 0, sides - 3);
+    corner = 3 * triangle + corners[vertex == 0 ? 0 : vertex - triangle];
+  }
+  return record_offset + corner * corner_words;
+}
+
+int tag_at(int vertex_word) {
+  float tag = uintBitsToFloat(captured[vertex_word + tag_offset]);
+  return tag > 0.0 ? int(min(floor(tag + 0.5), float(pool_level))) : 0;
+}
+
+int next(int vertex) { return vertex + 1 < sides ? vertex + 1 : 0; }
+
+int edge_depth(int polygon, int edge) {
+  return (tag_at(vertex_at(polygon, edge)) + tag_at(vertex_at(polygon, next(edge)))) >> 1;
+}
+
+#if GLARK_PASS == 0
+
+int face_depth(int polygon) {
+  int sum = 0;
+  for (int edge = 0; edge < sides; ++edge) {
+    sum += edge_depth(polygon, edge);
+  }
+  return sum / sides;
+}
+
+float mean(int polygon, int word) {
+  precise float sum = uintBitsToFloat(captured[vertex_at(polygon, 0) + word]);
+  for (int vertex = 1; vertex < sides; ++vertex) {
+    sum += uintBitsToFloat(captured[vertex_at(polygon, vertex) + word]);
+  }
+  return sum / float(sides);
+}
+
+void main() {
+  int word = int(gl_WorkGroupID.y);
+  int stride = int(gl_NumWorkGroups.x) * 64;
+  for (int polygon = int(gl_GlobalInvocationID.x); polygon < polygon_count(); polygon += stride) {
+    uint value;
+    if (word == tag_offset) {
+      value = floatBitsToUint(float(face_depth(polygon)));
+    } else if (word >= first_integer) {
+      value = captured[vertex_at(polygon, 0) + word];
+    } else {
+      value = floatBitsToUint(mean(polygon, word));
+    }
+    split[centroids + polygon * corner_words + word] = value;
+  }
+}
+
+#else
+
+void main() {
+  int records = polygon_count() * sides;
+  if (gl_GlobalInvocationID.x == 0u && count_on_gpu != 0) {
+    split_count[1] = uint(records);
+  }
+  int stride = int(gl_NumWorkGroups.x) * 64;
+  for (int record = int(gl_GlobalInvocationID.x); record < records; record += stride) {
+    int polygon = record / sides;
+    int edge = record - polygon * sides;
+    int first = vertex_at(polygon, edge);
+    int second = vertex_at(polygon, next(edge));
+    int centroid = centroids + polygon * corner_words;
+    int to = 3 * record * corner_words;
+    for (int word = 0; word < corner_words; ++word) {
+      split[to + word] = captured[first + word];
+      split[to + corner_words + word] = captured[second + word];
+      split[to + 2 * corner_words + word] = split[centroid + word];
+    }
+    // In the place of the tags, the depths of edges 0, 1 and 2; the centroid has that of both inner edges.
+    if (tag_offset >= 0) {
+      split[to + tag_offset] = floatBitsToUint(float(edge_depth(polygon, edge)));
+      split[to + corner_words + tag_offset] = split[centroid + tag_offset];
+    }
+  }
+}
+
+#endif

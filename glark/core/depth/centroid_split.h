@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// GL_POLYGON_CENTROID_ARK: each polygon of n vertices becomes n coarse triangles (V_k, V_k+1, centroid) in place of those that
+// GL cut it into. Where the layout holds tags, the new records hold the depths of edges 0, 1 and 2 in their place.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "glark/core/capture/coarse_triangles.h"
+#include "glark/core/capture/layout.h"
+#include "glark/core/depth/decomposition.h"
+#include "glark/core/gpu_buffer.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::depth {
+
+struct SplitRequest {
+  const capture::Layout* layout = nullptr;
+  capture::CoarseTriangles triangles;  // of quads, or of one polygon and then an exact count
+  Decomposition decomposition;
+  unsigned pool_level = 0;
+
+  std::uint32_t polygons() const { return decomposition.fan ? 1 : triangles.count / 2; }
+  std::uint32_t sides() const { return decomposition.fan ? triangles.count + 2 : 4; }
+  std::uint32_t records() const { return polygons() * sides(); }
+};
+
+class CentroidSplit {
+ public:
+  explicit CentroidSplit(const gl::Dispatch& gl) : gl_(gl) {}
+
+  bool has_room(const SplitRequest& request) const;
+  // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
+  bool reserve(const SplitRequest& request);
+  // Changes the program and the storage buffer bindings 0 to 3, which the caller restores. The records are valid until the next
+  // split. `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
+  capture::CoarseTriangles split(const SplitRequest& request, GLuint captured_count);
+
+  const core::GpuBuffer& count_command() const { return count_command_; }  // of the last split, if its count is on the GPU
+  void release();
+
+ private:
+  static constexpr std::size_t uniform_count = 10;
+  struct Pass {
+    GLuint program = 0;
+    std::array<GLint, uniform_count> uniform{};
+    GLint corners = -1;
+  };
+
+  Pass compile(int pass) const;
+  bool prepare();
+  void set_uniforms(const Pass& pass, const SplitRequest& request) const;
+
+  const gl::Dispatch& gl_;
+  std::array<Pass, 2> passes_{};
+  core::GpuBuffer records_;  // and the centroids
+  core::GpuBuffer count_command_;
+  GLint64 largest_block_ = 0;
+};
+
+}  // namespace glark::depth
