@@ -111,6 +111,7 @@ void Context::read_capabilities() {
   capabilities.query_buffer = !es && (capabilities.version >= 44 || has_extension("GL_ARB_query_buffer_object"));
   capabilities.multi_draw_indirect =
       !es || (has_extension("GL_EXT_multi_draw_indirect") && has_extension("GL_EXT_base_instance"));
+  capabilities.parameter_buffer = !es && (capabilities.version >= 46 || has_extension("GL_ARB_indirect_parameters"));
   capabilities.quads_follow_convention =
       !is_compatibility() || get(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
   capabilities.max_vertex_attributes = get(gl, GL_MAX_VERTEX_ATTRIBS);
@@ -167,7 +168,7 @@ void Context::refresh_bindings() {
   b.draw_indirect_buffer = static_cast<GLuint>(get(gl, GL_DRAW_INDIRECT_BUFFER_BINDING));
   b.query_buffer = capabilities.query_buffer ? static_cast<GLuint>(get(gl, GL_QUERY_BUFFER_BINDING)) : 0;
   b.parameter_buffer =
-      desktop && capabilities.version >= 46 ? static_cast<GLuint>(get(gl, GL_PARAMETER_BUFFER_BINDING)) : 0;
+      capabilities.parameter_buffer ? static_cast<GLuint>(get(gl, GL_PARAMETER_BUFFER_BINDING)) : 0;
   b.feedback_buffer = static_cast<GLuint>(get(gl, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING));
   b.storage_buffer = static_cast<GLuint>(get(gl, GL_SHADER_STORAGE_BUFFER_BINDING));
   for (GLuint i = 0; i < b.storage.size(); ++i) {

@@ -29,6 +29,7 @@ struct Capabilities {
   int version = 0;                   // 45 for 4.5
   bool refinable = false;            // GL >= 4.3 or ES >= 3.2
   bool quads_follow_convention = true;  // provoking vertex of quads under GL_FIRST_VERTEX_CONVENTION
+  bool parameter_buffer = false;  // GL_PARAMETER_BUFFER is a binding point
   bool query_buffer = false;         // results of queries go to a buffer
   bool multi_draw_indirect = false;  // with a base instance; otherwise bins are read back
   std::vector<std::string> extensions;

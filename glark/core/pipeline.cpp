@@ -119,41 +119,82 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
   return captured;
 }
 
+depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
+  const Bindings& b = context_.bindings;
+  const depth::BinRequest request{plan.layout, records.triangles, 0, context_.ark.smooth_interior, records.tags_are_edge_depths};
+  const depth::BinnedInstances bins = bins_.sort(request, records.count_command->name(), b);
+  counted_on_gpu_ = true;
+  // The application's queries have counted the reordering too.
+  for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
+    if (query != 0) {
+      context_.query_surplus[query] += bins_.instances_of_last();
+    }
+  }
+  return bins;
+}
+
 void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured) {
   const Bindings& b = context_.bindings;
   copy_stale_uniforms(plan);
-  const auto [triangles, count_command, tags_are_edge_depths] = records_of(plan, captured);
+  const Records records = records_of(plan, captured);
+  const bool indirect = plan.adaptive || records.triangles.count_on_gpu;
+  if (indirect && b.parameter_buffer != 0) {
+    gl_.BindBuffer(GL_PARAMETER_BUFFER, 0);  // Mesa 22 takes the count of any indirect draw from it
+  }
   depth::BinnedInstances bins;
   if (plan.adaptive) {
-    bins = bins_.sort({plan.layout, triangles, 0, context_.ark.smooth_interior, tags_are_edge_depths},
-                      count_command->name(), b);
-    // The application's queries have counted the reordering too.
-    if (b.primitives_generated_query != 0) context_.query_surplus[b.primitives_generated_query] += bins_.instances_of_last();
-    if (b.primitives_written_query != 0) context_.query_surplus[b.primitives_written_query] += bins_.instances_of_last();
-    counted_on_gpu_ = true;
+    bins = sort(plan, records);
   }
   gl_.UseProgram(plan.derived->name);
   if (owns_feedback()) {
     gl_.ResumeTransformFeedback();
   }
-  if (b.primitive_restart) {
-    gl_.Disable(GL_PRIMITIVE_RESTART);
-  }
-  const bool two_side = plan.program->fixed_function && fixed_function_state_.two_sided && !b.two_side;
-  if (two_side) {
-    gl_.Enable(GL_VERTEX_PROGRAM_TWO_SIDE);
-  }
-  const bool wireframe = context_.options.wireframe && gl_.PolygonMode != nullptr;
-  if (wireframe) {
-    gl_.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  }
+  set_modes(plan);
   if (plan.adaptive) {
     submit_.draw_binned(pool_, bins, *plan.layout);
   } else {
-    submit_.draw_uniform(pool_, triangles, *plan.layout, plan.level, *count_command);
-    statistics().refined_triangles += triangles.count_on_gpu ? 0 : std::uint64_t{triangles.count} << (2 * plan.level);
+    submit_.draw_uniform(pool_, records.triangles, *plan.layout, plan.level, *records.count_command);
+    statistics().refined_triangles +=
+        records.triangles.count_on_gpu ? 0 : std::uint64_t{records.triangles.count} << (2 * plan.level);
   }
-  if (wireframe) {
+  reset_modes(plan);
+  if (owns_feedback()) {
+    gl_.PauseTransformFeedback();
+  }
+  if (indirect && b.parameter_buffer != 0) {
+    gl_.BindBuffer(GL_PARAMETER_BUFFER, b.parameter_buffer);
+  }
+  restore(plan, indirect);
+}
+
+bool Pipeline::selects_back_colors(const Plan& plan) const {
+  return plan.program->fixed_function && fixed_function_state_.two_sided && !context_.bindings.two_side;
+}
+
+// Fixed-function lighting adds the separate specular colour by itself, a vertex shader only with GL_COLOR_SUM.
+bool Pipeline::adds_specular_colors(const Plan& plan) const {
+  return plan.program->fixed_function && plan.owner == nullptr && fixed_function_state_.lighting &&
+         fixed_function_state_.separate_specular && !fixed_function_state_.color_sum;
+}
+
+void Pipeline::set_modes(const Plan& plan) {
+  if (context_.bindings.primitive_restart) {
+    gl_.Disable(GL_PRIMITIVE_RESTART);
+  }
+  if (selects_back_colors(plan)) {
+    gl_.Enable(GL_VERTEX_PROGRAM_TWO_SIDE);
+  }
+  if (adds_specular_colors(plan)) {
+    gl_.Enable(GL_COLOR_SUM);
+  }
+  if (context_.options.wireframe && gl_.PolygonMode != nullptr) {
+    gl_.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  }
+}
+
+void Pipeline::reset_modes(const Plan& plan) {
+  const Bindings& b = context_.bindings;
+  if (context_.options.wireframe && gl_.PolygonMode != nullptr) {
     if (context_.is_compatibility()) {
       gl_.PolygonMode(GL_FRONT, b.front_polygon_mode);
       gl_.PolygonMode(GL_BACK, b.back_polygon_mode);
@@ -161,16 +202,15 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
       gl_.PolygonMode(GL_FRONT_AND_BACK, b.front_polygon_mode);
     }
   }
-  if (two_side) {
+  if (selects_back_colors(plan)) {
     gl_.Disable(GL_VERTEX_PROGRAM_TWO_SIDE);
+  }
+  if (adds_specular_colors(plan)) {
+    gl_.Disable(GL_COLOR_SUM);
   }
   if (b.primitive_restart) {
     gl_.Enable(GL_PRIMITIVE_RESTART);
   }
-  if (owns_feedback()) {
-    gl_.PauseTransformFeedback();
-  }
-  restore(plan, plan.adaptive || triangles.count_on_gpu);
 }
 
 void Pipeline::restore(const Plan& plan, bool changed_indirect) {

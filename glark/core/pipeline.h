@@ -102,7 +102,12 @@ class Pipeline {
     bool tags_are_edge_depths = false;
   };
   Records records_of(const Plan& plan, const capture::CoarseTriangles& captured);
+  depth::BinnedInstances sort(const Plan& plan, const Records& records);
   void submit(const Plan& plan, const capture::CoarseTriangles& captured);
+  bool selects_back_colors(const Plan& plan) const;
+  bool adds_specular_colors(const Plan& plan) const;
+  void set_modes(const Plan& plan);    // that the refined draw needs otherwise than the application has them
+  void reset_modes(const Plan& plan);
   void restore(const Plan& plan, bool changed_indirect);
   void restore_storage();
   void copy_stale_uniforms(const Plan& plan);

@@ -72,7 +72,9 @@ TEST_P(DrawsPrograms, VerticesFromVertexIdAlone) {
 }
 
 TEST_P(DrawsPrograms, MatrixAttribute) {
-  use("layout(location = 4) in mat4 m; out vec3 c;\n", "gl_Position = m * gl_Position; c = c * m[3].w;\n");
+  glUseProgram(link_program({.vertex = "#version 430\nlayout(location = 0) in vec2 position; layout(location = 4) in mat4 m; out vec3 c;\n"
+                                       "void main() { gl_Position = m * vec4(position, 0.0, 1.0); c = vec3(position, m[3].w); }\n",
+                             .fragment = pass_color}));
   std::vector<GLfloat> matrices;
   for (int i = 0; i < 6; ++i) matrices.insert(matrices.end(), {0.8F, 0, 0, 0, 0, 0.7F, 0, 0, 0, 0, 1, 0, 0.1F, 0, 0, 1});
   make_buffer(GL_ARRAY_BUFFER, matrices);
@@ -81,6 +83,15 @@ TEST_P(DrawsPrograms, MatrixAttribute) {
     glEnableVertexAttribArray(4 + column);
   }
   expect_same_scene({4}, draw);
+}
+
+TEST_P(DrawsPrograms, MoreAttributesThanFitAreDrawnUnrefined) {
+  use("layout(location = 4) in mat4 m; out vec3 c;\n", "c = c * m[3].w;\n");
+  for (GLuint column = 0; column < 4; ++column) glVertexAttrib4f(4 + column, 0, 0, 0, 0.7F);
+  const Picture plain = picture_of(draw);
+  refine_uniformly(2);
+  EXPECT_LE(differing_pixels(plain, picture_of(draw)), tolerated_pixels);
+  EXPECT_EQ(pending_errors(), "");
 }
 
 TEST_P(DrawsPrograms, IntegerAttributes) {
@@ -299,6 +310,8 @@ TEST_P(DrawsPrograms, SharedContexts) {
   glUniform3f(tint, 0, 1, 1);
   expect_same_scene({4}, draw);
   context_.make_current();
+  glUseProgram(0);  // what another context changed is seen when the program is bound again
+  glUseProgram(program);
   expect_same_scene({4}, draw);
 }
 
