@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/pattern/gpu_pool.h"
 
+#include <cassert>
 #include <vector>
 
 namespace glark::pattern {
@@ -23,6 +24,21 @@ std::vector<Patch> uniform_tiles(unsigned max_level) {
   return patches;
 }
 
+// Makes indices count from the beginning of the pool, so that no draw needs a base vertex: with one, llvmpipe takes a
+// slower way for every index, which costs a sixth of the speed of the vertex stage.
+void point_into_pool(Pool& pool) {
+  assert(pool.vertices.size() <= 0x10000);
+  // The other pieces share the indices of these, or have 0 for a base.
+  for (int m = 0; m <= deepest_uniform; ++m) {
+    const Piece& piece = pool.pieces[static_cast<std::size_t>(uniform_piece(m))];
+    for (std::uint32_t i = 0; i < piece.index_count; ++i) {
+      std::uint16_t& index = pool.indices[piece.first_index + i];
+      index = static_cast<std::uint16_t>(index + piece.base_vertex);
+    }
+  }
+  for (Piece& piece : pool.pieces) piece.base_vertex = 0;
+}
+
 }  // namespace
 
 unsigned GpuPool::first_tile(unsigned level) {
@@ -34,7 +50,8 @@ unsigned GpuPool::first_tile(unsigned level) {
 }
 
 bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level) {
-  const Pool pool = build_pool(max_level);
+  Pool pool = build_pool(max_level);
+  point_into_pool(pool);
   const std::vector<Patch> tiles = uniform_tiles(max_level);
   GpuPool fresh;
   if (!fresh.vertices_.allocate(gl, static_cast<GLsizeiptr>(pool.vertices.size() * sizeof(pool.vertices[0])),

@@ -74,9 +74,8 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const capture::Coar
     if (triangles.count_on_gpu) {
       gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr);
     } else {
-      gl_.DrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(piece.index_count), GL_UNSIGNED_SHORT,
-                                          index_offset(piece.first_index), static_cast<GLsizei>(triangles.count),
-                                          piece.base_vertex);
+      gl_.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(piece.index_count), GL_UNSIGNED_SHORT,
+                                          index_offset(piece.first_index), static_cast<GLsizei>(triangles.count));
     }
   }
 }
