@@ -78,12 +78,17 @@ GLARK_HIDDEN void glark_find_real_linker() {
   glark_real_dlopen = reinterpret_cast<void*>(linker.dlopen);
 }
 
-GLARK_HIDDEN glark::shim::Decision glark_decide_dlsym(void* handle, const char* name) {
+// C++ functions under plain names: what they return is no C type.
+__attribute__((visibility("hidden"), used)) glark::shim::Decision glark_decide_dlsym(void* handle, const char* name) __asm__("glark_decide_dlsym");
+__attribute__((visibility("hidden"), used)) glark::shim::Decision glark_decide_dlvsym(void* handle, const char* name,
+                                                                                      const char* version) __asm__("glark_decide_dlvsym");
+
+glark::shim::Decision glark_decide_dlsym(void* handle, const char* name) {
   if (glark_real_dlopen == nullptr) glark_find_real_linker();
   return glark::shim::decide(handle, name, nullptr);
 }
 
-GLARK_HIDDEN glark::shim::Decision glark_decide_dlvsym(void* handle, const char* name, const char* version) {
+glark::shim::Decision glark_decide_dlvsym(void* handle, const char* name, const char* version) {
   if (glark_real_dlopen == nullptr) glark_find_real_linker();
   return glark::shim::decide(handle, name, version);
 }

@@ -303,6 +303,7 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
 bool Pipeline::begin_feedback(GLenum mode) {
   const auto nothing = [] {};
   Plan plan;
+  plan.for_feedback = true;
   const bool tagged = context_.ark.depth_source == DepthSource::tag;
   const DrawCall call{.mode = GL_TRIANGLES, .tags_vary = tagged, .issue = nothing};
   if (mode != GL_TRIANGLES || plan_draw(call, plan) != Cause::count_) {
@@ -317,7 +318,6 @@ bool Pipeline::begin_feedback(GLenum mode) {
 }
 
 void Pipeline::frame_finished() {
-  ++statistics().frames;
   if (counted_on_gpu_) {
     ErrorScope errors(context_);
     statistics().refined_triangles += bins_.take_refined_triangles();

@@ -70,6 +70,7 @@ class Pipeline {
     GLuint capture_program = 0;
     const capture::Layout* layout = nullptr;
     std::optional<depth::Decomposition> polygons;  // to be split at their centroids
+    bool for_feedback = false;  // what will be drawn is not known yet
     bool adaptive = false;
     bool last_vertex_convention = false;  // while capturing
     unsigned level = 0;    // uniform level

@@ -181,7 +181,8 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   if (splits_at_centroid(call, plan)) {
     plan.polygons = decomposition_for(call.mode, plan.last_vertex_convention);
   }
-  if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback() && !plan.polygons) {
+  const bool may_split = plan.polygons || (plan.for_feedback && context_.ark.polygon_split == PolygonSplit::centroid);
+  if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback() && !may_split) {
     return Cause::level_zero;
   }
   if (!ensure_pool()) {

@@ -5,6 +5,8 @@
 // split itself.
 #include <algorithm>
 #include <numeric>
+#include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 #include "glark/core/context.h"
@@ -62,6 +64,7 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
     begin_capture(plan, true, &output);
     gl_.DrawArrays(mode, 0, vertices);
     end_capture(plan, triangles, true);
+    if (std::getenv("DBG")) std::fprintf(stderr, "probe %x error %x\n", mode, errors.take());
     gl_.UseProgram(context_.bindings.program);
     gl_.BindVertexArray(context_.bindings.vertex_array);
     gl_.DeleteVertexArrays(1, &array);
@@ -107,8 +110,8 @@ bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& reque
   }
   if (!split_failed_) {
     split_failed_ = true;
-    log(LogLevel::warning, "no memory to split " + std::to_string(request.polygons()) +
-                               " polygons at their centroids; they are refined as triangles; draw fewer at once");
+    log(LogLevel::warning, "cannot split " + std::to_string(request.polygons()) +
+                               " polygons at their centroids for lack of memory; they are refined as triangles; draw fewer at once");
   }
   return false;
 }

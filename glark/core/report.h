@@ -65,7 +65,6 @@ struct Statistics {
   std::atomic<std::uint64_t> captures_reused{0};
   std::atomic<std::uint64_t> programs_derived{0};
   std::atomic<std::uint64_t> programs_failed{0};
-  std::atomic<std::uint64_t> frames{0};
 };
 Statistics& statistics();
 

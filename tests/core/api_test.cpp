@@ -125,7 +125,8 @@ TEST_F(Api, TagAttributeMoves) {
   glEnable(GL_DEPTH_TAG_ARRAY_ARK);
   EXPECT_EQ(triangles_of([] { glDrawArrays(GL_TRIANGLES, 0, 3); }), 8U);
   glARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, 15);
-  EXPECT_EQ(triangles_of([] { glDrawArrays(GL_TRIANGLES, 0, 3); }), 16U) << "the current tag of attribute 15 is still 2";
+  EXPECT_EQ(triangles_of([] { glDrawArrays(GL_TRIANGLES, 0, 3); }), 16U)
+      << "the current tag of attribute 15 is still 2";
 }
 
 TEST_F(Api, DrawArpRefinesWithArkDisabled) {
@@ -153,7 +154,10 @@ TEST_F(Api, UniformLevelsToTheDeepest) {
   glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
   for (const GLint level : {7, 8, 9, 10}) {
     glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
-    EXPECT_EQ(triangles_of([] { draw_immediate({"", GL_TRIANGLES, 1, {zigzag[0], zigzag[1], zigzag[2]}}); }), 1U << (2 * level));
+    EXPECT_EQ(triangles_of([] {
+                draw_immediate({"", GL_TRIANGLES, 1, {zigzag[0], zigzag[1], zigzag[2]}});
+              }),
+              1U << (2 * level));
   }
 }
 
@@ -200,7 +204,9 @@ TEST_F(Api, CentroidSplit) {
 }
 
 std::vector<CurvedVertex> curved_triangle() {
-  return {{{-1, -1, 0}, {-0.7F, -0.7F, 1}, {1, 0, 0}, 0, 3}, {{1, -1, 0}, {0.7F, -0.7F, 1}, {0, 1, 0}, 0, 3}, {{0, 1, 0}, {0, 1, 1}, {0, 0, 1}, 0, 3}};
+  return {{{-1, -1, 0}, {-0.7F, -0.7F, 1}, {1, 0, 0}, 0, 3},
+          {{1, -1, 0}, {0.7F, -0.7F, 1}, {0, 1, 0}, 0, 3},
+          {{0, 1, 0}, {0, 1, 1}, {0, 0, 1}, 0, 3}};
 }
 
 TEST_F(Api, CurvedRefinementBulges) {
@@ -266,7 +272,8 @@ class ApiRefinementShader : public testing::TestWithParam<Language> {
   }
   GLfloat highest() const {
     GLfloat result = -9;
-    for (const RefinedVertex& v : capture_refined(1000, [] { glDrawArrays(GL_TRIANGLES, 0, 3); })) result = std::max(result, v.weights[0]);
+    for (const RefinedVertex& v : capture_refined(1000, [] { glDrawArrays(GL_TRIANGLES, 0, 3); }))
+      result = std::max(result, v.weights[0]);
     return result;
   }
   OsmesaContext context_{GetParam() == Language::glsl_450_core ? Profile::core : Profile::compatibility};
@@ -279,8 +286,9 @@ INSTANTIATE_TEST_SUITE_P(All, ApiRefinementShader, testing::Values(Language::gls
                          });
 
 TEST_P(ApiRefinementShader, UniformOfItsOwn) {
-  const char* const parts[] = {"uniform float lift;\nuniform float unused;\nvoid refine() { weights.x = ", "ark_corner_weights[0].x + lift; }\nwaste"};
-  const GLint lengths[] = {-1, 39};
+  const char* const parts[] = {"uniform float lift;\nuniform float unused;\nvoid refine() { weights.x = ",
+                               "ark_corner_weights[0].x + lift; }\nwaste"};
+  const GLint lengths[] = {-1, 34};
   glRefinementShaderSourceARK(program_, 2, parts, lengths);
   EXPECT_EQ(refinement_value(program_, GL_REFINEMENT_STATUS_ARK), GL_TRUE);
   const GLint lift = glGetUniformLocation(program_, "lift");

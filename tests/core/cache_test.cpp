@@ -15,7 +15,8 @@ namespace {
 const char* const vertex_shader =
     "#version 430\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color; out vec3 c;\n"
     "void main() { gl_Position = vec4(position, 0.0, 1.0); c = color; }\n";
-const char* const fragment_shader = "#version 430\nin vec3 c; out vec4 result;\nvoid main() { result = vec4(c, 1.0); }\n";
+const char* const fragment_shader =
+    "#version 430\nin vec3 c; out vec4 result;\nvoid main() { result = vec4(c, 1.0); }\n";
 
 class Cache : public testing::TestWithParam<Profile> {
  protected:
@@ -32,7 +33,8 @@ class Cache : public testing::TestWithParam<Profile> {
   static std::vector<ColoredVertex> one() { return mode_shapes()[1].vertices; }
   static std::vector<ColoredVertex> two() {
     std::vector<ColoredVertex> vertices = one();
-    for (ColoredVertex& v : vertices) v = {{v.position[0] * 0.6F, v.position[1] * -0.7F}, {v.color[2], v.color[0], v.color[1]}};
+    for (ColoredVertex& v : vertices)
+      v = {{v.position[0] * 0.6F, v.position[1] * -0.7F}, {v.color[2], v.color[0], v.color[1]}};
     return vertices;
   }
   static constexpr GLsizeiptr bytes = 6 * sizeof(ColoredVertex);
@@ -122,9 +124,10 @@ TEST_P(Cache, NamedBufferSubData) {
 
 TEST_P(Cache, ComputeShader) {
   const GLuint writer = glCreateProgram();
-  attach_shader(writer, GL_COMPUTE_SHADER,
-                "#version 430\nlayout(local_size_x = 6) in; layout(std430, binding = 0) buffer Data { float data[]; };\n"
-                "void main() { data[5u * gl_LocalInvocationID.x] *= 0.5; data[5u * gl_LocalInvocationID.x + 2u] = 0.5; }\n");
+  attach_shader(
+      writer, GL_COMPUTE_SHADER,
+      "#version 430\nlayout(local_size_x = 6) in; layout(std430, binding = 0) buffer Data { float data[]; };\n"
+      "void main() { data[5u * gl_LocalInvocationID.x] *= 0.5; data[5u * gl_LocalInvocationID.x + 2u] = 0.5; }\n");
   glLinkProgram(writer);
   GLint drawer = 0;
   glGetIntegerv(GL_CURRENT_PROGRAM, &drawer);
@@ -141,7 +144,8 @@ TEST_P(Cache, TransformFeedback) {
   GLint drawer = 0;
   glGetIntegerv(GL_CURRENT_PROGRAM, &drawer);
   const GLuint writer = link_program(
-      {.vertex = "#version 430\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color; out vec2 p; out vec3 q;\n"
+      {.vertex = "#version 430\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color; out vec2 p; "
+                 "out vec3 q;\n"
                  "void main() { p = position * vec2(0.5, -0.7); q = color.brg; gl_Position = vec4(0.0); }\n",
        .fragment = "#version 430\nvoid main() {}\n",
        .varyings = {"p", "q"}});
@@ -217,15 +221,21 @@ TEST_P(Cache, AnotherVertexArray) {
 TEST_P(Cache, BufferDeletedAndMadeAgain) {
   expect_seen(draw_arrays, [this] {
     glDeleteBuffers(1, &vertices_);
-    EXPECT_EQ(make_buffer(GL_ARRAY_BUFFER, two()), vertices_) << "Mesa gives the name again";
+    if (GetParam() == Profile::compatibility) {
+      glBindBuffer(GL_ARRAY_BUFFER, vertices_);  // the same name
+      glBufferData(GL_ARRAY_BUFFER, bytes, two().data(), GL_STATIC_DRAW);
+    } else {
+      make_buffer(GL_ARRAY_BUFFER, two());
+    }
     point_generic_arrays(nullptr);
   });
 }
 
 TEST_P(Cache, ProvokingVertex) {
   glUseProgram(link_program(
-      {.vertex = "#version 430\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color; flat out vec3 c;\n"
-                 "void main() { gl_Position = vec4(position, 0.0, 1.0); c = color; }\n",
+      {.vertex =
+           "#version 430\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color; flat out vec3 c;\n"
+           "void main() { gl_Position = vec4(position, 0.0, 1.0); c = color; }\n",
        .fragment = "#version 430\nflat in vec3 c; out vec4 result;\nvoid main() { result = vec4(c, 1.0); }\n"}));
   expect_seen(draw_arrays, [] { glProvokingVertex(GL_FIRST_VERTEX_CONVENTION); });
 }

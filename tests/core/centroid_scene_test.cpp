@@ -119,7 +119,9 @@ TEST_P(CentroidScene, Restart) {
   point_conventional_arrays(shape.vertices.data());
   glEnable(GL_PRIMITIVE_RESTART);
   glPrimitiveRestartIndex(0xFFFF);
-  expect_split(GetParam().sides, [&] { glDrawElements(shape.mode, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_SHORT, indices.data()); });
+  expect_split(GetParam().sides, [&] {
+    glDrawElements(shape.mode, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_SHORT, indices.data());
+  });
 }
 
 TEST_P(CentroidScene, RestartWithTags) {
@@ -133,7 +135,8 @@ TEST_P(CentroidScene, RestartWithTags) {
   glEnable(GL_DEPTH_TAG_ARRAY_ARK);
   glEnable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
   glEnable(GL_ARK);
-  picture_of([&] { glDrawElements(shape.mode, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_SHORT, indices.data()); });
+  picture_of(
+      [&] { glDrawElements(shape.mode, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_SHORT, indices.data()); });
   EXPECT_EQ(generated_primitives, 8U * 16);
 }
 
@@ -141,7 +144,8 @@ TEST_P(CentroidScene, StateIsKept) {
   const ModeShape& shape = GetParam().shape;
   glARKinit(2);
   const StateSnapshot::Names names = StateSnapshot::find_names();
-  for (GLuint i = 0; i < 5; ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, make_buffer(GL_COPY_WRITE_BUFFER, std::vector<GLubyte>(64)));
+  for (GLuint i = 0; i < 5; ++i)
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, make_buffer(GL_COPY_WRITE_BUFFER, std::vector<GLubyte>(64)));
   make_buffer(GL_ARRAY_BUFFER, shape.vertices);
   point_conventional_arrays(nullptr);
   make_buffer(GL_ARRAY_BUFFER, std::vector<GLubyte>(shape.vertices.size(), 1));
@@ -175,20 +179,23 @@ TEST_P(CentroidScene, FlatColorsStayTriangles) {
 }
 
 TEST_P(CentroidScene, FlatOutputsStayTriangles) {
-  glUseProgram(link_program({.vertex = "#version 130\nflat out vec4 tint; void main() { gl_Position = gl_Vertex; tint = gl_Color; }\n",
-                             .fragment = "#version 130\nflat in vec4 tint; void main() { gl_FragColor = tint; }\n"}));
+  glUseProgram(link_program(
+      {.vertex = "#version 130\nflat out vec4 tint; void main() { gl_Position = gl_Vertex; tint = gl_Color; }\n",
+       .fragment = "#version 130\nflat in vec4 tint; void main() { gl_FragColor = tint; }\n"}));
   expect_triangles(GetParam().shape.triangles, [&] { draw_immediate(GetParam().shape); });
 }
 
 TEST_P(CentroidScene, VertexNumbersStayTriangles) {
   glUseProgram(link_program({.vertex = "#version 130\nuniform vec2 places[8]; out vec4 tint;\n"
-                                       "void main() { gl_Position = vec4(places[gl_VertexID], 0.0, 1.0) + 0.0 * gl_Vertex; tint = vec4(gl_Position.xy + 1.0, 1.0, 1.0); }\n",
+                                       "void main() { gl_Position = vec4(places[gl_VertexID], 0.0, 1.0) + 0.0 * "
+                                       "gl_Vertex; tint = vec4(gl_Position.xy + 1.0, 1.0, 1.0); }\n",
                              .fragment = "#version 130\nin vec4 tint; void main() { gl_FragColor = tint; }\n"}));
   GLint program = 0;
   glGetIntegerv(GL_CURRENT_PROGRAM, &program);
   const ModeShape& shape = GetParam().shape;
   for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
-    glUniform2fv(glGetUniformLocation(static_cast<GLuint>(program), ("places[" + std::to_string(i) + "]").c_str()), 1, shape.vertices[i].position.data());
+    glUniform2fv(glGetUniformLocation(static_cast<GLuint>(program), ("places[" + std::to_string(i) + "]").c_str()), 1,
+                 shape.vertices[i].position.data());
   }
   make_buffer(GL_ARRAY_BUFFER, shape.vertices);
   point_conventional_arrays(nullptr);
@@ -196,15 +203,18 @@ TEST_P(CentroidScene, VertexNumbersStayTriangles) {
 }
 
 TEST_P(CentroidScene, InstancesOfQuadsAreSplitButNotOfPolygons) {
-  glUseProgram(link_program({.vertex = "#version 140\n#extension GL_ARB_compatibility : enable\nout vec4 tint;\n"
-                                       "void main() { gl_Position = vec4(0.5 * gl_Vertex.xy + vec2(float(gl_InstanceID) - 0.5), 0.0, 1.0); tint = gl_Color; }\n",
-                             .fragment = "#version 140\nin vec4 tint; out vec4 color; void main() { color = tint; }\n"}));
+  glUseProgram(
+      link_program({.vertex = "#version 140\n#extension GL_ARB_compatibility : enable\nout vec4 tint;\n"
+                              "void main() { gl_Position = vec4(0.5 * gl_Vertex.xy + vec2(float(gl_InstanceID) - 0.5), "
+                              "0.0, 1.0); tint = gl_Color; }\n",
+                    .fragment = "#version 140\nin vec4 tint; out vec4 color; void main() { color = tint; }\n"}));
   const ModeShape& shape = GetParam().shape;
   make_buffer(GL_ARRAY_BUFFER, shape.vertices);
   point_conventional_arrays(nullptr);
   const auto count = static_cast<GLsizei>(shape.vertices.size());
   const bool split = shape.mode != GL_POLYGON;
-  expect_triangles(2 * (split ? GetParam().sides : shape.triangles), [=] { glDrawArraysInstanced(shape.mode, 0, count, 2); });
+  expect_triangles(2 * (split ? GetParam().sides : shape.triangles),
+                   [=] { glDrawArraysInstanced(shape.mode, 0, count, 2); });
   expect_triangles(GetParam().sides, [=] { glDrawArraysInstanced(shape.mode, 0, count, 1); });
 }
 
@@ -214,7 +224,8 @@ TEST_P(CentroidScene, MultiDrawsOfQuadsAreSplitButNotOfPolygons) {
   const GLint first[] = {0, 2};
   const GLsizei count[] = {static_cast<GLsizei>(shape.vertices.size()), 4};
   const bool split = shape.mode != GL_POLYGON;
-  expect_triangles(split ? GetParam().sides + 4 : shape.triangles + 2, [=] { glMultiDrawArrays(shape.mode, first, count, 2); });
+  expect_triangles(split ? GetParam().sides + 4 : shape.triangles + 2,
+                   [=] { glMultiDrawArrays(shape.mode, first, count, 2); });
   expect_triangles(GetParam().sides, [=] { glMultiDrawArrays(shape.mode, first, count, 1); });
 }
 

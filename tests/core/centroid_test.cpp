@@ -31,14 +31,24 @@ const std::vector<Shape>& shapes() {
       {"quad", GL_QUADS, {{-0.9F, -0.7F}, {0.8F, -0.9F}, {0.9F, 0.6F}, {-0.6F, 0.8F}}, {{0, 1, 2, 3}}},
       {"two_quads",
        GL_QUADS,
-       {{-0.9F, -0.7F}, {0.1F, -0.9F}, {0, 0.6F}, {-0.6F, 0.8F}, {0.2F, -0.5F}, {0.9F, -0.4F}, {0.8F, 0.3F}, {0.3F, 0.4F}},
+       {{-0.9F, -0.7F},
+        {0.1F, -0.9F},
+        {0, 0.6F},
+        {-0.6F, 0.8F},
+        {0.2F, -0.5F},
+        {0.9F, -0.4F},
+        {0.8F, 0.3F},
+        {0.3F, 0.4F}},
        {{0, 1, 2, 3}, {4, 5, 6, 7}}},
       {"quad_strip",
        GL_QUAD_STRIP,
        {{-0.9F, 0.8F}, {-0.8F, -0.7F}, {0.1F, 0.9F}, {0, -0.9F}, {0.8F, 0.6F}, {0.9F, -0.8F}},
        {{0, 1, 3, 2}, {2, 3, 5, 4}}},
       {"triangle", GL_POLYGON, {{-0.9F, -0.7F}, {0.8F, -0.9F}, {0.1F, 0.7F}}, {{0, 1, 2}}},
-      {"pentagon", GL_POLYGON, {{-0.5F, -0.8F}, {0.6F, -0.9F}, {0.9F, 0.2F}, {0.1F, 0.9F}, {-0.8F, 0.3F}}, {{0, 1, 2, 3, 4}}},
+      {"pentagon",
+       GL_POLYGON,
+       {{-0.5F, -0.8F}, {0.6F, -0.9F}, {0.9F, 0.2F}, {0.1F, 0.9F}, {-0.8F, 0.3F}},
+       {{0, 1, 2, 3, 4}}},
       {"hexagon",
        GL_POLYGON,
        {{-0.9F, 0.1F}, {-0.5F, -0.8F}, {0.4F, -0.9F}, {0.9F, -0.1F}, {0.5F, 0.8F}, {-0.4F, 0.9F}},
@@ -82,7 +92,11 @@ int tag_of(std::size_t vertex) { return std::array{3, 1, 4, 2, 5, 0, 2, 4}[verte
 
 CurvedVertex vertex_of(const Shape& shape, std::size_t vertex, int tag, bool on_edge) {
   const auto [x, y] = shape.places[vertex];
-  return {{x, y, 0.3F * x * y + 0.1F * x}, {0.3F * x, -0.4F * y, 0.9F}, {x, y, on_edge ? 0.0F : 1.0F}, 7, static_cast<GLubyte>(tag)};
+  return {{x, y, 0.3F * x * y + 0.1F * x},
+          {0.3F * x, -0.4F * y, 0.9F},
+          {x, y, on_edge ? 0.0F : 1.0F},
+          7,
+          static_cast<GLubyte>(tag)};
 }
 
 std::vector<CurvedVertex> mesh_of(const Shape& shape, std::size_t edge_from, std::size_t edge_to) {
@@ -115,9 +129,11 @@ int triangles_about_centroid(int edge, int face) {
 
 int expected_triangles(const std::vector<std::size_t>& ring) {
   std::vector<int> edges;
-  for (std::size_t k = 0; k < ring.size(); ++k) edges.push_back((tag_of(ring[k]) + tag_of(ring[(k + 1) % ring.size()])) / 2);
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    edges.push_back((tag_of(ring[k]) + tag_of(ring[(k + 1) % ring.size()])) / 2);
   const int face = std::accumulate(edges.begin(), edges.end(), 0) / static_cast<int>(edges.size());
-  return std::accumulate(edges.begin(), edges.end(), 0, [&](int sum, int edge) { return sum + triangles_about_centroid(edge, face); });
+  return std::accumulate(edges.begin(), edges.end(), 0,
+                         [&](int sum, int edge) { return sum + triangles_about_centroid(edge, face); });
 }
 
 double area_of(const Shape& shape) {
@@ -151,7 +167,8 @@ std::set<PositionBits> edge_vertices(const std::vector<RefinedVertex>& vertices)
 }
 
 // Different vertices within 1e-6 of the centroid of the ring.
-std::size_t vertices_at_centroid(const std::vector<RefinedVertex>& vertices, const Shape& shape, const std::vector<std::size_t>& ring) {
+std::size_t vertices_at_centroid(const std::vector<RefinedVertex>& vertices, const Shape& shape,
+                                 const std::vector<std::size_t>& ring) {
   double x = 0;
   double y = 0;
   for (const std::size_t vertex : ring) {
@@ -191,7 +208,9 @@ class Centroid : public testing::TestWithParam<Way> {
     std::reverse(mesh.begin(), mesh.end());
     upload(mesh);
     make_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);
-    return capture_refined(most, [&] { glDrawElements(GetParam().shape.mode, static_cast<GLsizei>(mesh.size()), GL_UNSIGNED_SHORT, nullptr); });
+    return capture_refined(most, [&] {
+      glDrawElements(GetParam().shape.mode, static_cast<GLsizei>(mesh.size()), GL_UNSIGNED_SHORT, nullptr);
+    });
   }
   std::vector<RefinedVertex> refine_list(const std::vector<CurvedVertex>& mesh) {
     const GLuint list = glGenLists(1);
@@ -211,7 +230,7 @@ TEST_P(Centroid, TrianglesOfEveryPolygon) {
   int expected = 0;
   for (const auto& ring : shape.rings) expected += expected_triangles(ring);
   const std::vector<RefinedVertex> vertices = refine(mesh_of(shape, 0, 1));
-  EXPECT_EQ(vertices.size(), 3 * static_cast<std::size_t>(expected));
+  ASSERT_EQ(vertices.size(), 3 * static_cast<std::size_t>(expected));
   const std::vector<double> areas = areas_of(vertices);
   EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), area_of(shape), 1e-5);
   EXPECT_GT(*std::min_element(areas.begin(), areas.end()), 0.0);
@@ -228,9 +247,11 @@ TEST_P(Centroid, EdgesAreThoseOfANeighbour) {
       const std::size_t to = ring[(k + 1) % ring.size()];
       SCOPED_TRACE(testing::Message() << "edge " << from << " " << to);
       const std::set<PositionBits> own = edge_vertices(refine(mesh_of(shape, from, to)));
-      const std::vector<CurvedVertex> neighbour = {vertex_of(shape, to, tag_of(to), true), vertex_of(shape, from, tag_of(from), true),
+      const std::vector<CurvedVertex> neighbour = {vertex_of(shape, to, tag_of(to), true),
+                                                   vertex_of(shape, from, tag_of(from), true),
                                                    {{1.3F, 0.2F, 0.1F}, {0, 0, 1}, {2, 2, 1}, 7, 2}};
-      const std::set<PositionBits> others = edge_vertices(capture_refined(most, [&] { draw_begun(GL_TRIANGLES, neighbour); }));
+      const std::set<PositionBits> others =
+          edge_vertices(capture_refined(most, [&] { draw_begun(GL_TRIANGLES, neighbour); }));
       EXPECT_EQ(own.size(), (std::size_t{1} << ((tag_of(from) + tag_of(to)) / 2)) + 1);
       EXPECT_EQ(own, others);
     }
@@ -245,7 +266,7 @@ TEST_P(Centroid, UniformDepth) {
     glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, depth);
     const std::vector<RefinedVertex> vertices = refine(mesh_of(shape, 0, 1));
     const std::size_t sides = shape.rings.size() * shape.rings[0].size();
-    EXPECT_EQ(vertices.size(), (3 * sides) << (2 * depth));
+    ASSERT_EQ(vertices.size(), (3 * sides) << (2 * depth));
     const std::vector<double> areas = areas_of(vertices);
     EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), area_of(shape), 1e-5);
     EXPECT_GT(*std::min_element(areas.begin(), areas.end()), 0.0);

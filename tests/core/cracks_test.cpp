@@ -56,7 +56,10 @@ std::array<Corner, 4> corners_of_pair(int a, int b, int c) {
 void append_triangle(std::vector<CurvedVertex>& mesh, const std::array<Corner, 3>& corners, int rotation, int number) {
   for (int k = 0; k < 3; ++k) {
     const auto corner = static_cast<std::size_t>((k + rotation) % 3);
-    CurvedVertex vertex{corners[corner].position, corners[corner].normal, {}, static_cast<GLfloat>(number),
+    CurvedVertex vertex{corners[corner].position,
+                        corners[corner].normal,
+                        {},
+                        static_cast<GLfloat>(number),
                         static_cast<GLubyte>(corners[corner].tag)};
     vertex.weights[corner] = 1;  // of A, B and the third corner, whatever the rotation
     mesh.push_back(vertex);
@@ -155,15 +158,14 @@ class Cracks : public testing::TestWithParam<Way> {
   OsmesaContext context_{profile_of(GetParam().language)};
 };
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Cracks,
-    testing::Values(Way{Language::glsl_120, GL_LINEAR_INPUTS_ARK, GL_MINIMUM_INTERIOR_ARK},
-                    Way{Language::glsl_120, GL_CURVED_PN_ARK, GL_MINIMUM_INTERIOR_ARK},
-                    Way{Language::glsl_450_core, GL_LINEAR_INPUTS_ARK, GL_SMOOTH_INTERIOR_ARK},
-                    Way{Language::glsl_450_core, GL_LINEAR_OUTPUTS_ARK, GL_MINIMUM_INTERIOR_ARK},
-                    Way{Language::glsl_450_core, GL_CURVED_PN_ARK, GL_MINIMUM_INTERIOR_ARK},
-                    Way{Language::glsl_450_core, GL_CURVED_PN_ARK, GL_SMOOTH_INTERIOR_ARK}),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(All, Cracks,
+                         testing::Values(Way{Language::glsl_120, GL_LINEAR_INPUTS_ARK, GL_MINIMUM_INTERIOR_ARK},
+                                         Way{Language::glsl_120, GL_CURVED_PN_ARK, GL_MINIMUM_INTERIOR_ARK},
+                                         Way{Language::glsl_450_core, GL_LINEAR_INPUTS_ARK, GL_SMOOTH_INTERIOR_ARK},
+                                         Way{Language::glsl_450_core, GL_LINEAR_OUTPUTS_ARK, GL_MINIMUM_INTERIOR_ARK},
+                                         Way{Language::glsl_450_core, GL_CURVED_PN_ARK, GL_MINIMUM_INTERIOR_ARK},
+                                         Way{Language::glsl_450_core, GL_CURVED_PN_ARK, GL_SMOOTH_INTERIOR_ARK}),
+                         name_of);
 
 TEST_P(Cracks, EveryTripleRotationAndOrientation) {
   for (int way = 0; way < 18 && !HasFailure(); ++way) {
@@ -192,9 +194,21 @@ struct Mesh {
 
 Mesh icosahedron() {
   const GLfloat t = 1.618034F;
-  return {{{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0}, {0, -1, t}, {0, 1, t}, {0, -1, -t}, {0, 1, -t}, {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}},
-          {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-           {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  return {{{-1, t, 0},
+           {1, t, 0},
+           {-1, -t, 0},
+           {1, -t, 0},
+           {0, -1, t},
+           {0, 1, t},
+           {0, -1, -t},
+           {0, 1, -t},
+           {t, 0, -1},
+           {t, 0, 1},
+           {-t, 0, -1},
+           {-t, 0, 1}},
+          {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+           {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+           {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 }
 
 Mesh tetrahedron() {
@@ -223,7 +237,8 @@ TEST_P(Cracks, ClosedMeshWithRandomTags) {
     std::vector<CurvedVertex> vertices;
     for (const auto& triangle : mesh.triangles) {
       std::array<Corner, 3> corners;
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = {mesh.positions[triangle[k]], mesh.positions[triangle[k]], tag[triangle[k]]};
+      for (std::size_t k = 0; k < 3; ++k)
+        corners[k] = {mesh.positions[triangle[k]], mesh.positions[triangle[k]], tag[triangle[k]]};
       append_triangle(vertices, corners, static_cast<int>(random() % 3), 0);
     }
     const std::vector<RefinedVertex> refined = refine(vertices, 200000);

@@ -22,16 +22,18 @@ inline GLuint link_curved_program(Language language) {
       "  passed_triangle = triangle;\n"
       "}\n";
   const std::string old_head =
-      "#version 120\nattribute vec3 position; attribute vec3 normal; attribute vec3 weights; attribute float triangle;\n"
+      "#version 120\nattribute vec3 position; attribute vec3 normal; attribute vec3 weights; attribute float "
+      "triangle;\n"
       "varying vec3 passed_weights; varying float passed_triangle;\n";
   const std::string new_head =
       "#version 450 core\nin vec3 position; in vec3 normal; in vec3 weights; in float triangle;\n"
       "out vec3 passed_weights; out float passed_triangle;\n";
   const bool core = language == Language::glsl_450_core;
-  return link_program({.vertex = (core ? new_head : old_head) + body,
-                       .fragment = core ? "#version 450 core\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n" : "",
-                       .varyings = {"gl_Position", "passed_weights", "passed_triangle"},
-                       .attributes = {"position", "normal", "weights", "triangle"}});
+  return link_program(
+      {.vertex = (core ? new_head : old_head) + body,
+       .fragment = core ? "#version 450 core\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n" : "",
+       .varyings = {"gl_Position", "passed_weights", "passed_triangle"},
+       .attributes = {"position", "normal", "weights", "triangle"}});
 }
 
 struct CurvedVertex {

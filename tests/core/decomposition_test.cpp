@@ -13,7 +13,9 @@ namespace {
 
 using Corners = std::array<GLint, 4>;
 
-std::optional<Decomposition> of(GLenum mode, const std::vector<float>& numbers) { return decomposition_of(mode, numbers); }
+std::optional<Decomposition> of(GLenum mode, const std::vector<float>& numbers) {
+  return decomposition_of(mode, numbers);
+}
 
 TEST(Decomposition, QuadsAlongEitherDiagonal) {
   EXPECT_EQ(of(GL_QUADS, {0, 1, 3, 1, 2, 3, 4, 5, 7, 5, 6, 7})->corners, (Corners{0, 1, 4, 2}));

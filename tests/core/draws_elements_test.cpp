@@ -26,7 +26,8 @@ Grid make_grid(GLuint base) {
     for (int x = 0; x < 5; ++x) {
       const auto fx = static_cast<GLfloat>(x);
       const auto fy = static_cast<GLfloat>(y);
-      grid.vertices.push_back({{fx * 0.4F - 0.85F, fy * 0.4F - 0.75F}, {fx / 4, fy / 4, (x + y) % 2 == 0 ? 1.0F : 0.0F}});
+      grid.vertices.push_back(
+          {{fx * 0.4F - 0.85F, fy * 0.4F - 0.75F}, {fx / 4, fy / 4, (x + y) % 2 == 0 ? 1.0F : 0.0F}});
     }
   }
   for (GLuint y = 0; y < 4; ++y) {
@@ -92,7 +93,8 @@ TEST_P(DrawsElements, UnsignedByte) {
 
 TEST_P(DrawsElements, UnsignedShortFromAnOffset) {
   upload<GLushort>();
-  expect_same_scene({grid_triangles - 2}, [] { glDrawElements(GL_TRIANGLES, grid_indices - 6, GL_UNSIGNED_SHORT, byte_offset(12)); });
+  expect_same_scene({grid_triangles - 2},
+                    [] { glDrawElements(GL_TRIANGLES, grid_indices - 6, GL_UNSIGNED_SHORT, byte_offset(12)); });
 }
 
 TEST_P(DrawsElements, UnsignedInt) {
@@ -102,18 +104,21 @@ TEST_P(DrawsElements, UnsignedInt) {
 
 TEST_P(DrawsElements, Range) {
   upload<GLushort>();
-  expect_same_scene({grid_triangles}, [] { glDrawRangeElements(GL_TRIANGLES, 0, 24, grid_indices, GL_UNSIGNED_SHORT, nullptr); });
+  expect_same_scene({grid_triangles},
+                    [] { glDrawRangeElements(GL_TRIANGLES, 0, 24, grid_indices, GL_UNSIGNED_SHORT, nullptr); });
 }
 
 TEST_P(DrawsElements, BaseVertex) {
   upload<GLushort>(7);
-  expect_same_scene({grid_triangles}, [] { glDrawElementsBaseVertex(GL_TRIANGLES, grid_indices, GL_UNSIGNED_SHORT, nullptr, 7); });
+  expect_same_scene({grid_triangles},
+                    [] { glDrawElementsBaseVertex(GL_TRIANGLES, grid_indices, GL_UNSIGNED_SHORT, nullptr, 7); });
 }
 
 TEST_P(DrawsElements, RangeBaseVertex) {
   upload<GLuint>(7);
-  expect_same_scene({grid_triangles},
-                    [] { glDrawRangeElementsBaseVertex(GL_TRIANGLES, 0, 24, grid_indices, GL_UNSIGNED_INT, nullptr, 7); });
+  expect_same_scene({grid_triangles}, [] {
+    glDrawRangeElementsBaseVertex(GL_TRIANGLES, 0, 24, grid_indices, GL_UNSIGNED_INT, nullptr, 7);
+  });
 }
 
 TEST_P(DrawsElements, ArraysInstanced) {
@@ -128,19 +133,22 @@ TEST_P(DrawsElements, ArraysInstancedBaseInstance) {
 
 TEST_P(DrawsElements, Instanced) {
   upload<GLuint>();
-  expect_same_scene({grid_triangles * 3}, [] { glDrawElementsInstanced(GL_TRIANGLES, grid_indices, GL_UNSIGNED_INT, nullptr, 3); });
+  expect_same_scene({grid_triangles * 3},
+                    [] { glDrawElementsInstanced(GL_TRIANGLES, grid_indices, GL_UNSIGNED_INT, nullptr, 3); });
 }
 
 TEST_P(DrawsElements, InstancedBaseVertex) {
   upload<GLubyte>(7);
-  expect_same_scene({grid_triangles * 3},
-                    [] { glDrawElementsInstancedBaseVertex(GL_TRIANGLES, grid_indices, GL_UNSIGNED_BYTE, nullptr, 3, 7); });
+  expect_same_scene({grid_triangles * 3}, [] {
+    glDrawElementsInstancedBaseVertex(GL_TRIANGLES, grid_indices, GL_UNSIGNED_BYTE, nullptr, 3, 7);
+  });
 }
 
 TEST_P(DrawsElements, InstancedBaseInstance) {
   upload<GLubyte>();
-  expect_same_scene({grid_triangles * 2},
-                    [] { glDrawElementsInstancedBaseInstance(GL_TRIANGLES, grid_indices, GL_UNSIGNED_BYTE, nullptr, 2, 1); });
+  expect_same_scene({grid_triangles * 2}, [] {
+    glDrawElementsInstancedBaseInstance(GL_TRIANGLES, grid_indices, GL_UNSIGNED_BYTE, nullptr, 2, 1);
+  });
 }
 
 TEST_P(DrawsElements, InstancedBaseVertexBaseInstance) {
@@ -169,7 +177,8 @@ TEST_P(DrawsElements, MultiElementsBaseVertex) {
   const GLsizei count[] = {24, 48};
   const void* const offsets[] = {byte_offset(0), byte_offset(48)};
   const GLint base[] = {5, 10};
-  expect_same_scene({24}, [&] { glMultiDrawElementsBaseVertex(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, offsets, 2, base); });
+  expect_same_scene({24},
+                    [&] { glMultiDrawElementsBaseVertex(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, offsets, 2, base); });
 }
 
 TEST_P(DrawsElements, ArraysIndirect) {
@@ -196,7 +205,9 @@ TEST_P(DrawsElements, MultiElementsIndirect) {
   expect_same_scene({16 + 32}, [] { glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, 2, 0); });
 }
 
-std::vector<GLushort> indices_with_restarts() { return {0, 1, 5, 6, 0xFFFF, 10, 11, 15, 16, 20, 21, 0xFFFF, 0xFFFF, 2, 3, 0xFFFF, 3, 4, 8}; }
+std::vector<GLushort> indices_with_restarts() {
+  return {0, 1, 5, 6, 0xFFFF, 10, 11, 15, 16, 20, 21, 0xFFFF, 0xFFFF, 2, 3, 0xFFFF, 3, 4, 8};
+}
 
 TEST_P(DrawsElements, RestartAtTheFixedIndex) {
   upload<GLushort>();
@@ -212,7 +223,8 @@ TEST_P(DrawsElements, RestartAtAnIndexOfOurs) {
   make_buffer(GL_ELEMENT_ARRAY_BUFFER, indices);
   glEnable(GL_PRIMITIVE_RESTART);
   glPrimitiveRestartIndex(23);
-  expect_same_scene({2 * (2 + 4 + 1)}, [] { glDrawElementsInstanced(GL_TRIANGLE_STRIP, 19, GL_UNSIGNED_SHORT, nullptr, 2); });
+  expect_same_scene({2 * (2 + 4 + 1)},
+                    [] { glDrawElementsInstanced(GL_TRIANGLE_STRIP, 19, GL_UNSIGNED_SHORT, nullptr, 2); });
 }
 
 TEST_P(DrawsElements, RestartInAMultiDraw) {
@@ -239,7 +251,8 @@ TEST_P(DrawsElements, IndicesInClientMemory) {
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   const Grid grid = make_grid(0);
   const std::vector<GLubyte> bytes = indices_of<GLubyte>(grid);
-  expect_same_scene({grid_triangles}, [&] { glDrawElements(GL_TRIANGLES, grid_indices, GL_UNSIGNED_BYTE, bytes.data()); });
+  expect_same_scene({grid_triangles},
+                    [&] { glDrawElements(GL_TRIANGLES, grid_indices, GL_UNSIGNED_BYTE, bytes.data()); });
 }
 
 }  // namespace

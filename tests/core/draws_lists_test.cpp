@@ -148,6 +148,44 @@ TEST_F(DrawsLists, InsideBeginTheListGivesVertices) {
   });
 }
 
+TEST_F(DrawsLists, VerticesFromListsInABeginOfAList) {
+  const GLuint base = glGenLists(2);
+  glListBase(base);
+  const auto compile_vertices = [base](GLuint list, std::size_t first, std::size_t end) {
+    glNewList(base + list, GL_COMPILE);
+    for (std::size_t i = first; i < end; ++i) emit(strip().vertices[i]);
+    glEndList();
+  };
+  compile_vertices(0, 0, 3);
+  compile_vertices(1, 3, 4);
+  const GLuint list = compile([base] {
+    const GLubyte second = 1;
+    glBegin(GL_TRIANGLE_STRIP);
+    glCallList(base);
+    glCallLists(1, GL_UNSIGNED_BYTE, &second);
+    glEnd();
+  });
+  expect_same_scene({2}, [list] { glCallList(list); });
+  compile_vertices(1, 3, 6);
+  expect_same_scene({4}, [list] { glCallList(list); });
+}
+
+TEST_F(DrawsLists, CallListsInsideBegin) {
+  const GLuint base = glGenLists(6);
+  for (GLuint i = 0; i < 6; ++i) {
+    glNewList(base + i, GL_COMPILE);
+    emit(strip().vertices[i]);
+    glEndList();
+  }
+  glListBase(base);
+  const GLubyte names[] = {0, 1, 2, 3, 4, 5};
+  expect_same_scene({4}, [&] {
+    glBegin(GL_TRIANGLE_STRIP);
+    glCallLists(6, GL_UNSIGNED_BYTE, names);
+    glEnd();
+  });
+}
+
 TEST_F(DrawsLists, Rectangle) {
   const GLuint list = compile([] { glRectf(-0.5F, -0.5F, 0.75F, 0.5F); });
   glColor3f(1, 0, 0);
@@ -155,10 +193,11 @@ TEST_F(DrawsLists, Rectangle) {
 }
 
 TEST_F(DrawsLists, UniformsChangedByAList) {
-  const GLuint program = link_program({.vertex = "#version 120\n"
-                                                 "uniform vec4 tint; uniform vec2 shift[2];\n"
-                                                 "void main() { gl_Position = gl_Vertex * vec4(0.5, 0.5, 1.0, 1.0) + vec4(shift[1], 0.0, 0.0);\n"
-                                                 "gl_FrontColor = gl_Color * tint; }\n"});
+  const GLuint program = link_program(
+      {.vertex = "#version 120\n"
+                 "uniform vec4 tint; uniform vec2 shift[2];\n"
+                 "void main() { gl_Position = gl_Vertex * vec4(0.5, 0.5, 1.0, 1.0) + vec4(shift[1], 0.0, 0.0);\n"
+                 "gl_FrontColor = gl_Color * tint; }\n"});
   glUseProgram(program);
   const GLint tint = glGetUniformLocation(program, "tint");
   const GLint shift = glGetUniformLocation(program, "shift[1]");
@@ -179,7 +218,8 @@ TEST_F(DrawsLists, UniformsChangedByAList) {
 }
 
 TEST_F(DrawsLists, ProgramChosenByAList) {
-  const GLuint program = link_program({.vertex = "#version 120\nvoid main() { gl_Position = gl_Vertex; gl_FrontColor = 1.0 - gl_Color; }\n"});
+  const GLuint program = link_program(
+      {.vertex = "#version 120\nvoid main() { gl_Position = gl_Vertex; gl_FrontColor = 1.0 - gl_Color; }\n"});
   const GLuint list = compile([program] {
     glUseProgram(program);
     draw_immediate(strip());

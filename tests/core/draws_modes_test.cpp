@@ -38,7 +38,8 @@ TEST_P(DrawsModes, ImmediateArrayElement) {
 
 TEST_P(DrawsModes, ClientArrays) {
   point_conventional_arrays(GetParam().vertices.data());
-  expect_same_scene(expected_, [] { glDrawArrays(GetParam().mode, 0, static_cast<GLsizei>(GetParam().vertices.size())); });
+  expect_same_scene(expected_,
+                    [] { glDrawArrays(GetParam().mode, 0, static_cast<GLsizei>(GetParam().vertices.size())); });
 }
 
 TEST_P(DrawsModes, InterleavedClientArraysFromTheSecondVertex) {
@@ -47,13 +48,15 @@ TEST_P(DrawsModes, InterleavedClientArraysFromTheSecondVertex) {
     data.insert(data.end(), {v.color[0], v.color[1], v.color[2], v.position[0], v.position[1], 0});
   }
   glInterleavedArrays(GL_C3F_V3F, 0, data.data());
-  expect_same_scene(expected_, [] { glDrawArrays(GetParam().mode, 1, static_cast<GLsizei>(GetParam().vertices.size())); });
+  expect_same_scene(expected_,
+                    [] { glDrawArrays(GetParam().mode, 1, static_cast<GLsizei>(GetParam().vertices.size())); });
 }
 
 TEST_P(DrawsModes, VertexBuffer) {
   make_buffer(GL_ARRAY_BUFFER, GetParam().vertices);
   point_conventional_arrays(nullptr);
-  expect_same_scene(expected_, [] { glDrawArrays(GetParam().mode, 0, static_cast<GLsizei>(GetParam().vertices.size())); });
+  expect_same_scene(expected_,
+                    [] { glDrawArrays(GetParam().mode, 0, static_cast<GLsizei>(GetParam().vertices.size())); });
 }
 
 TEST_P(DrawsModes, ListCompiledBeforeTheFirstDraw) {

@@ -24,9 +24,10 @@ class DrawsPrograms : public testing::TestWithParam<Profile> {
   }
   // `declarations` and the body of main after gl_Position and c have their plain values.
   GLuint use(const std::string& declarations, const std::string& body, const std::string& fragment = pass_color) {
-    const GLuint program = link_program({.vertex = inputs + declarations +
-                                                   "void main() { gl_Position = vec4(position, 0.0, 1.0); c = color;\n" + body + "}\n",
-                                         .fragment = fragment});
+    const GLuint program =
+        link_program({.vertex = inputs + declarations +
+                                "void main() { gl_Position = vec4(position, 0.0, 1.0); c = color;\n" + body + "}\n",
+                      .fragment = fragment});
     glUseProgram(program);
     return program;
   }
@@ -41,11 +42,11 @@ class DrawsFixed : public testing::Test {
 INSTANTIATE_TEST_SUITE_P(All, DrawsPrograms, testing::Values(Profile::compatibility, Profile::core), profile_name);
 
 TEST_P(DrawsPrograms, FlatOutputsUnderBothConventions) {
-  const GLuint program =
-      link_program({.vertex = inputs + "flat out vec3 c; flat out ivec2 n;\nvoid main() { gl_Position = vec4(position, 0.0, 1.0); "
-                                       "c = color; n = ivec2(color.xy * 200.0); }\n",
-                    .fragment = "#version 430\nflat in vec3 c; flat in ivec2 n; out vec4 result;\n"
-                                "void main() { result = vec4(c.x, vec2(n) / 255.0, 1.0); }\n"});
+  const GLuint program = link_program(
+      {.vertex = inputs + "flat out vec3 c; flat out ivec2 n;\nvoid main() { gl_Position = vec4(position, 0.0, 1.0); "
+                          "c = color; n = ivec2(color.xy * 200.0); }\n",
+       .fragment = "#version 430\nflat in vec3 c; flat in ivec2 n; out vec4 result;\n"
+                   "void main() { result = vec4(c.x, vec2(n) / 255.0, 1.0); }\n"});
   glUseProgram(program);
   for (const GLenum convention : {GL_LAST_VERTEX_CONVENTION, GL_FIRST_VERTEX_CONVENTION}) {
     glProvokingVertex(convention);
@@ -72,11 +73,13 @@ TEST_P(DrawsPrograms, VerticesFromVertexIdAlone) {
 }
 
 TEST_P(DrawsPrograms, MatrixAttribute) {
-  glUseProgram(link_program({.vertex = "#version 430\nlayout(location = 0) in vec2 position; layout(location = 4) in mat4 m; out vec3 c;\n"
-                                       "void main() { gl_Position = m * vec4(position, 0.0, 1.0); c = vec3(position, m[3].w); }\n",
-                             .fragment = pass_color}));
+  glUseProgram(link_program(
+      {.vertex = "#version 430\nlayout(location = 0) in vec2 position; layout(location = 4) in mat4 m; out vec3 c;\n"
+                 "void main() { gl_Position = m * vec4(position, 0.0, 1.0); c = vec3(position, m[3].w); }\n",
+       .fragment = pass_color}));
   std::vector<GLfloat> matrices;
-  for (int i = 0; i < 6; ++i) matrices.insert(matrices.end(), {0.8F, 0, 0, 0, 0, 0.7F, 0, 0, 0, 0, 1, 0, 0.1F, 0, 0, 1});
+  for (int i = 0; i < 6; ++i)
+    matrices.insert(matrices.end(), {0.8F, 0, 0, 0, 0, 0.7F, 0, 0, 0, 0, 1, 0, 0.1F, 0, 0, 1});
   make_buffer(GL_ARRAY_BUFFER, matrices);
   for (GLuint column = 0; column < 4; ++column) {
     glVertexAttribPointer(4 + column, 4, GL_FLOAT, GL_FALSE, 64, byte_offset(16 * column));
@@ -95,7 +98,8 @@ TEST_P(DrawsPrograms, MoreAttributesThanFitAreDrawnUnrefined) {
 }
 
 TEST_P(DrawsPrograms, IntegerAttributes) {
-  use("layout(location = 4) in ivec2 a; layout(location = 5) in uint b; flat out vec3 c;\n", "c = vec3(vec2(a), float(b)) / 8.0;\n",
+  use("layout(location = 4) in ivec2 a; layout(location = 5) in uint b; flat out vec3 c;\n",
+      "c = vec3(vec2(a), float(b)) / 8.0;\n",
       "#version 430\nflat in vec3 c; out vec4 result;\nvoid main() { result = vec4(c, 1.0); }\n");
   make_buffer(GL_ARRAY_BUFFER, std::vector<GLbyte>{8, 1, 7, 2, 6, 3, 5, 4, 4, 5, 3, 6});
   glVertexAttribIPointer(4, 2, GL_BYTE, 2, nullptr);
@@ -126,8 +130,9 @@ TEST_P(DrawsPrograms, ConstantAttribute) {
 }
 
 TEST_P(DrawsPrograms, UniformsChangedBetweenDraws) {
-  const GLuint program = use("uniform vec2 shift; uniform float scale[3]; uniform mat2 turn; uniform ivec2 n; uniform bool on; out vec3 c;\n",
-                             "gl_Position = vec4(turn * position * scale[2] + shift, 0.0, 1.0); c = on ? vec3(n, 1.0) / 9.0 : c;\n");
+  const GLuint program = use(
+      "uniform vec2 shift; uniform float scale[3]; uniform mat2 turn; uniform ivec2 n; uniform bool on; out vec3 c;\n",
+      "gl_Position = vec4(turn * position * scale[2] + shift, 0.0, 1.0); c = on ? vec3(n, 1.0) / 9.0 : c;\n");
   const GLint scale = glGetUniformLocation(program, "scale");
   const GLint shift = glGetUniformLocation(program, "shift");
   const GLint turn = glGetUniformLocation(program, "turn");
@@ -150,23 +155,28 @@ TEST_P(DrawsPrograms, UniformsChangedBetweenDraws) {
 }
 
 TEST_P(DrawsPrograms, UniformInitializersAndStructures) {
-  const GLuint program = use("struct Light { vec3 color; float power[2]; }; uniform Light lights[2]; uniform vec3 base = vec3(0.1, 0.2, 0.3); out vec3 c;\n",
-                             "c = base + lights[1].color * lights[0].power[1];\n");
+  const GLuint program =
+      use("struct Light { vec3 color; float power[2]; }; uniform Light lights[2]; uniform vec3 base = vec3(0.1, 0.2, "
+          "0.3); out vec3 c;\n",
+          "c = base + lights[1].color * lights[0].power[1];\n");
   glUniform3f(glGetUniformLocation(program, "lights[1].color"), 1, 0.5F, 0.25F);
   glUniform1f(glGetUniformLocation(program, "lights[0].power[1]"), 0.7F);
   expect_same_scene({4}, draw);
 }
 
 TEST_P(DrawsPrograms, UniformBlocks) {
-  const GLuint program = use("layout(std140) uniform Look { vec4 tint; } look[2]; layout(std430, binding = 3) readonly buffer Data { float data[]; }; out vec3 c;\n",
-                             "c = c * look[1].tint.rgb * data[2] + look[0].tint.rgb;\n");
+  const GLuint program =
+      use("layout(std140) uniform Look { vec4 tint; } look[2]; layout(std430, binding = 3) readonly buffer Data { "
+          "float data[]; }; out vec3 c;\n",
+          "c = c * look[1].tint.rgb * data[2] + look[0].tint.rgb;\n");
   const GLuint blocks[2] = {make_buffer(GL_UNIFORM_BUFFER, std::vector<GLfloat>{0, 0, 0.2F, 0}),
                             make_buffer(GL_UNIFORM_BUFFER, std::vector<GLfloat>{1, 0.5F, 0.2F, 0})};
   glBindBufferBase(GL_UNIFORM_BUFFER, 5, blocks[0]);
   glBindBufferBase(GL_UNIFORM_BUFFER, 7, blocks[1]);
   glUniformBlockBinding(program, glGetUniformBlockIndex(program, "Look[0]"), 5);
   glUniformBlockBinding(program, glGetUniformBlockIndex(program, "Look[1]"), 7);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, make_buffer(GL_SHADER_STORAGE_BUFFER, std::vector<GLfloat>{0, 0, 0.8F, 0}));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3,
+                   make_buffer(GL_SHADER_STORAGE_BUFFER, std::vector<GLfloat>{0, 0, 0.8F, 0}));
   expect_same_scene({4}, draw);
   glUniformBlockBinding(program, glGetUniformBlockIndex(program, "Look[0]"), 7);
   glUniformBlockBinding(program, glGetUniformBlockIndex(program, "Look[1]"), 5);
@@ -215,7 +225,9 @@ TEST_P(DrawsPrograms, Relink) {
   GLint type = 0;
   glGetShaderiv(shaders[0], GL_SHADER_TYPE, &type);
   const GLuint vertex = shaders[type == GL_VERTEX_SHADER ? 0 : 1];
-  const std::string source = inputs + "uniform vec3 tint; out vec3 c;\nvoid main() { gl_Position = vec4(0.5 * position, 0.0, 1.0); c = tint; }\n";
+  const std::string source =
+      inputs +
+      "uniform vec3 tint; out vec3 c;\nvoid main() { gl_Position = vec4(0.5 * position, 0.0, 1.0); c = tint; }\n";
   const char* const text = source.c_str();
   glShaderSource(vertex, 1, &text, nullptr);
   glCompileShader(vertex);
@@ -250,7 +262,8 @@ TEST_P(DrawsPrograms, DeletedAndAnotherOneInstead) {
 
 TEST_P(DrawsPrograms, SeveralProgramsInTurn) {
   const GLuint a = use("uniform float x; out vec3 c;\n", "gl_Position = vec4(position * 0.5 + x, 0.0, 1.0);\n");
-  const GLuint b = use("uniform float x; out vec3 c;\n", "gl_Position = vec4(position * 0.5 - x, 0.0, 1.0); c = 1.0 - c;\n");
+  const GLuint b =
+      use("uniform float x; out vec3 c;\n", "gl_Position = vec4(position * 0.5 - x, 0.0, 1.0); c = 1.0 - c;\n");
   expect_same_scene({8}, [a, b] {
     for (const GLuint program : {a, b}) {
       glUseProgram(program);
@@ -272,7 +285,9 @@ TEST_P(DrawsPrograms, ClipDistancesAndPointSize) {
 TEST_P(DrawsPrograms, InterfaceBlockAndQualifiers) {
   const std::string block = "Interface { noperspective vec3 a; centroid vec2 b; flat int n; }";
   use("out " + block + " face; out vec3 c;\n", "face.a = c; face.b = c.xy; face.n = 3;\n",
-      "#version 430\nin " + block + " face; in vec3 c; out vec4 result;\nvoid main() { result = vec4(face.a.x, face.b.y, c.z * float(face.n) / 3.0, 1.0); }\n");
+      "#version 430\nin " + block +
+          " face; in vec3 c; out vec4 result;\nvoid main() { result = vec4(face.a.x, face.b.y, c.z * float(face.n) / "
+          "3.0, 1.0); }\n");
   expect_same_scene({4}, draw);
 }
 
@@ -284,10 +299,13 @@ TEST_P(DrawsPrograms, PerspectiveWithDepth) {
 
 TEST_P(DrawsPrograms, GeometryShader) {
   const GLuint program = glCreateProgram();
-  attach_shader(program, GL_VERTEX_SHADER, inputs + "out vec3 d;\nvoid main() { gl_Position = vec4(position, 0.0, 1.0); d = color; }\n");
-  attach_shader(program, GL_GEOMETRY_SHADER,
-                "#version 430\nlayout(triangles) in; layout(triangle_strip, max_vertices = 3) out; in vec3 d[]; out vec3 c;\n"
-                "void main() { for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position * vec4(0.8, 0.8, 1.0, 1.0); c = d[i]; EmitVertex(); } }\n");
+  attach_shader(program, GL_VERTEX_SHADER,
+                inputs + "out vec3 d;\nvoid main() { gl_Position = vec4(position, 0.0, 1.0); d = color; }\n");
+  attach_shader(
+      program, GL_GEOMETRY_SHADER,
+      "#version 430\nlayout(triangles) in; layout(triangle_strip, max_vertices = 3) out; in vec3 d[]; out vec3 c;\n"
+      "void main() { for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position * vec4(0.8, 0.8, 1.0, 1.0); c = "
+      "d[i]; EmitVertex(); } }\n");
   attach_shader(program, GL_FRAGMENT_SHADER, pass_color);
   glLinkProgram(program);
   glUseProgram(program);
@@ -310,8 +328,7 @@ TEST_P(DrawsPrograms, SharedContexts) {
   glUniform3f(tint, 0, 1, 1);
   expect_same_scene({4}, draw);
   context_.make_current();
-  glUseProgram(0);  // what another context changed is seen when the program is bound again
-  glUseProgram(program);
+  glUniform3f(tint, 1, 0, 1);
   expect_same_scene({4}, draw);
 }
 
@@ -337,7 +354,8 @@ TEST_F(DrawsFixed, LitFromBothSides) {
 
 TEST_F(DrawsFixed, TwoSidedProgram) {
   glEnable(GL_VERTEX_PROGRAM_TWO_SIDE);
-  glUseProgram(link_program({.vertex = "#version 120\nvoid main() { gl_Position = ftransform(); gl_FrontColor = gl_Color; gl_BackColor = 1.0 - gl_Color; }\n"}));
+  glUseProgram(link_program({.vertex = "#version 120\nvoid main() { gl_Position = ftransform(); gl_FrontColor = "
+                                       "gl_Color; gl_BackColor = 1.0 - gl_Color; }\n"}));
   expect_same_scene({8}, [] {
     for (const GLfloat side : {-1.0F, 1.0F}) {
       glPushMatrix();
@@ -385,7 +403,8 @@ TEST_F(DrawsFixed, TextureMatricesAndGeneration) {
 }
 
 TEST_F(DrawsFixed, FragmentShaderAlone) {
-  const GLuint program = link_program({.fragment = "#version 120\nuniform vec4 tint;\nvoid main() { gl_FragColor = gl_Color.bgra * tint; }\n"});
+  const GLuint program = link_program(
+      {.fragment = "#version 120\nuniform vec4 tint;\nvoid main() { gl_FragColor = gl_Color.bgra * tint; }\n"});
   glUseProgram(program);
   const GLint tint = glGetUniformLocation(program, "tint");
   expect_same_scene({8}, [tint] {

@@ -25,9 +25,9 @@ GLint integer(GLenum name) {
 }
 
 State state() {
-  return {integer(GL_POOL_LEVEL_ARK),          integer(GL_CURRENT_DEPTH_TAG_ARK), integer(GL_DEPTH_TAG_ATTRIBUTE_ARK),
-          integer(GL_REFINEMENT_ARK),          integer(GL_DEPTH_SOURCE_ARK),      integer(GL_UNIFORM_DEPTH_LEVEL_ARK),
-          integer(GL_POLYGON_SPLIT_ARK),       integer(GL_PATTERN_INTERIOR_ARK),  glIsEnabled(GL_ARK),
+  return {integer(GL_POOL_LEVEL_ARK),         integer(GL_CURRENT_DEPTH_TAG_ARK), integer(GL_DEPTH_TAG_ATTRIBUTE_ARK),
+          integer(GL_REFINEMENT_ARK),         integer(GL_DEPTH_SOURCE_ARK),      integer(GL_UNIFORM_DEPTH_LEVEL_ARK),
+          integer(GL_POLYGON_SPLIT_ARK),      integer(GL_PATTERN_INTERIOR_ARK),  glIsEnabled(GL_ARK),
           glIsEnabled(GL_DEPTH_TAG_ARRAY_ARK)};
 }
 
@@ -56,8 +56,16 @@ INSTANTIATE_TEST_SUITE_P(All, Errors, testing::Values(Profile::compatibility, Pr
 INSTANTIATE_TEST_SUITE_P(All, ErrorsCompatibility, testing::Values(Profile::compatibility), profile_name);
 
 TEST_P(Errors, InitialState) {
-  const State expected{-1, 0, integer(GL_MAX_VERTEX_ATTRIBS) - 1, GL_LINEAR_INPUTS_ARK, GL_DEPTH_TAG_ARK, 0,
-                       GL_POLYGON_TRIANGLES_ARK, GL_MINIMUM_INTERIOR_ARK, GL_FALSE, GL_FALSE};
+  const State expected{-1,
+                       0,
+                       integer(GL_MAX_VERTEX_ATTRIBS) - 1,
+                       GL_LINEAR_INPUTS_ARK,
+                       GL_DEPTH_TAG_ARK,
+                       0,
+                       GL_POLYGON_TRIANGLES_ARK,
+                       GL_MINIMUM_INTERIOR_ARK,
+                       GL_FALSE,
+                       GL_FALSE};
   EXPECT_TRUE(expected == state());
   EXPECT_EQ(integer(GL_MAX_DEPTH_ARK), 11);
   EXPECT_EQ(integer(GL_DEPTH_TAG_ARRAY_TYPE_ARK), GL_FLOAT);
@@ -107,13 +115,17 @@ TEST_P(Errors, Parameters) {
 
 TEST_P(Errors, ParametersAreSet) {
   glARKinit(4);
-  const std::pair<GLenum, GLint> values[] = {
-      {GL_REFINEMENT_ARK, GL_CURVED_PN_ARK},          {GL_REFINEMENT_ARK, GL_LINEAR_OUTPUTS_ARK},
-      {GL_REFINEMENT_ARK, GL_LINEAR_INPUTS_ARK},      {GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK},
-      {GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK},        {GL_UNIFORM_DEPTH_LEVEL_ARK, 4},
-      {GL_DEPTH_TAG_ATTRIBUTE_ARK, core() ? 0 : 1},   {GL_POLYGON_SPLIT_ARK, GL_POLYGON_CENTROID_ARK},
-      {GL_POLYGON_SPLIT_ARK, GL_POLYGON_TRIANGLES_ARK}, {GL_PATTERN_INTERIOR_ARK, GL_SMOOTH_INTERIOR_ARK},
-      {GL_PATTERN_INTERIOR_ARK, GL_MINIMUM_INTERIOR_ARK}};
+  const std::pair<GLenum, GLint> values[] = {{GL_REFINEMENT_ARK, GL_CURVED_PN_ARK},
+                                             {GL_REFINEMENT_ARK, GL_LINEAR_OUTPUTS_ARK},
+                                             {GL_REFINEMENT_ARK, GL_LINEAR_INPUTS_ARK},
+                                             {GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK},
+                                             {GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK},
+                                             {GL_UNIFORM_DEPTH_LEVEL_ARK, 4},
+                                             {GL_DEPTH_TAG_ATTRIBUTE_ARK, core() ? 0 : 1},
+                                             {GL_POLYGON_SPLIT_ARK, GL_POLYGON_CENTROID_ARK},
+                                             {GL_POLYGON_SPLIT_ARK, GL_POLYGON_TRIANGLES_ARK},
+                                             {GL_PATTERN_INTERIOR_ARK, GL_SMOOTH_INTERIOR_ARK},
+                                             {GL_PATTERN_INTERIOR_ARK, GL_MINIMUM_INTERIOR_ARK}};
   for (const auto& [name, value] : values) {
     glARKParameteriARK(name, value);
     EXPECT_EQ(integer(name), value);
@@ -211,8 +223,9 @@ TEST_P(Errors, DrawArguments) {
   make_buffer(GL_ARRAY_BUFFER, mode_shapes()[0].vertices);
   point_generic_arrays(nullptr);
   make_buffer(GL_ELEMENT_ARRAY_BUFFER, std::vector<GLubyte>{0, 1, 2});
-  glUseProgram(link_program({.vertex = "#version 430\nlayout(location = 0) in vec2 p; void main() { gl_Position = vec4(p, 0.0, 1.0); }\n",
-                             .fragment = "#version 430\nout vec4 c; void main() { c = vec4(1.0); }\n"}));
+  glUseProgram(link_program(
+      {.vertex = "#version 430\nlayout(location = 0) in vec2 p; void main() { gl_Position = vec4(p, 0.0, 1.0); }\n",
+       .fragment = "#version 430\nout vec4 c; void main() { c = vec4(1.0); }\n"}));
   glARKinit(2);
   expect_error(invalid_value, [] { glDrawARP(GL_TRIANGLES, -1, 3); });
   expect_error(invalid_value, [] { glDrawARP(GL_TRIANGLES, 0, -3); });
@@ -287,7 +300,8 @@ TEST_P(Errors, ExtensionString) {
 TEST_P(Errors, QueriesInAllForms) {
   glARKinit(5);
   glEnable(GL_ARK);
-  for (const GLenum name : {GL_ARK, GL_MAX_DEPTH_ARK, GL_POOL_LEVEL_ARK, GL_REFINEMENT_ARK, GL_DEPTH_TAG_ARRAY_TYPE_ARK}) {
+  for (const GLenum name :
+       {GL_ARK, GL_MAX_DEPTH_ARK, GL_POOL_LEVEL_ARK, GL_REFINEMENT_ARK, GL_DEPTH_TAG_ARRAY_TYPE_ARK}) {
     const GLint expected = integer(name);
     GLboolean boolean = 9;
     GLint64 wide = -1;
@@ -306,7 +320,8 @@ TEST_P(Errors, QueriesInAllForms) {
 }
 
 TEST_P(Errors, UnassignedTokensAreErrors) {
-  for (const GLenum name : {0x6F0A, 0x6F0F, GL_LINEAR_INPUTS_ARK, GL_DEPTH_TAG_ARK, GL_MINIMUM_INTERIOR_ARK, 0x6F1E, 0x6F20}) {
+  for (const GLenum name :
+       {0x6F0A, 0x6F0F, GL_LINEAR_INPUTS_ARK, GL_DEPTH_TAG_ARK, GL_MINIMUM_INTERIOR_ARK, 0x6F1E, 0x6F20}) {
     GLint value = 77;
     expect_error(invalid_enum, [&] { glGetIntegerv(name, &value); });
     EXPECT_EQ(value, 77);

@@ -20,7 +20,8 @@ namespace {
 constexpr int size = 64;
 
 const char* const vertex_shader =
-    "#version 320 es\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color; uniform vec2 scale; out vec3 c;\n"
+    "#version 320 es\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color; uniform vec2 scale; "
+    "out vec3 c;\n"
     "void main() { gl_Position = vec4(position * scale, 0.0, 1.0); c = color; }\n";
 const char* const fragment_shader =
     "#version 320 es\nprecision highp float; in vec3 c; out vec4 result;\nvoid main() { result = vec4(c, 1.0); }\n";
@@ -33,7 +34,8 @@ class Es : public testing::Test {
     eglBindAPI(EGL_OPENGL_ES_API);
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2, EGL_NONE};
     context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) GTEST_SKIP() << "no OpenGL ES 3.2";
+    if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
+      GTEST_SKIP() << "no OpenGL ES 3.2";
     bind_framebuffer();
     link_program();
     upload();
@@ -109,7 +111,8 @@ class Es : public testing::Test {
   }
   static int differing_pixels(const std::vector<GLubyte>& a, const std::vector<GLubyte>& b) {
     int count = 0;
-    for (std::size_t i = 0; i < a.size(); i += 4) count += std::memcmp(&a[i], &b[i], 4) != 0 && std::abs(a[i] - b[i]) > 2 ? 1 : 0;
+    for (std::size_t i = 0; i < a.size(); i += 4)
+      count += std::memcmp(&a[i], &b[i], 4) != 0 && std::abs(a[i] - b[i]) > 2 ? 1 : 0;
     return count;
   }
   template <typename Draw>
@@ -194,7 +197,8 @@ TEST_F(Es, NoCracks) {
   glBeginTransformFeedback(GL_TRIANGLES);
   glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, nullptr);
   glEndTransformFeedback();
-  const auto* vertices = static_cast<const GLubyte*>(glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, triangles * 48, GL_MAP_READ_BIT));
+  const auto* vertices =
+      static_cast<const GLubyte*>(glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, triangles * 48, GL_MAP_READ_BIT));
   ASSERT_NE(vertices, nullptr);
   using Vertex = std::array<GLfloat, 4>;
   std::map<std::pair<Vertex, Vertex>, int> edges;
@@ -229,13 +233,15 @@ TEST_F(Es, BindingsAreKept) {
   const auto values = [] {
     std::vector<GLint64> result;
     for (GLuint i = 0; i < 3; ++i) {
-      for (const GLenum name : {GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE}) {
+      for (const GLenum name :
+           {GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE}) {
         glGetInteger64i_v(name, i, &result.emplace_back());
       }
     }
-    for (const GLenum name : {GL_DRAW_INDIRECT_BUFFER_BINDING, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_ARRAY_BUFFER_BINDING,
-                              GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING,
-                              GL_SHADER_STORAGE_BUFFER_BINDING, GL_RASTERIZER_DISCARD, GL_COPY_READ_BUFFER_BINDING}) {
+    for (const GLenum name :
+         {GL_DRAW_INDIRECT_BUFFER_BINDING, GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_ARRAY_BUFFER_BINDING,
+          GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING,
+          GL_SHADER_STORAGE_BUFFER_BINDING, GL_RASTERIZER_DISCARD, GL_COPY_READ_BUFFER_BINDING}) {
       glGetInteger64v(name, &result.emplace_back());
     }
     return result;

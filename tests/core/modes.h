@@ -26,10 +26,12 @@ struct ModeShape {
 
 inline std::ostream& operator<<(std::ostream& out, const ModeShape& shape) { return out << shape.name; }
 
-inline const ColoredVertex zigzag[6] = {{{-0.9F, -0.8F}, {1, 0, 0}},    {{-0.8F, 0.7F}, {0, 1, 0}}, {{0.0F, -0.9F}, {0, 0, 1}},
-                                        {{0.1F, 0.9F}, {1, 1, 0}}, {{0.8F, -0.6F}, {0, 1, 1}}, {{0.9F, 0.8F}, {1, 0, 1}}};
-inline const ColoredVertex hexagon[6] = {{{-0.9F, 0.1F}, {1, 0, 0}}, {{-0.5F, -0.8F}, {0, 1, 0}}, {{0.4F, -0.9F}, {0, 0, 1}},
-                                         {{0.9F, -0.1F}, {1, 1, 0}}, {{0.5F, 0.8F}, {0, 1, 1}},   {{-0.4F, 0.9F}, {1, 0, 1}}};
+inline const ColoredVertex zigzag[6] = {{{-0.9F, -0.8F}, {1, 0, 0}}, {{-0.8F, 0.7F}, {0, 1, 0}},
+                                        {{0.0F, -0.9F}, {0, 0, 1}},  {{0.1F, 0.9F}, {1, 1, 0}},
+                                        {{0.8F, -0.6F}, {0, 1, 1}},  {{0.9F, 0.8F}, {1, 0, 1}}};
+inline const ColoredVertex hexagon[6] = {{{-0.9F, 0.1F}, {1, 0, 0}}, {{-0.5F, -0.8F}, {0, 1, 0}},
+                                         {{0.4F, -0.9F}, {0, 0, 1}}, {{0.9F, -0.1F}, {1, 1, 0}},
+                                         {{0.5F, 0.8F}, {0, 1, 1}},  {{-0.4F, 0.9F}, {1, 0, 1}}};
 
 // Colours that are affine in the position: drivers cut quads along either diagonal.
 inline ColoredVertex affine(ColoredVertex vertex) {
@@ -42,9 +44,16 @@ inline const std::vector<ModeShape>& mode_shapes() {
       {"triangles", GL_TRIANGLES, 2, {zigzag[0], zigzag[2], zigzag[1], zigzag[3], zigzag[4], zigzag[5]}},
       {"triangle_strip", GL_TRIANGLE_STRIP, 4, {zigzag[0], zigzag[1], zigzag[2], zigzag[3], zigzag[4], zigzag[5]}},
       {"triangle_fan", GL_TRIANGLE_FAN, 4, {hexagon[0], hexagon[1], hexagon[2], hexagon[3], hexagon[4], hexagon[5]}},
-      {"quads", GL_QUADS, 4, {affine(zigzag[0]), affine(zigzag[2]), affine(zigzag[3]), affine(zigzag[1]),
-                           affine(zigzag[2]), affine(zigzag[4]), affine(zigzag[5]), affine(zigzag[3])}},
-      {"quad_strip", GL_QUAD_STRIP, 4, {affine(zigzag[0]), affine(zigzag[1]), affine(zigzag[2]), affine(zigzag[3]), affine(zigzag[4]), affine(zigzag[5])}},
+      {"quads",
+       GL_QUADS,
+       4,
+       {affine(zigzag[0]), affine(zigzag[2]), affine(zigzag[3]), affine(zigzag[1]), affine(zigzag[2]),
+        affine(zigzag[4]), affine(zigzag[5]), affine(zigzag[3])}},
+      {"quad_strip",
+       GL_QUAD_STRIP,
+       4,
+       {affine(zigzag[0]), affine(zigzag[1]), affine(zigzag[2]), affine(zigzag[3]), affine(zigzag[4]),
+        affine(zigzag[5])}},
       {"polygon", GL_POLYGON, 4, {hexagon[0], hexagon[1], hexagon[2], hexagon[3], hexagon[4], hexagon[5]}},
   };
   return shapes;

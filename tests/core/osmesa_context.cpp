@@ -8,9 +8,20 @@
 namespace glark::core::test {
 
 OsmesaContext::OsmesaContext(Profile profile, const OsmesaContext* share) : image_(4 * picture_size * picture_size) {
-  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8,
-                            OSMESA_PROFILE, profile == Profile::core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION, 4, OSMESA_CONTEXT_MINOR_VERSION, 5, 0, 0};
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            24,
+                            OSMESA_STENCIL_BITS,
+                            8,
+                            OSMESA_PROFILE,
+                            profile == Profile::core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            4,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            5,
+                            0,
+                            0};
   context_ = OSMesaCreateContextAttribs(attributes, share != nullptr ? share->context_ : nullptr);
   if (context_ == nullptr) {
     std::fputs("no OSMesa context of OpenGL 4.5\n", stderr);
@@ -24,7 +35,9 @@ OsmesaContext::~OsmesaContext() {
   OSMesaDestroyContext(context_);
 }
 
-void OsmesaContext::make_current() { OSMesaMakeCurrent(context_, image_.data(), GL_UNSIGNED_BYTE, picture_size, picture_size); }
+void OsmesaContext::make_current() {
+  OSMesaMakeCurrent(context_, image_.data(), GL_UNSIGNED_BYTE, picture_size, picture_size);
+}
 
 std::string pending_errors() {
   std::string text;

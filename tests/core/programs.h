@@ -41,7 +41,8 @@ inline GLuint link_program(const ProgramSources& sources) {
   attach_shader(program, GL_VERTEX_SHADER, sources.vertex);
   attach_shader(program, GL_FRAGMENT_SHADER, sources.fragment);
   if (!sources.varyings.empty()) {
-    glTransformFeedbackVaryings(program, static_cast<GLsizei>(sources.varyings.size()), sources.varyings.data(), GL_INTERLEAVED_ATTRIBS);
+    glTransformFeedbackVaryings(program, static_cast<GLsizei>(sources.varyings.size()), sources.varyings.data(),
+                                GL_INTERLEAVED_ATTRIBS);
   }
   for (std::size_t i = 0; i < sources.attributes.size(); ++i) {
     glBindAttribLocation(program, static_cast<GLuint>(i), sources.attributes[i]);

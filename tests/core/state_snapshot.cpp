@@ -94,13 +94,23 @@ void StateSnapshot::take_indexed() {
     GLenum name;
     GLuint count;
   };
-  const Target targets[] = {
-      {GL_SHADER_STORAGE_BUFFER_BINDING, 16}, {GL_SHADER_STORAGE_BUFFER_START, 16}, {GL_SHADER_STORAGE_BUFFER_SIZE, 16},
-      {GL_UNIFORM_BUFFER_BINDING, 16},        {GL_UNIFORM_BUFFER_START, 16},        {GL_UNIFORM_BUFFER_SIZE, 16},
-      {GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, 4}, {GL_TRANSFORM_FEEDBACK_BUFFER_START, 4}, {GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, 4},
-      {GL_ATOMIC_COUNTER_BUFFER_BINDING, 4},  {GL_ATOMIC_COUNTER_BUFFER_START, 4},  {GL_ATOMIC_COUNTER_BUFFER_SIZE, 4},
-      {GL_IMAGE_BINDING_NAME, 8},             {GL_VERTEX_BINDING_BUFFER, 16},       {GL_VERTEX_BINDING_OFFSET, 16},
-      {GL_VERTEX_BINDING_STRIDE, 16},         {GL_VERTEX_BINDING_DIVISOR, 16}};
+  const Target targets[] = {{GL_SHADER_STORAGE_BUFFER_BINDING, 16},
+                            {GL_SHADER_STORAGE_BUFFER_START, 16},
+                            {GL_SHADER_STORAGE_BUFFER_SIZE, 16},
+                            {GL_UNIFORM_BUFFER_BINDING, 16},
+                            {GL_UNIFORM_BUFFER_START, 16},
+                            {GL_UNIFORM_BUFFER_SIZE, 16},
+                            {GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, 4},
+                            {GL_TRANSFORM_FEEDBACK_BUFFER_START, 4},
+                            {GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, 4},
+                            {GL_ATOMIC_COUNTER_BUFFER_BINDING, 4},
+                            {GL_ATOMIC_COUNTER_BUFFER_START, 4},
+                            {GL_ATOMIC_COUNTER_BUFFER_SIZE, 4},
+                            {GL_IMAGE_BINDING_NAME, 8},
+                            {GL_VERTEX_BINDING_BUFFER, 16},
+                            {GL_VERTEX_BINDING_OFFSET, 16},
+                            {GL_VERTEX_BINDING_STRIDE, 16},
+                            {GL_VERTEX_BINDING_DIVISOR, 16}};
   for (const auto& [name, count] : targets) {
     for (GLuint i = 0; i < count; ++i) {
       GLint64 value = -1;
@@ -111,10 +121,11 @@ void StateSnapshot::take_indexed() {
 }
 
 void StateSnapshot::take_vertex_attributes() {
-  const GLenum names[] = {GL_VERTEX_ATTRIB_ARRAY_ENABLED,    GL_VERTEX_ATTRIB_ARRAY_SIZE,    GL_VERTEX_ATTRIB_ARRAY_STRIDE,
-                          GL_VERTEX_ATTRIB_ARRAY_TYPE,       GL_VERTEX_ATTRIB_ARRAY_INTEGER, GL_VERTEX_ATTRIB_ARRAY_NORMALIZED,
-                          GL_VERTEX_ATTRIB_ARRAY_DIVISOR,    GL_VERTEX_ATTRIB_BINDING,       GL_VERTEX_ATTRIB_RELATIVE_OFFSET,
-                          GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING};
+  const GLenum names[] = {GL_VERTEX_ATTRIB_ARRAY_ENABLED,   GL_VERTEX_ATTRIB_ARRAY_SIZE,
+                          GL_VERTEX_ATTRIB_ARRAY_STRIDE,    GL_VERTEX_ATTRIB_ARRAY_TYPE,
+                          GL_VERTEX_ATTRIB_ARRAY_INTEGER,   GL_VERTEX_ATTRIB_ARRAY_NORMALIZED,
+                          GL_VERTEX_ATTRIB_ARRAY_DIVISOR,   GL_VERTEX_ATTRIB_BINDING,
+                          GL_VERTEX_ATTRIB_RELATIVE_OFFSET, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING};
   for (GLuint attribute = 0; attribute < 16; ++attribute) {
     const std::string label = "attribute " + std::to_string(attribute) + " ";
     for (const GLenum name : names) {
@@ -174,8 +185,8 @@ std::string StateSnapshot::difference(const StateSnapshot& other, const std::vec
     std::array<GLint, 4> after{};
     std::memcpy(before.data(), a.data(), std::min(sizeof(before), a.size()));
     std::memcpy(after.data(), b.data(), std::min(sizeof(after), b.size()));
-    text += name + ": " + std::to_string(before[0]) + " " + std::to_string(before[1]) + " became " + std::to_string(after[0]) +
-            " " + std::to_string(after[1]) + "\n";
+    text += name + ": " + std::to_string(before[0]) + " " + std::to_string(before[1]) + " became " +
+            std::to_string(after[0]) + " " + std::to_string(after[1]) + "\n";
   }
   return text;
 }

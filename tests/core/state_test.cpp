@@ -6,14 +6,15 @@
 // Plan: with unusual state of the application bound, compare every queryable value before and after a draw. Values that the
 // unrefined draw changes too (the current colour of glBegin) are left out. Proof of life: the draw gives 4^level triangles.
 #include "tests/core/modes.h"
-#include "tests/core/scene.h"
 #include "tests/core/programs.h"
+#include "tests/core/scene.h"
 #include "tests/core/state_snapshot.h"
 
 namespace glark::core::test {
 namespace {
 
-const char* const old_vertex = "#version 120\nuniform mat4 m;\nvoid main() { gl_Position = m * gl_Vertex; gl_FrontColor = gl_Color; }\n";
+const char* const old_vertex =
+    "#version 120\nuniform mat4 m;\nvoid main() { gl_Position = m * gl_Vertex; gl_FrontColor = gl_Color; }\n";
 const char* const new_vertex =
     "#version 430\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color; out vec3 c;\n"
     "void main() { gl_Position = vec4(position, 0.0, 1.0); c = color; }\n";
@@ -42,8 +43,8 @@ class State : public testing::TestWithParam<Profile> {
       glBindBufferBase(GL_ATOMIC_COUNTER_BUFFER, i % 4, buffer);
     }
     make_buffer(GL_SHADER_STORAGE_BUFFER, std::vector<GLubyte>(64));
-    for (const GLenum target : {GL_DRAW_INDIRECT_BUFFER, GL_QUERY_BUFFER, GL_DISPATCH_INDIRECT_BUFFER, GL_PARAMETER_BUFFER,
-                                GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GL_TEXTURE_BUFFER}) {
+    for (const GLenum target : {GL_DRAW_INDIRECT_BUFFER, GL_QUERY_BUFFER, GL_DISPATCH_INDIRECT_BUFFER,
+                                GL_PARAMETER_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, GL_TEXTURE_BUFFER}) {
       make_buffer(target, std::vector<GLubyte>(1024));
     }
     pending_errors();  // GL_PARAMETER_BUFFER is of OpenGL 4.6
@@ -51,7 +52,8 @@ class State : public testing::TestWithParam<Profile> {
     glGenTransformFeedbacks(1, &feedback);
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback);
     for (GLuint i = 0; i < 2; ++i) {
-      glBindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, i, make_buffer(GL_ARRAY_BUFFER, std::vector<GLubyte>(1024)), 64, 256);
+      glBindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, i, make_buffer(GL_ARRAY_BUFFER, std::vector<GLubyte>(1024)), 64,
+                        256);
     }
     glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, make_buffer(GL_ARRAY_BUFFER, std::vector<GLubyte>(16)));
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -167,10 +169,14 @@ TEST_P(State, Indirect) {
   const GLuint commands = make_buffer(GL_DRAW_INDIRECT_BUFFER, std::vector<GLuint>{6, 2, 0, 0});
   expect_state_kept(8 * 16, [commands] {
     GLint bound = 0;
+    GLint parameters = 0;
     glGetIntegerv(GL_DRAW_INDIRECT_BUFFER_BINDING, &bound);
+    glGetIntegerv(GL_PARAMETER_BUFFER_BINDING, &parameters);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands);
+    glBindBuffer(GL_PARAMETER_BUFFER, 0);  // Mesa would take the number of commands from it
     glDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, static_cast<GLuint>(bound));
+    glBindBuffer(GL_PARAMETER_BUFFER, static_cast<GLuint>(parameters));
   });
 }
 
@@ -248,7 +254,9 @@ TEST_P(State, SnapshotSeesChanges) {
   EXPECT_FALSE(changes([] {}));
   EXPECT_TRUE(changes([] { make_buffer(GL_DRAW_INDIRECT_BUFFER, std::vector<GLubyte>(16)); }));
   EXPECT_TRUE(changes([] { make_buffer(GL_QUERY_BUFFER, std::vector<GLubyte>(16)); }));
-  EXPECT_TRUE(changes([] { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, make_buffer(GL_SHADER_STORAGE_BUFFER, std::vector<GLubyte>(16))); }));
+  EXPECT_TRUE(changes([] {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, make_buffer(GL_SHADER_STORAGE_BUFFER, std::vector<GLubyte>(16)));
+  }));
   EXPECT_TRUE(changes([] { glVertexAttrib4f(7, 1, 2, 3, 4); }));
   EXPECT_TRUE(changes([] { glEnable(GL_RASTERIZER_DISCARD); }));
   EXPECT_TRUE(changes([] { glPrimitiveRestartIndex(77); }));

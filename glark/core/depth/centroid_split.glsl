@@ -96,17 +96,17 @@ void main() {
     int edge = record - polygon * sides;
     int first = vertex_at(polygon, edge);
     int second = vertex_at(polygon, next(edge));
-    int centroid = centroids + polygon * corner_words;
+    int middle = centroids + polygon * corner_words;
     int to = 3 * record * corner_words;
     for (int word = 0; word < corner_words; ++word) {
       split[to + word] = captured[first + word];
       split[to + corner_words + word] = captured[second + word];
-      split[to + 2 * corner_words + word] = split[centroid + word];
+      split[to + 2 * corner_words + word] = split[middle + word];
     }
     // In the place of the tags, the depths of edges 0, 1 and 2; the centroid has that of both inner edges.
     if (tag_offset >= 0) {
       split[to + tag_offset] = floatBitsToUint(float(edge_depth(polygon, edge)));
-      split[to + corner_words + tag_offset] = split[centroid + tag_offset];
+      split[to + corner_words + tag_offset] = split[middle + tag_offset];
     }
   }
 }

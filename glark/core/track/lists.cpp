@@ -199,6 +199,8 @@ void record_draw(Context& c, const DrawCall& call) {
     call.issue();
     return;
   }
+  GLint tag_array = 0;  // its tags are compiled with the vertices
+  c.gl.GetVertexAttribiv(c.ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &tag_array);
   close_segment(c, {});
   open_segment(c, GL_COMPILE);
   call.issue();
@@ -207,6 +209,7 @@ void record_draw(Context& c, const DrawCall& call) {
                  .mode = call.mode,
                  .triangles = call.triangles,
                  .exact = call.exact,
+                 .sets_tags = call.tags_vary || tag_array != 0,
                  .whole_polygons = call.whole_polygons});
   execute_last(c);
   open_segment(c, c.list.mode);
