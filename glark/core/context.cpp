@@ -197,6 +197,7 @@ void Context::refresh_bindings() {
     b.shade_model = static_cast<GLenum>(get(gl, GL_SHADE_MODEL));
     b.clamp_vertex_color = get(gl, GL_CLAMP_VERTEX_COLOR) != GL_FALSE;
     b.render_mode = static_cast<GLenum>(get(gl, GL_RENDER_MODE));
+    b.list_base = static_cast<GLuint>(get(gl, GL_LIST_BASE));
   }
   if (current_program == nullptr ? b.program != 0 : current_program->name != b.program) {
     track::adopt_current_program(*this);

@@ -26,9 +26,9 @@ struct ListSegment {
   GLenum mode = GL_TRIANGLES;  // of a draw segment
   std::uint64_t vertices = 0;  // of a draw segment
   std::uint64_t triangles = 0;
-  bool exact = true;       // `triangles` is the count, not a bound
-  bool sets_tags = false;  // glDepthTag1i was called inside
-  bool whole_polygons = false;  // as in DrawCall
+  bool exact = true;                          // `triangles` is the count, not a bound
+  bool sets_tags = false;                     // glDepthTag1i was called inside
+  bool whole_polygons = false;                // as in DrawCall
   std::vector<VertexList> vertex_lists = {};  // `vertices` are without theirs
 };
 

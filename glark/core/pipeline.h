@@ -86,6 +86,7 @@ class Pipeline {
   bool captures_last_vertex(GLenum mode) const;
   bool splits_at_centroid(const DrawCall& call, const Plan& plan) const;
   std::optional<depth::Decomposition> decomposition_for(GLenum mode, bool last_vertex_convention);
+  GLuint probe_program(const capture::Layout& layout);
   std::vector<float> probe(GLenum mode, bool last_vertex_convention);
   bool ready_to_split(const Plan& plan, const depth::SplitRequest& request);
   DerivedKey key_of(GLenum mode, bool tagged) const;

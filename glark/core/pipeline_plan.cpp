@@ -188,7 +188,8 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   if (!ensure_pool()) {
     return Cause::out_of_memory;
   }
-  const DerivedKey key = key_of(call.mode, plan.adaptive);
+  // What is split has nothing that depends on the provoking corner, and may be captured among triangles.
+  const DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, plan.adaptive);
   const auto found = plan.program->derived.find(key);
   if (found != plan.program->derived.end()) {
     plan.derived = found->second.get();

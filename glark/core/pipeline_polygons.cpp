@@ -5,8 +5,6 @@
 // split itself.
 #include <algorithm>
 #include <numeric>
-#include <cstdio>
-#include <cstdlib>
 #include <vector>
 
 #include "glark/core/context.h"
@@ -33,6 +31,17 @@ bool Pipeline::splits_at_centroid(const DrawCall& call, const Plan& plan) const 
          gives_centroids(*plan.program);
 }
 
+// Varyings cannot be given while a transform feedback object is bound that is active, even if it is paused.
+GLuint Pipeline::probe_program(const capture::Layout& layout) {
+  GLuint idle = 0;
+  gl_.GenTransformFeedbacks(1, &idle);
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, idle);
+  const GLuint program = capture_.program_for(layout, context_.ark.tag_attribute);
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, context_.bindings.transform_feedback);
+  gl_.DeleteTransformFeedbacks(1, &idle);
+  return program;
+}
+
 // Draws vertices that are numbered, and returns the numbers in the order of the corners that GL makes of them. Empty if GL
 // captures nothing (conditional rendering, no memory).
 std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
@@ -43,7 +52,7 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
       capture::make_layout({{.name = "number", .type = GL_FLOAT, .location = 0}}, false);
   Plan plan;
   plan.layout = &layout;
-  plan.capture_program = capture_.program_for(layout, context_.ark.tag_attribute);
+  plan.capture_program = probe_program(layout);
   plan.last_vertex_convention = last_vertex_convention;
   std::vector<float> numbers(static_cast<std::size_t>(vertices));
   std::iota(numbers.begin(), numbers.end(), 0.0F);
@@ -64,7 +73,6 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
     begin_capture(plan, true, &output);
     gl_.DrawArrays(mode, 0, vertices);
     end_capture(plan, triangles, true);
-    if (std::getenv("DBG")) std::fprintf(stderr, "probe %x error %x\n", mode, errors.take());
     gl_.UseProgram(context_.bindings.program);
     gl_.BindVertexArray(context_.bindings.vertex_array);
     gl_.DeleteVertexArrays(1, &array);

@@ -59,10 +59,11 @@ void forget_state(Context& c, const DisplayList* list) {
 
 void run_segment(Context& c, const ListSegment& segment, const DisplayList& list, int depth);
 
-GLuint list_base(const Context& c) {
-  GLint base = 0;
-  c.gl.GetIntegerv(GL_LIST_BASE, &base);  // a list may change it
-  return static_cast<GLuint>(base);
+GLuint list_base(Context& c) {
+  if (!c.immediate.open) {  // between glBegin and glEnd nothing can be asked, and nothing changes it
+    c.refresh_bindings();
+  }
+  return c.bindings.list_base;
 }
 
 // What a call between glBegin and glEnd adds to the primitive.
@@ -95,7 +96,7 @@ std::uint64_t triangles_of_segment(Context& c, const ListSegment& segment) {
 
 void call_list(Context& c, GLuint name, int depth) {
   const std::shared_ptr<DisplayList> list = find_list(c, name);
-  if (c.immediate.open) {
+  if (c.immediate.capturing) {
     c.immediate_vertices += vertices_of(c, name, depth);
   }
   if (list == nullptr || !list->refinable || !c.refining || depth > deepest_nesting || c.immediate.open) {
@@ -204,13 +205,12 @@ void record_draw(Context& c, const DrawCall& call) {
   close_segment(c, {});
   open_segment(c, GL_COMPILE);
   call.issue();
-  close_segment(c,
-                {.kind = ListSegment::Kind::draw,
-                 .mode = call.mode,
-                 .triangles = call.triangles,
-                 .exact = call.exact,
-                 .sets_tags = call.tags_vary || tag_array != 0,
-                 .whole_polygons = call.whole_polygons});
+  close_segment(c, {.kind = ListSegment::Kind::draw,
+                    .mode = call.mode,
+                    .triangles = call.triangles,
+                    .exact = call.exact,
+                    .sets_tags = call.tags_vary || tag_array != 0,
+                    .whole_polygons = call.whole_polygons});
   execute_last(c);
   open_segment(c, c.list.mode);
 }
@@ -348,7 +348,7 @@ void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
     return;
   }
   if (!c.refining || c.immediate.open) {
-    for (GLsizei i = 0; i < n && c.immediate.open; ++i) {
+    for (GLsizei i = 0; i < n && c.immediate.capturing; ++i) {
       c.immediate_vertices += vertices_of(c, list_base(c) + name_at(type, lists, i), 0);
     }
     c.gl.CallLists(n, type, lists);
@@ -380,6 +380,13 @@ void DeleteLists(Context& c, GLuint first, GLsizei range) {
     if (list != nullptr) {
       delete_segments(c, *list);
     }
+  }
+}
+
+void ListBase(Context& c, GLuint base) {
+  c.gl.ListBase(base);
+  if (track::executes(c) && !c.immediate.open) {
+    c.bindings.list_base = base;
   }
 }
 
