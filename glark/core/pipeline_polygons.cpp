@@ -48,8 +48,7 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
   ErrorScope errors(context_);
   const GLsizei vertices = depth::probe_vertices(mode);
   const std::uint64_t triangles = triangles_of(mode, static_cast<std::uint64_t>(vertices));
-  const capture::Layout layout =
-      capture::make_layout({{.name = "number", .type = GL_FLOAT, .location = 0}}, false);
+  const capture::Layout layout = capture::make_layout({{.name = "number", .type = GL_FLOAT, .location = 0}}, false);
   Plan plan;
   plan.layout = &layout;
   plan.capture_program = probe_program(layout);
@@ -59,7 +58,9 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
   std::vector<float> corners(3 * triangles, -1.0F);
   GpuBuffer input;
   GpuBuffer output;
-  const auto bytes = [](const std::vector<float>& words) { return static_cast<GLsizeiptr>(words.size() * sizeof(float)); };
+  const auto bytes = [](const std::vector<float>& words) {
+    return static_cast<GLsizeiptr>(words.size() * sizeof(float));
+  };
   if (plan.capture_program != 0 && capture_.reserve(layout, triangles) &&
       input.allocate(gl_, bytes(numbers), numbers.data(), GL_STATIC_DRAW) &&
       output.allocate(gl_, bytes(corners), corners.data(), GL_STREAM_READ)) {
@@ -99,8 +100,9 @@ std::optional<depth::Decomposition> Pipeline::decomposition_for(GLenum mode, boo
   const auto found = depth::decomposition_of(mode, numbers);
   if (!found) {
     const char* name = mode == GL_QUADS ? "GL_QUADS" : mode == GL_QUAD_STRIP ? "GL_QUAD_STRIP" : "GL_POLYGON";
-    log(LogLevel::warning, std::string("this GL cuts ") + name +
-                               " into triangles that polygons cannot be put together from: GL_POLYGON_CENTROID_ARK has no effect on them");
+    log(LogLevel::warning,
+        std::string("this GL cuts ") + name +
+            " into triangles that polygons cannot be put together from: GL_POLYGON_CENTROID_ARK has no effect on them");
   }
   decompositions_[{mode, convention}] = found;
   return found;
@@ -112,14 +114,14 @@ bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& reque
     return true;
   }
   ErrorScope errors(context_);
-  if (centroids_.reserve(request) &&
-      (!plan.adaptive || bins_.reserve(*plan.layout, request.records(), plan.deepest))) {
+  if (centroids_.reserve(request) && (!plan.adaptive || bins_.reserve(*plan.layout, request.records(), plan.deepest))) {
     return true;
   }
   if (!split_failed_) {
     split_failed_ = true;
-    log(LogLevel::warning, "cannot split " + std::to_string(request.polygons()) +
-                               " polygons at their centroids for lack of memory; they are refined as triangles; draw fewer at once");
+    log(LogLevel::warning,
+        "cannot split " + std::to_string(request.polygons()) +
+            " polygons at their centroids for lack of memory; they are refined as triangles; draw fewer at once");
   }
   return false;
 }

@@ -46,7 +46,6 @@ class Report {
  public:
   Report(const char* way, Api api, GetProc get_proc) : way_(way), api_(api) {
     get_string_ = reinterpret_cast<decltype(get_string_)>(get_proc("glGetString"));
-    get_string_i_ = reinterpret_cast<decltype(get_string_i_)>(get_proc("glGetStringi"));
     get_integer_ = reinterpret_cast<decltype(get_integer_)>(get_proc("glGetIntegerv"));
   }
 
@@ -63,7 +62,7 @@ class Report {
       std::printf("\n");
     }
     for (const Limit& limit : limits) std::printf("  %s = %d\n", limit.name, integer(limit.value));
-    print_extensions();
+    if (lacks.empty()) print_offer();
     return lacks.empty() ? can_refine : cannot_refine;
   }
 
@@ -90,18 +89,17 @@ class Report {
     return lacks;
   }
 
-  void print_extensions() const {
-    std::printf("  extensions");
-    const GLint count = get_string_i_ == nullptr ? 0 : integer(GL_NUM_EXTENSIONS);
-    for (GLint i = 0; i < count; ++i)
-      std::printf(" %s", reinterpret_cast<const char*>(get_string_i_(GL_EXTENSIONS, static_cast<GLuint>(i))));
-    std::printf("\n");
+  // What a program gets here.
+  void print_offer() const {
+    std::printf("  levels     0 to 11 (2048 segments an edge)\n");
+    std::printf("  refinement of unmodified programs: linear, outputs, pn\n");
+    std::printf("  commands   glARKinit glDepthTag1i glDepthTagPointerARK glDrawARP glDrawARPElementsARK glARKParameteriARK\n"
+                "             glRefinementShaderSourceARK glGetRefinementivARK glGetRefinementInfoLogARK\n");
   }
 
   const char* way_;
   Api api_;
   const GLubyte* (*get_string_)(GLenum) = nullptr;
-  const GLubyte* (*get_string_i_)(GLenum, GLuint) = nullptr;
   void (*get_integer_)(GLenum, GLint*) = nullptr;
 };
 

@@ -43,7 +43,10 @@ TEST(Reach, ThroughAPluginThatIsLinked) {
   EXPECT_EQ(run_preloaded(program("shim_unlinked plugin ") + PLUGIN).output, drawn);
 }
 
-TEST(Reach, DeepBindIsDropped) { EXPECT_EQ(run_preloaded(program("shim_unlinked deepbind ") + PLUGIN).output, drawn); }
+TEST(Reach, DeepBindIsDropped) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "AddressSanitizer refuses RTLD_DEEPBIND before we can drop it";
+#endif EXPECT_EQ(run_preloaded(program("shim_unlinked deepbind ") + PLUGIN).output, drawn); }
 
 TEST(Reach, NextIsPassedThroughAndAnUnseenContextIsAdopted) {
   EXPECT_EQ(run_preloaded(program("shim_next_main")).output, "next glDrawArrays is the driver's\nadopted yes\n");

@@ -14,11 +14,12 @@ constexpr char split_source[] =
 #include "glark/core/depth/centroid_split.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {"record_offset", "corner_words",  "tag_offset",   "first_integer", "pool_level",
-                                         "sides",         "polygon_bound", "count_on_gpu", "centroids",     "is_fan"};
+constexpr const char* uniform_names[] = {"record_offset", "corner_words", "tag_offset",    "first_integer",
+                                         "pool_level",    "sides",        "polygon_bound", "count_on_gpu",
+                                         "centroids",     "is_fan"};
 constexpr std::uint32_t group_size = 64;
-constexpr std::uint32_t most_groups = 65535;   // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT
-constexpr GLsizeiptr chunk_overrun = 16;       // the last vec4 chunk of the last record may read past its end
+constexpr std::uint32_t most_groups = 65535;  // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT
+constexpr GLsizeiptr chunk_overrun = 16;      // the last vec4 chunk of the last record may read past its end
 
 GLuint groups_for(std::uint32_t count) { return std::min((count + group_size - 1) / group_size, most_groups); }
 

@@ -38,7 +38,8 @@ class CentroidSplit {
   // split. `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
   capture::CoarseTriangles split(const SplitRequest& request, GLuint captured_count);
 
-  const core::GpuBuffer& count_command() const { return count_command_; }  // of the last split, if its count is on the GPU
+  // Of the last split, if its count is on the GPU.
+  const core::GpuBuffer& count_command() const { return count_command_; }
   void release();
 
  private:
