@@ -79,9 +79,10 @@ GLARK_HIDDEN void glark_find_real_linker() {
 }
 
 // C++ functions under plain names: what they return is no C type.
-__attribute__((visibility("hidden"), used)) glark::shim::Decision glark_decide_dlsym(void* handle, const char* name) __asm__("glark_decide_dlsym");
-__attribute__((visibility("hidden"), used)) glark::shim::Decision glark_decide_dlvsym(void* handle, const char* name,
-                                                                                      const char* version) __asm__("glark_decide_dlvsym");
+__attribute__((visibility("hidden"), used)) glark::shim::Decision glark_decide_dlsym(
+    void* handle, const char* name) __asm__("glark_decide_dlsym");
+__attribute__((visibility("hidden"), used)) glark::shim::Decision glark_decide_dlvsym(
+    void* handle, const char* name, const char* version) __asm__("glark_decide_dlvsym");
 
 glark::shim::Decision glark_decide_dlsym(void* handle, const char* name) {
   if (glark_real_dlopen == nullptr) glark_find_real_linker();

@@ -167,8 +167,7 @@ void Context::refresh_bindings() {
   b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
   b.draw_indirect_buffer = static_cast<GLuint>(get(gl, GL_DRAW_INDIRECT_BUFFER_BINDING));
   b.query_buffer = capabilities.query_buffer ? static_cast<GLuint>(get(gl, GL_QUERY_BUFFER_BINDING)) : 0;
-  b.parameter_buffer =
-      capabilities.parameter_buffer ? static_cast<GLuint>(get(gl, GL_PARAMETER_BUFFER_BINDING)) : 0;
+  b.parameter_buffer = capabilities.parameter_buffer ? static_cast<GLuint>(get(gl, GL_PARAMETER_BUFFER_BINDING)) : 0;
   b.feedback_buffer = static_cast<GLuint>(get(gl, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING));
   b.storage_buffer = static_cast<GLuint>(get(gl, GL_SHADER_STORAGE_BUFFER_BINDING));
   for (GLuint i = 0; i < b.storage.size(); ++i) {

@@ -26,12 +26,12 @@ class Pipeline;
 struct Capabilities {
   enum class Api { compatibility, core, es };
   Api api = Api::compatibility;
-  int version = 0;                   // 45 for 4.5
-  bool refinable = false;            // GL >= 4.3 or ES >= 3.2
+  int version = 0;                      // 45 for 4.5
+  bool refinable = false;               // GL >= 4.3 or ES >= 3.2
   bool quads_follow_convention = true;  // provoking vertex of quads under GL_FIRST_VERTEX_CONVENTION
-  bool parameter_buffer = false;  // GL_PARAMETER_BUFFER is a binding point
-  bool query_buffer = false;         // results of queries go to a buffer
-  bool multi_draw_indirect = false;  // with a base instance; otherwise bins are read back
+  bool parameter_buffer = false;        // GL_PARAMETER_BUFFER is a binding point
+  bool query_buffer = false;            // results of queries go to a buffer
+  bool multi_draw_indirect = false;     // with a base instance; otherwise bins are read back
   std::vector<std::string> extensions;
   GLint max_vertex_attributes = 16;
   GLint max_feedback_components = 64;
@@ -61,7 +61,7 @@ struct ListCompilation {
   GLenum mode = 0;
   std::shared_ptr<DisplayList> list;
   GLuint open_segment = 0;
-  GLenum begun_mode = 0;  // of a glBegin that is open in a draw segment
+  GLenum begun_mode = 0;                 // of a glBegin that is open in a draw segment
   std::vector<VertexList> vertex_lists;  // called since the open glBegin
   bool in_draw = false;
   bool in_begin = false;
@@ -89,8 +89,8 @@ class Context {
   // At the end of a frame, before buffers are swapped.
   void frame_finished();
 
-  const gl::Dispatch& gl;   // for the application's calls
-  gl::Dispatch supported;   // for ours: without what the context does not offer
+  const gl::Dispatch& gl;  // for the application's calls
+  gl::Dispatch supported;  // for ours: without what the context does not offer
 
   // Read by the generated wrappers at every call.
   bool refining = false;         // draw calls must reach their hooks

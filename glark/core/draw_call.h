@@ -58,7 +58,9 @@ inline bool is_triangle_mode(GLenum mode) {
 }
 
 // Whether the polygons of `primitives` commands can be told apart: each quad is two triangles, a GL_POLYGON any number of them.
-inline bool tells_polygons_apart(GLenum mode, std::uint64_t primitives) { return mode != GL_POLYGON || primitives == 1; }
+inline bool tells_polygons_apart(GLenum mode, std::uint64_t primitives) {
+  return mode != GL_POLYGON || primitives == 1;
+}
 
 // Triangles that GL makes of `vertices` in `mode` (OpenGL 4.6 compatibility, 10.1); primitive restart can only lower it.
 inline std::uint64_t triangles_of(GLenum mode, std::uint64_t vertices) {

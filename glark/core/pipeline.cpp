@@ -121,7 +121,8 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
 
 depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
   const Bindings& b = context_.bindings;
-  const depth::BinRequest request{plan.layout, records.triangles, 0, context_.ark.smooth_interior, records.tags_are_edge_depths};
+  const depth::BinRequest request{plan.layout, records.triangles, 0, context_.ark.smooth_interior,
+                                  records.tags_are_edge_depths};
   const depth::BinnedInstances bins = bins_.sort(request, records.count_command->name(), b);
   counted_on_gpu_ = true;
   // The application's queries have counted the reordering too.

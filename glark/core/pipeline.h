@@ -70,11 +70,11 @@ class Pipeline {
     GLuint capture_program = 0;
     const capture::Layout* layout = nullptr;
     std::optional<depth::Decomposition> polygons;  // to be split at their centroids
-    bool for_feedback = false;  // what will be drawn is not known yet
+    bool for_feedback = false;                     // what will be drawn is not known yet
     bool adaptive = false;
     bool last_vertex_convention = false;  // while capturing
-    unsigned level = 0;    // uniform level
-    unsigned deepest = 0;  // that an adaptive draw can reach
+    unsigned level = 0;                   // uniform level
+    unsigned deepest = 0;                 // that an adaptive draw can reach
   };
 
   Cause check_state(const DrawCall& call) const;
@@ -108,7 +108,7 @@ class Pipeline {
   void submit(const Plan& plan, const capture::CoarseTriangles& captured);
   bool selects_back_colors(const Plan& plan) const;
   bool adds_specular_colors(const Plan& plan) const;
-  void set_modes(const Plan& plan);    // that the refined draw needs otherwise than the application has them
+  void set_modes(const Plan& plan);  // that the refined draw needs otherwise than the application has them
   void reset_modes(const Plan& plan);
   void restore(const Plan& plan, bool changed_indirect);
   void restore_storage();
@@ -129,7 +129,8 @@ class Pipeline {
   std::string fixed_function_refinement_;
   Plan immediate_plan_;
   DerivedProgram* feedback_program_ = nullptr;
-  std::map<std::pair<GLenum, GLenum>, std::optional<depth::Decomposition>> decompositions_;  // by mode, provoking convention
+  std::map<std::pair<GLenum, GLenum>, std::optional<depth::Decomposition>>
+      decompositions_;  // by mode, provoking convention
   std::bitset<cause_count> logged_;
   bool bins_ready_ = false;
   bool pool_failed_ = false;

@@ -131,8 +131,8 @@ Cause Pipeline::find_program(Plan& plan) {
 // OpenGL 4.6 compatibility, 13.4: quads may keep their last vertex as the provoking one under GL_FIRST_VERTEX_CONVENTION. They
 // are then captured under the last vertex convention, whose triangles end with it.
 bool Pipeline::captures_last_vertex(GLenum mode) const {
-  return context_.bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !context_.capabilities.quads_follow_convention &&
-         (mode == GL_QUADS || mode == GL_QUAD_STRIP);
+  return context_.bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION &&
+         !context_.capabilities.quads_follow_convention && (mode == GL_QUADS || mode == GL_QUAD_STRIP);
 }
 
 DerivedKey Pipeline::key_of(GLenum mode, bool tagged) const {

@@ -93,8 +93,9 @@ class Report {
   void print_offer() const {
     std::printf("  levels     0 to 11 (2048 segments an edge)\n");
     std::printf("  refinement of unmodified programs: linear, outputs, pn\n");
-    std::printf("  commands   glARKinit glDepthTag1i glDepthTagPointerARK glDrawARP glDrawARPElementsARK glARKParameteriARK\n"
-                "             glRefinementShaderSourceARK glGetRefinementivARK glGetRefinementInfoLogARK\n");
+    std::printf(
+        "  commands   glARKinit glDepthTag1i glDepthTagPointerARK glDrawARP glDrawARPElementsARK glARKParameteriARK\n"
+        "             glRefinementShaderSourceARK glGetRefinementivARK glGetRefinementInfoLogARK\n");
   }
 
   const char* way_;

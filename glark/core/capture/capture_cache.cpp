@@ -17,7 +17,8 @@ bool watched(const gl::Dispatch& gl, GLint buffer) {
   }
   const core::CopyWriteBinding binding(gl, static_cast<GLuint>(buffer));
   GLint flags = 0;
-  gl.GetBufferParameteriv(GL_COPY_WRITE_BUFFER, GL_BUFFER_STORAGE_FLAGS, &flags);  // stays 0 where there is no such storage
+  gl.GetBufferParameteriv(GL_COPY_WRITE_BUFFER, GL_BUFFER_STORAGE_FLAGS,
+                          &flags);  // stays 0 where there is no such storage
   return (flags & GL_MAP_PERSISTENT_BIT) == 0;
 }
 

@@ -22,12 +22,12 @@ constexpr std::size_t work_pieces = work_header + 2 * pattern::piece_count;
 constexpr std::size_t work_commands = work_pieces + 4 * pattern::piece_count;
 constexpr std::size_t work_words = work_commands + 5 * pattern::piece_count;
 constexpr GLuint group_size = 64;
+constexpr GLuint most_groups = 65535;  // in one dimension, guaranteed; more go to the second
 constexpr GLsizeiptr deep_reserve_bytes = GLsizeiptr{32} << 20;
 
-constexpr const char* uniform_names[] = {"record_offset", "corner_words",    "tag_offset",
-                                         "uniform_tag",   "triangle_bound",  "count_on_gpu",
-                                         "pool_level",    "smooth_interior", "instance_capacity",
-                                         "tags_are_edge_depths"};
+constexpr const char* uniform_names[] = {"record_offset",     "corner_words",        "tag_offset", "uniform_tag",
+                                         "triangle_bound",    "count_on_gpu",        "pool_level", "smooth_interior",
+                                         "instance_capacity", "tags_are_edge_depths"};
 
 }  // namespace
 
@@ -107,7 +107,8 @@ bool BinStage::has_room(const capture::Layout& layout, std::uint32_t triangles, 
 
 bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
   const std::uint32_t instances = most_instances(layout, triangles, deepest_tag);
-  if (instances > capacity_ && !instances_.reserve(gl_, static_cast<GLsizeiptr>(instances) * bytes_an_instance, GL_DYNAMIC_COPY)) {
+  if (instances > capacity_ &&
+      !instances_.reserve(gl_, static_cast<GLsizeiptr>(instances) * bytes_an_instance, GL_DYNAMIC_COPY)) {
     return false;
   }
   capacity_ = static_cast<std::uint32_t>(instances_.size() / bytes_an_instance);
@@ -141,7 +142,8 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, c
   for (std::size_t i = 0; i < passes_.size(); ++i) {
     gl_.UseProgram(passes_[i].program);
     set_uniforms(passes_[i], request);
-    gl_.DispatchCompute(i == 1 ? 1 : groups, 1, 1);
+    gl_.DispatchCompute(i == 1 ? 1 : std::min(groups, most_groups),
+                        i == 1 ? 1 : (groups + most_groups - 1) / most_groups, 1);
     gl_.MemoryBarrier(i == 2 ? GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT |
                                    GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT
                              : GL_SHADER_STORAGE_BARRIER_BIT);

@@ -103,7 +103,7 @@ void main() {
   if (count_on_gpu != 0) {
     bound = min(bound, int(count_command[1]));
   }
-  triangle = int(gl_GlobalInvocationID.x);
+  triangle = int(gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x);
   if (triangle >= bound) {
     return;
   }

@@ -22,10 +22,12 @@ std::string mover_source(capture::Language language, int corner_words) {
   for (int input = 0; input < inputs_of(corner_words); ++input) {
     const std::string number = std::to_string(input);
     const std::string type = types[size_of_input(corner_words, input)];
-    inputs += "layout(location = " + number + ") in " + type + " words" + number + ";\nout " + type + " moved" + number + ";\n";
+    inputs += "layout(location = " + number + ") in " + type + " words" + number + ";\nout " + type + " moved" +
+              number + ";\n";
     body += "  moved" + number + " = words" + number + ";\n";
   }
-  const char* version = language == capture::Language::es ? "#version 320 es\nprecision highp float;\n" : "#version 430\n";
+  const char* version =
+      language == capture::Language::es ? "#version 320 es\nprecision highp float;\n" : "#version 430\n";
   return version + inputs + "void main() {\n" + body + "  gl_Position = vec4(0.0);\n}\n";
 }
 
@@ -57,7 +59,8 @@ Reorder::Mover Reorder::build(int corner_words) const {
   for (const GLuint shader : shaders) {
     gl_.AttachShader(program, shader);
   }
-  gl_.TransformFeedbackVaryings(program, static_cast<GLsizei>(varyings.size()), varyings.data(), GL_INTERLEAVED_ATTRIBS);
+  gl_.TransformFeedbackVaryings(program, static_cast<GLsizei>(varyings.size()), varyings.data(),
+                                GL_INTERLEAVED_ATTRIBS);
   gl_.LinkProgram(program);
   GLint linked = GL_FALSE;
   gl_.GetProgramiv(program, GL_LINK_STATUS, &linked);
@@ -86,10 +89,12 @@ bool Reorder::reserve(const capture::Layout& layout, std::uint32_t instances) {
   if (mover.program == 0) {
     mover = build(layout.corner_words);
   }
-  return mover.program != 0 && records_.reserve(gl_, static_cast<GLsizeiptr>(instances) * stride(layout) + chunk_overrun, GL_DYNAMIC_COPY);
+  return mover.program != 0 &&
+         records_.reserve(gl_, static_cast<GLsizeiptr>(instances) * stride(layout) + chunk_overrun, GL_DYNAMIC_COPY);
 }
 
-void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order, const core::Bindings& bindings) {
+void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order,
+                  const core::Bindings& bindings) {
   const Mover& mover = movers_.at(layout.corner_words);
   gl_.UseProgram(mover.program);
   gl_.BindVertexArray(mover.vertex_array);
@@ -97,13 +102,15 @@ void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles&
   for (int input = 0; input < inputs_of(layout.corner_words); ++input) {
     const auto location = static_cast<GLuint>(input);
     gl_.EnableVertexAttribArray(location);
-    gl_.VertexAttribFormat(location, size_of_input(layout.corner_words, input), GL_FLOAT, GL_FALSE, static_cast<GLuint>(input * 16));
+    gl_.VertexAttribFormat(location, size_of_input(layout.corner_words, input), GL_FLOAT, GL_FALSE,
+                           static_cast<GLuint>(input * 16));
     gl_.VertexAttribBinding(location, 0);
   }
   gl_.BindVertexBuffer(0, triangles.buffer, triangles.offset, layout.corner_words * 4);
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   gl_.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, records_.name());
-  gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);  // only the generic point: the object keeps its own
+  gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER,
+                 bindings.feedback_buffer);  // only the generic point: the object keeps its own
   gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, order.commands);
   if (!bindings.rasterizer_discard) {
     gl_.Enable(GL_RASTERIZER_DISCARD);

@@ -32,7 +32,8 @@ class Reorder {
   bool has_room(const capture::Layout& layout, std::uint32_t instances) const;
 
   // Binds a program, a vertex array and GL_DRAW_INDIRECT_BUFFER; the rest is put back as `bindings` has it.
-  void run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order, const core::Bindings& bindings);
+  void run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order,
+           const core::Bindings& bindings);
 
   GLuint records() const { return records_.name(); }
   static GLsizei stride(const capture::Layout& layout) { return layout.triangle_words() * 4; }

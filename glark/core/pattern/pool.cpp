@@ -28,7 +28,8 @@ void append_uniform(Pool& pool, int m) {
   for (std::size_t k = 0; k < order.triangles.size(); ++k) {
     if (k != 0 && k == order.interior_count && m <= tile_level) close_piece(interior_piece(m), k);
     for (LatticePoint p : order.triangles[k]) {
-      std::uint16_t& index = index_of[static_cast<std::size_t>(p.j) * static_cast<std::size_t>(n + 1) + static_cast<std::size_t>(p.i)];
+      std::uint16_t& index =
+          index_of[static_cast<std::size_t>(p.j) * static_cast<std::size_t>(n + 1) + static_cast<std::size_t>(p.i)];
       if (index == unused) {
         index = vertex_count++;
         int step = lattice_one / n;

@@ -25,9 +25,10 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
-  int provoking_corner = 2;       // corner whose value a flat output takes
-  bool flat_colors = false;       // glShadeModel(GL_FLAT): built-in colours are flat
-  bool clamp_colors = false;      // glClampColor(GL_CLAMP_VERTEX_COLOR): built-in colours end at 0 and 1, before they are interpolated
+  int provoking_corner = 2;  // corner whose value a flat output takes
+  bool flat_colors = false;  // glShadeModel(GL_FLAT): built-in colours are flat
+  bool clamp_colors =
+      false;  // glClampColor(GL_CLAMP_VERTEX_COLOR): built-in colours end at 0 and 1, before they are interpolated
   std::string refinement_source;  // the application's own refinement shader (glRefinementShaderSourceARK), or empty
   std::vector<std::string>
       extensions;  // of the context ("GL_ARB_..."): which GL_ macros its preprocessor defines; empty: unknown

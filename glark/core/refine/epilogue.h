@@ -32,7 +32,7 @@ struct OutputVariable {
   std::vector<std::string> sizes;  // array sizes, none open
   bool flat = false;
   bool clamped = false;  // to 0 .. 1
-  std::string problem;  // why it cannot be saved, or empty
+  std::string problem;   // why it cannot be saved, or empty
 };
 
 struct EpiloguePlan {

@@ -65,7 +65,8 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const capture::Coar
     // All but the instance count, which the query has written.
     const std::uint32_t rest[3] = {piece.first_index, piece.base_vertex, 0};
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, count_command.name());
-    gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, index_count), sizeof(std::uint32_t), &piece.index_count);
+    gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, index_count), sizeof(std::uint32_t),
+                      &piece.index_count);
     gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, first_index), sizeof(rest), rest);
   }
   const unsigned first = pattern::GpuPool::first_tile(level);
@@ -75,7 +76,7 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const capture::Coar
       gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr);
     } else {
       gl_.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(piece.index_count), GL_UNSIGNED_SHORT,
-                                          index_offset(piece.first_index), static_cast<GLsizei>(triangles.count));
+                                index_offset(piece.first_index), static_cast<GLsizei>(triangles.count));
     }
   }
 }
