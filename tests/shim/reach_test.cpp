@@ -46,80 +46,80 @@ TEST(Reach, ThroughAPluginThatIsLinked) {
 TEST(Reach, DeepBindIsDropped) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "AddressSanitizer refuses RTLD_DEEPBIND before we can drop it";
-#endif EXPECT_EQ(run_preloaded(program("shim_unlinked deepbind ") + PLUGIN).output, drawn); }
+#endif
+  EXPECT_EQ(run_preloaded(program("shim_unlinked deepbind ") + PLUGIN).output, drawn);
+}
 
-  TEST(Reach, NextIsPassedThroughAndAnUnseenContextIsAdopted) {
-    EXPECT_EQ(run_preloaded(program("shim_next_main")).output, "next glDrawArrays is the driver's\nadopted yes\n");
-  }
+TEST(Reach, NextIsPassedThroughAndAnUnseenContextIsAdopted) {
+  EXPECT_EQ(run_preloaded(program("shim_next_main")).output, "next glDrawArrays is the driver's\nadopted yes\n");
+}
 
-  TEST(Reach, EglInBothApis) {
-    const Outcome without = run(program("shim_egl"));
-    if (without.status == 3) GTEST_SKIP() << "no EGL without a surface here";
-    EXPECT_EQ(run_preloaded(program("shim_egl")).output, "gl extension yes\nes extension yes\n");
-  }
+TEST(Reach, EglInBothApis) {
+  const Outcome without = run(program("shim_egl"));
+  if (without.status == 3) GTEST_SKIP() << "no EGL without a surface here";
+  EXPECT_EQ(run_preloaded(program("shim_egl")).output, "gl extension yes\nes extension yes\n");
+}
 
-  TEST(Reach, ThreadsThatShareAndDestroyContexts) {
-    const Outcome outcome = run_preloaded(program("shim_threads"));
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(outcome.output, "done\n");
-  }
+TEST(Reach, ThreadsThatShareAndDestroyContexts) {
+  const Outcome outcome = run_preloaded(program("shim_threads"));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.output, "done\n");
+}
 
-  TEST(Linker, ResultsAndErrorsAreThoseOfTheProgramAlone) {
-    // Which object the message names is all that may differ.
-    const std::string without_objects = " | sed 's#[^ ]*: undefined#undefined#'";
-    EXPECT_EQ(run_preloaded(program("shim_linker") + without_objects).output,
-              run(program("shim_linker") + without_objects).output);
-  }
+TEST(Linker, ResultsAndErrorsAreThoseOfTheProgramAlone) {
+  // Which object the message names is all that may differ.
+  const std::string without_objects = " | sed 's#[^ ]*: undefined#undefined#'";
+  EXPECT_EQ(run_preloaded(program("shim_linker") + without_objects).output,
+            run(program("shim_linker") + without_objects).output);
+}
 
-  TEST(Linker, AFunctionThatTheProgramDefinesStaysItsOwn) {
-    EXPECT_EQ(run_preloaded(program("shim_own_flush")).output, "flushed 3\n");
-  }
+TEST(Linker, AFunctionThatTheProgramDefinesStaysItsOwn) {
+  EXPECT_EQ(run_preloaded(program("shim_own_flush")).output, "flushed 3\n");
+}
 
-  TEST(Linker, AProgramWithoutGlIsLeftAlone) {
-    const std::string statistics = testing::TempDir() + "none.json";
-    std::filesystem::remove(statistics);
-    const Outcome outcome = run_preloaded("/bin/echo hello", "GLARK_STATS=" + statistics);
-    EXPECT_EQ(outcome.output, "hello\n");
-    EXPECT_FALSE(std::filesystem::exists(statistics));
-  }
+TEST(Linker, AProgramWithoutGlIsLeftAlone) {
+  const std::string statistics = testing::TempDir() + "none.json";
+  std::filesystem::remove(statistics);
+  const Outcome outcome = run_preloaded("/bin/echo hello", "GLARK_STATS=" + statistics);
+  EXPECT_EQ(outcome.output, "hello\n");
+  EXPECT_FALSE(std::filesystem::exists(statistics));
+}
 
-  TEST(Statistics, ADrawIsCounted) {
-    const std::string file = testing::TempDir() + "draw" + std::to_string(getpid()) + ".json";
-    run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_LEVEL=1 GLARK_STATS=" + file);
-    const nlohmann::json statistics = nlohmann::json::parse(read_file(file));
-    EXPECT_EQ(statistics["draws"]["seen"], 1);
-    EXPECT_EQ(statistics["frames"], 1);
-  }
+TEST(Statistics, ADrawIsCounted) {
+  const std::string file = testing::TempDir() + "draw" + std::to_string(getpid()) + ".json";
+  run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_LEVEL=1 GLARK_STATS=" + file);
+  const nlohmann::json statistics = nlohmann::json::parse(read_file(file));
+  EXPECT_EQ(statistics["draws"]["seen"], 1);
+  EXPECT_EQ(statistics["frames"], 1);
+}
 
-  TEST(Statistics, AFileThatCannotBeWrittenIsAMessageAndNoFailure) {
-    const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_STATS=/nowhere/s.json");
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.output.find("/nowhere/s.json"), std::string::npos) << outcome.output;
-  }
+TEST(Statistics, AFileThatCannotBeWrittenIsAMessageAndNoFailure) {
+  const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_STATS=/nowhere/s.json");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.output.find("/nowhere/s.json"), std::string::npos) << outcome.output;
+}
 
-  TEST(FrameCapture, TheFrameIsWritten) {
-    const std::string file = testing::TempDir() + "frame" + std::to_string(getpid()) + ".png";
-    run_preloaded(program("shim_linked"), "GLARK_CAPTURE=1:" + file);
-    const std::string png = read_file(file);
-    ASSERT_GT(png.size(), 33u);
-    EXPECT_EQ(png.substr(1, 3), "PNG");
-    EXPECT_EQ(png[19], 16);  // width
-    EXPECT_EQ(png[23], 16);  // height
-  }
+TEST(FrameCapture, TheFrameIsWritten) {
+  const std::string file = testing::TempDir() + "frame" + std::to_string(getpid()) + ".png";
+  run_preloaded(program("shim_linked"), "GLARK_CAPTURE=1:" + file);
+  const std::string png = read_file(file);
+  ASSERT_GT(png.size(), 33u);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png[19], 16);  // width
+  EXPECT_EQ(png[23], 16);  // height
+}
 
-  TEST(FrameCapture, AFileThatCannotBeWrittenIsAMessageAndNoFailure) {
-    const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_CAPTURE=1:/nowhere/a.png");
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(
-        outcome.output.find("glark: error: frame 1 cannot be written to /nowhere/a.png: No such file or directory"),
-        std::string::npos)
-        << outcome.output;
-  }
+TEST(FrameCapture, AFileThatCannotBeWrittenIsAMessageAndNoFailure) {
+  const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_CAPTURE=1:/nowhere/a.png");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.output.find("glark: error: frame 1 cannot be written to /nowhere/a.png: No such file or directory"),
+            std::string::npos)
+      << outcome.output;
+}
 
-  TEST(Settings, ABadValueIsAMessageAndNoFailure) {
-    const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_LEVEL=deep");
-    EXPECT_EQ(outcome.output,
-              std::string("glark: GLARK_LEVEL is \"deep\"; an integer from 0 to 11 is needed\n") + drawn);
-  }
+TEST(Settings, ABadValueIsAMessageAndNoFailure) {
+  const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_LEVEL=deep");
+  EXPECT_EQ(outcome.output, std::string("glark: GLARK_LEVEL is \"deep\"; an integer from 0 to 11 is needed\n") + drawn);
+}
 
 }  // namespace glark::test
