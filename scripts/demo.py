@@ -4,6 +4,7 @@
 import argparse
 import dataclasses
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -22,14 +23,50 @@ class Program:
     command: list
     environment: dict = dataclasses.field(default_factory=dict)
     needs_display: bool = True
+    refine: str = "linear"
     knows_glark: bool = False  # draws by the API: draws and writes its pictures itself
 
 
-def programs(build: pathlib.Path) -> list:
+def write_knot(path: pathlib.Path, along: int = 30, around: int = 6, thickness: float = 0.8) -> None:
+    """A trefoil of few triangles with smooth normals, which curved refinement makes round."""
+    def centre(t: float) -> tuple:
+        return math.sin(t) + 2 * math.sin(2 * t), math.cos(t) - 2 * math.cos(2 * t), -math.sin(3 * t)
+
+    def direction(a: tuple) -> tuple:
+        length = math.sqrt(sum(x * x for x in a))
+        return tuple(x / length for x in a)
+
+    def cross(a: tuple, b: tuple) -> tuple:
+        return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+    lines = ["mtllib knot.mtl", "usemtl knot"]
+    for i in range(along):
+        t = 2 * math.pi * i / along
+        here, ahead = centre(t), centre(t + 0.01)
+        tangent = direction(tuple(a - h for a, h in zip(ahead, here)))
+        side = direction(cross(tangent, (0, 0, 1)))
+        up = cross(side, tangent)
+        for j in range(around):
+            angle = 2 * math.pi * j / around
+            normal = tuple(math.cos(angle) * s + math.sin(angle) * u for s, u in zip(side, up))
+            x, y, z = (h + thickness * n for h, n in zip(here, normal))
+            # OpenSceneGraph turns OBJ's y up and looks along it: the knot is shown from where all of it is seen.
+            lines += [f"v {x:.5f} {y:.5f} {z:.5f}", "vn {:.5f} {:.5f} {:.5f}".format(*normal)]
+    corner = [[1 + i % along * around + j % around for j in range(around + 1)] for i in range(along + 1)]
+    for i in range(along):
+        for j in range(around):
+            a, b, c, d = corner[i][j], corner[i][j + 1], corner[i + 1][j + 1], corner[i + 1][j]
+            lines += [f"f {a}//{a} {b}//{b} {c}//{c}", f"f {a}//{a} {c}//{c} {d}//{d}"]
+    path.write_text("\n".join(lines) + "\n")
+    path.with_suffix(".mtl").write_text("newmtl knot\nKa 0.2 0.15 0.1\nKd 0.9 0.6 0.3\nKs 0.5 0.5 0.5\nNs 30\n")
+
+
+def programs(build: pathlib.Path, out: pathlib.Path) -> list:
     osg = {"OSG_WINDOW": "0 0 640 480", "OSG_THREADING": "SingleThreaded", "OSG_NOTIFY_LEVEL": "ALWAYS"}
     return [
         Program("glxgears", ["glxgears"], {"vblank_mode": "0"}),
         Program("osgshape", ["osgshape"], osg),
+        Program("osgviewer", ["osgviewer", str(out / "knot.obj")], osg, refine="pn"),
         Program("ten_lines", [str(build / "bin" / "ten_lines")], needs_display=False, knows_glark=True),
     ]
 
@@ -53,7 +90,7 @@ def run_variant(program: Program, variant: str, build: pathlib.Path, out: pathli
                    f"GLARK_STATS={statistics}", *command]
     else:
         wireframe = ["--wireframe"] if variant == "wireframe" else []
-        command = [str(build / "bin" / "glark"), "run", "--level", str(LEVEL), "--capture", f"{FRAME}:{picture}",
+        command = [str(build / "bin" / "glark"), "run", "--level", str(LEVEL), "--refine", program.refine, "--capture", f"{FRAME}:{picture}",
                    "--stats", str(statistics), *wireframe, "--", *command]
     if program.needs_display:
         command = [str(ROOT / "scripts" / "with_display"), "--seconds", str(SECONDS), "--until", str(picture), "--", *command]
@@ -91,8 +128,9 @@ def main() -> None:
     build, out = arguments.build.resolve(), arguments.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
 
+    write_knot(out / "knot.obj")
     rows = [("program", "coarse triangles", "refined triangles", "frame time off", "frame time refined")]
-    for program in programs(build):
+    for program in programs(build, out):
         if arguments.only and program.name not in arguments.only:
             continue
         off, refined, wireframe = (run_variant(program, variant, build, out) for variant in ("off", "refined", "wireframe"))

@@ -98,6 +98,9 @@ bool Pipeline::found_room(const capture::Layout& layout, std::uint64_t triangles
 }
 
 void Pipeline::begin_capture(const Plan& plan, bool exact, GpuBuffer* own) {
+  if (!exact && context_.options.read_counts) {
+    read_uncounted();  // its query is used again
+  }
   if (plan.last_vertex_convention) {
     gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
   }
@@ -254,7 +257,35 @@ void Pipeline::draw(const DrawCall& call) {
   const capture::CoarseTriangles triangles = capture_draw(call, plan);
   submit(plan, triangles);
   ++statistics().draws_refined;
-  statistics().coarse_triangles += triangles.count;
+  if (triangles.count_on_gpu) {
+    uncounted_capture_ = true;
+    uncounted_level_ = plan.adaptive ? 0 : plan.level;
+  } else {
+    statistics().coarse_triangles += triangles.count;
+  }
+}
+
+// What the query of the last inexact capture has counted.
+void Pipeline::read_uncounted() {
+  if (!uncounted_capture_) {
+    return;
+  }
+  uncounted_capture_ = false;
+  const std::uint64_t coarse = capture_.counted();
+  statistics().coarse_triangles += coarse;
+  statistics().refined_triangles += uncounted_level_ > 0 ? coarse << (2 * uncounted_level_) : 0;
+}
+
+void Pipeline::read_counts() {
+  if (!context_.options.read_counts) {
+    return;
+  }
+  ErrorScope errors(context_);
+  read_uncounted();
+  if (counted_on_gpu_) {
+    statistics().refined_triangles += bins_.take_refined_triangles();
+    counted_on_gpu_ = false;
+  }
 }
 
 bool Pipeline::begin_immediate(GLenum mode) {
@@ -319,19 +350,13 @@ bool Pipeline::begin_feedback(GLenum mode) {
 }
 
 void Pipeline::frame_finished() {
-  if (counted_on_gpu_) {
-    ErrorScope errors(context_);
-    statistics().refined_triangles += bins_.take_refined_triangles();
-    counted_on_gpu_ = false;
-  }
+  read_counts();
   cache_.frame_finished(gl_);
 }
 
 void Pipeline::release() {
   ErrorScope errors(context_);
-  if (counted_on_gpu_) {
-    statistics().refined_triangles += bins_.take_refined_triangles();
-  }
+  read_counts();
   for (auto& [key, program] : fixed_function_) {
     builder_.discard(*program);
     gl_.DeleteProgram(program->name);

@@ -90,6 +90,8 @@ class Pipeline {
   std::vector<float> probe(GLenum mode, bool last_vertex_convention);
   bool ready_to_split(const Plan& plan, const depth::SplitRequest& request);
   DerivedKey key_of(GLenum mode, bool tagged) const;
+  void read_uncounted();
+  void read_counts();
   void begin_capture(const Plan& plan, bool exact, GpuBuffer* own);
   capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
   bool ensure_pool();
@@ -134,7 +136,9 @@ class Pipeline {
   std::bitset<cause_count> logged_;
   bool bins_ready_ = false;
   bool pool_failed_ = false;
-  bool counted_on_gpu_ = false;
+  bool counted_on_gpu_ = false;     // adaptive draws since the last reading
+  bool uncounted_capture_ = false;  // a uniform draw whose number of triangles the query holds
+  unsigned uncounted_level_ = 0;
   bool split_failed_ = false;
 };
 

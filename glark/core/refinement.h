@@ -21,6 +21,7 @@ struct ContextOptions {
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
   bool wireframe = false;
+  bool read_counts = false;  // for the statistics: read back, once a frame, what only the GPU has counted
 };
 
 }  // namespace glark::core

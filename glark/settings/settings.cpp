@@ -114,8 +114,10 @@ Parsed parse(const char* const* environment) {
   read(parsed, environment, variable::wireframe, parse_switch, needed_switch(), settings.context.wireframe);
   read(parsed, environment, variable::log, parse_log_level, needed_log_level(), settings.log_level);
   read(parsed, environment, variable::capture, parse_captures, needed_captures(), settings.captures);
-  if (const std::optional<std::string_view> file = find(environment, variable::statistics))
+  if (const std::optional<std::string_view> file = find(environment, variable::statistics)) {
     settings.statistics_file = *file;
+    settings.context.read_counts = true;
+  }
   // A level that was asked for is reached: only a limit that was asked for as well holds it back.
   if (settings.context.level > settings.context.max_level) {
     if (find(environment, variable::max_level))
