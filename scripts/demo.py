@@ -50,7 +50,6 @@ def write_knot(path: pathlib.Path, along: int = 30, around: int = 6, thickness: 
             angle = 2 * math.pi * j / around
             normal = tuple(math.cos(angle) * s + math.sin(angle) * u for s, u in zip(side, up))
             x, y, z = (h + thickness * n for h, n in zip(here, normal))
-            # OpenSceneGraph turns OBJ's y up and looks along it: the knot is shown from where all of it is seen.
             lines += [f"v {x:.5f} {y:.5f} {z:.5f}", "vn {:.5f} {:.5f} {:.5f}".format(*normal)]
     corner = [[1 + i % along * around + j % around for j in range(around + 1)] for i in range(along + 1)]
     for i in range(along):

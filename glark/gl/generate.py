@@ -233,7 +233,7 @@ def wrapper_body(command, kind):
     if kind == "count":
         first = c.parameters[0][1] if c.parameters else ""
         only = f" && {first} == 0" if first == "index" and c.name.startswith("glVertexAttrib") else ""
-        return [f"{real};", f"if (t.context != nullptr{only}) ++t.context->immediate_vertices;"]
+        return [f"if (t.context != nullptr{only}) ++t.context->immediate_vertices;", f"{real};"]
     touch = f"if (t.context != nullptr) t.context->{TOUCH_CALLS[kind]}();"
     if c.is_void():
         return [f"{real};", touch]
@@ -247,15 +247,18 @@ def uniform_body(command, real):
     twin = command.canonical.member if of_program else f"Program{command.canonical.member}"
     values = ", ".join(names[2:] if of_program else names[1:])
     mirrors = f"t.context->uniform_mirrors({names[0] if of_program else ''})"
+    # What is rare stands in a function of its own, so that the usual call is a jump.
     return [
         f"if (t.context == nullptr || (!t.context->mirror_uniforms && !t.context->compiling_list && location < glark::core::virtual_location_base)) "
         f"{{ {real}; return; }}",
-        f"if (location < glark::core::virtual_location_base) {real};",
-        "if (t.context->compiling_list) { t.context->list_changes_uniforms = true; return; }",
-        "if (!t.context->mirror_uniforms) return;",
-        f"for (const glark::core::UniformMirror& mirror : {mirrors})",
-        "  if (const GLint derived = mirror.location(location); derived >= 0)",
-        f"    t.gl->{twin}(mirror.program, derived, {values});",
+        "[=, &t]() __attribute__((noinline, cold)) {",
+        f"  if (location < glark::core::virtual_location_base) {real};",
+        "  if (t.context->compiling_list) { t.context->list_changes_uniforms = true; return; }",
+        "  if (!t.context->mirror_uniforms) return;",
+        f"  for (const glark::core::UniformMirror& mirror : {mirrors})",
+        "    if (const GLint derived = mirror.location(location); derived >= 0)",
+        f"      t.gl->{twin}(mirror.program, derived, {values});",
+        "}();",
     ]
 
 
