@@ -157,7 +157,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   if (plan.adaptive) {
     submit_.draw_binned(pool_, bins, *plan.layout);
   } else {
-    submit_.draw_uniform(pool_, records.triangles, *plan.layout, plan.level, *records.count_command);
+    submit_.draw_uniform(pool_, {records.triangles, plan.layout, plan.level, plan.placed, records.count_command});
     statistics().refined_triangles +=
         records.triangles.count_on_gpu ? 0 : std::uint64_t{records.triangles.count} << (2 * plan.level);
   }

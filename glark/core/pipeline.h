@@ -72,6 +72,7 @@ class Pipeline {
     std::optional<depth::Decomposition> polygons;  // to be split at their centroids
     bool for_feedback = false;                     // what will be drawn is not known yet
     bool adaptive = false;
+    bool placed = false;     // the derived program takes a placement of the piece
     bool last_vertex_convention = false;  // while capturing
     unsigned level = 0;                   // uniform level
     unsigned deepest = 0;                 // that an adaptive draw can reach
@@ -89,7 +90,7 @@ class Pipeline {
   GLuint probe_program(const capture::Layout& layout);
   std::vector<float> probe(GLenum mode, bool last_vertex_convention);
   bool ready_to_split(const Plan& plan, const depth::SplitRequest& request);
-  DerivedKey key_of(GLenum mode, bool tagged) const;
+  DerivedKey key_of(GLenum mode, bool tagged, bool placed) const;
   void read_uncounted();
   void read_counts();
   void begin_capture(const Plan& plan, bool exact, GpuBuffer* own);

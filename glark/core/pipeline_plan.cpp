@@ -135,7 +135,7 @@ bool Pipeline::captures_last_vertex(GLenum mode) const {
          !context_.capabilities.quads_follow_convention && (mode == GL_QUADS || mode == GL_QUAD_STRIP);
 }
 
-DerivedKey Pipeline::key_of(GLenum mode, bool tagged) const {
+DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   DerivedKey key;
   key.refinement = context_.options.transparent ? context_.options.refinement : context_.ark.refinement;
   const bool first = context_.bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !captures_last_vertex(mode);
@@ -143,6 +143,7 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged) const {
   key.flat_colors = context_.is_compatibility() && context_.bindings.shade_model == GL_FLAT;
   key.clamp_colors = context_.is_compatibility() && context_.bindings.clamp_vertex_color;
   key.tagged = tagged;
+  key.placed = placed;
   return key;
 }
 
@@ -189,7 +190,8 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     return Cause::out_of_memory;
   }
   // What is split has nothing that depends on the provoking corner, and may be captured among triangles.
-  const DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, plan.adaptive);
+  plan.placed = plan.adaptive || plan.level > static_cast<unsigned>(pattern::deepest_uniform);
+  const DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, plan.adaptive, plan.placed);
   const auto found = plan.program->derived.find(key);
   if (found != plan.program->derived.end()) {
     plan.derived = found->second.get();
@@ -271,7 +273,7 @@ DerivedProgram* Pipeline::derived_for(Program& program, Program* owner) {
   context_.mirror_uniforms = true;
   context_.share->any_derived.store(true, std::memory_order_relaxed);
   const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
-  return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged));
+  return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged, tagged));
 }
 
 Program* Pipeline::program_for_refinement(GLuint name) {

@@ -94,6 +94,7 @@ class Deriver {
     plan_.version = units_[plan_.main_unit].interface.version;
     plan_.provoking_corner = std::clamp(request_.provoking_corner, 0, 2);
     plan_.corner_words = request_.layout.corner_words;
+    plan_.placed = request_.placed;
     plan_.chunk_count = request_.layout.chunk_count();
     for (const VertexUnit& unit : units_) {
       plan_.structures.insert(plan_.structures.end(), unit.interface.structures.begin(),

@@ -72,6 +72,14 @@ void @place() {
 }
 )";
 
+// The same where the piece covers the whole triangle.
+constexpr const char* cover_function = R"(vec3 @weights;
+void @place() {
+  vec2 lattice = glark_lattice * 0.000030517578125;
+  @weights = vec3((1.0 - lattice.x) - lattice.y, lattice);
+}
+)";
+
 // What the application's refinement shader reads besides the inputs. The corners of an array A of n elements are flattened:
 // element i of corner k is ark_corner_A[k * n + i].
 std::string refinement_declarations(const EpiloguePlan& plan) {
@@ -133,7 +141,8 @@ MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarat
   std::string& text = epilogue.declarations;
   text = "\n";
   if (plan.version.es) text += "precision highp float;\nprecision highp int;\n";
-  text += chunk_declarations(plan) + declarations_of_inputs + prototypes_of_other_units(plan) + place_function;
+  text += chunk_declarations(plan) + declarations_of_inputs + prototypes_of_other_units(plan);
+  text += plan.placed ? place_function : cover_function;
   text += mix_functions(mixed_types, true);
   if (plan.curved()) text += pn_functions();
   text += functions;

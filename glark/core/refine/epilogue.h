@@ -38,6 +38,7 @@ struct OutputVariable {
 struct EpiloguePlan {
   GlslVersion version;
   core::Refinement refinement = core::Refinement::linear_inputs;
+  bool placed = true;
   int provoking_corner = 2;
   int corner_words = 0;
   int chunk_count = 0;

@@ -97,6 +97,11 @@ void ProgramBuilder::read_fields(core::Program& program) const {
   capture::assign_roles(program.fields);
 }
 
+// Attribute locations that are left for the coarse record.
+int ProgramBuilder::most_chunks(bool placed) const {
+  return traits_.max_vertex_attributes - static_cast<GLint>(placed ? traits_.first_chunk_location : traits_.patch_location);
+}
+
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
   program.cause = core::Cause::count_;
@@ -119,7 +124,7 @@ void ProgramBuilder::prepare(core::Program& program) const {
   }
   read_fields(program);
   const capture::Layout layout = capture::make_layout(program.fields, false);
-  const int free_locations = traits_.max_vertex_attributes - static_cast<GLint>(traits_.first_chunk_location);
+  const int free_locations = most_chunks(false);
   if (program.cause == core::Cause::count_ && (layout.fields.empty() || layout.chunk_count() > free_locations ||
                                                layout.corner_words + 1 > traits_.max_feedback_components)) {
     program.cause = layout.fields.empty() ? core::Cause::program_not_derived : core::Cause::too_many_attributes;
@@ -127,7 +132,7 @@ void ProgramBuilder::prepare(core::Program& program) const {
 }
 
 GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_stage,
-                                        GLuint settings_of, std::string& error) const {
+                                        GLuint settings_of, bool placed, std::string& error) const {
   const GLuint name = gl_.CreateProgram();
   std::vector<GLuint> shaders;
   for (const std::string& source : vertex_stage) {
@@ -141,12 +146,13 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   for (const GLuint shader : shaders) {
     gl_.AttachShader(name, shader);
   }
+  const GLuint first_chunk = placed ? traits_.first_chunk_location : traits_.patch_location;
   gl_.BindAttribLocation(name, traits_.lattice_location, lattice_input);
-  gl_.BindAttribLocation(name, traits_.patch_location, patch_input);
-  for (GLint chunk = 0; chunk + static_cast<GLint>(traits_.first_chunk_location) < traits_.max_vertex_attributes;
-       ++chunk) {
-    gl_.BindAttribLocation(name, traits_.first_chunk_location + static_cast<GLuint>(chunk),
-                           (chunk_input_prefix + std::to_string(chunk)).c_str());
+  if (placed) {
+    gl_.BindAttribLocation(name, traits_.patch_location, patch_input);
+  }
+  for (int chunk = 0; chunk < most_chunks(placed); ++chunk) {
+    gl_.BindAttribLocation(name, first_chunk + static_cast<GLuint>(chunk), (chunk_input_prefix + std::to_string(chunk)).c_str());
   }
   if (settings_of != 0) {
     copy_link_settings(gl_, settings_of, name);
@@ -181,15 +187,22 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   request.context_glsl_version = traits_.glsl_version;
   request.layout = capture::make_layout(program.fields, key.tagged);
   request.refinement = program.traits.reads_vertex_id ? core::Refinement::linear_outputs : key.refinement;
+  request.placed = key.placed;
   request.provoking_corner = key.provoking_corner;
   request.flat_colors = key.flat_colors;
   request.clamp_colors = key.clamp_colors;
   request.refinement_source = program.refinement_source;
   request.extensions = traits_.extensions;
-  const Derivation derivation = derive_vertex_stage(request);
+  Derivation derivation;
+  if (request.layout.chunk_count() <= most_chunks(key.placed)) {
+    derivation = derive_vertex_stage(request);
+  } else {
+    derivation.error = "its vertex attributes leave no room for depth tags and placement";
+  }
   std::string error = derivation.error;
   const GLuint name =
-      derivation.ok ? compile_and_link(program, derivation.vertex_sources, owner != nullptr ? owner->name : 0, error)
+      derivation.ok ? compile_and_link(program, derivation.vertex_sources, owner != nullptr ? owner->name : 0,
+                                       key.placed, error)
                     : 0;
   program.refinement_log = error;
   if (name == 0) {
@@ -222,7 +235,7 @@ std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctio
   program->stages.push_back({GL_VERTEX_SHADER, std::make_shared<const std::string>(source)});
   // A program of the vertex stage alone tells which attributes it reads.
   std::string error;
-  program->name = compile_and_link(*program, {source}, 0, error);
+  program->name = compile_and_link(*program, {source}, 0, false, error);
   if (program->name == 0) {
     core::log(core::LogLevel::error, "fixed-function vertex stage: " + error);
   }

@@ -44,7 +44,8 @@ class ProgramBuilder {
 
  private:
   GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources,
-                          GLuint settings_of, std::string& error) const;
+                          GLuint settings_of, bool placed, std::string& error) const;
+  int most_chunks(bool placed) const;
   void read_fields(core::Program& program) const;
 
   const gl::Dispatch& gl_;

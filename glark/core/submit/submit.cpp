@@ -40,12 +40,15 @@ void SubmitStage::bind_vertex_array(int chunks, Source source, GLuint indices) {
   gl_.EnableVertexAttribArray(lattice_location);
   gl_.VertexAttribFormat(lattice_location, 2, GL_UNSIGNED_SHORT, GL_FALSE, 0);
   gl_.VertexAttribBinding(lattice_location, lattice_binding);
-  gl_.EnableVertexAttribArray(patch_location);
-  gl_.VertexAttribFormat(patch_location, 4, GL_FLOAT, GL_FALSE, 0);
-  gl_.VertexAttribBinding(patch_location, patch_binding);
-  gl_.VertexBindingDivisor(patch_binding, source == Source::uniform ? never_advance : 1);
-  for (int chunk = 0; chunk < chunks; ++chunk) {
-    const GLuint location = first_chunk_location + static_cast<GLuint>(chunk);
+  GLuint location = patch_location;
+  if (source != Source::whole) {
+    gl_.EnableVertexAttribArray(patch_location);
+    gl_.VertexAttribFormat(patch_location, 4, GL_FLOAT, GL_FALSE, 0);
+    gl_.VertexAttribBinding(patch_location, patch_binding);
+    gl_.VertexBindingDivisor(patch_binding, source == Source::uniform ? never_advance : 1);
+    location = first_chunk_location;
+  }
+  for (int chunk = 0; chunk < chunks; ++chunk, ++location) {
     gl_.EnableVertexAttribArray(location);
     gl_.VertexAttribFormat(location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(chunk * chunk_bytes));
     gl_.VertexAttribBinding(location, record_binding);
@@ -53,25 +56,27 @@ void SubmitStage::bind_vertex_array(int chunks, Source source, GLuint indices) {
   gl_.VertexBindingDivisor(record_binding, 1);
 }
 
-void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles,
-                               const capture::Layout& layout, unsigned level, const core::GpuBuffer& count_command) {
-  bind_vertex_array(layout.chunk_count(), Source::uniform, pool.indices());
+void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw) {
+  const capture::CoarseTriangles& triangles = draw.triangles;
+  bind_vertex_array(draw.layout->chunk_count(), draw.placed ? Source::uniform : Source::whole, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
-  gl_.BindVertexBuffer(record_binding, triangles.buffer, triangles.offset, layout.triangle_words() * 4);
+  gl_.BindVertexBuffer(record_binding, triangles.buffer, triangles.offset, draw.layout->triangle_words() * 4);
   const unsigned piece_level =
-      level < static_cast<unsigned>(pattern::deepest_uniform) ? level : static_cast<unsigned>(pattern::deepest_uniform);
+      draw.level < static_cast<unsigned>(pattern::deepest_uniform) ? draw.level : static_cast<unsigned>(pattern::deepest_uniform);
   const pattern::Piece& piece = pool.piece(pattern::uniform_piece(static_cast<int>(piece_level)));
   if (triangles.count_on_gpu) {
     // All but the instance count, which the query has written.
     const std::uint32_t rest[3] = {piece.first_index, piece.base_vertex, 0};
-    gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, count_command.name());
+    gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, draw.count_command->name());
     gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, index_count), sizeof(std::uint32_t),
                       &piece.index_count);
     gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, first_index), sizeof(rest), rest);
   }
-  const unsigned first = pattern::GpuPool::first_tile(level);
-  for (unsigned tile = 0; tile < pattern::GpuPool::tile_count(level); ++tile) {
-    gl_.BindVertexBuffer(patch_binding, pool.patches(), static_cast<GLintptr>(first + tile) * patch_bytes, patch_bytes);
+  const unsigned first = pattern::GpuPool::first_tile(draw.level);
+  for (unsigned tile = 0; tile < pattern::GpuPool::tile_count(draw.level); ++tile) {
+    if (draw.placed) {
+      gl_.BindVertexBuffer(patch_binding, pool.patches(), static_cast<GLintptr>(first + tile) * patch_bytes, patch_bytes);
+    }
     if (triangles.count_on_gpu) {
       gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr);
     } else {

@@ -15,23 +15,30 @@ namespace glark::submit {
 
 // Attribute locations of every derived program.
 inline constexpr GLuint lattice_location = 0;
-inline constexpr GLuint patch_location = 1;
+inline constexpr GLuint patch_location = 1;        // the first chunk where pieces need no placement
 inline constexpr GLuint first_chunk_location = 2;
+
+struct UniformDraw {
+  capture::CoarseTriangles triangles;
+  const capture::Layout* layout = nullptr;
+  unsigned level = 0;
+  bool placed = false;                            // the program takes a patch; it must, above level deepest_uniform
+  const core::GpuBuffer* count_command = nullptr; // for a count on the GPU
+};
 
 class SubmitStage {
  public:
   explicit SubmitStage(const gl::Dispatch& gl) : gl_(gl) {}
 
   // Every coarse triangle at the same level: one instanced draw for each tile of the level. Binds a vertex array of ours;
-  // with a count on the GPU also GL_DRAW_INDIRECT_BUFFER (`count_command`).
-  void draw_uniform(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles,
-                    const capture::Layout& layout, unsigned level, const core::GpuBuffer& count_command);
+  // with a count on the GPU also GL_DRAW_INDIRECT_BUFFER.
+  void draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw);
   // Binds a vertex array of ours and GL_DRAW_INDIRECT_BUFFER.
   void draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, const capture::Layout& layout);
   void release();
 
  private:
-  enum class Source { uniform, binned };
+  enum class Source { whole, uniform, binned };
   void bind_vertex_array(int chunks, Source source, GLuint indices);
 
   const gl::Dispatch& gl_;
