@@ -31,6 +31,7 @@ std::vector<std::string> extensions_of(const gl::Dispatch& gl) {
 void remove_unsupported(gl::Dispatch& gl, const Capabilities& capabilities) {
   if (capabilities.api == Capabilities::Api::es) {
     gl.PolygonMode = nullptr;
+    gl.GetProgramStageiv = nullptr;
     gl.BindFragDataLocationIndexed = nullptr;
     gl.ShaderStorageBlockBinding = nullptr;
     gl.GetBufferSubData = nullptr;
@@ -98,6 +99,10 @@ void Context::read_capabilities() {
         capabilities.version >= 32 && (get(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
     capabilities.api = core ? Capabilities::Api::core : Capabilities::Api::compatibility;
     capabilities.refinable = capabilities.version >= 43;
+  }
+  if (es && options.wireframe) {  // it has no glPolygonMode
+    log(LogLevel::warning, "OpenGL ES draws no wireframes: refined triangles are filled in context " + text);
+    options.wireframe = false;
   }
   if (!capabilities.refinable) {
     log(LogLevel::warning, "context " + text + " is below OpenGL 4.3 and OpenGL ES 3.2: its draws stay as they are");

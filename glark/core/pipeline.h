@@ -72,7 +72,7 @@ class Pipeline {
     std::optional<depth::Decomposition> polygons;  // to be split at their centroids
     bool for_feedback = false;                     // what will be drawn is not known yet
     bool adaptive = false;
-    bool placed = false;     // the derived program takes a placement of the piece
+    bool placed = false;                  // the derived program takes a placement of the piece
     bool last_vertex_convention = false;  // while capturing
     unsigned level = 0;                   // uniform level
     unsigned deepest = 0;                 // that an adaptive draw can reach

@@ -144,7 +144,7 @@ class Cracks : public testing::TestWithParam<Way> {
       const int segments = 1 << ((a.tag + b.tag) / 2);
       EXPECT_EQ(one.edge_segments, segments);
       EXPECT_EQ(two.edge_segments, segments);
-      EXPECT_EQ(one.edge_vertices.size(), static_cast<std::size_t>(segments) + 1);
+      EXPECT_EQ(one.edge_vertices.size(), static_cast<std::size_t>(segments + std::int64_t{1}));
       EXPECT_EQ(one.edge_vertices, two.edge_vertices);
       EXPECT_EQ(one.area, 1.0);
       EXPECT_EQ(two.area, flipped ? -1.0 : 1.0);

@@ -31,6 +31,10 @@ void buffer_data(GLenum target, GLsizeiptr size, const void* data, GLenum usage)
 void* get_proc(void* /*user*/, const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }
 
 class OutOfMemory : public testing::Test {
+ public:
+  OutOfMemory(const OutOfMemory&) = delete;
+  OutOfMemory& operator=(const OutOfMemory&) = delete;
+
  protected:
   OutOfMemory() {
     const std::array<int, 7> attributes{
@@ -49,8 +53,6 @@ class OutOfMemory : public testing::Test {
     context_.reset();
     OSMesaDestroyContext(window_);
   }
-  OutOfMemory(const OutOfMemory&) = delete;
-  OutOfMemory& operator=(const OutOfMemory&) = delete;
 
   GLint get(GLenum name) {
     GLint value = -2;

@@ -25,7 +25,7 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
-  bool placed = true;                       // false: without the patch input; the piece covers the triangle
+  bool placed = true;        // false: without the patch input; the piece covers the triangle
   int provoking_corner = 2;  // corner whose value a flat output takes
   bool flat_colors = false;  // glShadeModel(GL_FLAT): built-in colours are flat
   bool clamp_colors =

@@ -44,11 +44,28 @@ core::Cause cause_of(const core::Program& program, const VertexStageTraits& trai
   if (traits.has_side_effects) {
     return core::Cause::side_effects;
   }
-  return traits.has_subroutines ? core::Cause::program_not_derived : core::Cause::count_;
+  return core::Cause::count_;
+}
+
+// Which subroutines are chosen is state of the context that glUseProgram resets: a refined draw would lose the choice.
+bool chooses_subroutines(const gl::Dispatch& gl, const core::Program& program) {
+  if (program.fixed_function || gl.GetProgramStageiv == nullptr) {
+    return false;
+  }
+  return std::any_of(program.stages.begin(), program.stages.end(), [&](const core::StageSource& stage) {
+    GLint count = 0;
+    gl.GetProgramStageiv(program.name, stage.stage, GL_ACTIVE_SUBROUTINE_UNIFORMS, &count);
+    return count > 0;
+  });
 }
 
 std::string label(const core::Program& program) {
   return program.fixed_function ? std::string("fixed function") : "program " + std::to_string(program.name);
+}
+
+void leave(core::Program& program, const std::string& reason) {
+  program.cause = core::Cause::program_not_derived;
+  core::log(core::LogLevel::warning, label(program) + " is not refined: " + reason + "; its draws stay as they are");
 }
 
 }  // namespace
@@ -99,7 +116,8 @@ void ProgramBuilder::read_fields(core::Program& program) const {
 
 // Attribute locations that are left for the coarse record.
 int ProgramBuilder::most_chunks(bool placed) const {
-  return traits_.max_vertex_attributes - static_cast<GLint>(placed ? traits_.first_chunk_location : traits_.patch_location);
+  return traits_.max_vertex_attributes -
+         static_cast<GLint>(placed ? traits_.first_chunk_location : traits_.patch_location);
 }
 
 void ProgramBuilder::prepare(core::Program& program) const {
@@ -113,21 +131,27 @@ void ProgramBuilder::prepare(core::Program& program) const {
       inspect_vertex_stage(vertex_sources(program), traits_.language == capture::Language::es, traits_.extensions);
   program.traits = inspection.traits;
   if (!inspection.ok) {
-    program.cause = core::Cause::program_not_derived;
-    core::log(core::LogLevel::warning,
-              label(program) + " is not refined: " + inspection.error + "; its draws stay as they are");
+    leave(program, inspection.error);
     return;
   }
   program.cause = cause_of(program, inspection.traits);
   if (program.cause != core::Cause::count_) {
     return;
   }
+  if (inspection.traits.has_subroutines || chooses_subroutines(gl_, program)) {
+    leave(program, "it has subroutine uniforms");
+    return;
+  }
   read_fields(program);
   const capture::Layout layout = capture::make_layout(program.fields, false);
   const int free_locations = most_chunks(false);
-  if (program.cause == core::Cause::count_ && (layout.fields.empty() || layout.chunk_count() > free_locations ||
-                                               layout.corner_words + 1 > traits_.max_feedback_components)) {
-    program.cause = layout.fields.empty() ? core::Cause::program_not_derived : core::Cause::too_many_attributes;
+  if (program.cause != core::Cause::count_) {
+    return;
+  }
+  if (layout.fields.empty()) {
+    leave(program, "its vertex stage has no inputs");
+  } else if (layout.chunk_count() > free_locations || layout.corner_words + 1 > traits_.max_feedback_components) {
+    program.cause = core::Cause::too_many_attributes;
   }
 }
 
@@ -152,7 +176,8 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
     gl_.BindAttribLocation(name, traits_.patch_location, patch_input);
   }
   for (int chunk = 0; chunk < most_chunks(placed); ++chunk) {
-    gl_.BindAttribLocation(name, first_chunk + static_cast<GLuint>(chunk), (chunk_input_prefix + std::to_string(chunk)).c_str());
+    gl_.BindAttribLocation(name, first_chunk + static_cast<GLuint>(chunk),
+                           (chunk_input_prefix + std::to_string(chunk)).c_str());
   }
   if (settings_of != 0) {
     copy_link_settings(gl_, settings_of, name);
@@ -200,10 +225,9 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
     derivation.error = "its vertex attributes leave no room for depth tags and placement";
   }
   std::string error = derivation.error;
-  const GLuint name =
-      derivation.ok ? compile_and_link(program, derivation.vertex_sources, owner != nullptr ? owner->name : 0,
-                                       key.placed, error)
-                    : 0;
+  const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
+                                                       owner != nullptr ? owner->name : 0, key.placed, error)
+                                    : 0;
   program.refinement_log = error;
   if (name == 0) {
     ++core::statistics().programs_failed;

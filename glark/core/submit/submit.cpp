@@ -61,8 +61,9 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
   bind_vertex_array(draw.layout->chunk_count(), draw.placed ? Source::uniform : Source::whole, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
   gl_.BindVertexBuffer(record_binding, triangles.buffer, triangles.offset, draw.layout->triangle_words() * 4);
-  const unsigned piece_level =
-      draw.level < static_cast<unsigned>(pattern::deepest_uniform) ? draw.level : static_cast<unsigned>(pattern::deepest_uniform);
+  const unsigned piece_level = draw.level < static_cast<unsigned>(pattern::deepest_uniform)
+                                   ? draw.level
+                                   : static_cast<unsigned>(pattern::deepest_uniform);
   const pattern::Piece& piece = pool.piece(pattern::uniform_piece(static_cast<int>(piece_level)));
   if (triangles.count_on_gpu) {
     // All but the instance count, which the query has written.
@@ -75,7 +76,8 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
   const unsigned first = pattern::GpuPool::first_tile(draw.level);
   for (unsigned tile = 0; tile < pattern::GpuPool::tile_count(draw.level); ++tile) {
     if (draw.placed) {
-      gl_.BindVertexBuffer(patch_binding, pool.patches(), static_cast<GLintptr>(first + tile) * patch_bytes, patch_bytes);
+      gl_.BindVertexBuffer(patch_binding, pool.patches(), static_cast<GLintptr>(first + tile) * patch_bytes,
+                           patch_bytes);
     }
     if (triangles.count_on_gpu) {
       gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr);

@@ -15,15 +15,15 @@ namespace glark::submit {
 
 // Attribute locations of every derived program.
 inline constexpr GLuint lattice_location = 0;
-inline constexpr GLuint patch_location = 1;        // the first chunk where pieces need no placement
+inline constexpr GLuint patch_location = 1;  // the first chunk where pieces need no placement
 inline constexpr GLuint first_chunk_location = 2;
 
 struct UniformDraw {
   capture::CoarseTriangles triangles;
   const capture::Layout* layout = nullptr;
   unsigned level = 0;
-  bool placed = false;                            // the program takes a patch; it must, above level deepest_uniform
-  const core::GpuBuffer* count_command = nullptr; // for a count on the GPU
+  bool placed = false;                             // the program takes a patch; it must, above level deepest_uniform
+  const core::GpuBuffer* count_command = nullptr;  // for a count on the GPU
 };
 
 class SubmitStage {
