@@ -36,6 +36,11 @@ refine::BuilderTraits builder_traits(const Capabilities& capabilities) {
 // Bytes that a glBegin..glEnd may capture: the number of its vertices is known only at its end.
 constexpr std::uint64_t immediate_bytes = std::uint64_t{32} << 20;
 
+// Of the records of a kept capture; the last vec4 chunk may read past the last record.
+GLsizeiptr bytes_to_keep(const capture::Layout& layout, std::uint64_t triangles) {
+  return static_cast<GLsizeiptr>(triangles) * layout.triangle_words() * 4 + 16;
+}
+
 }  // namespace
 
 Pipeline::Pipeline(Context& context)
@@ -63,10 +68,11 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
   if (call.arrays != nullptr && call.exact && !b.primitive_restart && !b.primitive_restart_fixed) {
     const capture::Epochs epochs{context_.share->buffer_epoch.load(std::memory_order_relaxed),
                                  context_.vertex_array_epoch};
+    cache_.make_room(gl_);
     const auto [answer, found] = cache_.look_up({*call.arrays, plan.capture_program, b.vertex_array}, epochs, [&] {
       ErrorScope errors(context_);
       return capture::reads_only_buffers(gl_, *plan.layout, call.arrays->index_type != 0, context_.ark.tag_attribute) &&
-             found_room(*plan.layout, call.triangles);
+             cache_.may_keep(bytes_to_keep(*plan.layout, call.triangles));
     });
     if (answer == Answer::kept) {
       ++statistics().captures_reused;
@@ -74,8 +80,9 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
     }
     if (answer == Answer::keep) {
       ErrorScope errors(context_);
-      if (found->buffer.reserve(gl_, static_cast<GLsizeiptr>(call.triangles) * plan.layout->triangle_words() * 4 + 16,
-                                GL_STATIC_COPY)) {
+      const GLsizeiptr before = found->buffer.size();
+      if (found->buffer.reserve(gl_, bytes_to_keep(*plan.layout, call.triangles), GL_STATIC_COPY)) {
+        cache_.count_kept(found->buffer.size() - before);
         own = &found->buffer;
         entry = found;
       }
@@ -90,11 +97,6 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
     entry->filled = true;
   }
   return triangles;
-}
-
-bool Pipeline::found_room(const capture::Layout& layout, std::uint64_t triangles) const {
-  constexpr std::uint64_t largest_kept = std::uint64_t{64} << 20;
-  return triangles * static_cast<std::uint64_t>(layout.triangle_words()) * 4 <= largest_kept;
 }
 
 void Pipeline::begin_capture(const Plan& plan, bool exact, GpuBuffer* own) {

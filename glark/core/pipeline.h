@@ -26,6 +26,29 @@ namespace glark::core {
 
 class Context;
 
+// While it lives, an idle transform feedback object is bound: varyings cannot be given to a program while the bound one is
+// active, even if it is paused.
+class FeedbackAside {
+ public:
+  FeedbackAside(const gl::Dispatch& gl, capture::CaptureStage& capture, const Bindings& bindings)
+      : gl_(gl), bindings_(bindings) {
+    if (bindings_.transform_feedback_active) {
+      gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture.feedback());
+    }
+  }
+  ~FeedbackAside() {
+    if (bindings_.transform_feedback_active) {
+      gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings_.transform_feedback);
+    }
+  }
+  FeedbackAside(const FeedbackAside&) = delete;
+  FeedbackAside& operator=(const FeedbackAside&) = delete;
+
+ private:
+  const gl::Dispatch& gl_;
+  const Bindings& bindings_;
+};
+
 class Pipeline {
  public:
   explicit Pipeline(Context& context);
@@ -87,7 +110,6 @@ class Pipeline {
   bool captures_last_vertex(GLenum mode) const;
   bool splits_at_centroid(const DrawCall& call, const Plan& plan) const;
   std::optional<depth::Decomposition> decomposition_for(GLenum mode, bool last_vertex_convention);
-  GLuint probe_program(const capture::Layout& layout);
   std::vector<float> probe(GLenum mode, bool last_vertex_convention);
   bool ready_to_split(const Plan& plan, const depth::SplitRequest& request);
   DerivedKey key_of(GLenum mode, bool tagged, bool placed) const;
@@ -96,7 +118,6 @@ class Pipeline {
   void begin_capture(const Plan& plan, bool exact, GpuBuffer* own);
   capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
   bool ensure_pool();
-  bool found_room(const capture::Layout& layout, std::uint64_t triangles) const;
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
   capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan);

@@ -197,6 +197,7 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     plan.derived = found->second.get();
   } else {
     ErrorScope errors(context_);
+    const FeedbackAside aside(gl_, capture_, context_.bindings);
     const std::lock_guard lock(context_.share->mutex);
     plan.derived = builder_.derive(*plan.program, plan.owner, key);
     context_.share->any_derived.store(true, std::memory_order_relaxed);
@@ -211,6 +212,7 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   plan.layout = &plan.derived->layout;
   if (plan.derived->capture_program == 0) {
     ErrorScope errors(context_);
+    const FeedbackAside aside(gl_, capture_, context_.bindings);
     plan.derived->capture_program = capture_.program_for(*plan.layout, context_.ark.tag_attribute);
   }
   plan.capture_program = plan.derived->capture_program;
@@ -218,17 +220,9 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
 }
 
 bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {
-  // Programs with varyings cannot be made while the bound transform feedback object is active, not even a paused one.
-  const bool step_aside = context_.bindings.transform_feedback_active;
-  if (step_aside) {
-    gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture_.feedback());
-  }
+  const FeedbackAside aside(gl_, capture_, context_.bindings);
   bins_ready_ = bins_ready_ || bins_.prepare(pool_);
-  const bool room = bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest);
-  if (step_aside) {
-    gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, context_.bindings.transform_feedback);
-  }
-  return room;
+  return bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest);
 }
 
 Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {

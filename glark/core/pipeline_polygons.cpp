@@ -31,17 +31,6 @@ bool Pipeline::splits_at_centroid(const DrawCall& call, const Plan& plan) const 
          gives_centroids(*plan.program);
 }
 
-// Varyings cannot be given while a transform feedback object is bound that is active, even if it is paused.
-GLuint Pipeline::probe_program(const capture::Layout& layout) {
-  GLuint idle = 0;
-  gl_.GenTransformFeedbacks(1, &idle);
-  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, idle);
-  const GLuint program = capture_.program_for(layout, context_.ark.tag_attribute);
-  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, context_.bindings.transform_feedback);
-  gl_.DeleteTransformFeedbacks(1, &idle);
-  return program;
-}
-
 // Draws vertices that are numbered, and returns the numbers in the order of the corners that GL makes of them. Empty if GL
 // captures nothing (conditional rendering, no memory).
 std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
@@ -51,7 +40,10 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
   const capture::Layout layout = capture::make_layout({{.name = "number", .type = GL_FLOAT, .location = 0}}, false);
   Plan plan;
   plan.layout = &layout;
-  plan.capture_program = probe_program(layout);
+  {
+    const FeedbackAside aside(gl_, capture_, context_.bindings);
+    plan.capture_program = capture_.program_for(layout, context_.ark.tag_attribute);
+  }
   plan.last_vertex_convention = last_vertex_convention;
   std::vector<float> numbers(static_cast<std::size_t>(vertices));
   std::iota(numbers.begin(), numbers.end(), 0.0F);

@@ -80,13 +80,20 @@ bool CaptureStage::can_reserve(const Layout& layout, std::uint64_t triangles) co
                           static_cast<std::uint64_t>(std::max(1, layout.triangle_words() * 4));
 }
 
+GLuint CaptureStage::feedback() {
+  if (feedback_ == 0) {
+    gl_.GenTransformFeedbacks(1, &feedback_);
+  }
+  return feedback_;
+}
+
 bool CaptureStage::has_room(const Layout& layout, std::uint64_t triangles) const {
-  return feedback_ != 0 && cursor_ + bytes_of(layout, triangles) + chunk_overrun <= ring_.size();
+  return query_ != 0 && cursor_ + bytes_of(layout, triangles) + chunk_overrun <= ring_.size();
 }
 
 bool CaptureStage::reserve(const Layout& layout, std::uint64_t triangles) {
-  if (feedback_ == 0) {
-    gl_.GenTransformFeedbacks(1, &feedback_);
+  feedback();
+  if (query_ == 0) {
     gl_.GenQueries(1, &query_);
     const CountCommand command;
     if (!count_command_.allocate(gl_, sizeof(command), &command, GL_DYNAMIC_COPY)) {

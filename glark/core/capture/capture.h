@@ -34,7 +34,7 @@ class CaptureStage {
   // Triangles of the last capture that was not exact; waits for the GPU.
   std::uint64_t counted() const;
 
-  GLuint feedback() const { return feedback_; }
+  GLuint feedback();  // our transform feedback object, made on first use
   GLuint count_buffer() const { return count_command_.name(); }
   const core::GpuBuffer& count_command() const { return count_command_; }
   bool can_reserve(const Layout& layout, std::uint64_t triangles) const;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint64_t frames_to_keep = 120;
 constexpr std::size_t most_entries = 4096;
+constexpr GLsizeiptr most_bytes = GLsizeiptr{256} << 20;
 
 bool watched(const gl::Dispatch& gl, GLint buffer) {
   if (buffer == 0) {
@@ -105,23 +106,44 @@ bool reads_only_buffers(const gl::Dispatch& gl, const Layout& layout, bool index
   return !layout.tagged || generic_watched(gl, tag_attribute);
 }
 
-void CaptureCache::frame_finished(const gl::Dispatch& gl) {
-  ++frame_;
+// What was not used since the last time.
+void CaptureCache::forget_unused(const gl::Dispatch& gl) {
   for (auto entry = entries_.begin(); entry != entries_.end();) {
-    if (entry->second.last_frame + frames_to_keep < frame_ || entries_.size() > most_entries) {
+    if (entry->second.generation < generation_) {
+      kept_bytes_ -= entry->second.buffer.size();
       entry->second.buffer.release(gl);
       entry = entries_.erase(entry);
     } else {
       ++entry;
     }
   }
+  ++generation_;
 }
+
+void CaptureCache::make_room(const gl::Dispatch& gl) {
+  if (entries_.size() < most_entries) {
+    return;
+  }
+  forget_unused(gl);
+  if (entries_.size() >= most_entries) {
+    release(gl);
+  }
+}
+
+void CaptureCache::frame_finished(const gl::Dispatch& gl) {
+  if (++frame_ % frames_to_keep == 0) {
+    forget_unused(gl);
+  }
+}
+
+bool CaptureCache::may_keep(GLsizeiptr bytes) const { return kept_bytes_ + bytes <= most_bytes; }
 
 void CaptureCache::release(const gl::Dispatch& gl) {
   for (auto& [key, entry] : entries_) {
     entry.buffer.release(gl);
   }
   entries_.clear();
+  kept_bytes_ = 0;
 }
 
 }  // namespace glark::capture

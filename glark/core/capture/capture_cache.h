@@ -40,14 +40,14 @@ class CaptureCache {
     bool filled = false;
     core::GpuBuffer buffer;
     CoarseTriangles triangles;
-    std::uint64_t last_frame = 0;
+    std::uint64_t generation = 0;  // of its last use
   };
 
   // `cacheable` is asked once for each new pair of epochs: whether all that the draw reads is watched.
   template <typename Cacheable>
   std::pair<Answer, Entry*> look_up(const CacheKey& key, const Epochs& epochs, Cacheable&& cacheable) {
     Entry& entry = entries_[key];
-    entry.last_frame = frame_;
+    entry.generation = generation_;
     if (entry.epochs != epochs) {
       entry.epochs = epochs;
       entry.filled = false;
@@ -64,13 +64,22 @@ class CaptureCache {
     return {Answer::fresh, &entry};
   }
 
-  // Drops entries that no draw of the last frames used.
+  // Bounded in entries and bytes also where frames never end: to be called before a look-up.
+  void make_room(const gl::Dispatch& gl);
+  // Drops, now and then, the entries that no draw of the last frames used.
   void frame_finished(const gl::Dispatch& gl);
+  // Bytes that an entry may keep.
+  bool may_keep(GLsizeiptr bytes) const;
+  void count_kept(GLsizeiptr bytes) { kept_bytes_ += bytes; }
   void release(const gl::Dispatch& gl);
 
  private:
   std::map<CacheKey, Entry> entries_;
+  void forget_unused(const gl::Dispatch& gl);
+
   std::uint64_t frame_ = 0;
+  std::uint64_t generation_ = 0;
+  GLsizeiptr kept_bytes_ = 0;
 };
 
 // Whether every array that `layout` reads comes from a buffer object that is not mapped persistently, and the indices too.

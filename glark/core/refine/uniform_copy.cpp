@@ -87,6 +87,12 @@ Shape shape_of(GLenum type) {
       {GL_DOUBLE_MAT2, {Scalar::floating_double, 2, 2}},
       {GL_DOUBLE_MAT3, {Scalar::floating_double, 3, 3}},
       {GL_DOUBLE_MAT4, {Scalar::floating_double, 4, 4}},
+      {GL_DOUBLE_MAT2x3, {Scalar::floating_double, 2, 3}},
+      {GL_DOUBLE_MAT2x4, {Scalar::floating_double, 2, 4}},
+      {GL_DOUBLE_MAT3x2, {Scalar::floating_double, 3, 2}},
+      {GL_DOUBLE_MAT3x4, {Scalar::floating_double, 3, 4}},
+      {GL_DOUBLE_MAT4x2, {Scalar::floating_double, 4, 2}},
+      {GL_DOUBLE_MAT4x3, {Scalar::floating_double, 4, 3}},
   };
   for (const Row& row : rows) {
     if (row.type == type) {
@@ -136,6 +142,12 @@ void copy_doubles(const gl::Dispatch& gl, GLuint from, GLint source, GLuint to, 
     case 14: gl.ProgramUniform4dv(to, target, 1, value.data()); break;
     case 22: gl.ProgramUniformMatrix2dv(to, target, 1, GL_FALSE, value.data()); break;
     case 33: gl.ProgramUniformMatrix3dv(to, target, 1, GL_FALSE, value.data()); break;
+    case 23: gl.ProgramUniformMatrix2x3dv(to, target, 1, GL_FALSE, value.data()); break;
+    case 24: gl.ProgramUniformMatrix2x4dv(to, target, 1, GL_FALSE, value.data()); break;
+    case 32: gl.ProgramUniformMatrix3x2dv(to, target, 1, GL_FALSE, value.data()); break;
+    case 34: gl.ProgramUniformMatrix3x4dv(to, target, 1, GL_FALSE, value.data()); break;
+    case 42: gl.ProgramUniformMatrix4x2dv(to, target, 1, GL_FALSE, value.data()); break;
+    case 43: gl.ProgramUniformMatrix4x3dv(to, target, 1, GL_FALSE, value.data()); break;
     default: gl.ProgramUniformMatrix4dv(to, target, 1, GL_FALSE, value.data()); break;
   }
 }

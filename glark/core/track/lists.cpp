@@ -69,7 +69,7 @@ GLuint list_base(Context& c) {
 // What a call between glBegin and glEnd adds to the primitive.
 std::uint64_t vertices_of(Context& c, GLuint name, int depth) {
   const std::shared_ptr<DisplayList> list = find_list(c, name);
-  if (list == nullptr || depth > deepest_nesting) {
+  if (list == nullptr || depth >= deepest_nesting) {
     return 0;
   }
   std::uint64_t count = list->loose_vertices;
@@ -95,11 +95,14 @@ std::uint64_t triangles_of_segment(Context& c, const ListSegment& segment) {
 }
 
 void call_list(Context& c, GLuint name, int depth) {
+  if (depth >= deepest_nesting) {
+    return;  // OpenGL 4.6 compatibility, 21.4.2: deeper calls are ignored
+  }
   const std::shared_ptr<DisplayList> list = find_list(c, name);
   if (c.immediate.capturing) {
     c.immediate_vertices += vertices_of(c, name, depth);
   }
-  if (list == nullptr || !list->refinable || !c.refining || depth > deepest_nesting || c.immediate.open) {
+  if (list == nullptr || !list->refinable || !c.refining || c.immediate.open) {
     c.gl.CallList(name);
     forget_state(c, list != nullptr && !list->calls_lists ? list.get() : nullptr);
     return;
