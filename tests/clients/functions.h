@@ -13,21 +13,27 @@
   X(ColorMaterial)                                                                                                  \
   X(DisableClientState)                                                                                             \
   X(DrawArrays)                                                                                                     \
-  X(DrawElements) X(Enable) X(EnableClientState) X(End) X(Finish) X(Frustum) X(GetError) X(Lightfv) X(LoadIdentity) \
-      X(MatrixMode) X(Normal3f) X(NormalPointer) X(PixelStorei) X(PopMatrix) X(PushMatrix) X(ReadPixels) X(Rotatef) \
-          X(Translatef) X(Vertex3f) X(VertexPointer) X(Viewport)
+  X(DrawElements)                                                                                                   \
+  X(Enable)                                                                                                         \
+  X(EnableClientState)                                                                                              \
+  X(End) X(Finish) X(Frustum) X(GetError) X(Lightfv) X(LoadIdentity) X(MatrixMode) X(Normal3f) X(NormalPointer)     \
+      X(PixelStorei) X(PopMatrix) X(PushMatrix) X(ReadPixels) X(Rotatef) X(Translatef) X(Vertex3f) X(VertexPointer) \
+          X(Viewport)
 
-#define SCENE_SHADER_FUNCTIONS(X)                                                                                 \
-  X(AttachShader)                                                                                                 \
-  X(BindAttribLocation)                                                                                           \
-  X(BindBuffer)                                                                                                   \
-  X(BufferData)                                                                                                   \
-  X(Clear)                                                                                                        \
-  X(ClearColor)                                                                                                   \
-  X(CompileShader)                                                                                                \
-  X(CreateProgram) X(CreateShader) X(DrawArrays) X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(Finish)   \
-      X(GenBuffers) X(GetError) X(GetProgramiv) X(GetUniformLocation) X(LinkProgram) X(PixelStorei) X(ReadPixels) \
-          X(ShaderSource) X(Uniform3f) X(UseProgram) X(VertexAttribPointer) X(Viewport)
+#define SCENE_SHADER_FUNCTIONS(X)                                                                                  \
+  X(AttachShader)                                                                                                  \
+  X(BindAttribLocation)                                                                                            \
+  X(BindBuffer)                                                                                                    \
+  X(BufferData)                                                                                                    \
+  X(Clear)                                                                                                         \
+  X(ClearColor)                                                                                                    \
+  X(CompileShader)                                                                                                 \
+  X(CreateProgram)                                                                                                 \
+  X(CreateShader)                                                                                                  \
+  X(DrawArrays)                                                                                                    \
+  X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(Finish) X(GenBuffers) X(GetError) X(GetProgramiv)         \
+      X(GetUniformLocation) X(LinkProgram) X(PixelStorei) X(ReadPixels) X(ShaderSource) X(Uniform3f) X(UseProgram) \
+          X(VertexAttribPointer) X(Viewport)
 
 #define GLX_CLIENT_FUNCTIONS(X) X(ChooseVisual) X(CreateContext) X(DestroyContext) X(MakeCurrent) X(SwapBuffers)
 

@@ -72,6 +72,17 @@ TEST_F(DrawsLists, Nested) {
   expect_same_scene({8}, [root] { glCallList(root); });
 }
 
+TEST_F(DrawsLists, CallsItselfToTheDepthOfOpenGl) {
+  const GLuint list = glGenLists(1);
+  glNewList(list, GL_COMPILE);
+  draw_immediate(strip());
+  glCallList(list);
+  glEndList();
+  GLint nesting = 0;
+  glGetIntegerv(GL_MAX_LIST_NESTING, &nesting);
+  expect_same_scene({static_cast<GLuint>(4 * nesting)}, [list] { glCallList(list); });
+}
+
 TEST_F(DrawsLists, NestedListReplacedAfterCompilation) {
   const GLuint leaf = compile([] { draw_shifted(-0.5F, -0.5F); });
   const GLuint root = compile([leaf] { glCallList(leaf); });

@@ -6,6 +6,8 @@
 #include "tests/core/programs.h"
 #include "tests/core/scene.h"
 
+#include <GL/osmesa.h>
+
 namespace glark::core::test {
 namespace {
 
@@ -70,6 +72,66 @@ TEST_P(DrawsPrograms, VerticesFromVertexIdAlone) {
   glDisableVertexAttribArray(0);
   glDisableVertexAttribArray(1);
   expect_same_scene({2}, [] { glDrawArrays(GL_TRIANGLE_STRIP, 0, 4); });
+}
+
+TEST_P(DrawsPrograms, DoubleMatrixUniformSetBeforeTheFirstDraw) {
+  const GLuint program = use("uniform dmat2x3 tint; out vec3 c;\n", "c = vec3(tint[1]);\n");
+  const GLdouble columns[] = {0, 0, 0, 0.25, 1, 0.5};
+  glUniformMatrix2x3dv(glGetUniformLocation(program, "tint"), 1, GL_FALSE, columns);
+  expect_same_scene({4}, draw);
+}
+
+// The choice of subroutines is lost when another program is used: such draws stay as they are.
+TEST_P(DrawsPrograms, SubroutinesOfTheFragmentStageStayChosen) {
+  const GLuint program =
+      use("out vec3 c;\n", "",
+          "#version 430\nin vec3 c; out vec4 result;\nsubroutine vec3 tint();\n"
+          "subroutine(tint) vec3 dark() { return vec3(0.0); }\nsubroutine(tint) vec3 plain() { return c; }\n"
+          "subroutine uniform tint chosen;\nvoid main() { result = vec4(chosen(), 1.0); }\n");
+  const auto subroutine_index =
+      reinterpret_cast<PFNGLGETSUBROUTINEINDEXPROC>(OSMesaGetProcAddress("glGetSubroutineIndex"));
+  const auto choose_subroutines =
+      reinterpret_cast<PFNGLUNIFORMSUBROUTINESUIVPROC>(OSMesaGetProcAddress("glUniformSubroutinesuiv"));
+  const GLuint plain = subroutine_index(program, GL_FRAGMENT_SHADER, "plain");
+  choose_subroutines(GL_FRAGMENT_SHADER, 1, &plain);
+  const Picture before = picture_of(draw);
+  EXPECT_GT(differing_pixels(before, Picture(before.size(), 0)), visible_pixels);
+  refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
+  EXPECT_EQ(differing_pixels(before, picture_of(draw)), 0);
+  EXPECT_EQ(generated_primitives, 4U);
+  EXPECT_EQ(pending_errors(), "");
+}
+
+// The first refined draw makes its programs while a feedback of the application is open.
+TEST_P(DrawsPrograms, FirstDrawWhileTransformFeedbackIsPaused) {
+  const GLuint recorder = glCreateProgram();
+  const char* source = "#version 430\nout float x;\nvoid main() { x = 1.0; gl_Position = vec4(0.0); }\n";
+  const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  glAttachShader(recorder, shader);
+  const char* varying = "x";
+  glTransformFeedbackVaryings(recorder, 1, &varying, GL_INTERLEAVED_ATTRIBS);
+  glLinkProgram(recorder);
+  const GLuint program = use("out vec3 c;\n", "");
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 64, nullptr, GL_STATIC_READ);
+  const Picture plain = picture_of(draw);
+  glUseProgram(recorder);
+  glBeginTransformFeedback(GL_POINTS);
+  glPauseTransformFeedback();
+  glUseProgram(program);
+  refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
+  const Picture refined = picture_of(draw);
+  glDisable(GL_ARK);
+  glUseProgram(recorder);
+  glResumeTransformFeedback();
+  glEndTransformFeedback();
+  EXPECT_EQ(pending_errors(), "");
+  EXPECT_LE(differing_pixels(plain, refined), tolerated_pixels);
+  EXPECT_EQ(generated_primitives, 4U << 4);
 }
 
 TEST_P(DrawsPrograms, MatrixAttribute) {
