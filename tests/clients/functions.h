@@ -4,7 +4,8 @@
 // The functions that the scenes and the GLX clients call, for the clients that have to find each of them by its name.
 #pragma once
 
-// clang-format off: each run of clang-format 14 breaks these lists differently
+// Each run of clang-format 14 breaks these lists differently.
+// clang-format off
 #define SCENE_FIXED_FUNCTIONS(X)                                                                                    \
   X(Begin)                                                                                                          \
   X(Clear)                                                                                                          \

@@ -139,8 +139,9 @@ class Cracks : public testing::TestWithParam<Way> {
     for (int pair = 0; pair < pairs && !HasFailure(); ++pair) {
       const auto [a, b, c, d] = corners_of_pair(pair / (tags * tags), pair / tags % tags, pair % tags);
       SCOPED_TRACE(testing::Message() << "tags " << a.tag << b.tag << c.tag << d.tag);
-      const RefinedTriangle& one = triangles[static_cast<std::size_t>(2 * pair)];
-      const RefinedTriangle& two = triangles[static_cast<std::size_t>(2 * pair + 1)];
+      const std::size_t first = std::size_t{2} * static_cast<std::size_t>(pair);
+      const RefinedTriangle& one = triangles[first];
+      const RefinedTriangle& two = triangles[first + 1];
       const int segments = 1 << ((a.tag + b.tag) / 2);
       EXPECT_EQ(one.edge_segments, segments);
       EXPECT_EQ(two.edge_segments, segments);
