@@ -93,8 +93,7 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
   call.issue();
   const capture::CoarseTriangles triangles = end_capture(plan, call.triangles, call.exact);
   if (entry != nullptr) {
-    entry->triangles = triangles;
-    entry->filled = true;
+    capture::CaptureCache::fill(*entry, triangles);
   }
   return triangles;
 }

@@ -136,6 +136,11 @@ void CaptureCache::frame_finished(const gl::Dispatch& gl) {
   }
 }
 
+void CaptureCache::fill(Entry& entry, const CoarseTriangles& triangles) {
+  entry.triangles = triangles;
+  entry.filled = true;
+}
+
 bool CaptureCache::may_keep(GLsizeiptr bytes) const { return kept_bytes_ + bytes <= most_bytes; }
 
 void CaptureCache::release(const gl::Dispatch& gl) {

@@ -68,7 +68,9 @@ class CaptureCache {
   void make_room(const gl::Dispatch& gl);
   // Drops, now and then, the entries that no draw of the last frames used.
   void frame_finished(const gl::Dispatch& gl);
-  // Bytes that an entry may keep.
+  // The entry's buffer holds the records now.
+  static void fill(Entry& entry, const CoarseTriangles& triangles);
+  // Whether as many bytes more may be kept.
   bool may_keep(GLsizeiptr bytes) const;
   void count_kept(GLsizeiptr bytes) { kept_bytes_ += bytes; }
   void release(const gl::Dispatch& gl);
