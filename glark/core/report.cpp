@@ -8,9 +8,7 @@ namespace {
 std::atomic<LogSink> sink{nullptr};
 
 constexpr std::array<CauseText, cause_count> cause_texts{{
-    {"ark_disabled", "GL_ARK is disabled", "enable it"},
     {"not_triangles", "the draw has no triangles (points, lines, patches or adjacency)", "nothing to do"},
-    {"context_too_old", "the context is below OpenGL 4.3 and OpenGL ES 3.2", "ask for a newer context"},
     {"level_zero",
      "every edge has depth 0 and the refinement is a built-in one: the coarse triangle is the refined one",
      "raise the level"},
@@ -35,8 +33,6 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
     {"rasterizer_discard", "nothing is rasterised", "nothing to do"},
     {"indirect_unbounded", "the number of vertices is known to the GPU only, and has no bound",
      "use an indirect draw with a known count"},
-    {"display_list", "a display list that was not cut into draws",
-     "compile the list after glARKinit, with glBegin and glEnd in the same list"},
     {"invalid_draw", "OpenGL refuses the call", "see the application's glGetError"},
     {"out_of_memory", "no memory for the coarse triangles of the draw", "draw fewer triangles a call"},
 }};

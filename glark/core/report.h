@@ -20,9 +20,7 @@ void log(LogLevel level, std::string_view message);
 
 // Why a draw was left as the application asked for it.
 enum class Cause {
-  ark_disabled,         // never counted: the draw does not reach the pipeline
   not_triangles,        // points, lines, patches, adjacency
-  context_too_old,      // below OpenGL 4.3 / OpenGL ES 3.2
   level_zero,           // uniform level 0 with a built-in refinement: the original is the refined draw
   no_program,           // nothing bound that could be refined
   program_not_derived,  // the derived program could not be built
@@ -38,7 +36,6 @@ enum class Cause {
   render_mode,          // select or feedback
   rasterizer_discard,   // nothing would be seen
   indirect_unbounded,   // a count that only the GPU knows and that cannot be bounded
-  display_list,         // a list that cannot be cut into draws
   invalid_draw,         // GL will raise an error
   out_of_memory,        // no room for the capture
   count_
