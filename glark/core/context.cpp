@@ -136,6 +136,9 @@ void Context::frame_finished() {
 }
 
 std::span<const UniformMirror> Context::uniform_mirrors() const {
+  if (current_program == nullptr && bindings.program == 0 && bindings.pipeline != 0) {
+    return uniform_mirrors(pipeline->active_program(bindings.pipeline));
+  }
   return current_program != nullptr ? std::span<const UniformMirror>(current_program->mirrors)
                                     : std::span<const UniformMirror>();
 }
@@ -162,6 +165,7 @@ void Context::refresh_bindings() {
     return;
   }
   bindings_stale = false;
+  subroutines_known = false;
   const bool desktop = capabilities.api != Capabilities::Api::es;
   Bindings& b = bindings;
   b.program = static_cast<GLuint>(get(gl, GL_CURRENT_PROGRAM));

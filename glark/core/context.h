@@ -129,6 +129,8 @@ class Context {
   std::unordered_map<GLuint, std::uint64_t>
       query_surplus;                         // triangles that our captures added to a query of the application
   std::shared_ptr<Program> current_program;  // null: none, or not known to us
+  bool subroutines_known = false;            // `subroutines` is what the program in use has chosen
+  SubroutineChoice subroutines;
   std::string extension_string;
   std::unique_ptr<Pipeline> pipeline;
 

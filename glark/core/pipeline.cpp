@@ -50,6 +50,7 @@ Pipeline::Pipeline(Context& context)
       centroids_(context.supported),
       bins_(context.supported, language_of(context.capabilities)),
       submit_(context.supported),
+      pipelines_(context.supported),
       builder_(context.supported, builder_traits(context.capabilities)) {}
 
 bool Pipeline::build_pool(unsigned max_level) {
@@ -150,7 +151,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   if (plan.adaptive) {
     bins = sort(plan, records);
   }
-  gl_.UseProgram(plan.derived->name);
+  use_derived(plan);
   if (owns_feedback()) {
     gl_.ResumeTransformFeedback();
   }
@@ -221,7 +222,7 @@ void Pipeline::reset_modes(const Plan& plan) {
 void Pipeline::restore(const Plan& plan, bool changed_indirect) {
   const Bindings& b = context_.bindings;
   gl_.BindVertexArray(b.vertex_array);
-  gl_.UseProgram(b.program);
+  use_application_program();
   if (changed_indirect) {
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, b.draw_indirect_buffer);
   }
@@ -339,13 +340,13 @@ bool Pipeline::begin_feedback(GLenum mode) {
   plan.for_feedback = true;
   const bool tagged = context_.ark.depth_source == DepthSource::tag;
   const DrawCall call{.mode = GL_TRIANGLES, .tags_vary = tagged, .issue = nothing};
-  if (mode != GL_TRIANGLES || plan_draw(call, plan) != Cause::count_) {
+  if (mode != GL_TRIANGLES || plan_draw(call, plan) != Cause::count_ || plan.pipeline != nullptr) {
     return false;
   }
-  gl_.UseProgram(plan.derived->name);
+  use_derived(plan);
   gl_.BeginTransformFeedback(mode);
   gl_.PauseTransformFeedback();
-  gl_.UseProgram(context_.bindings.program);
+  use_application_program();
   feedback_program_ = plan.derived;
   return true;
 }
@@ -368,6 +369,7 @@ void Pipeline::release() {
   centroids_.release();
   bins_.release();
   submit_.release();
+  pipelines_.release();
   pool_.release(gl_);
   bins_ready_ = false;
 }

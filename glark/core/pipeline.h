@@ -17,6 +17,7 @@
 #include "glark/core/draw_call.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/program.h"
+#include "glark/core/program_pipelines.h"
 #include "glark/core/refine/fixed_function_state.h"
 #include "glark/core/refine/program_builder.h"
 #include "glark/core/report.h"
@@ -77,7 +78,9 @@ class Pipeline {
   void set_fixed_function_refinement(std::string source);
   const std::string& fixed_function_refinement() const { return fixed_function_refinement_; }
   void forget_program(GLuint name);  // linked again or deleted
-  void discard(Program& program) { builder_.discard(program); }
+  void discard(Program& program);
+  void pipeline_changed(GLuint pipeline) { pipelines_.changed(pipeline); }
+  GLuint active_program(GLuint pipeline) { return pipelines_.object(pipeline).active; }
 
   void tag_attribute_changed();  // captures read the tag from another attribute
 
@@ -91,6 +94,7 @@ class Pipeline {
     Program* owner = nullptr;
     DerivedProgram* derived = nullptr;
     GLuint capture_program = 0;
+    const PipelineObject* pipeline = nullptr;  // the application's, if its stages are separate programs
     const capture::Layout* layout = nullptr;
     std::optional<depth::Decomposition> polygons;  // to be split at their centroids
     bool for_feedback = false;                     // what will be drawn is not known yet
@@ -104,6 +108,10 @@ class Pipeline {
   Cause check_state(const DrawCall& call) const;
   Cause plan_draw(const DrawCall& call, Plan& plan);
   Cause find_program(Plan& plan);
+  Cause find_pipeline_program(Plan& plan);
+  void read_subroutines(const Plan& plan);
+  void use_derived(const Plan& plan);
+  void use_application_program();  // with its pipeline and subroutines, after programs of ours
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
   void plan_depth(const DrawCall& call, Plan& plan) const;
@@ -146,6 +154,7 @@ class Pipeline {
   depth::CentroidSplit centroids_;
   depth::BinStage bins_;
   submit::SubmitStage submit_;
+  ProgramPipelines pipelines_;
   refine::ProgramBuilder builder_;
   std::map<std::pair<refine::FixedFunctionState, GLuint>, std::shared_ptr<Program>> fixed_function_;
   refine::FixedFunctionState fixed_function_state_;

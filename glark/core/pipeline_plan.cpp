@@ -107,7 +107,10 @@ Cause Pipeline::find_program(Plan& plan) {
     return Cause::no_program;
   }
   if (b.program == 0 && b.pipeline != 0) {
-    return Cause::program_pipeline;
+    return find_pipeline_program(plan);
+  }
+  if (current != nullptr && !current->linked) {
+    return Cause::program_gone;
   }
   if (current != nullptr && (current->stages.empty() || current->has_stage(GL_VERTEX_SHADER))) {
     plan.program = plan.owner = current;
@@ -177,6 +180,7 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   if (const Cause cause = find_program(plan); cause != Cause::count_) {
     return cause;
   }
+  read_subroutines(plan);
   plan_depth(call, plan);
   plan.last_vertex_convention = captures_last_vertex(call.mode);
   if (splits_at_centroid(call, plan)) {
@@ -281,22 +285,28 @@ Program* Pipeline::program_for_refinement(GLuint name) {
 void Pipeline::set_fixed_function_refinement(std::string source) {
   fixed_function_refinement_ = std::move(source);
   for (auto& [key, program] : fixed_function_) {
-    builder_.discard(*program);
+    discard(*program);
     program->refinement_source = fixed_function_refinement_;
   }
 }
 
 void Pipeline::tag_attribute_changed() {
   for (auto& [key, program] : fixed_function_) {
-    builder_.discard(*program);
+    discard(*program);
   }
   const std::lock_guard lock(context_.share->mutex);
   for (auto& [name, program] : context_.share->programs) {
-    builder_.discard(*program);
+    discard(*program);
   }
 }
 
+void Pipeline::discard(Program& program) {
+  context_.share->program_epoch.fetch_add(1, std::memory_order_relaxed);
+  builder_.discard(program);
+}
+
 void Pipeline::forget_program(GLuint name) {
+  context_.share->program_epoch.fetch_add(1, std::memory_order_relaxed);
   for (auto entry = fixed_function_.begin(); entry != fixed_function_.end();) {
     if (entry->first.second == name && name != 0) {
       builder_.discard(*entry->second);

@@ -14,11 +14,12 @@ namespace glark::core {
 namespace {
 
 // The centroid has no value for what does not vary linearly: flat outputs take that of the provoking vertex, which is a corner
-// of two of the triangles only. The instance alone is the same at all vertices.
+// of two of the triangles only. What is constant in a draw alone is the same at all vertices.
 bool gives_centroids(const Program& program) {
   return !program.traits.writes_flat_outputs &&
          std::none_of(program.fields.begin(), program.fields.end(), [](const capture::Field& field) {
-           return capture::is_integer(field.type) && field.name != "gl_InstanceID";
+           return capture::is_wide(field.type) ||
+                  (capture::is_integer(field.type) && !capture::is_constant_in_draw(field));
          });
 }
 
@@ -66,7 +67,7 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
     begin_capture(plan, true, &output);
     gl_.DrawArrays(mode, 0, vertices);
     end_capture(plan, triangles, true);
-    gl_.UseProgram(context_.bindings.program);
+    use_application_program();
     gl_.BindVertexArray(context_.bindings.vertex_array);
     gl_.DeleteVertexArrays(1, &array);
     output.read(gl_, 0, bytes(corners), corners.data());

@@ -37,12 +37,27 @@ struct DerivedKey {
   auto operator<=>(const DerivedKey&) const = default;
 };
 
+// What a stage of the program in use has chosen: the subroutine for each location of its subroutine uniforms.
+struct StageSubroutines {
+  GLenum stage = 0;
+  std::vector<GLuint> chosen;
+};
+using SubroutineChoice = std::vector<StageSubroutines>;
+
+// From the numbers of the application's subroutines to those of a derived program.
+struct SubroutineTable {
+  GLenum stage = 0;
+  std::vector<GLint> location_from;  // by location of ours: the application's
+  std::vector<GLuint> index_to;      // by index of the application's: ours
+};
+
 struct DerivedProgram {
   GLuint name = 0;
   capture::Layout layout;
   GLuint capture_program = 0;              // of the capture stage
   std::vector<GLint> location_of;          // application location -> ours, -1 where we have none
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
+  std::vector<SubroutineTable> subroutines;
 };
 
 // Where a glUniform* call of the application must also go.
@@ -63,10 +78,14 @@ struct Program {
   bool fixed_function = false;
   std::vector<StageSource> stages;
   bool from_binary = false;
+  bool linked =
+      true;  // by its last glLinkProgram; otherwise what it ran before stays in use, and GL cannot return to it
   bool prepared = false;        // fields, traits and cause below are valid
   Cause cause = Cause::count_;  // why it cannot be refined; count_ if it can
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
+  bool subroutines_asked = false;  // the next is valid
+  bool uses_subroutines = false;
   std::map<DerivedKey, std::unique_ptr<DerivedProgram>> derived;  // null: tried, and failed
   std::vector<UniformMirror> mirrors;
   std::string refinement_source;

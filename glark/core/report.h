@@ -24,7 +24,8 @@ enum class Cause {
   level_zero,           // uniform level 0 with a built-in refinement: the original is the refined draw
   no_program,           // nothing bound that could be refined
   program_not_derived,  // the derived program could not be built
-  program_pipeline,     // separable programs
+  program_pipeline,     // one without a vertex program that glark knows
+  program_gone,         // deleted, or not linked again
   program_binary,       // no source to derive from
   assembly_program,     // ARB vertex program
   tessellation,         // the application has tessellation stages

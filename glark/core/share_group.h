@@ -26,6 +26,8 @@ struct ShareGroup {
   // Every write to any buffer object counts: a cached capture is valid only while this stands still.
   std::atomic<std::uint64_t> buffer_epoch{1};
   std::atomic<bool> any_derived{false};
+  // Linked, deleted or derived programs: what refers to programs by their names is valid only while this stands still.
+  std::atomic<std::uint64_t> program_epoch{1};
 };
 
 std::shared_ptr<ShareGroup> make_share_group();

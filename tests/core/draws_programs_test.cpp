@@ -2,40 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Programs of the application: every kind of input, uniform and life cycle; the picture stays.
-#include "tests/core/modes.h"
-#include "tests/core/programs.h"
+#include "tests/core/program_scene.h"
 #include "tests/core/scene.h"
-
-#include <GL/osmesa.h>
 
 namespace glark::core::test {
 namespace {
 
-const ModeShape& strip() { return mode_shapes()[1]; }
-const char* const pass_color = "#version 430\nin vec3 c; out vec4 result;\nvoid main() { result = vec4(c, 1.0); }\n";
-const std::string inputs = "#version 430\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color;\n";
-
-class DrawsPrograms : public testing::TestWithParam<Profile> {
- protected:
-  DrawsPrograms() {
-    GLuint array = 0;
-    glGenVertexArrays(1, &array);
-    glBindVertexArray(array);
-    make_buffer(GL_ARRAY_BUFFER, strip().vertices);
-    point_generic_arrays(nullptr);
-  }
-  // `declarations` and the body of main after gl_Position and c have their plain values.
-  GLuint use(const std::string& declarations, const std::string& body, const std::string& fragment = pass_color) {
-    const GLuint program =
-        link_program({.vertex = inputs + declarations +
-                                "void main() { gl_Position = vec4(position, 0.0, 1.0); c = color;\n" + body + "}\n",
-                      .fragment = fragment});
-    glUseProgram(program);
-    return program;
-  }
-  static void draw() { glDrawArrays(GL_TRIANGLE_STRIP, 0, 6); }
-  OsmesaContext context_{GetParam()};
-};
+class DrawsPrograms : public ProgramScene {};
 
 INSTANTIATE_TEST_SUITE_P(All, DrawsPrograms, testing::Values(Profile::compatibility, Profile::core), profile_name);
 
@@ -75,27 +48,6 @@ TEST_P(DrawsPrograms, DoubleMatrixUniformSetBeforeTheFirstDraw) {
   const GLdouble columns[] = {0, 0, 0, 0.25, 1, 0.5};
   glUniformMatrix2x3dv(glGetUniformLocation(program, "tint"), 1, GL_FALSE, columns);
   expect_same_scene({4}, draw);
-}
-
-// The choice of subroutines is lost when another program is used: such draws stay as they are.
-TEST_P(DrawsPrograms, SubroutinesOfTheFragmentStageStayChosen) {
-  const GLuint program =
-      use("out vec3 c;\n", "",
-          "#version 430\nin vec3 c; out vec4 result;\nsubroutine vec3 tint();\n"
-          "subroutine(tint) vec3 dark() { return vec3(0.0); }\nsubroutine(tint) vec3 plain() { return c; }\n"
-          "subroutine uniform tint chosen;\nvoid main() { result = vec4(chosen(), 1.0); }\n");
-  const auto subroutine_index =
-      reinterpret_cast<PFNGLGETSUBROUTINEINDEXPROC>(OSMesaGetProcAddress("glGetSubroutineIndex"));
-  const auto choose_subroutines =
-      reinterpret_cast<PFNGLUNIFORMSUBROUTINESUIVPROC>(OSMesaGetProcAddress("glUniformSubroutinesuiv"));
-  const GLuint plain = subroutine_index(program, GL_FRAGMENT_SHADER, "plain");
-  choose_subroutines(GL_FRAGMENT_SHADER, 1, &plain);
-  const Picture before = picture_of(draw);
-  EXPECT_GT(differing_pixels(before, Picture(before.size(), 0)), visible_pixels);
-  refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
-  EXPECT_EQ(differing_pixels(before, picture_of(draw)), 0);
-  EXPECT_EQ(generated_primitives, 4U);
-  EXPECT_EQ(pending_errors(), "");
 }
 
 // The first refined draw makes its programs while a feedback of the application is open.

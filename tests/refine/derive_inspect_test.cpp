@@ -19,16 +19,19 @@ VertexStageTraits traits_of(const std::string& source, bool es = false) {
 
 TEST(DeriveInspect, PlainStageHasNoTraits) {
   const VertexStageTraits traits = traits_of("void main() { gl_Position = gl_Vertex; }");
-  EXPECT_FALSE(traits.reads_vertex_id || traits.reads_instance_id || traits.has_side_effects ||
+  EXPECT_FALSE(traits.reads_vertex_id || !traits.system_values.empty() || traits.has_side_effects ||
                traits.writes_flat_outputs || traits.has_subroutines);
 }
 
 TEST(DeriveInspect, SystemValues) {
   EXPECT_TRUE(traits_of("#version 130\nvoid main() { gl_Position = vec4(gl_VertexID); }").reads_vertex_id);
   EXPECT_FALSE(traits_of("#version 130\nvoid main() { /* gl_VertexID */ gl_Position = vec4(1); }").reads_vertex_id);
-  EXPECT_TRUE(traits_of("#version 450\nvoid main() { gl_Position = vec4(gl_InstanceID); }").reads_instance_id);
-  EXPECT_TRUE(traits_of("#version 460\nvoid main() { gl_Position = vec4(gl_BaseVertex); }").reads_vertex_id);
-  EXPECT_TRUE(traits_of("#version 300 es\nvoid main() { gl_Position = vec4(gl_InstanceID); }", true).reads_instance_id);
+  EXPECT_TRUE(traits_of("#version 450\nvoid main() { gl_Position = vec4(gl_InstanceID); }")
+                  .system_values.contains("gl_InstanceID"));
+  EXPECT_TRUE(traits_of("#version 460\nvoid main() { gl_Position = vec4(gl_BaseVertex); }")
+                  .system_values.contains("gl_BaseVertex"));
+  EXPECT_TRUE(traits_of("#version 300 es\nvoid main() { gl_Position = vec4(gl_InstanceID); }", true)
+                  .system_values.contains("gl_InstanceID"));
 }
 
 TEST(DeriveInspect, SideEffects) {

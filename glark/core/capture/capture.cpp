@@ -6,10 +6,9 @@
 #include "glark/core/capture/capture.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
-#include "glark/core/report.h"
+#include "glark/core/shader.h"
 
 namespace glark::capture {
 namespace {
@@ -20,14 +19,6 @@ constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last rec
 
 GLsizeiptr bytes_of(const Layout& layout, std::uint64_t triangles) {
   return static_cast<GLsizeiptr>(triangles) * layout.triangle_words() * 4;
-}
-
-GLuint compile(const gl::Dispatch& gl, GLenum stage, const std::string& source) {
-  const GLuint shader = gl.CreateShader(stage);
-  const char* text = source.c_str();
-  gl.ShaderSource(shader, 1, &text, nullptr);
-  gl.CompileShader(shader);
-  return shader;
 }
 
 }  // namespace
@@ -44,35 +35,11 @@ GLuint CaptureStage::program_for(const Layout& layout, GLuint tag_attribute) {
 }
 
 GLuint CaptureStage::build(const CaptureSources& sources) const {
-  const GLuint program = gl_.CreateProgram();
-  std::vector<GLuint> shaders{compile(gl_, GL_VERTEX_SHADER, sources.vertex)};
+  std::vector<core::ShaderText> texts{{GL_VERTEX_SHADER, sources.vertex}};
   if (!sources.fragment.empty()) {
-    shaders.push_back(compile(gl_, GL_FRAGMENT_SHADER, sources.fragment));
+    texts.push_back({GL_FRAGMENT_SHADER, sources.fragment});
   }
-  for (const GLuint shader : shaders) {
-    gl_.AttachShader(program, shader);
-  }
-  std::vector<const char*> varyings;
-  for (const std::string& varying : sources.varyings) {
-    varyings.push_back(varying.c_str());
-  }
-  gl_.TransformFeedbackVaryings(program, static_cast<GLsizei>(varyings.size()), varyings.data(),
-                                GL_INTERLEAVED_ATTRIBS);
-  gl_.LinkProgram(program);
-  GLint linked = GL_FALSE;
-  gl_.GetProgramiv(program, GL_LINK_STATUS, &linked);
-  for (const GLuint shader : shaders) {
-    gl_.DetachShader(program, shader);
-    gl_.DeleteShader(shader);
-  }
-  if (linked == GL_FALSE) {
-    std::array<char, 1024> text{};
-    gl_.GetProgramInfoLog(program, static_cast<GLsizei>(text.size()), nullptr, text.data());
-    core::log(core::LogLevel::warning, std::string("capture program does not link: ") + text.data());
-    gl_.DeleteProgram(program);
-    return 0;
-  }
-  return program;
+  return core::build_program(gl_, "the capture program", texts, sources.varyings);
 }
 
 bool CaptureStage::can_reserve(const Layout& layout, std::uint64_t triangles) const {

@@ -68,16 +68,7 @@ bool builtin_watched(const gl::Dispatch& gl, const std::string& name) {
   if (name.rfind(texture, 0) == 0) {
     return texture_coordinates_watched(gl, static_cast<GLenum>(name.back() - '0'));
   }
-  return name == "gl_VertexID" || name == "gl_InstanceID";
-}
-
-int locations_of(const Field& field) {
-  const int columns =
-      field.type == GL_FLOAT_MAT2 || field.type == GL_FLOAT_MAT2x3 || field.type == GL_FLOAT_MAT2x4   ? 2
-      : field.type == GL_FLOAT_MAT3 || field.type == GL_FLOAT_MAT3x2 || field.type == GL_FLOAT_MAT3x4 ? 3
-      : field.type == GL_FLOAT_MAT4 || field.type == GL_FLOAT_MAT4x2 || field.type == GL_FLOAT_MAT4x3 ? 4
-                                                                                                      : 1;
-  return columns * field.array_size;
+  return true;  // system values follow from the call
 }
 
 }  // namespace
@@ -97,7 +88,7 @@ bool reads_only_buffers(const gl::Dispatch& gl, const Layout& layout, bool index
       }
       continue;
     }
-    for (int i = 0; i < locations_of(field); ++i) {
+    for (int i = 0; i < columns_of(field.type) * field.array_size; ++i) {
       if (!generic_watched(gl, static_cast<GLuint>(field.location + i))) {
         return false;
       }

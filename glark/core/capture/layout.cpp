@@ -9,35 +9,53 @@
 namespace glark::capture {
 namespace {
 
+enum class Kind { floating, integer, wide };
+
 struct TypeRow {
   GLenum type;
   const char* glsl;
-  int words;
-  bool integer;
+  int columns;
+  int rows;
+  Kind kind;
+
+  int words() const { return columns * rows * (kind == Kind::wide ? 2 : 1); }
 };
 
 constexpr TypeRow type_rows[] = {
-    {GL_FLOAT, "float", 1, false},
-    {GL_FLOAT_VEC2, "vec2", 2, false},
-    {GL_FLOAT_VEC3, "vec3", 3, false},
-    {GL_FLOAT_VEC4, "vec4", 4, false},
-    {GL_FLOAT_MAT2, "mat2", 4, false},
-    {GL_FLOAT_MAT3, "mat3", 9, false},
-    {GL_FLOAT_MAT4, "mat4", 16, false},
-    {GL_FLOAT_MAT2x3, "mat2x3", 6, false},
-    {GL_FLOAT_MAT2x4, "mat2x4", 8, false},
-    {GL_FLOAT_MAT3x2, "mat3x2", 6, false},
-    {GL_FLOAT_MAT3x4, "mat3x4", 12, false},
-    {GL_FLOAT_MAT4x2, "mat4x2", 8, false},
-    {GL_FLOAT_MAT4x3, "mat4x3", 12, false},
-    {GL_INT, "int", 1, true},
-    {GL_INT_VEC2, "ivec2", 2, true},
-    {GL_INT_VEC3, "ivec3", 3, true},
-    {GL_INT_VEC4, "ivec4", 4, true},
-    {GL_UNSIGNED_INT, "uint", 1, true},
-    {GL_UNSIGNED_INT_VEC2, "uvec2", 2, true},
-    {GL_UNSIGNED_INT_VEC3, "uvec3", 3, true},
-    {GL_UNSIGNED_INT_VEC4, "uvec4", 4, true},
+    {GL_FLOAT, "float", 1, 1, Kind::floating},
+    {GL_FLOAT_VEC2, "vec2", 1, 2, Kind::floating},
+    {GL_FLOAT_VEC3, "vec3", 1, 3, Kind::floating},
+    {GL_FLOAT_VEC4, "vec4", 1, 4, Kind::floating},
+    {GL_FLOAT_MAT2, "mat2", 2, 2, Kind::floating},
+    {GL_FLOAT_MAT2x3, "mat2x3", 2, 3, Kind::floating},
+    {GL_FLOAT_MAT2x4, "mat2x4", 2, 4, Kind::floating},
+    {GL_FLOAT_MAT3x2, "mat3x2", 3, 2, Kind::floating},
+    {GL_FLOAT_MAT3, "mat3", 3, 3, Kind::floating},
+    {GL_FLOAT_MAT3x4, "mat3x4", 3, 4, Kind::floating},
+    {GL_FLOAT_MAT4x2, "mat4x2", 4, 2, Kind::floating},
+    {GL_FLOAT_MAT4x3, "mat4x3", 4, 3, Kind::floating},
+    {GL_FLOAT_MAT4, "mat4", 4, 4, Kind::floating},
+    {GL_INT, "int", 1, 1, Kind::integer},
+    {GL_INT_VEC2, "ivec2", 1, 2, Kind::integer},
+    {GL_INT_VEC3, "ivec3", 1, 3, Kind::integer},
+    {GL_INT_VEC4, "ivec4", 1, 4, Kind::integer},
+    {GL_UNSIGNED_INT, "uint", 1, 1, Kind::integer},
+    {GL_UNSIGNED_INT_VEC2, "uvec2", 1, 2, Kind::integer},
+    {GL_UNSIGNED_INT_VEC3, "uvec3", 1, 3, Kind::integer},
+    {GL_UNSIGNED_INT_VEC4, "uvec4", 1, 4, Kind::integer},
+    {GL_DOUBLE, "double", 1, 1, Kind::wide},
+    {GL_DOUBLE_VEC2, "dvec2", 1, 2, Kind::wide},
+    {GL_DOUBLE_VEC3, "dvec3", 1, 3, Kind::wide},
+    {GL_DOUBLE_VEC4, "dvec4", 1, 4, Kind::wide},
+    {GL_DOUBLE_MAT2, "dmat2", 2, 2, Kind::wide},
+    {GL_DOUBLE_MAT2x3, "dmat2x3", 2, 3, Kind::wide},
+    {GL_DOUBLE_MAT2x4, "dmat2x4", 2, 4, Kind::wide},
+    {GL_DOUBLE_MAT3x2, "dmat3x2", 3, 2, Kind::wide},
+    {GL_DOUBLE_MAT3, "dmat3", 3, 3, Kind::wide},
+    {GL_DOUBLE_MAT3x4, "dmat3x4", 3, 4, Kind::wide},
+    {GL_DOUBLE_MAT4x2, "dmat4x2", 4, 2, Kind::wide},
+    {GL_DOUBLE_MAT4x3, "dmat4x3", 4, 3, Kind::wide},
+    {GL_DOUBLE_MAT4, "dmat4", 4, 4, Kind::wide},
 };
 
 const TypeRow* row_of(GLenum type) {
@@ -77,12 +95,27 @@ Field* find_role(std::vector<Field>& fields, const char* builtin, std::initializ
 
 int words_of(GLenum type) {
   const TypeRow* row = row_of(type);
-  return row != nullptr ? row->words : 0;
+  return row != nullptr ? row->words() : 0;
+}
+
+int columns_of(GLenum type) {
+  const TypeRow* row = row_of(type);
+  return row != nullptr ? row->columns : 0;
 }
 
 bool is_integer(GLenum type) {
   const TypeRow* row = row_of(type);
-  return row != nullptr && row->integer;
+  return row != nullptr && row->kind == Kind::integer;
+}
+
+bool is_wide(GLenum type) {
+  const TypeRow* row = row_of(type);
+  return row != nullptr && row->kind == Kind::wide;
+}
+
+bool is_constant_in_draw(const Field& field) {
+  return field.name == "gl_InstanceID" || field.name == "gl_BaseVertex" || field.name == "gl_BaseInstance" ||
+         field.name == "gl_DrawID";
 }
 
 bool is_builtin(const Field& field) { return field.name.rfind("gl_", 0) == 0; }
@@ -121,37 +154,92 @@ void assign_roles(std::vector<Field>& fields) {
   }
 }
 
+namespace {
+
+// The text of a capture shader while it is put together.
+class CaptureText {
+ public:
+  explicit CaptureText(CaptureSources& result) : result_(result) {}
+
+  void add(const Field& field) {
+    const TypeRow& row = *row_of(field.type);
+    const std::string array = field.is_array ? "[" + std::to_string(field.array_size) + "]" : "";
+    const std::string input =
+        field.location >= 0 ? declare_input(row.glsl, array, field.location) : builtin(field.name);
+    for (int element = 0; element < field.array_size; ++element) {
+      const std::string value = field.is_array ? input + "[" + std::to_string(element) + "]" : input;
+      if (row.kind == Kind::wide) {
+        add_wide(row, value);
+      } else {
+        add_output(row.kind == Kind::integer ? "flat out " : "out ", row.glsl, value);
+      }
+    }
+  }
+
+  void add_tag(GLuint attribute) {
+    add_output("out ", "float", declare_input("float", "", static_cast<int>(attribute)));
+  }
+
+  std::string text(Language language) const {
+    const char* version = language == Language::es ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
+                          : language == Language::core ? "#version 430 core\n"
+                                                       : "#version 430 compatibility\n";
+    const char* extension = draw_parameters_ ? "#extension GL_ARB_shader_draw_parameters : require\n" : "";
+    return std::string(version) + extension + declarations_ + "void main() {\n" + body_ +
+           "  gl_Position = vec4(0.0);\n}\n";
+  }
+
+ private:
+  std::string declare_input(const std::string& type, const std::string& array, int location) {
+    const std::string name = "glark_in" + std::to_string(inputs_++);
+    declarations_ += "layout(location = " + std::to_string(location) + ") in " + type + " " + name + array + ";\n";
+    return name;
+  }
+
+  std::string builtin(const std::string& name) {
+    if (name != "gl_BaseVertex" && name != "gl_BaseInstance" && name != "gl_DrawID") return name;
+    draw_parameters_ = true;
+    return name + "ARB";
+  }
+
+  // Doubles as pairs of unsigned integers, two doubles at a time: outputs cannot be captured as doubles everywhere.
+  void add_wide(const TypeRow& row, const std::string& value) {
+    for (int column = 0; column < row.columns; ++column) {
+      const std::string vector = row.columns > 1 ? value + "[" + std::to_string(column) + "]" : value;
+      const auto half = [&](int component) {
+        return "unpackDouble2x32(" + (row.rows > 1 ? vector + "[" + std::to_string(component) + "]" : vector) + ")";
+      };
+      for (int component = 0; component < row.rows; component += 2) {
+        const bool pair = component + 1 < row.rows;
+        add_output("flat out ", pair ? "uvec4" : "uvec2",
+                   pair ? "uvec4(" + half(component) + ", " + half(component + 1) + ")" : half(component));
+      }
+    }
+  }
+
+  void add_output(const std::string& storage, const std::string& type, const std::string& value) {
+    const std::string name = "glark_out" + std::to_string(outputs_++);
+    declarations_ += storage + type + " " + name + ";\n";
+    body_ += "  " + name + " = " + value + ";\n";
+    result_.varyings.push_back(name);
+  }
+
+  CaptureSources& result_;
+  std::string declarations_;
+  std::string body_;
+  int inputs_ = 0;
+  int outputs_ = 0;
+  bool draw_parameters_ = false;
+};
+
+}  // namespace
+
 CaptureSources capture_sources(const Layout& layout, Language language, GLuint tag_attribute) {
   CaptureSources result;
-  std::string declarations;
-  std::string body;
-  int index = 0;
-  const auto add = [&](const std::string& type, const std::string& array, const std::string& source, int location,
-                       bool integer) {
-    const std::string number = std::to_string(index++);
-    std::string input = source;
-    if (location >= 0) {
-      input = "glark_in" + number;
-      declarations += "layout(location = " + std::to_string(location) + ") in " + type + " " + input + array + ";\n";
-    }
-    declarations += (integer ? "flat out " : "out ") + type + " glark_out" + number + array + ";\n";
-    body += "  glark_out" + number + " = " + input + ";\n";
-    return "glark_out" + number;
-  };
-  for (const Field& field : layout.fields) {
-    const std::string array = field.is_array ? "[" + std::to_string(field.array_size) + "]" : "";
-    const std::string name = add(row_of(field.type)->glsl, array, field.name, field.location, is_integer(field.type));
-    for (int element = 0; element < field.array_size; ++element) {
-      result.varyings.push_back(field.is_array ? name + "[" + std::to_string(element) + "]" : name);
-    }
-  }
-  if (layout.tagged) {
-    result.varyings.push_back(add("float", "", "", static_cast<int>(tag_attribute), false));
-  }
-  const char* version = language == Language::es     ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
-                        : language == Language::core ? "#version 430 core\n"
-                                                     : "#version 430 compatibility\n";
-  result.vertex = version + declarations + "void main() {\n" + body + "  gl_Position = vec4(0.0);\n}\n";
+  CaptureText text(result);
+  for (const Field& field : layout.fields) text.add(field);
+  if (layout.tagged) text.add_tag(tag_attribute);
+  result.vertex = text.text(language);
   if (language == Language::es) {
     result.fragment = "#version 320 es\nvoid main() {}\n";
   }

@@ -11,9 +11,14 @@
 
 namespace glark::capture {
 
-// 4-byte words of one element of a GLSL type; 0 for types that are not captured (double).
+// 4-byte words of one element of a GLSL type; 0 for types that no vertex input has.
 int words_of(GLenum type);
+int columns_of(GLenum type);  // attribute locations that an element takes
 bool is_integer(GLenum type);
+bool is_wide(GLenum type);  // doubles: two words each
+
+// A system value that all vertices of a triangle share.
+bool is_constant_in_draw(const Field& field);
 
 // "gl_Vertex" and the like: read by their names, without a location.
 bool is_builtin(const Field& field);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "glark/core/report.h"
+#include "glark/core/shader.h"
 
 namespace glark::depth {
 namespace {
@@ -36,28 +36,14 @@ BinStage::Pass BinStage::compile(int pass) const {
                                   ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
                                   : "#version 430\n";
   const std::string source = version + "#define GLARK_PASS " + std::to_string(pass) + "\n" + bins_source;
-  const char* text = source.c_str();
-  const GLuint shader = gl_.CreateShader(GL_COMPUTE_SHADER);
-  gl_.ShaderSource(shader, 1, &text, nullptr);
-  gl_.CompileShader(shader);
+  const core::ShaderText text{GL_COMPUTE_SHADER, source};
   Pass result;
-  result.program = gl_.CreateProgram();
-  gl_.AttachShader(result.program, shader);
-  gl_.LinkProgram(result.program);
-  GLint linked = GL_FALSE;
-  gl_.GetProgramiv(result.program, GL_LINK_STATUS, &linked);
-  if (linked == GL_FALSE) {
-    std::array<char, 2048> log{};
-    gl_.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    core::log(core::LogLevel::error, std::string("binning pass does not compile: ") + log.data());
-    gl_.DeleteProgram(result.program);
-    result.program = 0;
-  } else {
+  result.program = core::build_program(gl_, "a binning pass", {&text, 1});
+  if (result.program != 0) {
     for (std::size_t i = 0; i < result.uniform.size(); ++i) {
       result.uniform[i] = gl_.GetUniformLocation(result.program, uniform_names[i]);
     }
   }
-  gl_.DeleteShader(shader);
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "glark/core/report.h"
+#include "glark/core/shader.h"
 
 namespace glark::depth {
 namespace {
@@ -43,29 +43,15 @@ int first_integer(const capture::Layout& layout) {
 
 CentroidSplit::Pass CentroidSplit::compile(int pass) const {
   const std::string source = "#version 430\n#define GLARK_PASS " + std::to_string(pass) + "\n" + split_source;
-  const char* text = source.c_str();
-  const GLuint shader = gl_.CreateShader(GL_COMPUTE_SHADER);
-  gl_.ShaderSource(shader, 1, &text, nullptr);
-  gl_.CompileShader(shader);
+  const core::ShaderText text{GL_COMPUTE_SHADER, source};
   Pass result;
-  result.program = gl_.CreateProgram();
-  gl_.AttachShader(result.program, shader);
-  gl_.LinkProgram(result.program);
-  GLint linked = GL_FALSE;
-  gl_.GetProgramiv(result.program, GL_LINK_STATUS, &linked);
-  if (linked == GL_FALSE) {
-    std::array<char, 2048> log{};
-    gl_.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    core::log(core::LogLevel::error, std::string("centroid pass does not compile: ") + log.data());
-    gl_.DeleteProgram(result.program);
-    result.program = 0;
-  } else {
+  result.program = core::build_program(gl_, "a centroid pass", {&text, 1});
+  if (result.program != 0) {
     for (std::size_t i = 0; i < result.uniform.size(); ++i) {
       result.uniform[i] = gl_.GetUniformLocation(result.program, uniform_names[i]);
     }
     result.corners = gl_.GetUniformLocation(result.program, "corners");
   }
-  gl_.DeleteShader(shader);
   return result;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "glark/core/shader.h"
+
 namespace glark::depth {
 namespace {
 
@@ -31,48 +33,22 @@ std::string mover_source(capture::Language language, int corner_words) {
   return version + inputs + "void main() {\n" + body + "  gl_Position = vec4(0.0);\n}\n";
 }
 
-GLuint compile(const gl::Dispatch& gl, GLenum stage, const std::string& source) {
-  const GLuint shader = gl.CreateShader(stage);
-  const char* text = source.c_str();
-  gl.ShaderSource(shader, 1, &text, nullptr);
-  gl.CompileShader(shader);
-  return shader;
-}
-
 }  // namespace
 
 Reorder::Mover Reorder::build(int corner_words) const {
   Mover mover;
-  const GLuint program = gl_.CreateProgram();
-  std::vector<GLuint> shaders{compile(gl_, GL_VERTEX_SHADER, mover_source(language_, corner_words))};
+  std::vector<core::ShaderText> texts{{GL_VERTEX_SHADER, mover_source(language_, corner_words)}};
   if (language_ == capture::Language::es) {
-    shaders.push_back(compile(gl_, GL_FRAGMENT_SHADER, "#version 320 es\nvoid main() {}\n"));
+    texts.push_back({GL_FRAGMENT_SHADER, "#version 320 es\nvoid main() {}\n"});
   }
-  std::vector<std::string> names;
-  std::vector<const char*> varyings;
+  std::vector<std::string> varyings;
   for (int input = 0; input < inputs_of(corner_words); ++input) {
-    names.push_back("moved" + std::to_string(input));
+    varyings.push_back("moved" + std::to_string(input));
   }
-  for (const std::string& name : names) {
-    varyings.push_back(name.c_str());
+  mover.program = core::build_program(gl_, "the reordering program", texts, varyings);
+  if (mover.program != 0) {
+    gl_.GenVertexArrays(1, &mover.vertex_array);
   }
-  for (const GLuint shader : shaders) {
-    gl_.AttachShader(program, shader);
-  }
-  gl_.TransformFeedbackVaryings(program, static_cast<GLsizei>(varyings.size()), varyings.data(),
-                                GL_INTERLEAVED_ATTRIBS);
-  gl_.LinkProgram(program);
-  GLint linked = GL_FALSE;
-  gl_.GetProgramiv(program, GL_LINK_STATUS, &linked);
-  for (const GLuint shader : shaders) {
-    gl_.DeleteShader(shader);
-  }
-  if (linked == GL_FALSE) {
-    gl_.DeleteProgram(program);
-    return mover;
-  }
-  mover.program = program;
-  gl_.GenVertexArrays(1, &mover.vertex_array);
   return mover;
 }
 

@@ -5,6 +5,7 @@
 // Text in, text out; no GL.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,9 +38,9 @@ struct DeriveRequest {
 
 // What the vertex stage does that decides whether and how it can be refined.
 struct VertexStageTraits {
-  bool reads_vertex_id = false;  // gl_VertexID (or gl_BaseVertex, gl_DrawID, ...): outputs must be interpolated
-  bool reads_instance_id = false;
-  bool has_side_effects = false;  // image stores, buffer writes, atomics
+  bool reads_vertex_id = false;         // outputs must be interpolated
+  std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
+  bool has_side_effects = false;        // image stores, buffer writes, atomics
   bool writes_flat_outputs = false;
   bool has_subroutines = false;
 };

@@ -17,8 +17,11 @@ class MainText {
     if (plan_.refinement == core::Refinement::linear_outputs) {
       for (int corner = 0; corner < 3; ++corner) {
         main += fill_from_corner(plan_, corner) + run() + for_output_units("save" + std::to_string(corner));
+        if (plan_.has_screen_outputs()) main += "  @corner_w[" + std::to_string(corner) + "] = gl_Position.w;\n";
       }
-      return main + for_output_units("finish") + "}\n";
+      main += for_output_units("finish");
+      if (plan_.has_screen_outputs()) main += "  @weigh_by_w();\n" + finish_screen_outputs();
+      return main + "}\n";
     }
     const bool flat = !plan_.outputs.empty();
     if (flat) main += fill_from_corner(plan_, plan_.provoking_corner) + run() + for_output_units("save0");
@@ -44,6 +47,14 @@ class MainText {
     return text;
   }
 
+  std::string finish_screen_outputs() const {
+    std::string text;
+    for (std::size_t unit = 0; unit < plan_.resets.size(); ++unit) {
+      if (unit_has_screen_outputs(plan_, unit)) text += "  @finish_screen_" + std::to_string(unit) + "();\n";
+    }
+    return text;
+  }
+
   const EpiloguePlan& plan_;
 };
 
@@ -57,6 +68,7 @@ std::string prototypes_of_other_units(const EpiloguePlan& plan) {
     const int slots = plan.refinement == core::Refinement::linear_outputs ? 3 : 1;
     for (int slot = 0; slot < slots; ++slot) text += "void @save" + std::to_string(slot) + suffix;
     text += "void @finish" + suffix;
+    if (unit_has_screen_outputs(plan, unit)) text += "void @finish_screen" + suffix;
   }
   return text;
 }
@@ -77,6 +89,16 @@ constexpr const char* cover_function = R"(vec3 @weights;
 void @place() {
   vec2 lattice = glark_lattice * 0.000030517578125;
   @weights = vec3((1.0 - lattice.x) - lattice.y, lattice);
+}
+)";
+
+// From barycentrics of the triangle in clip space to those of its image on the screen, which `noperspective` outputs follow. The
+// sums pair as those of @mix do.
+constexpr const char* screen_function = R"(vec3 @corner_w;
+void @weigh_by_w() {
+  @precise vec3 scaled = @weights * @corner_w;
+  @precise float sum = (scaled.x + scaled.y) + scaled.z;
+  if (sum != 0.0) @weights = scaled / sum;
 }
 )";
 
@@ -143,6 +165,7 @@ MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarat
   if (plan.version.es) text += "precision highp float;\nprecision highp int;\n";
   text += chunk_declarations(plan) + declarations_of_inputs + prototypes_of_other_units(plan);
   text += plan.placed ? place_function : cover_function;
+  if (plan.has_screen_outputs()) text += screen_function;
   text += mix_functions(mixed_types, true);
   if (plan.curved()) text += pn_functions();
   text += functions;

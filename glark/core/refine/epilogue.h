@@ -31,6 +31,7 @@ struct OutputVariable {
   std::string type;
   std::vector<std::string> sizes;  // array sizes, none open
   bool flat = false;
+  bool noperspective = false;
   bool clamped = false;  // to 0 .. 1
   std::string problem;   // why it cannot be saved, or empty
 };
@@ -50,6 +51,8 @@ struct EpiloguePlan {
   std::string refinement_source;  // rewritten text of the application's refinement shader, or empty
   std::set<std::string> refinement_identifiers;
 
+  // Some outputs are to vary linearly on the screen.
+  bool has_screen_outputs() const;
   bool curved() const { return refinement == core::Refinement::pn; }
 };
 
@@ -73,9 +76,10 @@ std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types);
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
                                             bool flat_colors, bool clamp_colors);
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures);
-// Functions "@save<slot>_<unit>" and "@finish_<unit>" of one unit, with the variables that they need.
+// Functions "@save<slot>_<unit>", "@finish_<unit>" and "@finish_screen_<unit>" of one unit, with the variables that they need.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types);
 bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit);
+bool unit_has_screen_outputs(const EpiloguePlan& plan, std::size_t unit);
 
 // epilogue.cpp
 // Directives that must follow #version.

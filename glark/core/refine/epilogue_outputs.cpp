@@ -124,6 +124,7 @@ class Collector {
     output.type = variable.type;
     output.sizes = variable.sizes;
     output.flat = variable.flat;
+    output.noperspective = variable.noperspective;
     const BuiltInOutput* const built_in = built_in_output(variable.name);
     if (built_in != nullptr && built_in->color) {
       output.flat = output.flat || flat_colors_;
@@ -247,6 +248,20 @@ bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit) {
                      [&](const OutputVariable& output) { return output.unit == unit; });
 }
 
+bool unit_has_screen_outputs(const EpiloguePlan& plan, std::size_t unit) {
+  return plan.refinement == core::Refinement::linear_outputs &&
+         std::any_of(plan.outputs.begin(), plan.outputs.end(), [&](const OutputVariable& output) {
+           return output.unit == unit && output.noperspective && !is_flat(output, plan.structures);
+         });
+}
+
+bool EpiloguePlan::has_screen_outputs() const {
+  for (std::size_t unit = 0; unit < resets.size(); ++unit) {
+    if (unit_has_screen_outputs(*this, unit)) return true;
+  }
+  return false;
+}
+
 // With linear_outputs there are three slots, one per corner; otherwise slot 0 holds the provoking corner's flat outputs.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types) {
   if (!unit_has_outputs(plan, unit)) return {};
@@ -255,6 +270,7 @@ std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet
   std::string variables;
   std::string saves[3];
   std::string finish;
+  std::string finish_screen;
   for (std::size_t i = 0; i < plan.outputs.size(); ++i) {
     const OutputVariable& output = plan.outputs[i];
     if (output.unit != unit) continue;
@@ -269,15 +285,20 @@ std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet
                                     : statements.copy(output.sizes, {saved, output.path});
     }
     const std::string& source = paths[interpolated ? 1 + plan.provoking_corner : 1];
-    finish += copied ? statements.copy(output.sizes, {output.path, source})
-                     : statements.interpolate(output.type, output.sizes, paths);
+    if (copied) {
+      finish += statements.copy(output.sizes, {output.path, source});
+    } else {
+      (output.noperspective ? finish_screen : finish) += statements.interpolate(output.type, output.sizes, paths);
+    }
   }
   const std::string suffix = "_" + std::to_string(unit);
   std::string text = variables;
   for (int slot = 0; slot < (interpolated ? 3 : 1); ++slot) {
     text += "void @save" + std::to_string(slot) + suffix + "() {\n" + saves[slot] + "}\n";
   }
-  return text + "void @finish" + suffix + "() {\n" + finish + "}\n";
+  text += "void @finish" + suffix + "() {\n" + finish + "}\n";
+  if (finish_screen.empty()) return text;
+  return text + "void @finish_screen" + suffix + "() {\n" + finish_screen + "}\n";
 }
 
 }  // namespace glark::refine

@@ -23,6 +23,7 @@ const Names& qualifiers() {
 struct Qualifiers {
   Storage storage = Storage::none;
   bool flat = false;
+  bool noperspective = false;
 };
 
 class Reader {
@@ -99,6 +100,7 @@ class Reader {
       if (token.is("const")) found.storage = Storage::constant;
       if (token.is("shared") || token.is("inout")) found.storage = Storage::other;
       if (token.is("flat")) found.flat = true;
+      if (token.is("noperspective")) found.noperspective = true;
       if (token.is("subroutine")) interface_.has_subroutines = true;
       if ((token.is("layout") || token.is("subroutine")) && ahead().is("(")) {
         ++at_;
@@ -126,6 +128,7 @@ class Reader {
       variable.name = at().text;
       variable.type = type;
       variable.flat = found.flat;
+      variable.noperspective = found.noperspective;
       ++at_;
       read_sizes(variable.sizes);
       variable.sizes.insert(variable.sizes.end(), type_sizes.begin(), type_sizes.end());
@@ -205,7 +208,10 @@ class Reader {
     declaration.block_name = at().text;
     ++at_;
     declaration.members = read_members();
-    for (Variable& member : declaration.members) member.flat = member.flat || found.flat;
+    for (Variable& member : declaration.members) {
+      member.flat = member.flat || found.flat;
+      member.noperspective = member.noperspective || found.noperspective;
+    }
     read_variables(found, declaration.block_name, {}, declaration.variables);
     interface_.declarations.push_back(std::move(declaration));
   }

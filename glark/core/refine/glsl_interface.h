@@ -29,6 +29,7 @@ struct Variable {
   std::string type;                // "vec3", or the name of a structure
   std::vector<std::string> sizes;  // text within each [...]; "" when left open
   bool flat = false;
+  bool noperspective = false;
   std::size_t initializer_begin = 0;  // tokens after '='; equal to the end when there is none
   std::size_t initializer_end = 0;
   bool has_initializer() const { return initializer_begin != initializer_end; }

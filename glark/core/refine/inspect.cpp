@@ -33,11 +33,8 @@ void note_system_values(const Tokens& tokens, VertexStageTraits& traits) {
   for (const Token& token : tokens) {
     const BuiltInInput* const input = built_in_input(token.text);
     if (input == nullptr || !input->system_value) continue;
-    if (input->field == "gl_InstanceID" || input->field == "gl_BaseInstance") {
-      traits.reads_instance_id = true;
-    } else {
-      traits.reads_vertex_id = true;
-    }
+    traits.system_values.insert(std::string(input->field));
+    traits.reads_vertex_id = traits.reads_vertex_id || input->field == "gl_VertexID";
   }
 }
 

@@ -3,10 +3,12 @@
 #include "glark/core/refine/program_builder.h"
 
 #include <algorithm>
-#include <array>
 
+#include "glark/core/refine/rewrite.h"
+#include "glark/core/refine/subroutines.h"
 #include "glark/core/refine/uniform_copy.h"
 #include "glark/core/report.h"
+#include "glark/core/shader.h"
 
 namespace glark::refine {
 namespace {
@@ -21,22 +23,6 @@ std::vector<std::string> vertex_sources(const core::Program& program) {
   return result;
 }
 
-GLuint compile(const gl::Dispatch& gl, GLenum stage, const std::string& source, std::string& error) {
-  const GLuint shader = gl.CreateShader(stage);
-  const char* text = source.c_str();
-  gl.ShaderSource(shader, 1, &text, nullptr);
-  gl.CompileShader(shader);
-  GLint compiled = GL_FALSE;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-  if (compiled == GL_FALSE) {
-    std::array<char, 2048> log{};
-    gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    error += log.data();
-    core::log(core::LogLevel::debug, "derived shader that does not compile:\n" + source);
-  }
-  return shader;
-}
-
 core::Cause cause_of(const core::Program& program, const VertexStageTraits& traits) {
   if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
     return core::Cause::tessellation;
@@ -45,18 +31,6 @@ core::Cause cause_of(const core::Program& program, const VertexStageTraits& trai
     return core::Cause::side_effects;
   }
   return core::Cause::count_;
-}
-
-// Which subroutines are chosen is state of the context that glUseProgram resets: a refined draw would lose the choice.
-bool chooses_subroutines(const gl::Dispatch& gl, const core::Program& program) {
-  if (program.fixed_function || gl.GetProgramStageiv == nullptr) {
-    return false;
-  }
-  return std::any_of(program.stages.begin(), program.stages.end(), [&](const core::StageSource& stage) {
-    GLint count = 0;
-    gl.GetProgramStageiv(program.name, stage.stage, GL_ACTIVE_SUBROUTINE_UNIFORMS, &count);
-    return count > 0;
-  });
 }
 
 std::string label(const core::Program& program) {
@@ -83,9 +57,9 @@ void ProgramBuilder::read_fields(core::Program& program) const {
     gl_.GetActiveAttrib(program.name, static_cast<GLuint>(i), static_cast<GLsizei>(buffer.size()), &length,
                         &field.array_size, &field.type, buffer.data());
     field.name = buffer.substr(0, static_cast<std::size_t>(length));
-    if (field.name == "gl_VertexID" || field.name == "gl_InstanceID" || field.name == "gl_BaseVertex" ||
-        field.name == "gl_BaseInstance" || field.name == "gl_DrawID") {
-      continue;  // system values, below
+    const BuiltInInput* const built_in = built_in_input(field.name);
+    if (built_in != nullptr && built_in->system_value) {
+      continue;  // below: not every driver lists them
     }
     if (field.name.ends_with("[0]")) {
       field.name.resize(field.name.size() - 3);
@@ -105,11 +79,8 @@ void ProgramBuilder::read_fields(core::Program& program) const {
   std::sort(program.fields.begin(), program.fields.end(), [](const capture::Field& a, const capture::Field& b) {
     return a.location != b.location ? a.location < b.location : a.name > b.name;
   });
-  if (program.traits.reads_vertex_id) {
-    program.fields.push_back({.name = "gl_VertexID", .type = GL_INT});
-  }
-  if (program.traits.reads_instance_id) {
-    program.fields.push_back({.name = "gl_InstanceID", .type = GL_INT});
+  for (const std::string& name : program.traits.system_values) {
+    program.fields.push_back({.name = name, .type = GL_INT});
   }
   capture::assign_roles(program.fields);
 }
@@ -138,10 +109,6 @@ void ProgramBuilder::prepare(core::Program& program) const {
   if (program.cause != core::Cause::count_) {
     return;
   }
-  if (inspection.traits.has_subroutines || chooses_subroutines(gl_, program)) {
-    leave(program, "it has subroutine uniforms");
-    return;
-  }
   read_fields(program);
   const capture::Layout layout = capture::make_layout(program.fields, false);
   const int free_locations = most_chunks(false);
@@ -160,15 +127,12 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   const GLuint name = gl_.CreateProgram();
   std::vector<GLuint> shaders;
   for (const std::string& source : vertex_stage) {
-    shaders.push_back(compile(gl_, GL_VERTEX_SHADER, source, error));
+    shaders.push_back(core::compile_shader(gl_, GL_VERTEX_SHADER, source, error));
   }
   for (const core::StageSource& stage : program.stages) {
     if (stage.stage != GL_VERTEX_SHADER) {
-      shaders.push_back(compile(gl_, stage.stage, *stage.source, error));
+      shaders.push_back(core::compile_shader(gl_, stage.stage, *stage.source, error));
     }
-  }
-  for (const GLuint shader : shaders) {
-    gl_.AttachShader(name, shader);
   }
   const GLuint first_chunk = placed ? traits_.first_chunk_location : traits_.patch_location;
   gl_.BindAttribLocation(name, traits_.lattice_location, lattice_input);
@@ -182,21 +146,7 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   if (settings_of != 0) {
     copy_link_settings(gl_, settings_of, name);
   }
-  gl_.LinkProgram(name);
-  GLint linked = GL_FALSE;
-  gl_.GetProgramiv(name, GL_LINK_STATUS, &linked);
-  for (const GLuint shader : shaders) {
-    gl_.DetachShader(name, shader);
-    gl_.DeleteShader(shader);
-  }
-  if (linked != GL_FALSE) {
-    return name;
-  }
-  std::array<char, 2048> log{};
-  gl_.GetProgramInfoLog(name, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  error += log.data();
-  gl_.DeleteProgram(name);
-  return 0;
+  return core::link_program(gl_, name, shaders, error) ? name : 0;
 }
 
 core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Program* owner,
@@ -245,6 +195,7 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
     map_uniform_locations(gl_, owner->name, *slot);
     copy_uniform_values(gl_, owner->name, *slot);
     copy_block_bindings(gl_, owner->name, name);
+    slot->subroutines = map_subroutines(gl_, *owner, name);
     owner->mirrors.push_back({name, slot.get()});
   }
   ++core::statistics().programs_derived;

@@ -238,6 +238,9 @@ void copy_feedback_varyings(const gl::Dispatch& gl, GLuint from, GLuint to) {
 }  // namespace
 
 void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to) {
+  GLint separable = GL_FALSE;
+  gl.GetProgramiv(from, GL_PROGRAM_SEPARABLE, &separable);
+  gl.ProgramParameteri(to, GL_PROGRAM_SEPARABLE, separable);
   copy_fragment_outputs(gl, from, to);
   copy_feedback_varyings(gl, from, to);
 }

@@ -12,7 +12,7 @@
 
 namespace glark::refine {
 
-// Before linking: fragment output locations and transform feedback varyings of `from`, set on `to`.
+// Before linking: separability, fragment output locations and transform feedback varyings of `from`, set on `to`.
 void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to);
 
 // After linking: fills derived.location_of.

@@ -51,11 +51,10 @@ std::vector<StageSource> read_stages(Context& c, GLuint program) {
 }
 
 // The stages of a program as it was just linked; what was derived from the old ones goes.
-void record_link(Context& c, GLuint name, bool from_binary) {
+void record_link(Context& c, GLuint name, std::vector<StageSource> stages) {
   if (!c.capabilities.refinable || c.gl.IsProgram(name) == GL_FALSE) {
     return;
   }
-  std::vector<StageSource> stages = from_binary ? std::vector<StageSource>() : read_stages(c, name);
   std::shared_ptr<Program> program;
   {
     const std::lock_guard lock(c.share->mutex);
@@ -67,7 +66,12 @@ void record_link(Context& c, GLuint name, bool from_binary) {
   c.pipeline->forget_program(name);
   program->name = name;
   program->stages = std::move(stages);
-  program->from_binary = from_binary || program->stages.empty();
+  program->from_binary = program->stages.empty();
+  GLint linked = GL_FALSE;
+  c.gl.GetProgramiv(name, GL_LINK_STATUS, &linked);
+  program->linked = linked != GL_FALSE;
+  program->subroutines_asked = false;
+  c.subroutines_known = false;
 }
 
 void forget_deleted(Context& c, GLuint name) {
@@ -85,7 +89,7 @@ void forget_deleted(Context& c, GLuint name) {
   c.pipeline->forget_program(name);
   // Still in use: GL keeps it until another one is. We could not return to it after a refined draw.
   program->prepared = true;
-  program->cause = Cause::no_program;
+  program->cause = Cause::program_gone;
 }
 
 GLint register_virtual_uniform(Context& c, Program& program, const GLchar* name) {
@@ -120,13 +124,19 @@ std::shared_ptr<Program> find_program(Context& c, GLuint name) {
   return found != c.share->programs.end() ? found->second : nullptr;
 }
 
+std::shared_ptr<Program> known_program(Context& c, GLuint name) {
+  std::shared_ptr<Program> program = find_program(c, name);
+  if (program == nullptr) {
+    ErrorScope errors(c);
+    record_link(c, name, read_stages(c, name));
+    program = find_program(c, name);
+  }
+  return program;
+}
+
 void adopt_current_program(Context& c) {
   const GLuint name = c.bindings.program;
-  c.current_program = name != 0 ? find_program(c, name) : nullptr;
-  if (name != 0 && c.current_program == nullptr) {
-    record_link(c, name, false);  // linked before we were here
-    c.current_program = find_program(c, name);
-  }
+  c.current_program = name != 0 ? known_program(c, name) : nullptr;
   c.mirror_uniforms = c.share->any_derived.load(std::memory_order_relaxed);
 }
 
@@ -146,16 +156,26 @@ void CompileShader(Context& c, GLuint shader) {
 
 void LinkProgram(Context& c, GLuint program) {
   c.gl.LinkProgram(program);
-  record_link(c, program, false);
+  if (c.capabilities.refinable && c.gl.IsProgram(program) != GL_FALSE) {
+    record_link(c, program, read_stages(c, program));
+  }
 }
 
 void ProgramBinary(Context& c, GLuint program, GLenum format, const void* binary, GLsizei length) {
   c.gl.ProgramBinary(program, format, binary, length);
-  record_link(c, program, true);
+  record_link(c, program, {});
 }
 
 GLuint CreateShaderProgramv(Context& c, GLenum type, GLsizei count, const GLchar* const* strings) {
-  return c.gl.CreateShaderProgramv(type, count, strings);
+  const GLuint program = c.gl.CreateShaderProgramv(type, count, strings);
+  if (program != 0 && c.capabilities.refinable) {  // its shader object is gone already
+    std::string source;
+    for (GLsizei i = 0; i < count; ++i) {
+      source += strings[i];
+    }
+    record_link(c, program, {{type, std::make_shared<const std::string>(std::move(source))}});
+  }
+  return program;
 }
 
 void DeleteShader(Context& c, GLuint shader) {
@@ -176,33 +196,6 @@ void DeleteObjectARB(Context& c, GLhandleARB object) {
   c.gl.DeleteObjectARB(object);
   if (c.capabilities.refinable) {
     forget_deleted(c, static_cast<GLuint>(object));
-  }
-}
-
-void UseProgram(Context& c, GLuint program) {
-  c.gl.UseProgram(program);
-  if (!track::executes(c)) {
-    return;
-  }
-  c.mirror_uniforms = c.share->any_derived.load(std::memory_order_relaxed);
-  if (program != 0 &&
-      (c.bindings.transform_feedback_active || (c.current_program = track::find_program(c, program)) == nullptr)) {
-    c.bindings_stale = true;  // GL may have refused
-    return;
-  }
-  if (program == 0) {
-    c.current_program = nullptr;
-  }
-  if (c.bindings.program != program && c.bindings.program == 0) {
-    c.fixed_function_stale = true;
-  }
-  c.bindings.program = program;
-}
-
-void BindProgramPipeline(Context& c, GLuint pipeline) {
-  c.gl.BindProgramPipeline(pipeline);
-  if (track::executes(c)) {
-    c.bindings.pipeline = pipeline;
   }
 }
 
