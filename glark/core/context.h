@@ -35,6 +35,7 @@ struct Capabilities {
   std::vector<std::string> extensions;
   GLint max_vertex_attributes = 16;
   GLint max_feedback_components = 64;
+  GLint max_vertex_storage_blocks = 0;
 };
 
 enum class DepthSource { tag, uniform };

@@ -27,6 +27,7 @@ refine::BuilderTraits builder_traits(const Capabilities& capabilities) {
   traits.extensions = capabilities.extensions;
   traits.max_vertex_attributes = capabilities.max_vertex_attributes;
   traits.max_feedback_components = capabilities.max_feedback_components;
+  traits.max_vertex_storage_blocks = capabilities.max_vertex_storage_blocks;
   traits.lattice_location = submit::lattice_location;
   traits.patch_location = submit::patch_location;
   traits.first_chunk_location = submit::first_chunk_location;
@@ -156,10 +157,18 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
     gl_.ResumeTransformFeedback();
   }
   set_modes(plan);
+  const bool stored = plan.derived->stored();
+  if (stored) {
+    const GLintptr first_word = plan.adaptive ? 0 : records.triangles.offset / 4;
+    gl_.ProgramUniform1i(plan.derived->name, plan.derived->first_word, static_cast<GLint>(first_word));
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, refine::records_binding,
+                       plan.adaptive ? bins.records : records.triangles.buffer);
+  }
   if (plan.adaptive) {
-    submit_.draw_binned(pool_, bins, *plan.layout);
+    submit_.draw_binned(pool_, bins, stored ? 0 : plan.layout->chunk_count());
   } else {
-    submit_.draw_uniform(pool_, {records.triangles, plan.layout, plan.level, plan.placed, records.count_command});
+    submit_.draw_uniform(pool_,
+                         {records.triangles, plan.layout, stored, plan.level, plan.placed, records.count_command});
     statistics().refined_triangles +=
         records.triangles.count_on_gpu ? 0 : std::uint64_t{records.triangles.count} << (2 * plan.level);
   }
@@ -226,7 +235,7 @@ void Pipeline::restore(const Plan& plan, bool changed_indirect) {
   if (changed_indirect) {
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, b.draw_indirect_buffer);
   }
-  if (plan.adaptive || plan.polygons) {
+  if (plan.adaptive || plan.polygons || (plan.derived != nullptr && plan.derived->stored())) {
     restore_storage();
   }
 }

@@ -213,6 +213,9 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   if (owns_feedback() && plan.derived != feedback_program_) {
     return Cause::transform_feedback;
   }
+  if (plan.derived->stored() && plan.pipeline != nullptr) {
+    return Cause::too_many_attributes;  // other programs of the pipeline may need the storage binding
+  }
   plan.layout = &plan.derived->layout;
   if (plan.derived->capture_program == 0) {
     ErrorScope errors(context_);

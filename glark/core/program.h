@@ -55,9 +55,12 @@ struct DerivedProgram {
   GLuint name = 0;
   capture::Layout layout;
   GLuint capture_program = 0;              // of the capture stage
+  GLint first_word = -1;                   // location, in a program that reads the records from the storage block
   std::vector<GLint> location_of;          // application location -> ours, -1 where we have none
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
   std::vector<SubroutineTable> subroutines;
+
+  bool stored() const { return first_word >= 0; }
 };
 
 // Where a glUniform* call of the application must also go.

@@ -75,6 +75,67 @@ TEST_P(DrawsInputs, DoubleMatrix) {
   expect_same_scene({4}, draw);
 }
 
+// More than an instance has attributes for: the records are read from a storage block.
+TEST_P(DrawsInputs, MoreAttributesThanAnInstanceHas) {
+  use("layout(location = 4) in mat4 m; layout(location = 8) in ivec3 n; out vec3 c;\n",
+      "gl_Position = m * gl_Position; c = vec3(c.xy * m[3].w, float(n.z) / 7.0);\n");
+  std::vector<GLfloat> matrices;
+  for (int i = 0; i < 6; ++i)
+    matrices.insert(matrices.end(), {0.8F, 0, 0, 0, 0, 0.7F, 0, 0, 0, 0, 1, 0, 0.1F, 0, 0, 1});
+  make_buffer(GL_ARRAY_BUFFER, matrices);
+  for (GLuint column = 0; column < 4; ++column) {
+    glVertexAttribPointer(4 + column, 4, GL_FLOAT, GL_FALSE, 64, byte_offset(16 * column));
+    glEnableVertexAttribArray(4 + column);
+  }
+  glVertexAttribI3i(8, -1, 2, 5);
+  expect_same_scene({4}, draw);
+  expect_same_scene({4, GL_LINEAR_INPUTS_ARK}, draw);
+  make_buffer(GL_ELEMENT_ARRAY_BUFFER, std::vector<GLubyte>{0, 1, 2, 3, 4, 5});
+  expect_same_scene({8}, [] {
+    glDrawElements(GL_TRIANGLE_STRIP, 6, GL_UNSIGNED_BYTE, nullptr);
+    glDrawElements(GL_TRIANGLE_STRIP, 6, GL_UNSIGNED_BYTE, nullptr);
+  });
+}
+
+// The bins of tags that vary, and the triangles whose number the GPU alone knows.
+TEST_P(DrawsInputs, ManyAttributesWithTagsAndWithRestart) {
+  use("layout(location = 4) in mat4 m; out vec3 c;\n", "c = c * m[3].w;\n");
+  for (GLuint column = 0; column < 4; ++column) glVertexAttrib4f(4 + column, 0, 0, 0, 0.7F);
+  make_buffer(GL_ARRAY_BUFFER, std::vector<GLubyte>{0, 3, 1, 2, 3, 1});
+  glDisable(GL_ARK);
+  const Picture plain = picture_of(draw);
+  refine_uniformly(3, GL_LINEAR_OUTPUTS_ARK);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK);
+  glDepthTagPointerARK(GL_UNSIGNED_BYTE, 0, nullptr);
+  glEnable(GL_DEPTH_TAG_ARRAY_ARK);
+  EXPECT_LE(differing_pixels(plain, picture_of(draw)), tolerated_pixels);
+  EXPECT_GT(generated_primitives, 16U);
+  glDisable(GL_DEPTH_TAG_ARRAY_ARK);
+  make_buffer(GL_ELEMENT_ARRAY_BUFFER, std::vector<GLubyte>{0, 1, 2, 255, 3, 4, 5});
+  glEnable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+  expect_same_scene({2}, [] { glDrawElements(GL_TRIANGLE_STRIP, 7, GL_UNSIGNED_BYTE, nullptr); });
+}
+
+TEST_P(DrawsInputs, ManyAttributesOfAnOldShader) {
+  std::string vertex =
+      "#version 120\nattribute vec2 position; attribute vec3 color; attribute mat4 m; varying vec3 c;\n"
+      "void main() { gl_Position = vec4(position, 0.0, 1.0); c = color * m[3].w; }\n";
+  if (GetParam() == Profile::core) vertex.replace(vertex.find("120"), 3, "140");
+  const GLuint program = glCreateProgram();
+  attach_shader(program, GL_VERTEX_SHADER, vertex);
+  attach_shader(program, GL_FRAGMENT_SHADER,
+                GetParam() == Profile::core
+                    ? "#version 140\nin vec3 c; out vec4 result; void main() { result = vec4(c, 1.0); }\n"
+                    : "#version 120\nvarying vec3 c; void main() { gl_FragColor = vec4(c, 1.0); }\n");
+  glBindAttribLocation(program, 0, "position");
+  glBindAttribLocation(program, 1, "color");
+  glBindAttribLocation(program, 4, "m");
+  glLinkProgram(program);
+  glUseProgram(program);
+  for (GLuint column = 0; column < 4; ++column) glVertexAttrib4f(4 + column, 0, 0, 0, 0.7F);
+  expect_same_scene({4}, draw);
+}
+
 const std::string draw_parameters = "#extension GL_ARB_shader_draw_parameters : require\n";
 
 TEST_P(DrawsInputs, DrawId) {

@@ -98,15 +98,6 @@ TEST_P(DrawsPrograms, MatrixAttribute) {
   expect_same_scene({4}, draw);
 }
 
-TEST_P(DrawsPrograms, MoreAttributesThanFitAreDrawnUnrefined) {
-  use("layout(location = 4) in mat4 m; out vec3 c;\n", "c = c * m[3].w;\n");
-  for (GLuint column = 0; column < 4; ++column) glVertexAttrib4f(4 + column, 0, 0, 0, 0.7F);
-  const Picture plain = picture_of(draw);
-  refine_uniformly(2);
-  EXPECT_LE(differing_pixels(plain, picture_of(draw)), tolerated_pixels);
-  EXPECT_EQ(pending_errors(), "");
-}
-
 TEST_P(DrawsPrograms, IntegerAttributes) {
   use("layout(location = 4) in ivec2 a; layout(location = 5) in uint b; flat out vec3 c;\n",
       "c = vec3(vec2(a), float(b)) / 8.0;\n",

@@ -61,7 +61,7 @@ class Deriver {
 
   // Names that the contract fixes and that the application may have taken: its variable gets another name, unless the API can see it.
   bool resolve_collisions() {
-    IdentifierSet fixed = {lattice_input, patch_input};
+    IdentifierSet fixed = {lattice_input, patch_input, records_block, words_member, first_word_uniform};
     for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
     for (const std::string& name : application_identifiers_) {
       const bool ours =
@@ -95,6 +95,7 @@ class Deriver {
     plan_.provoking_corner = std::clamp(request_.provoking_corner, 0, 2);
     plan_.corner_words = request_.layout.corner_words;
     plan_.placed = request_.placed;
+    plan_.stored = request_.stored;
     plan_.chunk_count = request_.layout.chunk_count();
     for (const VertexUnit& unit : units_) {
       plan_.structures.insert(plan_.structures.end(), unit.interface.structures.begin(),

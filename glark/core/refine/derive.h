@@ -20,12 +20,19 @@ inline constexpr const char* patch_input = "glark_patch";      // vec4: placemen
 inline constexpr const char* chunk_input_prefix =
     "glark_chunk";  // vec4 glark_chunk0, glark_chunk1, ...: words of the coarse record
 
+// Of a record that is too long for those: a storage block with the words of all records, and the first word of the draw.
+inline constexpr const char* records_block = "glark_Records";
+inline constexpr const char* words_member = "glark_words";
+inline constexpr const char* first_word_uniform = "glark_first_word";
+inline constexpr unsigned records_binding = 4;
+
 struct DeriveRequest {
   std::vector<std::string> vertex_sources;  // one per vertex shader object, as compiled by the application
   bool es = false;                          // OpenGL ES context
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
+  bool stored = false;       // the record is read from the storage block
   bool placed = true;        // false: without the patch input; the piece covers the triangle
   int provoking_corner = 2;  // corner whose value a flat output takes
   bool flat_colors = false;  // glShadeModel(GL_FLAT): built-in colours are flat

@@ -14,6 +14,7 @@ class MainText {
 
   std::string text() {
     std::string main = "void main() {\n  @place();\n";
+    if (plan_.stored) main += "  @find_record();\n";
     if (plan_.refinement == core::Refinement::linear_outputs) {
       for (int corner = 0; corner < 3; ++corner) {
         main += fill_from_corner(plan_, corner) + run() + for_output_units("save" + std::to_string(corner));
@@ -135,6 +136,15 @@ std::string enable_where_present(const std::string& extension) {
   return "#ifdef " + extension + "\n#extension " + extension + " : enable\n#endif\n";
 }
 
+std::string storage_extensions(const GlslVersion& version) {
+  if (version.es) return {};
+  return (version.number < 140
+              ? enable_where_present("GL_ARB_draw_instanced") + enable_where_present("GL_ARB_uniform_buffer_object")
+              : "") +
+         (version.number < 430 ? enable_where_present("GL_ARB_shader_storage_buffer_object") : "") +
+         enable_where_present("GL_ARB_shader_draw_parameters");
+}
+
 }  // namespace
 
 // `precise` is a keyword from GLSL 4.00 and ES 3.20 on, and with an extension before, unless the application uses the words
@@ -143,6 +153,7 @@ std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& appli
   const GlslVersion& version = plan.version;
   std::string text;
   if (uses_integers(plan) && !version.at_least(330, 300)) text += enable_where_present("GL_ARB_shader_bit_encoding");
+  if (plan.stored) text += storage_extensions(version);
   if (version.at_least(400, 320)) return text + "#define @precise precise\n";
   const bool words_are_free =
       !application_identifiers.contains("precise") && !application_identifiers.contains("sample");

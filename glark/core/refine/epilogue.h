@@ -40,6 +40,7 @@ struct EpiloguePlan {
   GlslVersion version;
   core::Refinement refinement = core::Refinement::linear_inputs;
   bool placed = true;
+  bool stored = false;
   int provoking_corner = 2;
   int corner_words = 0;
   int chunk_count = 0;

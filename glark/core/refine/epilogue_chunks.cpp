@@ -8,10 +8,21 @@
 namespace glark::refine {
 namespace {
 
+constexpr std::array<std::string_view, 5> constructors = {"", "float", "vec2", "vec3", "vec4"};
+
+// The same from the storage block: vec3(glark_w(3), glark_w(4), glark_w(5)).
+std::string stored_words_expression(int first, int count) {
+  std::string parts;
+  for (int word = first; word < first + count; ++word) {
+    parts += (word == first ? "@w(" : ", @w(") + std::to_string(word) + ")";
+  }
+  return count == 1 ? parts : std::string(constructors[count]) + "(" + parts + ")";
+}
+
 // Words [first, first + count) of the coarse record as a float or vector expression: vec3(glark_chunk0.w, glark_chunk1.xy).
-std::string words_expression(int first, int count) {
+std::string words_expression(const EpiloguePlan& plan, int first, int count) {
   static constexpr std::string_view components = "xyzw";
-  static constexpr std::array<std::string_view, 5> constructors = {"", "float", "vec2", "vec3", "vec4"};
+  if (plan.stored) return stored_words_expression(first, count);
   std::string parts;
   int part_count = 0;
   for (int word = first; word < first + count;) {
@@ -24,21 +35,32 @@ std::string words_expression(int first, int count) {
   return part_count == 1 ? parts : std::string(constructors[count]) + "(" + parts + ")";
 }
 
-std::string column_expression(Scalar scalar, int first, int rows) {
-  if (scalar == Scalar::float32) return words_expression(first, rows);
-  if (scalar == Scalar::int32) return "floatBitsToInt(" + words_expression(first, rows) + ")";
-  if (scalar == Scalar::uint32) return "floatBitsToUint(" + words_expression(first, rows) + ")";
-  if (scalar == Scalar::boolean) return "floatBitsToInt(" + words_expression(first, rows) + ")";
+std::string column_expression(const EpiloguePlan& plan, Scalar scalar, int first, int rows) {
+  if (scalar == Scalar::float32) return words_expression(plan, first, rows);
+  if (scalar == Scalar::int32) return "floatBitsToInt(" + words_expression(plan, first, rows) + ")";
+  if (scalar == Scalar::uint32) return "floatBitsToUint(" + words_expression(plan, first, rows) + ")";
+  if (scalar == Scalar::boolean) return "floatBitsToInt(" + words_expression(plan, first, rows) + ")";
   std::string doubles;
   for (int row = 0; row < rows; ++row) {
     doubles += (row == 0 ? "" : ", ");
-    doubles += "packDouble2x32(floatBitsToUint(" + words_expression(first + 2 * row, 2) + "))";
+    doubles += "packDouble2x32(floatBitsToUint(" + words_expression(plan, first + 2 * row, 2) + "))";
   }
   return rows == 1 ? doubles : "dvec" + std::to_string(rows) + "(" + doubles + ")";
 }
 
 std::string element_name(const InputVariable& input, int element) {
   return input.field.is_array ? input.global + "[" + std::to_string(element) + "]" : input.global;
+}
+
+// With a placement, instances are those of all bins: a bin's begin at its base instance.
+std::string storage_declarations(const EpiloguePlan& plan) {
+  const std::string layout = plan.version.es ? "std430, binding = " + std::to_string(records_binding) : "std430";
+  const std::string instance = plan.placed ? "(gl_InstanceID + gl_BaseInstanceARB)" : "gl_InstanceID";
+  return "layout(" + layout + ") readonly buffer " + records_block + " { float " + words_member +
+         "[]; };\nuniform int " + first_word_uniform +
+         ";\nint @record;\nvoid @find_record() { @record = " + first_word_uniform + " + " + instance + " * " +
+         std::to_string(3 * plan.corner_words) + "; }\nfloat @w(int word) { return " + words_member +
+         "[@record + word]; }\n";
 }
 
 }  // namespace
@@ -48,6 +70,7 @@ std::string chunk_declarations(const EpiloguePlan& plan) {
   const std::string precision = plan.version.es ? " highp" : "";
   std::string text = storage + precision + " vec2 " + lattice_input + ";\n";
   if (plan.placed) text += storage + precision + " vec4 " + patch_input + ";\n";
+  if (plan.stored) return text + storage_declarations(plan);
   for (int chunk = 0; chunk < plan.chunk_count; ++chunk) {
     text += storage + precision + " vec4 " + chunk_input_prefix + std::to_string(chunk) + ";\n";
   }
@@ -58,10 +81,11 @@ std::string corner_expression(const EpiloguePlan& plan, const InputVariable& inp
   const NumericType& type = *input.type;
   const int column_words = type.words() / type.columns;
   const int first = corner * plan.corner_words + input.field.offset + element * type.words();
-  if (type.columns == 1) return column_expression(type.scalar, first, type.rows);
+  if (type.columns == 1) return column_expression(plan, type.scalar, first, type.rows);
   std::string columns;
   for (int column = 0; column < type.columns; ++column) {
-    columns += (column == 0 ? "" : ", ") + column_expression(type.scalar, first + column * column_words, type.rows);
+    columns +=
+        (column == 0 ? "" : ", ") + column_expression(plan, type.scalar, first + column * column_words, type.rows);
   }
   return std::string(type.name) + "(" + columns + ")";
 }

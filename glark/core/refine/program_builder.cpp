@@ -91,6 +91,13 @@ int ProgramBuilder::most_chunks(bool placed) const {
          static_cast<GLint>(placed ? traits_.first_chunk_location : traits_.patch_location);
 }
 
+// From a storage block, at a binding that the application's own blocks might have.
+bool ProgramBuilder::can_store_records(const core::Program& program) const {
+  GLint blocks = 0;
+  gl_.GetProgramInterfaceiv(program.name, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &blocks);
+  return blocks == 0 && traits_.max_vertex_storage_blocks > 0;
+}
+
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
   program.cause = core::Cause::count_;
@@ -117,7 +124,8 @@ void ProgramBuilder::prepare(core::Program& program) const {
   }
   if (layout.fields.empty()) {
     leave(program, "its vertex stage has no inputs");
-  } else if (layout.chunk_count() > free_locations || layout.corner_words + 1 > traits_.max_feedback_components) {
+  } else if ((layout.chunk_count() > free_locations && !can_store_records(program)) ||
+             layout.corner_words + 1 > traits_.max_feedback_components) {
     program.cause = core::Cause::too_many_attributes;
   }
 }
@@ -168,8 +176,9 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   request.clamp_colors = key.clamp_colors;
   request.refinement_source = program.refinement_source;
   request.extensions = traits_.extensions;
+  request.stored = request.layout.chunk_count() > most_chunks(key.placed);
   Derivation derivation;
-  if (request.layout.chunk_count() <= most_chunks(key.placed)) {
+  if (!request.stored || can_store_records(program)) {
     derivation = derive_vertex_stage(request);
   } else {
     derivation.error = "its vertex attributes leave no room for depth tags and placement";
@@ -187,6 +196,13 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   slot = std::make_unique<core::DerivedProgram>();
   slot->name = name;
   slot->layout = std::move(request.layout);
+  if (request.stored) {
+    slot->first_word = gl_.GetUniformLocation(name, first_word_uniform);
+    if (gl_.ShaderStorageBlockBinding != nullptr) {
+      gl_.ShaderStorageBlockBinding(name, gl_.GetProgramResourceIndex(name, GL_SHADER_STORAGE_BLOCK, records_block),
+                                    records_binding);
+    }
+  }
   const auto other = std::find_if(program.derived.begin(), program.derived.end(),
                                   [&](const auto& entry) { return entry.second != nullptr && entry.second != slot; });
   copy_virtual_uniforms(gl_, program.virtual_uniforms, other != program.derived.end() ? other->second.get() : nullptr,

@@ -19,6 +19,7 @@ struct BuilderTraits {
   int glsl_version = 450;
   GLint max_vertex_attributes = 16;
   GLint max_feedback_components = 64;
+  GLint max_vertex_storage_blocks = 0;
   std::vector<std::string> extensions;  // of the context: what its preprocessor defines
   GLuint lattice_location = 0;
   GLuint patch_location = 1;
@@ -46,6 +47,7 @@ class ProgramBuilder {
   GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources,
                           GLuint settings_of, bool placed, std::string& error) const;
   int most_chunks(bool placed) const;
+  bool can_store_records(const core::Program& program) const;
   void read_fields(core::Program& program) const;
 
   const gl::Dispatch& gl_;

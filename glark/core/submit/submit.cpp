@@ -58,7 +58,8 @@ void SubmitStage::bind_vertex_array(int chunks, Source source, GLuint indices) {
 
 void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw) {
   const capture::CoarseTriangles& triangles = draw.triangles;
-  bind_vertex_array(draw.layout->chunk_count(), draw.placed ? Source::uniform : Source::whole, pool.indices());
+  bind_vertex_array(draw.stored ? 0 : draw.layout->chunk_count(), draw.placed ? Source::uniform : Source::whole,
+                    pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
   gl_.BindVertexBuffer(record_binding, triangles.buffer, triangles.offset, draw.layout->triangle_words() * 4);
   const unsigned piece_level = draw.level < static_cast<unsigned>(pattern::deepest_uniform)
@@ -88,9 +89,8 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
   }
 }
 
-void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins,
-                              const capture::Layout& layout) {
-  bind_vertex_array(layout.chunk_count(), Source::binned, pool.indices());
+void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, int chunks) {
+  bind_vertex_array(chunks, Source::binned, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
   gl_.BindVertexBuffer(patch_binding, bins.patches, bins.patches_offset, patch_bytes);
   gl_.BindVertexBuffer(record_binding, bins.records, 0, bins.record_stride);

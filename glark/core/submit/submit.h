@@ -21,6 +21,7 @@ inline constexpr GLuint first_chunk_location = 2;
 struct UniformDraw {
   capture::CoarseTriangles triangles;
   const capture::Layout* layout = nullptr;
+  bool stored = false;  // the program reads the records by itself
   unsigned level = 0;
   bool placed = false;                             // the program takes a patch; it must, above level deepest_uniform
   const core::GpuBuffer* count_command = nullptr;  // for a count on the GPU
@@ -33,8 +34,8 @@ class SubmitStage {
   // Every coarse triangle at the same level: one instanced draw for each tile of the level. Binds a vertex array of ours;
   // with a count on the GPU also GL_DRAW_INDIRECT_BUFFER.
   void draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw);
-  // Binds a vertex array of ours and GL_DRAW_INDIRECT_BUFFER.
-  void draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, const capture::Layout& layout);
+  // Binds a vertex array of ours and GL_DRAW_INDIRECT_BUFFER. `chunks`: of a record that are attributes of the program.
+  void draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, int chunks);
   void release();
 
  private:
