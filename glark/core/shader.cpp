@@ -14,6 +14,10 @@ using LogText = std::array<char, 2048>;
 
 }  // namespace
 
+std::string idle_fragment_shader(bool es) {
+  return std::string(es ? "#version 320 es\n" : "#version 430\n") + "void main() {}\n";
+}
+
 GLuint compile_shader(const gl::Dispatch& gl, GLenum stage, const std::string& source, std::string& error) {
   const GLuint shader = gl.CreateShader(stage);
   const char* text = source.c_str();

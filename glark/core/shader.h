@@ -16,6 +16,9 @@ struct ShaderText {
   std::string source;
 };
 
+// Of a program that only captures: without a fragment shader, draws to integer framebuffers would be errors.
+std::string idle_fragment_shader(bool es);
+
 // A shader object; what the compiler says of one that does not compile goes to the end of `error`.
 GLuint compile_shader(const gl::Dispatch& gl, GLenum stage, const std::string& source, std::string& error);
 

@@ -19,6 +19,7 @@ struct ProgramSources {
   std::string fragment = {};
   std::vector<const char*> varyings = {};    // captured, interleaved
   std::vector<const char*> attributes = {};  // bound to locations 0, 1, ...
+  std::string geometry = {};
 };
 
 inline void attach_shader(GLuint program, GLenum stage, const std::string& source) {
@@ -39,6 +40,7 @@ inline void attach_shader(GLuint program, GLenum stage, const std::string& sourc
 inline GLuint link_program(const ProgramSources& sources) {
   const GLuint program = glCreateProgram();
   attach_shader(program, GL_VERTEX_SHADER, sources.vertex);
+  attach_shader(program, GL_GEOMETRY_SHADER, sources.geometry);
   attach_shader(program, GL_FRAGMENT_SHADER, sources.fragment);
   if (!sources.varyings.empty()) {
     glTransformFeedbackVaryings(program, static_cast<GLsizei>(sources.varyings.size()), sources.varyings.data(),

@@ -165,7 +165,7 @@ TEST_P(DeriveCompile, InEveryRefinement) {
       request.vertex_sources = stage.sources;
       request.layout = make_record(inputs).layout;
       request.refinement = refinement;
-      request.flat_colors = flat_colors;
+      request.outputs.flat_colors = flat_colors;
       request.extensions = extensions;
       const Derivation derivation = derive_vertex_stage(request);
       ASSERT_TRUE(derivation.ok) << derivation.error;

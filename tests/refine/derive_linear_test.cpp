@@ -136,7 +136,7 @@ TEST(DeriveLinear, FlatColorsOnlyWhenAsked) {
                             {vertices(), {"gl_Color", GL_FLOAT_VEC4, {{{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}}}}},
                             {"gl_FrontColor"}, 4);
   EXPECT_EQ(run(e).values.at(3), (std::vector<float>{0.5F, 0.25F, 0, 1}));
-  e.request.flat_colors = true;
+  e.request.outputs.flat_colors = true;
   EXPECT_EQ(run(e).values.at(3), (std::vector<float>{0, 1, 0, 1}));
 }
 

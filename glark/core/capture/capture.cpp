@@ -35,10 +35,8 @@ GLuint CaptureStage::program_for(const Layout& layout, GLuint tag_attribute) {
 }
 
 GLuint CaptureStage::build(const CaptureSources& sources) const {
-  std::vector<core::ShaderText> texts{{GL_VERTEX_SHADER, sources.vertex}};
-  if (!sources.fragment.empty()) {
-    texts.push_back({GL_FRAGMENT_SHADER, sources.fragment});
-  }
+  const std::vector<core::ShaderText> texts{{GL_VERTEX_SHADER, sources.vertex},
+                                            {GL_FRAGMENT_SHADER, sources.fragment}};
   return core::build_program(gl_, "the capture program", texts, sources.varyings);
 }
 

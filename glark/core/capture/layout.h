@@ -32,7 +32,7 @@ void assign_roles(std::vector<Field>& fields);
 
 struct CaptureSources {
   std::string vertex;
-  std::string fragment;               // empty on desktop GL
+  std::string fragment;               // does nothing; without one, draws to integer framebuffers are errors
   std::vector<std::string> varyings;  // in record order
 };
 

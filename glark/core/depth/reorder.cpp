@@ -37,10 +37,9 @@ std::string mover_source(capture::Language language, int corner_words) {
 
 Reorder::Mover Reorder::build(int corner_words) const {
   Mover mover;
-  std::vector<core::ShaderText> texts{{GL_VERTEX_SHADER, mover_source(language_, corner_words)}};
-  if (language_ == capture::Language::es) {
-    texts.push_back({GL_FRAGMENT_SHADER, "#version 320 es\nvoid main() {}\n"});
-  }
+  const std::vector<core::ShaderText> texts{
+      {GL_VERTEX_SHADER, mover_source(language_, corner_words)},
+      {GL_FRAGMENT_SHADER, core::idle_fragment_shader(language_ == capture::Language::es)}};
   std::vector<std::string> varyings;
   for (int input = 0; input < inputs_of(corner_words); ++input) {
     varyings.push_back("moved" + std::to_string(input));

@@ -103,7 +103,7 @@ class Deriver {
     }
     if (!plan_inputs()) return false;
     plan_refinement();
-    plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.flat_colors, request_.clamp_colors);
+    plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.outputs);
     if (plan_.refinement != core::Refinement::linear_outputs) {
       std::erase_if(plan_.outputs, [&](const OutputVariable& output) { return !is_flat(output, plan_.structures); });
     }

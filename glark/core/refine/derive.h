@@ -26,6 +26,13 @@ inline constexpr const char* words_member = "glark_words";
 inline constexpr const char* first_word_uniform = "glark_first_word";
 inline constexpr unsigned records_binding = 4;
 
+// What the surroundings of the vertex stage make of its outputs.
+struct OutputRules {
+  bool flat_colors = false;     // glShadeModel(GL_FLAT): built-in colours are flat
+  bool clamp_colors = false;    // built-in colours end at 0 and 1 before they are interpolated
+  bool feeds_geometry = false;  // a geometry shader reads every vertex: `flat` says nothing yet
+};
+
 struct DeriveRequest {
   std::vector<std::string> vertex_sources;  // one per vertex shader object, as compiled by the application
   bool es = false;                          // OpenGL ES context
@@ -35,9 +42,7 @@ struct DeriveRequest {
   bool stored = false;       // the record is read from the storage block
   bool placed = true;        // false: without the patch input; the piece covers the triangle
   int provoking_corner = 2;  // corner whose value a flat output takes
-  bool flat_colors = false;  // glShadeModel(GL_FLAT): built-in colours are flat
-  bool clamp_colors =
-      false;  // glClampColor(GL_CLAMP_VERTEX_COLOR): built-in colours end at 0 and 1, before they are interpolated
+  OutputRules outputs;
   std::string refinement_source;  // the application's own refinement shader (glRefinementShaderSourceARK), or empty
   std::vector<std::string>
       extensions;  // of the context ("GL_ARB_..."): which GL_ macros its preprocessor defines; empty: unknown

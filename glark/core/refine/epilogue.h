@@ -75,7 +75,7 @@ std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types);
 
 // epilogue_outputs.cpp
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
-                                            bool flat_colors, bool clamp_colors);
+                                            const OutputRules& rules);
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures);
 // Functions "@save<slot>_<unit>", "@finish_<unit>" and "@finish_screen_<unit>" of one unit, with the variables that they need.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types);

@@ -63,8 +63,7 @@ int implied_size(const std::vector<VertexUnit>& units, std::string_view name) {
 
 class Collector {
  public:
-  Collector(const std::vector<VertexUnit>& units, bool flat_colors, bool clamp_colors)
-      : units_(units), flat_colors_(flat_colors), clamp_colors_(clamp_colors) {
+  Collector(const std::vector<VertexUnit>& units, const OutputRules& rules) : units_(units), rules_(rules) {
     for (const VertexUnit& unit : units) {
       for (const Token& token : unit.tokens) {
         if (token.kind == TokenKind::identifier) ++occurrences_[token.text];
@@ -123,12 +122,12 @@ class Collector {
     if (!names_.insert(output.path).second) return;
     output.type = variable.type;
     output.sizes = variable.sizes;
-    output.flat = variable.flat;
+    output.flat = variable.flat && !rules_.feeds_geometry;
     output.noperspective = variable.noperspective;
     const BuiltInOutput* const built_in = built_in_output(variable.name);
     if (built_in != nullptr && built_in->color) {
-      output.flat = output.flat || flat_colors_;
-      output.clamped = clamp_colors_;
+      output.flat = output.flat || (rules_.flat_colors && !rules_.feeds_geometry);
+      output.clamped = rules_.clamp_colors;
     }
     for (std::string& size : output.sizes) {
       if (size.find_first_not_of(" \n\t") != std::string::npos) continue;
@@ -141,8 +140,7 @@ class Collector {
   }
 
   const std::vector<VertexUnit>& units_;
-  const bool flat_colors_;
-  const bool clamp_colors_;
+  const OutputRules rules_;
   std::map<std::string, int> occurrences_;
   std::set<std::string> names_;
   std::vector<OutputVariable> outputs_;
@@ -235,8 +233,8 @@ std::string declaration(const OutputVariable& output, const std::string& name) {
 }  // namespace
 
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
-                                            bool flat_colors, bool clamp_colors) {
-  return Collector(units, flat_colors, clamp_colors).collect(main_unit);
+                                            const OutputRules& rules) {
+  return Collector(units, rules).collect(main_unit);
 }
 
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures) {

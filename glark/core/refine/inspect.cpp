@@ -62,7 +62,7 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
     note_system_values(tokens, result.traits);
     structures.insert(structures.end(), units[i].interface.structures.begin(), units[i].interface.structures.end());
   }
-  const std::vector<OutputVariable> outputs = collect_outputs(units, main_unit, false, false);
+  const std::vector<OutputVariable> outputs = collect_outputs(units, main_unit, {});
   result.traits.writes_flat_outputs = std::any_of(
       outputs.begin(), outputs.end(), [&](const OutputVariable& output) { return is_flat(output, structures); });
   result.ok = true;

@@ -23,6 +23,11 @@ std::vector<std::string> vertex_sources(const core::Program& program) {
   return result;
 }
 
+bool has_geometry_stage(const core::Program& program) {
+  return std::any_of(program.stages.begin(), program.stages.end(),
+                     [](const core::StageSource& stage) { return stage.stage == GL_GEOMETRY_SHADER; });
+}
+
 core::Cause cause_of(const core::Program& program, const VertexStageTraits& traits) {
   if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
     return core::Cause::tessellation;
@@ -172,8 +177,7 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   request.refinement = program.traits.reads_vertex_id ? core::Refinement::linear_outputs : key.refinement;
   request.placed = key.placed;
   request.provoking_corner = key.provoking_corner;
-  request.flat_colors = key.flat_colors;
-  request.clamp_colors = key.clamp_colors;
+  request.outputs = {key.flat_colors, key.clamp_colors, has_geometry_stage(program)};
   request.refinement_source = program.refinement_source;
   request.extensions = traits_.extensions;
   request.stored = request.layout.chunk_count() > most_chunks(key.placed);
