@@ -109,7 +109,7 @@ Cause Pipeline::find_program(Plan& plan) {
   if (b.program == 0 && b.pipeline != 0) {
     return find_pipeline_program(plan);
   }
-  if (current != nullptr && !current->linked) {
+  if (current != nullptr && (!current->linked || current->cause == Cause::program_gone)) {
     return Cause::program_gone;
   }
   if (current != nullptr && (current->stages.empty() || current->has_stage(GL_VERTEX_SHADER))) {

@@ -35,8 +35,8 @@ GLuint CaptureStage::program_for(const Layout& layout, GLuint tag_attribute) {
 }
 
 GLuint CaptureStage::build(const CaptureSources& sources) const {
-  const std::vector<core::ShaderText> texts{{GL_VERTEX_SHADER, sources.vertex},
-                                            {GL_FRAGMENT_SHADER, sources.fragment}};
+  const std::vector<core::ShaderText> texts{
+      {GL_VERTEX_SHADER, sources.vertex}, {GL_FRAGMENT_SHADER, core::idle_fragment_shader(language_ == Language::es)}};
   return core::build_program(gl_, "the capture program", texts, sources.varyings);
 }
 

@@ -240,7 +240,6 @@ CaptureSources capture_sources(const Layout& layout, Language language, GLuint t
   for (const Field& field : layout.fields) text.add(field);
   if (layout.tagged) text.add_tag(tag_attribute);
   result.vertex = text.text(language);
-  result.fragment = core::idle_fragment_shader(language == Language::es);
   return result;
 }
 

@@ -32,7 +32,6 @@ void assign_roles(std::vector<Field>& fields);
 
 struct CaptureSources {
   std::string vertex;
-  std::string fragment;               // does nothing; without one, draws to integer framebuffers are errors
   std::vector<std::string> varyings;  // in record order
 };
 

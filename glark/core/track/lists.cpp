@@ -135,6 +135,7 @@ void run_segment(Context& c, const ListSegment& segment, const DisplayList& list
 void execute_last(Context& c) {
   if (c.list.mode == GL_COMPILE_AND_EXECUTE) {
     c.compiling_list = false;  // the pipeline draws now
+    forget_state(c, nullptr);  // what was recorded before it was executed too, unseen
     run_segment(c, c.list.list->segments.back(), *c.list.list, 0);
     c.compiling_list = true;
   }
@@ -290,6 +291,7 @@ void EndList(Context& c) {
     return;
   }
   c.compiling_list = false;
+  if (c.list.mode == GL_COMPILE_AND_EXECUTE) forget_state(c, nullptr);
   c.list.list->loose_vertices += c.list.in_begin ? 0 : c.immediate_vertices;
   c.list.list->changes_uniforms = c.list_changes_uniforms;
   if (!c.list.cutting) {
