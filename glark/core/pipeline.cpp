@@ -47,7 +47,8 @@ GLsizeiptr bytes_to_keep(const capture::Layout& layout, std::uint64_t triangles)
 Pipeline::Pipeline(Context& context)
     : context_(context),
       gl_(context.supported),
-      capture_(context.supported, language_of(context.capabilities), context.capabilities.query_buffer),
+      capture_(context.supported, context.share->capture_programs, language_of(context.capabilities),
+               context.capabilities.query_buffer),
       centroids_(context.supported),
       bins_(context.supported, language_of(context.capabilities)),
       submit_(context.supported),
@@ -369,8 +370,7 @@ void Pipeline::release() {
   ErrorScope errors(context_);
   read_counts();
   for (auto& [key, program] : fixed_function_) {
-    builder_.discard(*program);
-    gl_.DeleteProgram(program->name);
+    discard_fixed_function(key.second, *program);
   }
   fixed_function_.clear();
   cache_.release(gl_);

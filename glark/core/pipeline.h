@@ -114,6 +114,7 @@ class Pipeline {
   void use_application_program();  // with its pipeline and subroutines, after programs of ours
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
+  void discard_fixed_function(GLuint fragment, Program& program);
   void plan_depth(const DrawCall& call, Plan& plan) const;
   bool captures_last_vertex(GLenum mode) const;
   bool splits_at_centroid(const DrawCall& call, const Plan& plan) const;

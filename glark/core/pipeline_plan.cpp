@@ -308,12 +308,27 @@ void Pipeline::discard(Program& program) {
   builder_.discard(program);
 }
 
+// The fragment program lives on where another context shares it: what mirrors its uniforms must be known to be gone.
+void Pipeline::discard_fixed_function(GLuint fragment, Program& program) {
+  if (fragment != 0) {
+    const std::lock_guard lock(context_.share->mutex);
+    const auto owner = context_.share->programs.find(fragment);
+    if (owner != context_.share->programs.end()) {
+      std::erase_if(owner->second->mirrors, [&](const UniformMirror& mirror) {
+        return std::any_of(program.derived.begin(), program.derived.end(),
+                           [&](const auto& entry) { return entry.second.get() == mirror.derived; });
+      });
+    }
+  }
+  builder_.discard(program);
+  gl_.DeleteProgram(program.name);
+}
+
 void Pipeline::forget_program(GLuint name) {
   context_.share->program_epoch.fetch_add(1, std::memory_order_relaxed);
   for (auto entry = fixed_function_.begin(); entry != fixed_function_.end();) {
     if (entry->first.second == name && name != 0) {
-      builder_.discard(*entry->second);
-      gl_.DeleteProgram(entry->second->name);
+      discard_fixed_function(name, *entry->second);
       entry = fixed_function_.erase(entry);
     } else {
       ++entry;
