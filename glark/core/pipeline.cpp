@@ -344,23 +344,6 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
   statistics().coarse_triangles += triangles;
 }
 
-bool Pipeline::begin_feedback(GLenum mode) {
-  const auto nothing = [] {};
-  Plan plan;
-  plan.for_feedback = true;
-  const bool tagged = context_.ark.depth_source == DepthSource::tag;
-  const DrawCall call{.mode = GL_TRIANGLES, .tags_vary = tagged, .issue = nothing};
-  if (mode != GL_TRIANGLES || plan_draw(call, plan) != Cause::count_ || plan.pipeline != nullptr) {
-    return false;
-  }
-  use_derived(plan);
-  gl_.BeginTransformFeedback(mode);
-  gl_.PauseTransformFeedback();
-  use_application_program();
-  feedback_program_ = plan.derived;
-  return true;
-}
-
 void Pipeline::frame_finished() {
   read_counts();
   cache_.frame_finished(gl_);

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "glark/core/capture/capture.h"
@@ -68,6 +69,10 @@ class Pipeline {
   // False: nothing was done.
   bool begin_feedback(GLenum mode);
   void end_feedback() { feedback_program_ = nullptr; }
+  // When the application begins its transform feedback: notes how many vertices the buffers hold, for draws of them.
+  void note_feedback_room();
+  // Vertices that a draw from that transform feedback object can have at most; nothing if glark has not seen it begun.
+  std::optional<std::uint64_t> feedback_vertices(GLuint object) const;
   bool owns_feedback() const { return feedback_program_ != nullptr; }
   // The program of the feedback is the one for tags that vary: all its draws go that way.
   bool feedback_tagged() const { return owns_feedback() && feedback_program_->layout.tagged; }
@@ -163,6 +168,7 @@ class Pipeline {
   std::string fixed_function_refinement_;
   Plan immediate_plan_;
   DerivedProgram* feedback_program_ = nullptr;
+  std::unordered_map<GLuint, std::uint64_t> feedback_vertices_;  // by transform feedback object
   std::map<std::pair<GLenum, GLenum>, std::optional<depth::Decomposition>>
       decompositions_;  // by mode, provoking convention
   std::bitset<cause_count> logged_;

@@ -177,6 +177,34 @@ TEST_P(DrawsPipelines, DeletedProgramsAndNoVertexStage) {
   EXPECT_EQ(pending_errors(), "");
 }
 
+// Vertices that transform feedback has captured: the GPU alone knows how many.
+TEST_P(DrawsStages, DrawsFromTransformFeedback) {
+  const GLuint recorder = link_program(
+      {.vertex = inputs +
+                 "out vec4 place; out vec3 look;\nvoid main() { place = vec4(position.yx, 0.0, 1.0); look = color; "
+                 "gl_Position = place; }\n",
+       .varyings = {"place", "look"}});
+  GLuint feedback[2] = {};
+  glGenTransformFeedbacks(2, feedback);
+  glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback[1]);
+  const GLuint buffer = make_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, std::vector<GLfloat>(700));
+  glBindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, 0, 2800);
+  glUseProgram(recorder);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glDrawArrays(GL_TRIANGLES, 0, 6);
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+  use("out vec3 c;\n", "");
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 28, nullptr);
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 28, byte_offset(16));
+  expect_same_scene({2}, [&] { glDrawTransformFeedback(GL_TRIANGLES, feedback[1]); });
+  expect_same_scene({4}, [&] { glDrawTransformFeedbackStream(GL_TRIANGLE_STRIP, feedback[1], 0); });
+  expect_same_scene({8}, [&] { glDrawTransformFeedbackInstanced(GL_TRIANGLE_FAN, feedback[1], 2); });
+}
+
 // What ran before a link that fails stays in use.
 TEST_P(DrawsStages, FailedRelinkOfTheProgramInUse) {
   const GLuint program = use("out vec3 c;\n", "");

@@ -24,6 +24,7 @@ struct Qualifiers {
   Storage storage = Storage::none;
   bool flat = false;
   bool noperspective = false;
+  bool smooth = false;
 };
 
 class Reader {
@@ -101,6 +102,7 @@ class Reader {
       if (token.is("shared") || token.is("inout")) found.storage = Storage::other;
       if (token.is("flat")) found.flat = true;
       if (token.is("noperspective")) found.noperspective = true;
+      if (token.is("smooth")) found.smooth = true;
       if (token.is("subroutine")) interface_.has_subroutines = true;
       if ((token.is("layout") || token.is("subroutine")) && ahead().is("(")) {
         ++at_;
@@ -129,6 +131,7 @@ class Reader {
       variable.type = type;
       variable.flat = found.flat;
       variable.noperspective = found.noperspective;
+      variable.smooth = found.smooth;
       ++at_;
       read_sizes(variable.sizes);
       variable.sizes.insert(variable.sizes.end(), type_sizes.begin(), type_sizes.end());

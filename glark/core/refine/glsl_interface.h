@@ -30,6 +30,7 @@ struct Variable {
   std::vector<std::string> sizes;  // text within each [...]; "" when left open
   bool flat = false;
   bool noperspective = false;
+  bool smooth = false;                // said so, where glShadeModel would decide
   std::size_t initializer_begin = 0;  // tokens after '='; equal to the end when there is none
   std::size_t initializer_end = 0;
   bool has_initializer() const { return initializer_begin != initializer_end; }

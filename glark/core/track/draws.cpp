@@ -3,6 +3,7 @@
 //
 // Hooks of the draw calls with counts that the CPU knows. Each turns its arguments into a DrawCall.
 #include <algorithm>
+#include <optional>
 
 #include "glark/core/track/track.h"
 
@@ -71,6 +72,20 @@ std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws)
     total += triangles_of(mode, static_cast<std::uint64_t>(count[i]));
   }
   return total;
+}
+
+// The GPU alone knows how many vertices there are; the buffers they were captured to bound them.
+void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, Issue issue) {
+  const std::optional<std::uint64_t> vertices = context.pipeline->feedback_vertices(id);
+  if (!vertices || instances < 0) {
+    context.pipeline->count_passed(Cause::indirect_unbounded);
+    issue();
+    return;
+  }
+  draw(context, {.mode = mode,
+                 .triangles = triangles_of(mode, *vertices) * static_cast<std::uint64_t>(instances),
+                 .exact = false,
+                 .issue = issue});
 }
 
 void draw_rectangle(Context& context, Issue issue) {
@@ -235,20 +250,17 @@ void EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) 
 }
 
 void DrawTransformFeedback(Context& c, GLenum mode, GLuint id) {
-  c.pipeline->count_passed(Cause::indirect_unbounded);
-  c.gl.DrawTransformFeedback(mode, id);
+  track::draw_feedback(c, mode, id, 1, [&] { c.gl.DrawTransformFeedback(mode, id); });
 }
 void DrawTransformFeedbackInstanced(Context& c, GLenum mode, GLuint id, GLsizei instances) {
-  c.pipeline->count_passed(Cause::indirect_unbounded);
-  c.gl.DrawTransformFeedbackInstanced(mode, id, instances);
+  track::draw_feedback(c, mode, id, instances, [&] { c.gl.DrawTransformFeedbackInstanced(mode, id, instances); });
 }
 void DrawTransformFeedbackStream(Context& c, GLenum mode, GLuint id, GLuint stream) {
-  c.pipeline->count_passed(Cause::indirect_unbounded);
-  c.gl.DrawTransformFeedbackStream(mode, id, stream);
+  track::draw_feedback(c, mode, id, 1, [&] { c.gl.DrawTransformFeedbackStream(mode, id, stream); });
 }
 void DrawTransformFeedbackStreamInstanced(Context& c, GLenum mode, GLuint id, GLuint stream, GLsizei instances) {
-  c.pipeline->count_passed(Cause::indirect_unbounded);
-  c.gl.DrawTransformFeedbackStreamInstanced(mode, id, stream, instances);
+  track::draw_feedback(c, mode, id, instances,
+                       [&] { c.gl.DrawTransformFeedbackStreamInstanced(mode, id, stream, instances); });
 }
 
 }  // namespace hook

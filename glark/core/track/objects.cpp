@@ -151,6 +151,10 @@ void DeleteTransformFeedbacks(Context& c, GLsizei n, const GLuint* ids) {
 }
 
 void BeginTransformFeedback(Context& c, GLenum mode) {
+  if (c.capabilities.refinable) {
+    c.refresh_bindings();
+    c.pipeline->note_feedback_room();
+  }
   if (!c.refining || c.options.transparent || !c.pipeline->begin_feedback(mode)) {
     c.gl.BeginTransformFeedback(mode);
     c.bindings_stale = true;  // GL may have refused
