@@ -205,6 +205,18 @@ TEST_P(DrawsElements, MultiElementsIndirect) {
   expect_same_scene({16 + 32}, [] { glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, 2, 0); });
 }
 
+// The number of commands is in a buffer too.
+TEST_P(DrawsElements, IndirectWithACountOfTheGpu) {
+  upload<GLushort>();
+  const auto arrays = proc<PFNGLMULTIDRAWARRAYSINDIRECTCOUNTARBPROC>("glMultiDrawArraysIndirectCountARB");
+  const auto elements = proc<PFNGLMULTIDRAWELEMENTSINDIRECTCOUNTARBPROC>("glMultiDrawElementsIndirectCountARB");
+  make_buffer(GL_PARAMETER_BUFFER_ARB, std::vector<GLuint>{0, 2});
+  make_buffer(GL_DRAW_INDIRECT_BUFFER,
+              std::vector<GLuint>{7, 1, 5, 0, 0, 7, 1, 10, 1, 0, 7, 1, 0, 1, 0, 48, 1, 0, 0, 0, 48, 2, 48, 0, 1});
+  expect_same_scene({10}, [&] { arrays(GL_TRIANGLE_STRIP, nullptr, 4, 3, 20); });
+  expect_same_scene({16 + 32}, [&] { elements(GL_TRIANGLES, GL_UNSIGNED_SHORT, byte_offset(60), 4, 2, 0); });
+}
+
 std::vector<GLushort> indices_with_restarts() {
   return {0, 1, 5, 6, 0xFFFF, 10, 11, 15, 16, 20, 21, 0xFFFF, 0xFFFF, 2, 3, 0xFFFF, 3, 4, 8};
 }
