@@ -26,7 +26,7 @@ enum class Cause {
   program_not_derived,  // the derived program could not be built
   program_pipeline,     // one without a vertex program that glark knows
   program_gone,         // deleted, or not linked again
-  program_binary,       // no source to derive from
+  program_binary,       // or SPIR-V: no source to derive from
   assembly_program,     // ARB vertex program
   tessellation,         // the application has tessellation stages
   too_many_attributes,  // the coarse record does not fit

@@ -20,7 +20,7 @@ namespace glark::core {
 struct ShareGroup {
   std::mutex
       mutex;  // guards the tables; taken where objects are made, linked or deleted, and at lookups outside the fast path
-  std::unordered_map<GLuint, std::shared_ptr<const std::string>> compiled_sources;
+  std::unordered_map<GLuint, std::shared_ptr<const std::string>> compiled_sources;  // "": SPIR-V
   std::unordered_map<GLuint, std::shared_ptr<Program>> programs;
   std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
   CapturePrograms capture_programs;

@@ -42,7 +42,7 @@ std::vector<StageSource> read_stages(Context& c, GLuint program) {
       source = found != c.share->compiled_sources.end() ? found->second : nullptr;
     }
     source = source != nullptr ? source : read_source(c.gl, shader);
-    if (source == nullptr) {
+    if (source == nullptr || source->empty()) {
       return {};  // a binary or SPIR-V stage
     }
     stages.push_back({static_cast<GLenum>(stage), source});
@@ -152,6 +152,14 @@ void CompileShader(Context& c, GLuint shader) {
   std::shared_ptr<const std::string> source = read_source(c.gl, shader);
   const std::lock_guard lock(c.share->mutex);
   c.share->compiled_sources[shader] = std::move(source);
+}
+
+// SPIR-V takes the place of any source that the shader had.
+void SpecializeShader(Context& c, GLuint shader, const GLchar* entry_point, GLuint constants, const GLuint* indices,
+                      const GLuint* values) {
+  c.gl.SpecializeShader(shader, entry_point, constants, indices, values);
+  const std::lock_guard lock(c.share->mutex);
+  c.share->compiled_sources[shader] = std::make_shared<const std::string>();
 }
 
 void LinkProgram(Context& c, GLuint program) {
