@@ -133,6 +133,31 @@ class Es : public testing::Test {
 
 void draw_strip() { glDrawArrays(GL_TRIANGLE_STRIP, 0, 4); }
 
+TEST_F(Es, SeparateProgramsInAPipeline) {
+  const char* const source =
+      "#version 320 es\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color; uniform vec2 scale; "
+      "layout(location = 3) out vec3 c;\nvoid main() { gl_Position = vec4(position * scale, 0.0, 1.0); c = color; }\n";
+  const char* const shading =
+      "#version 320 es\nprecision highp float; layout(location = 3) in vec3 c; out vec4 result;\n"
+      "void main() { result = vec4(c, 1.0); }\n";
+  const GLuint vertex = glCreateShaderProgramv(GL_VERTEX_SHADER, 1, &source);
+  const GLuint fragment = glCreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &shading);
+  GLuint pipeline = 0;
+  glGenProgramPipelines(1, &pipeline);
+  glUseProgramStages(pipeline, GL_VERTEX_SHADER_BIT, vertex);
+  glUseProgramStages(pipeline, GL_FRAGMENT_SHADER_BIT, fragment);
+  glActiveShaderProgram(pipeline, vertex);
+  glUseProgram(0);
+  glBindProgramPipeline(pipeline);
+  glARKinit(2);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 2);
+  for (const GLfloat height : {0.9F, 0.6F}) {
+    glUniform2f(glGetUniformLocation(vertex, "scale"), 0.8F, height);
+    expect_same_picture(2 * 16, draw_strip);
+  }
+}
+
 TEST_F(Es, ExtensionAndLevel) {
   const std::string extensions = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));
   EXPECT_NE(extensions.find("GL_ARK_adaptive_refinement"), std::string::npos);

@@ -20,7 +20,7 @@ VertexStageTraits traits_of(const std::string& source, bool es = false) {
 TEST(DeriveInspect, PlainStageHasNoTraits) {
   const VertexStageTraits traits = traits_of("void main() { gl_Position = gl_Vertex; }");
   EXPECT_FALSE(traits.reads_vertex_id || !traits.system_values.empty() || traits.has_side_effects ||
-               traits.writes_flat_outputs || traits.has_subroutines);
+               traits.writes_flat_outputs);
 }
 
 TEST(DeriveInspect, SystemValues) {
@@ -50,16 +50,13 @@ TEST(DeriveInspect, SideEffects) {
   }
 }
 
-TEST(DeriveInspect, FlatOutputsAndSubroutines) {
+TEST(DeriveInspect, FlatOutputs) {
   EXPECT_TRUE(
       traits_of("#version 130\nflat out vec4 f; void main() { f = vec4(1); gl_Position = f; }").writes_flat_outputs);
   EXPECT_TRUE(traits_of("#version 150\nout B { flat ivec2 f; }; void main() { f = ivec2(1); gl_Position = vec4(1); }")
                   .writes_flat_outputs);
   EXPECT_FALSE(
       traits_of("#version 130\nsmooth out vec4 f; void main() { f = vec4(1); gl_Position = f; }").writes_flat_outputs);
-  EXPECT_TRUE(traits_of("#version 400\nsubroutine void S(); subroutine(S) void s() {} subroutine uniform S u; void "
-                        "main() { u(); gl_Position = vec4(1); }")
-                  .has_subroutines);
 }
 
 TEST(DeriveInspect, ExtensionMacrosAreThoseOfTheContext) {

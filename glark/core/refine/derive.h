@@ -54,7 +54,6 @@ struct VertexStageTraits {
   std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
   bool has_side_effects = false;        // image stores, buffer writes, atomics
   bool writes_flat_outputs = false;
-  bool has_subroutines = false;
 };
 
 struct Inspection {

@@ -103,7 +103,6 @@ class Reader {
       if (token.is("flat")) found.flat = true;
       if (token.is("noperspective")) found.noperspective = true;
       if (token.is("smooth")) found.smooth = true;
-      if (token.is("subroutine")) interface_.has_subroutines = true;
       if ((token.is("layout") || token.is("subroutine")) && ahead().is("(")) {
         ++at_;
         skip_brackets();

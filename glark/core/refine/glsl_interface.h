@@ -60,7 +60,6 @@ struct Interface {
   std::vector<Structure> structures;
   std::vector<std::string> functions;  // defined here
   bool defines_main = false;
-  bool has_subroutines = false;
 
   const Structure* structure(const std::string& name) const;
 };

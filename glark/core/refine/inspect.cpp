@@ -58,7 +58,6 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
       return result;
     }
     if (unknown ? writes_memory_by_name(tokens) : parsed.writes_memory) result.traits.has_side_effects = true;
-    if (units[i].interface.has_subroutines) result.traits.has_subroutines = true;
     note_system_values(tokens, result.traits);
     structures.insert(structures.end(), units[i].interface.structures.begin(), units[i].interface.structures.end());
   }
