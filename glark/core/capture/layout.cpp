@@ -191,7 +191,7 @@ class CaptureText {
 
  private:
   std::string declare_input(const std::string& type, const std::string& array, int location) {
-    const std::string name = "glark_in" + std::to_string(inputs_++);
+    std::string name = "glark_in" + std::to_string(inputs_++);
     declarations_ += "layout(location = " + std::to_string(location) + ") in " + type + " " + name + array + ";\n";
     return name;
   }
