@@ -53,6 +53,7 @@ Pipeline::Pipeline(Context& context)
       builder_(context.supported, builder_traits(context.capabilities)) {}
 
 bool Pipeline::build_pool(unsigned max_level) {
+  const Quiet quiet = context_.quiet();
   if (!pool_.build(gl_, max_level)) {
     return false;
   }
@@ -60,7 +61,7 @@ bool Pipeline::build_pool(unsigned max_level) {
   return true;
 }
 
-capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan& plan) {
+capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan& plan, const Quiet& quiet) {
   using Answer = capture::CaptureCache::Answer;
   const Bindings& b = context_.bindings;
   GpuBuffer* own = nullptr;
@@ -90,7 +91,9 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
   }
   ++statistics().captures_made;
   begin_capture(plan, call.exact, own);
+  quiet.interrupt();
   call.issue();
+  quiet.hush();
   const capture::CoarseTriangles triangles = end_capture(plan, call.triangles, call.exact);
   if (entry != nullptr) {
     capture::CaptureCache::fill(*entry, triangles);
@@ -245,6 +248,7 @@ void Pipeline::restore_storage() {
 
 void Pipeline::draw(const DrawCall& call) {
   ++statistics().draws_seen;
+  const Quiet quiet = context_.quiet();
   Plan plan;
   Cause cause = plan_draw(call, plan);
   if (cause == Cause::count_ && call.triangles > 0) {
@@ -252,10 +256,12 @@ void Pipeline::draw(const DrawCall& call) {
   }
   if (cause != Cause::count_ || call.triangles == 0) {
     count_passed(cause != Cause::count_ ? cause : Cause::not_triangles);
+    quiet.interrupt();
     call.issue();
+    quiet.hush();
     return;
   }
-  const capture::CoarseTriangles triangles = capture_draw(call, plan);
+  const capture::CoarseTriangles triangles = capture_draw(call, plan, quiet);
   submit(plan, triangles);
   ++statistics().draws_refined;
   if (triangles.count_on_gpu) {
@@ -296,6 +302,7 @@ bool Pipeline::begin_immediate(GLenum mode) {
                       .whole_polygons = true,
                       .issue = nothing};
   ++statistics().draws_seen;
+  const Quiet quiet = context_.quiet();
   immediate_plan_ = Plan{};
   Cause cause = plan_draw(call, immediate_plan_);
   if (cause == Cause::count_) {
@@ -313,6 +320,7 @@ bool Pipeline::begin_immediate(GLenum mode) {
 
 void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary) {
   (void)tags_vary;
+  const Quiet quiet(gl_, context_.bindings.debug_output);  // while our feedback is bound, bindings are not read again
   const std::uint64_t capacity =
       immediate_bytes / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
   std::uint64_t triangles = triangles_of(mode, vertices);
@@ -329,11 +337,13 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
     return;
   }
   submit(immediate_plan_, captured);
+  immediate_plan_ = Plan{};  // what it was derived from may go
   ++statistics().draws_refined;
   statistics().coarse_triangles += triangles;
 }
 
 bool Pipeline::begin_feedback(GLenum mode) {
+  const Quiet quiet = context_.quiet();
   const auto nothing = [] {};
   Plan plan;
   plan.for_feedback = true;
@@ -351,11 +361,13 @@ bool Pipeline::begin_feedback(GLenum mode) {
 }
 
 void Pipeline::frame_finished() {
+  const Quiet quiet(gl_, context_.bindings.debug_output);
   read_counts();
   cache_.frame_finished(gl_);
 }
 
 void Pipeline::release() {
+  const Quiet quiet(gl_, context_.bindings.debug_output);
   ErrorScope errors(context_);
   read_counts();
   for (auto& [key, program] : fixed_function_) {
@@ -364,7 +376,7 @@ void Pipeline::release() {
   }
   fixed_function_.clear();
   cache_.release(gl_);
-  capture_.release();
+  capture_.release(context_.last_of_share_group());
   centroids_.release();
   bins_.release();
   submit_.release();

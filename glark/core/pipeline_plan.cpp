@@ -174,6 +174,9 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   if (const Cause cause = check_state(call); cause != Cause::count_) {
     return cause;
   }
+  const std::shared_ptr<Program> current = context_.current_program;
+  const std::unique_lock lock =
+      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   if (const Cause cause = find_program(plan); cause != Cause::count_) {
     return cause;
   }
@@ -191,17 +194,19 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   }
   // What is split has nothing that depends on the provoking corner, and may be captured among triangles.
   plan.placed = plan.adaptive || plan.level > static_cast<unsigned>(pattern::deepest_uniform);
+  return find_derived(call, plan);
+}
+
+Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   const DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, plan.adaptive, plan.placed);
   const auto found = plan.program->derived.find(key);
   if (found != plan.program->derived.end()) {
-    plan.derived = found->second.get();
+    plan.derived = found->second;
   } else {
     ErrorScope errors(context_);
     const FeedbackAside aside(gl_, capture_, context_.bindings);
-    const std::lock_guard lock(context_.share->mutex);
     plan.derived = builder_.derive(*plan.program, plan.owner, key);
-    context_.share->any_derived.store(true, std::memory_order_relaxed);
-    context_.mirror_uniforms = true;
+    context_.mirror_from_now_on();
   }
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
@@ -245,7 +250,11 @@ Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
 }
 
 void Pipeline::copy_stale_uniforms(const Plan& plan) {
-  if (plan.owner != nullptr && plan.owner->uniforms_stale) {
+  if (plan.owner == nullptr) {
+    return;
+  }
+  const std::lock_guard lock(plan.owner->mutex);
+  if (plan.owner->uniforms_stale) {
     ErrorScope errors(context_);
     for (const UniformMirror& mirror : plan.owner->mirrors) {
       refine::copy_uniform_values(gl_, plan.owner->name, *mirror.derived);
@@ -254,7 +263,9 @@ void Pipeline::copy_stale_uniforms(const Plan& plan) {
   }
 }
 
-DerivedProgram* Pipeline::derived_for(Program& program, Program* owner) {
+std::shared_ptr<DerivedProgram> Pipeline::derived_for(Program& program, Program* owner) {
+  const std::lock_guard lock(program.mutex);
+  const Quiet quiet = context_.quiet();
   ErrorScope errors(context_);
   context_.refresh_bindings();
   if (!program.prepared) {
@@ -264,8 +275,7 @@ DerivedProgram* Pipeline::derived_for(Program& program, Program* owner) {
     program.refinement_log = std::string(text_of(program.cause).explanation);
     return nullptr;
   }
-  context_.mirror_uniforms = true;
-  context_.share->any_derived.store(true, std::memory_order_relaxed);
+  context_.mirror_from_now_on();
   const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
   return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged, tagged));
 }
@@ -274,6 +284,7 @@ Program* Pipeline::program_for_refinement(GLuint name) {
   if (name == 0) {
     return context_.is_compatibility() ? fixed_function_program(nullptr) : nullptr;
   }
+  const std::lock_guard lock(context_.share->mutex);
   const auto found = context_.share->programs.find(name);
   return found != context_.share->programs.end() ? found->second.get() : nullptr;
 }
@@ -290,8 +301,14 @@ void Pipeline::tag_attribute_changed() {
   for (auto& [key, program] : fixed_function_) {
     builder_.discard(*program);
   }
-  const std::lock_guard lock(context_.share->mutex);
-  for (auto& [name, program] : context_.share->programs) {
+  std::vector<std::shared_ptr<Program>> programs;
+  {
+    const std::lock_guard lock(context_.share->mutex);
+    for (auto& [name, program] : context_.share->programs) {
+      programs.push_back(program);
+    }
+  }
+  for (const std::shared_ptr<Program>& program : programs) {
     builder_.discard(*program);
   }
 }

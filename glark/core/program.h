@@ -7,11 +7,15 @@
 #include <compare>
 #include <map>
 #include <memory>
+#include <mutex>
+#include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "glark/core/capture/record.h"
+#include "glark/core/quiet.h"
 #include "glark/core/refine/derive.h"
 #include "glark/core/refinement.h"
 #include "glark/core/report.h"
@@ -59,6 +63,9 @@ struct UniformMirror {
 };
 
 struct Program {
+  // Contexts that share the program draw with it in their own threads; guards all that follows. Recursive: what derives a
+  // program is called from draws and from queries.
+  mutable std::recursive_mutex mutex;
   GLuint name = 0;  // the application's program; for fixed function a program of ours that holds the generated shader
   bool fixed_function = false;
   std::vector<StageSource> stages;
@@ -67,7 +74,7 @@ struct Program {
   Cause cause = Cause::count_;  // why it cannot be refined; count_ if it can
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
-  std::map<DerivedKey, std::unique_ptr<DerivedProgram>> derived;  // null: tried, and failed
+  std::map<DerivedKey, std::shared_ptr<DerivedProgram>> derived;  // null: tried, and failed
   std::vector<UniformMirror> mirrors;
   std::string refinement_source;
   std::string refinement_log;
@@ -82,6 +89,25 @@ struct Program {
     }
     return false;
   }
+};
+
+// The mirrors of a program, which stand still while this lives; what is told to them, debug output does not hear.
+class LockedMirrors {
+ public:
+  LockedMirrors() = default;
+  LockedMirrors(std::shared_ptr<const Program> program, const gl::Dispatch& gl, bool audible)
+      : program_(std::move(program)),
+        lock_(program_->mutex),
+        mirrors_(program_->mirrors),
+        quiet_(gl, audible && !mirrors_.empty()) {}
+  auto begin() const { return mirrors_.begin(); }
+  auto end() const { return mirrors_.end(); }
+
+ private:
+  std::shared_ptr<const Program> program_;
+  std::unique_lock<std::recursive_mutex> lock_;
+  std::span<const UniformMirror> mirrors_;
+  Quiet quiet_;
 };
 
 }  // namespace glark::core

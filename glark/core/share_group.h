@@ -10,11 +10,14 @@
 #include <mutex>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "glark/core/display_list.h"
 #include "glark/core/program.h"
 
 namespace glark::core {
+
+class Context;
 
 struct ShareGroup {
   std::mutex
@@ -22,6 +25,7 @@ struct ShareGroup {
   std::unordered_map<GLuint, std::shared_ptr<const std::string>> compiled_sources;
   std::unordered_map<GLuint, std::shared_ptr<Program>> programs;
   std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
+  std::vector<Context*> contexts;
   GLuint next_list_name = 0x60000000;  // names of our list segments: out of the way of the application's
   // Every write to any buffer object counts: a cached capture is valid only while this stands still.
   std::atomic<std::uint64_t> buffer_epoch{1};

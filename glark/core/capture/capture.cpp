@@ -171,9 +171,11 @@ std::uint64_t CaptureStage::counted() const {
   return written;
 }
 
-void CaptureStage::release() {
+void CaptureStage::release(bool programs_too) {
   for (const auto& [text, program] : programs_) {
-    gl_.DeleteProgram(program);
+    if (programs_too) {
+      gl_.DeleteProgram(program);
+    }
   }
   programs_.clear();
   if (feedback_ != 0) {
