@@ -24,8 +24,8 @@ namespace {
 struct Record {
   Provider provider;
   void* native;
-  std::shared_ptr<core::ShareGroup> share;  // until there is a context that holds it
-  std::unique_ptr<core::Context> context;   // made when the context is first current
+  std::shared_ptr<core::ShareGroup> share;
+  std::unique_ptr<core::Context> context;  // made when the context is first current
   bool tried = false;
   bool destroyed = false;  // by the program; GL keeps the context while it is current
   int users = 0;           // threads in which it is current: 0 or 1, but for a thread that ended without releasing it
@@ -109,8 +109,6 @@ void enter(Provider provider, void* native) {
   if (!std::exchange(record.tried, true)) {
     context_made();
     record.context = make_context(record);
-    const std::lock_guard lock(all.mutex);
-    if (record.context != nullptr) record.share.reset();
   }
   thread().context = record.context.get();
 }
@@ -130,9 +128,7 @@ void context_created(Provider provider, void* native, void* share) {
     if (stale->users > 0) all.replaced.push_back(std::move(stale));
   }
   Record& record = record_of(all, provider, native);
-  if (share == nullptr) return;
-  const Record& other = record_of(all, provider, share);
-  record.share = other.share != nullptr ? other.share : other.context->share;
+  if (share != nullptr) record.share = record_of(all, provider, share).share;
 }
 
 void context_destroyed(Provider provider, void* native) {

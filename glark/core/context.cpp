@@ -161,10 +161,6 @@ void Context::mirror_from_now_on() {
   }
 }
 
-bool Context::last_of_share_group() const {
-  return share.use_count() == 1;  // the host holds it for contexts that have not been current yet
-}
-
 void Context::update_refining() {
   refining = capabilities.refinable && (options.transparent || (ark.enabled && ark.pool_level >= 0) || list.cutting);
 }

@@ -108,7 +108,6 @@ class Context {
   LockedMirrors uniform_mirrors(GLuint program) const;
   // From the first derived program on, every context of the share group mirrors uniforms.
   void mirror_from_now_on();
-  bool last_of_share_group() const;
 
   // Recomputes `refining` after a change of the state that it depends on.
   void update_refining();

@@ -376,7 +376,8 @@ void Pipeline::release() {
   }
   fixed_function_.clear();
   cache_.release(gl_);
-  capture_.release(context_.last_of_share_group());
+  capture_.release();
+  capture_programs_.clear();
   centroids_.release();
   bins_.release();
   submit_.release();

@@ -104,6 +104,7 @@ class Pipeline {
   Cause check_state(const DrawCall& call) const;
   Cause plan_draw(const DrawCall& call, Plan& plan);
   Cause find_derived(const DrawCall& call, Plan& plan);
+  GLuint capture_program_for(const std::shared_ptr<DerivedProgram>& derived);
   Cause find_program(Plan& plan);
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
@@ -157,6 +158,8 @@ class Pipeline {
   std::map<std::pair<GLenum, GLenum>, std::optional<depth::Decomposition>>
       decompositions_;  // by mode, provoking convention
   std::bitset<cause_count> logged_;
+  // Of this context alone: Mesa 22 does not bear one program drawing in two threads, where the application has two.
+  std::map<std::weak_ptr<const DerivedProgram>, GLuint, std::owner_less<>> capture_programs_;
   bool bins_ready_ = false;
   bool pool_failed_ = false;
   bool counted_on_gpu_ = false;     // adaptive draws since the last reading

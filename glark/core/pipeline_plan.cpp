@@ -215,13 +215,21 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
     return Cause::transform_feedback;
   }
   plan.layout = &plan.derived->layout;
-  if (plan.derived->capture_program == 0) {
-    ErrorScope errors(context_);
-    const FeedbackAside aside(gl_, capture_, context_.bindings);
-    plan.derived->capture_program = capture_.program_for(*plan.layout, context_.ark.tag_attribute);
-  }
-  plan.capture_program = plan.derived->capture_program;
+  plan.capture_program = capture_program_for(plan.derived);
   return plan.capture_program == 0 ? Cause::program_not_derived : Cause::count_;
+}
+
+GLuint Pipeline::capture_program_for(const std::shared_ptr<DerivedProgram>& derived) {
+  const auto found = capture_programs_.find(derived);
+  if (found != capture_programs_.end()) {
+    return found->second;
+  }
+  std::erase_if(capture_programs_, [](const auto& entry) { return entry.first.expired(); });
+  ErrorScope errors(context_);
+  const FeedbackAside aside(gl_, capture_, context_.bindings);
+  const GLuint program = capture_.program_for(derived->layout, context_.ark.tag_attribute);
+  capture_programs_.emplace(derived, program);
+  return program;
 }
 
 bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {

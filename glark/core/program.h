@@ -44,7 +44,6 @@ struct DerivedKey {
 struct DerivedProgram {
   GLuint name = 0;
   capture::Layout layout;
-  GLuint capture_program = 0;              // of the capture stage
   std::vector<GLint> location_of;          // application location -> ours, -1 where we have none
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
 };

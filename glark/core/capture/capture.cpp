@@ -171,11 +171,9 @@ std::uint64_t CaptureStage::counted() const {
   return written;
 }
 
-void CaptureStage::release(bool programs_too) {
+void CaptureStage::release() {
   for (const auto& [text, program] : programs_) {
-    if (programs_too) {
-      gl_.DeleteProgram(program);
-    }
+    gl_.DeleteProgram(program);
   }
   programs_.clear();
   if (feedback_ != 0) {

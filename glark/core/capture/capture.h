@@ -39,8 +39,7 @@ class CaptureStage {
   const core::GpuBuffer& count_command() const { return count_command_; }
   bool can_reserve(const Layout& layout, std::uint64_t triangles) const;
   bool has_room(const Layout& layout, std::uint64_t triangles) const;
-  // Programs of ours that other contexts of the share group capture with go only with the last.
-  void release(bool programs_too);
+  void release();
 
  private:
   GLuint build(const CaptureSources& sources) const;
