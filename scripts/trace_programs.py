@@ -60,6 +60,6 @@ PROGRAMS = [
     Program("mm3d", ["mm3d", str(CLIENTS / "gable.obj")], seconds=8),
     Program("f3d", ["f3d", str(CLIENTS / "gable.obj")], seconds=6),
     Program("PyOpenGL GLUT", [PYTHON, str(CLIENTS / "glut_teapot.py"), "30"], seconds=15),
-    qt("hellogl2/hellogl2"), qt("cube/cube"), qt("hellogles3/hellogles3"), qt("textures/textures"),
+    qt("hellogl2/hellogl2"), qt("cube/cube"), qt("hellogles3/hellogles3"),
     qt("qopenglwidget/qopenglwidget"),
 ]
