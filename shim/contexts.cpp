@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "shim/contexts.h"
 
+#include <algorithm>
 #include <exception>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "glark/core/context.h"
 #include "glark/core/report.h"
@@ -32,6 +34,7 @@ struct Record {
 struct Registry {
   std::mutex mutex;
   std::map<std::pair<Provider, void*>, std::unique_ptr<Record>> records;
+  std::vector<std::unique_ptr<Record>> replaced;  // current in a thread although GL has given their address away again
 };
 
 // Never destroyed: drivers and programs call GL from their own destructors at exit.
@@ -57,11 +60,18 @@ Record& record_of(Registry& all, Provider provider, void* native) {
 // Removes the record if nobody can use it any more. Its context is handed back, to be destroyed without the lock.
 std::unique_ptr<Record> take_if_unused(Registry& all, Record& record) {
   if (!record.destroyed || record.users > 0) return nullptr;
-  const auto found = all.records.find({record.provider, record.native});
   std::unique_ptr<Record> taken;
+  const auto found = all.records.find({record.provider, record.native});
   if (found != all.records.end() && found->second.get() == &record) {
     taken = std::move(found->second);
     all.records.erase(found);
+    return taken;
+  }
+  const auto replaced = std::find_if(all.replaced.begin(), all.replaced.end(),
+                                     [&](const std::unique_ptr<Record>& other) { return other.get() == &record; });
+  if (replaced != all.replaced.end()) {
+    taken = std::move(*replaced);
+    all.replaced.erase(replaced);
   }
   return taken;
 }
@@ -110,11 +120,12 @@ void context_created(Provider provider, void* native, void* share) {
   Registry& all = registry();
   std::unique_ptr<Record> stale;
   const std::lock_guard lock(all.mutex);
-  // The same address again: the old context went without our seeing it (eglTerminate).
-  if (const auto found = all.records.find({provider, native});
-      found != all.records.end() && found->second->users == 0) {
+  // The same address again: the old context went without our seeing it (eglTerminate), or while a thread had it (OSMesa).
+  if (const auto found = all.records.find({provider, native}); found != all.records.end()) {
+    found->second->destroyed = true;
     stale = std::move(found->second);
     all.records.erase(found);
+    if (stale->users > 0) all.replaced.push_back(std::move(stale));
   }
   Record& record = record_of(all, provider, native);
   if (share != nullptr) record.share = record_of(all, provider, share).share;
@@ -129,6 +140,13 @@ void context_destroyed(Provider provider, void* native) {
   if (found == all.records.end()) return;
   found->second->destroyed = true;
   unused = take_if_unused(all, *found->second);
+}
+
+void context_copied(Provider provider, void* native) {
+  Registry& all = registry();
+  const std::lock_guard lock(all.mutex);
+  const auto found = all.records.find({provider, native});
+  if (found != all.records.end() && found->second->context != nullptr) found->second->context->forget_state();
 }
 
 void make_current_begins(Provider provider, void* native) {

@@ -28,6 +28,8 @@ struct Size {
 // `native` is the GLXContext, EGLContext or OSMesaContext; null means none.
 void context_created(Provider provider, void* native, void* share);
 void context_destroyed(Provider provider, void* native);
+// State was copied into a context that is current nowhere.
+void context_copied(Provider provider, void* native);
 // Before the real MakeCurrent: last chance to free the objects of ours in a context that the program has destroyed.
 void make_current_begins(Provider provider, void* native);
 // After it has succeeded.

@@ -16,8 +16,8 @@ namespace {
 
 // An address of the dynamic section; glibc has already relocated it on most machines, but not on all (MIPS, RISC-V).
 template <class T>
-const T* dynamic_address(const dl_phdr_info& object, ElfW(Addr) value) {
-  return reinterpret_cast<const T*>(value >= object.dlpi_addr ? value : value + object.dlpi_addr);
+const T* dynamic_address(const link_map& object, ElfW(Addr) value) {
+  return reinterpret_cast<const T*>(value >= object.l_addr ? value : value + object.l_addr);
 }
 
 struct SymbolTable {
@@ -26,16 +26,12 @@ struct SymbolTable {
   const std::uint32_t* gnu_hash = nullptr;
 };
 
-SymbolTable symbol_table(const dl_phdr_info& object) {
+SymbolTable symbol_table(const link_map& object) {
   SymbolTable table;
-  for (int i = 0; i < object.dlpi_phnum; ++i) {
-    if (object.dlpi_phdr[i].p_type != PT_DYNAMIC) continue;
-    const auto* entry = reinterpret_cast<const ElfW(Dyn)*>(object.dlpi_addr + object.dlpi_phdr[i].p_vaddr);
-    for (; entry->d_tag != DT_NULL; ++entry) {
-      if (entry->d_tag == DT_SYMTAB) table.symbols = dynamic_address<ElfW(Sym)>(object, entry->d_un.d_ptr);
-      if (entry->d_tag == DT_STRTAB) table.strings = dynamic_address<char>(object, entry->d_un.d_ptr);
-      if (entry->d_tag == DT_GNU_HASH) table.gnu_hash = dynamic_address<std::uint32_t>(object, entry->d_un.d_ptr);
-    }
+  for (const ElfW(Dyn)* entry = object.l_ld; entry->d_tag != DT_NULL; ++entry) {
+    if (entry->d_tag == DT_SYMTAB) table.symbols = dynamic_address<ElfW(Sym)>(object, entry->d_un.d_ptr);
+    if (entry->d_tag == DT_STRTAB) table.strings = dynamic_address<char>(object, entry->d_un.d_ptr);
+    if (entry->d_tag == DT_GNU_HASH) table.gnu_hash = dynamic_address<std::uint32_t>(object, entry->d_un.d_ptr);
   }
   return table;
 }
@@ -60,25 +56,28 @@ const ElfW(Sym) * find_defined(const SymbolTable& table, std::string_view name) 
   return nullptr;
 }
 
-// dlvsym itself cannot be asked for by name: that name is ours. glibc has it in libc.so.6, before 2.34 in libdl.so.2.
-int look_for_dlvsym(dl_phdr_info* object, std::size_t, void* found) {
-  const char* slash = std::strrchr(object->dlpi_name, '/');
-  const std::string_view file = slash == nullptr ? object->dlpi_name : slash + 1;
-  if (!file.starts_with("libc.") && !file.starts_with("libdl.") && !file.starts_with("libc-") &&
-      !file.starts_with("libdl-"))
-    return 0;
-  const ElfW(Sym)* symbol = find_defined(symbol_table(*object), "dlvsym");
-  if (symbol == nullptr) return 0;
-  *static_cast<std::uintptr_t*>(found) = object->dlpi_addr + symbol->st_value;
-  return 1;
+bool may_define_dlvsym(std::string_view path) {
+  const std::string_view file = path.substr(path.rfind('/') + 1);
+  return file.starts_with("libc.") || file.starts_with("libdl.") || file.starts_with("libc-") ||
+         file.starts_with("libdl-");
+}
+
+// dlvsym itself cannot be asked for by name: that name is ours. glibc has it in libc.so.6, before 2.34 in libdl.so.2. Neither
+// can dl_iterate_phdr be called: ThreadSanitizer interposes it, and asks us for functions before its own work. The list that
+// debuggers read has libc near its head and grows at its end, so that no lock is needed.
+void* address_of_dlvsym() {
+  for (const link_map* object = _r_debug.r_map; object != nullptr; object = object->l_next) {
+    if (object->l_name == nullptr || !may_define_dlvsym(object->l_name)) continue;
+    if (const ElfW(Sym)* symbol = find_defined(symbol_table(*object), "dlvsym"); symbol != nullptr)
+      return reinterpret_cast<void*>(object->l_addr + symbol->st_value);
+  }
+  return nullptr;
 }
 
 DynamicLinker find_linker() {
   DynamicLinker linker;
-  std::uintptr_t address = 0;
-  dl_iterate_phdr(look_for_dlvsym, &address);
-  if (address == 0) return linker;
-  linker.dlvsym = reinterpret_cast<decltype(linker.dlvsym)>(address);
+  linker.dlvsym = reinterpret_cast<decltype(linker.dlvsym)>(address_of_dlvsym());
+  if (linker.dlvsym == nullptr) return linker;
   // The version of glibc 2.34, of x86-64 before that, of AArch64 before that.
   const auto find = [&](const char* name) {
     void* function = nullptr;
@@ -113,8 +112,17 @@ std::vector<std::string> loaded_gl_libraries() {
 
 }  // namespace
 
+// Without the guard of a static variable, which sanitizers interpose, too. Threads that come here at once find the same.
 const DynamicLinker& real_linker() {
-  static const DynamicLinker linker = find_linker();
+  static constinit DynamicLinker linker;
+  static constinit std::atomic<bool> found{false};
+  if (!found.load(std::memory_order_acquire)) {
+    const DynamicLinker fresh = find_linker();
+    std::atomic_ref(linker.dlsym).store(fresh.dlsym, std::memory_order_relaxed);
+    std::atomic_ref(linker.dlvsym).store(fresh.dlvsym, std::memory_order_relaxed);
+    std::atomic_ref(linker.dlopen).store(fresh.dlopen, std::memory_order_relaxed);
+    found.store(true, std::memory_order_release);
+  }
   return linker;
 }
 

@@ -38,9 +38,8 @@ GLARK_EXPORT void* eglCreateContext(void* display, void* config, void* share, co
 }
 
 GLARK_EXPORT EglBoolean eglDestroyContext(void* display, void* context) {
-  const EglBoolean succeeded = GLARK_REAL(eglDestroyContext)(display, context);
-  if (succeeded) context_destroyed(Provider::egl, context);
-  return succeeded;
+  context_destroyed(Provider::egl, context);  // before another thread may be given its address
+  return GLARK_REAL(eglDestroyContext)(display, context);
 }
 
 GLARK_EXPORT EglBoolean eglMakeCurrent(void* display, void* draw, void* read, void* context) {

@@ -60,6 +60,17 @@ GLARK_EXPORT void glXDestroyContext(void* display, void* context) {
   GLARK_REAL(glXDestroyContext)(display, context);
 }
 
+// Of a context of another process, imported: that context lives on.
+GLARK_EXPORT void glXFreeContextEXT(void* display, void* context) {
+  context_destroyed(Provider::glx, context);
+  GLARK_REAL(glXFreeContextEXT)(display, context);
+}
+
+GLARK_EXPORT void glXCopyContext(void* display, void* source, void* destination, unsigned long mask) {
+  GLARK_REAL(glXCopyContext)(display, source, destination, mask);
+  context_copied(Provider::glx, destination);
+}
+
 GLARK_EXPORT int glXMakeCurrent(void* display, GlxDrawable drawable, void* context) {
   make_current_begins(Provider::glx, context);
   return switched(GLARK_REAL(glXMakeCurrent)(display, drawable, context), display, drawable, context);

@@ -20,6 +20,8 @@ void* glXCreateNewContext(void* display, void* config, int type, void* share, in
 void* glXCreateContextAttribsARB(void* display, void* config, void* share, int direct, const int* attributes);
 void* glXCreateContextWithConfigSGIX(void* display, void* config, int type, void* share, int direct);
 void glXDestroyContext(void* display, void* context);
+void glXFreeContextEXT(void* display, void* context);
+void glXCopyContext(void* display, void* source, void* destination, unsigned long mask);
 int glXMakeCurrent(void* display, GlxDrawable drawable, void* context);
 int glXMakeContextCurrent(void* display, GlxDrawable draw, GlxDrawable read, void* context);
 int glXMakeCurrentReadSGI(void* display, GlxDrawable draw, GlxDrawable read, void* context);

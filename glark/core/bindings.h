@@ -45,6 +45,7 @@ struct Bindings {
   GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
   GLenum render_mode = GL_RENDER;
   GLuint list_base = 0;
+  bool debug_output = false;
   int primitive_queries = 0;              // active queries that a capture would show in
   GLuint primitives_generated_query = 0;  // the active ones that the application reads as numbers of triangles; 0: none
   GLuint primitives_written_query = 0;

@@ -57,9 +57,16 @@ GLint get(const gl::Dispatch& gl, GLenum name) {
 std::shared_ptr<ShareGroup> make_share_group() { return std::make_shared<ShareGroup>(); }
 
 Context::Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group, const ContextOptions& wanted)
-    : gl(dispatch), share(std::move(group)), options(wanted) {}
+    : gl(dispatch), share(std::move(group)), options(wanted) {
+  const std::lock_guard lock(share->mutex);
+  share->contexts.push_back(this);
+  mirror_uniforms = share->any_derived.load();
+}
 
-Context::~Context() = default;
+Context::~Context() {
+  const std::lock_guard lock(share->mutex);
+  std::erase(share->contexts, this);
+}
 
 std::unique_ptr<Context> Context::create(const gl::Dispatch& gl, std::shared_ptr<ShareGroup> share,
                                          const ContextOptions& options) {
@@ -136,23 +143,41 @@ void Context::frame_finished() {
   }
 }
 
-std::span<const UniformMirror> Context::uniform_mirrors() const {
+LockedMirrors Context::uniform_mirrors() const {
   if (current_program == nullptr && bindings.program == 0 && bindings.pipeline != 0) {
     return uniform_mirrors(pipeline->active_program(bindings.pipeline));
   }
-  return current_program != nullptr ? std::span<const UniformMirror>(current_program->mirrors)
-                                    : std::span<const UniformMirror>();
+  return current_program != nullptr ? LockedMirrors(current_program, gl, bindings.debug_output) : LockedMirrors();
 }
 
-std::span<const UniformMirror> Context::uniform_mirrors(GLuint program) const {
+LockedMirrors Context::uniform_mirrors(GLuint program) const {
+  std::shared_ptr<Program> known = track::find_program(*this, program);
+  return known != nullptr ? LockedMirrors(std::move(known), gl, bindings.debug_output) : LockedMirrors();
+}
+
+void Context::mirror_from_now_on() {
+  if (share->any_derived.exchange(true)) {
+    return;
+  }
   const std::lock_guard lock(share->mutex);
-  const auto found = share->programs.find(program);
-  return found != share->programs.end() ? std::span<const UniformMirror>(found->second->mirrors)
-                                        : std::span<const UniformMirror>();
+  for (Context* context : share->contexts) {
+    context->mirror_uniforms = true;
+  }
 }
 
 void Context::update_refining() {
   refining = capabilities.refinable && (options.transparent || (ark.enabled && ark.pool_level >= 0) || list.cutting);
+}
+
+void Context::forget_state() {
+  bindings_stale = true;
+  touch_vertex_arrays();
+  touch_fixed_function();
+}
+
+Quiet Context::quiet() {
+  refresh_bindings();
+  return {gl, bindings.debug_output};
 }
 
 void Context::raise(GLenum error) {
@@ -189,6 +214,7 @@ void Context::refresh_bindings() {
     gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, i, &size);
     b.storage[i] = {static_cast<GLuint>(buffer), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size)};
   }
+  b.debug_output = gl.IsEnabled(GL_DEBUG_OUTPUT) != GL_FALSE;
   b.rasterizer_discard = gl.IsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE;
   b.primitive_restart_fixed = gl.IsEnabled(GL_PRIMITIVE_RESTART_FIXED_INDEX) != GL_FALSE;
   if (desktop) {

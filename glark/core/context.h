@@ -4,15 +4,16 @@
 // All that glark keeps for one OpenGL context. The hooks (glark/core/track) keep it up to date; the pipeline draws with it.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "glark/core/bindings.h"
 #include "glark/core/program.h"
+#include "glark/core/quiet.h"
 #include "glark/core/refine/fixed_function.h"
 #include "glark/core/refinement.h"
 #include "glark/core/share_group.h"
@@ -94,8 +95,9 @@ class Context {
   gl::Dispatch supported;  // for ours: without what the context does not offer
 
   // Read by the generated wrappers at every call.
-  bool refining = false;         // draw calls must reach their hooks
-  bool mirror_uniforms = false;  // uniform calls must reach derived programs
+  bool refining = false;  // draw calls must reach their hooks
+  std::atomic<bool> mirror_uniforms =
+      false;  // uniform calls must reach derived programs; set by any context of the group
   bool compiling_list = false;
   bool list_changes_uniforms = false;
   std::uint64_t immediate_vertices = 0;
@@ -103,13 +105,19 @@ class Context {
   void touch_buffers() { share->buffer_epoch.fetch_add(1, std::memory_order_relaxed); }
   void touch_vertex_arrays() { ++vertex_array_epoch; }
   void touch_fixed_function() { fixed_function_stale = true; }
-  std::span<const UniformMirror> uniform_mirrors() const;
-  std::span<const UniformMirror> uniform_mirrors(GLuint program) const;
+  LockedMirrors uniform_mirrors() const;
+  LockedMirrors uniform_mirrors(GLuint program) const;
+  // From the first derived program on, every context of the share group mirrors uniforms.
+  void mirror_from_now_on();
 
   // Recomputes `refining` after a change of the state that it depends on.
   void update_refining();
   // Re-reads the bindings from GL if something we cannot follow (a display list, glPopAttrib) changed them.
   void refresh_bindings();
+  // Whatever we know of GL state may have changed without our seeing it.
+  void forget_state();
+  // For the time of GL calls of ours.
+  Quiet quiet();
   // Records an error of ours for glGetError; the first stays, as in GL.
   void raise(GLenum error);
   bool is_compatibility() const { return capabilities.api == Capabilities::Api::compatibility; }

@@ -47,8 +47,7 @@ GLsizeiptr bytes_to_keep(const capture::Layout& layout, std::uint64_t triangles)
 Pipeline::Pipeline(Context& context)
     : context_(context),
       gl_(context.supported),
-      capture_(context.supported, context.share->capture_programs, language_of(context.capabilities),
-               context.capabilities.query_buffer),
+      capture_(context.supported, language_of(context.capabilities), context.capabilities.query_buffer),
       centroids_(context.supported),
       bins_(context.supported, language_of(context.capabilities)),
       submit_(context.supported),
@@ -56,6 +55,7 @@ Pipeline::Pipeline(Context& context)
       builder_(context.supported, builder_traits(context.capabilities)) {}
 
 bool Pipeline::build_pool(unsigned max_level) {
+  const Quiet quiet = context_.quiet();
   if (!pool_.build(gl_, max_level)) {
     return false;
   }
@@ -63,7 +63,7 @@ bool Pipeline::build_pool(unsigned max_level) {
   return true;
 }
 
-capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan& plan) {
+capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan& plan, const Quiet& quiet) {
   using Answer = capture::CaptureCache::Answer;
   const Bindings& b = context_.bindings;
   GpuBuffer* own = nullptr;
@@ -93,7 +93,9 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
   }
   ++statistics().captures_made;
   begin_capture(plan, call.exact, own);
+  quiet.interrupt();
   call.issue();
+  quiet.hush();
   const capture::CoarseTriangles triangles = end_capture(plan, call.triangles, call.exact);
   if (entry != nullptr) {
     capture::CaptureCache::fill(*entry, triangles);
@@ -256,6 +258,7 @@ void Pipeline::restore_storage() {
 
 void Pipeline::draw(const DrawCall& call) {
   ++statistics().draws_seen;
+  const Quiet quiet = context_.quiet();
   Plan plan;
   Cause cause = plan_draw(call, plan);
   if (cause == Cause::count_ && call.triangles > 0) {
@@ -263,10 +266,12 @@ void Pipeline::draw(const DrawCall& call) {
   }
   if (cause != Cause::count_ || call.triangles == 0) {
     count_passed(cause != Cause::count_ ? cause : Cause::not_triangles);
+    quiet.interrupt();
     call.issue();
+    quiet.hush();
     return;
   }
-  const capture::CoarseTriangles triangles = capture_draw(call, plan);
+  const capture::CoarseTriangles triangles = capture_draw(call, plan, quiet);
   submit(plan, triangles);
   ++statistics().draws_refined;
   if (triangles.count_on_gpu) {
@@ -307,6 +312,7 @@ bool Pipeline::begin_immediate(GLenum mode) {
                       .whole_polygons = true,
                       .issue = nothing};
   ++statistics().draws_seen;
+  const Quiet quiet = context_.quiet();
   immediate_plan_ = Plan{};
   Cause cause = plan_draw(call, immediate_plan_);
   if (cause == Cause::count_) {
@@ -324,6 +330,7 @@ bool Pipeline::begin_immediate(GLenum mode) {
 
 void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary) {
   (void)tags_vary;
+  const Quiet quiet(gl_, context_.bindings.debug_output);  // while our feedback is bound, bindings are not read again
   const std::uint64_t capacity =
       immediate_bytes / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
   std::uint64_t triangles = triangles_of(mode, vertices);
@@ -340,16 +347,19 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
     return;
   }
   submit(immediate_plan_, captured);
+  immediate_plan_ = Plan{};  // what it was derived from may go
   ++statistics().draws_refined;
   statistics().coarse_triangles += triangles;
 }
 
 void Pipeline::frame_finished() {
+  const Quiet quiet(gl_, context_.bindings.debug_output);
   read_counts();
   cache_.frame_finished(gl_);
 }
 
 void Pipeline::release() {
+  const Quiet quiet(gl_, context_.bindings.debug_output);
   ErrorScope errors(context_);
   read_counts();
   for (auto& [key, program] : fixed_function_) {
@@ -358,6 +368,7 @@ void Pipeline::release() {
   fixed_function_.clear();
   cache_.release(gl_);
   capture_.release();
+  capture_programs_.clear();
   centroids_.release();
   bins_.release();
   submit_.release();

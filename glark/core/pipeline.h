@@ -78,7 +78,7 @@ class Pipeline {
   bool feedback_tagged() const { return owns_feedback() && feedback_program_->layout.tagged; }
 
   // The derived program for the state of now, for GL_REFINEMENT_STATUS_ARK; null if it cannot be built.
-  DerivedProgram* derived_for(Program& program, Program* owner);
+  std::shared_ptr<DerivedProgram> derived_for(Program& program, Program* owner);
   Program* program_for_refinement(GLuint name);  // 0: fixed function
   void set_fixed_function_refinement(std::string source);
   const std::string& fixed_function_refinement() const { return fixed_function_refinement_; }
@@ -97,7 +97,7 @@ class Pipeline {
   struct Plan {
     Program* program = nullptr;
     Program* owner = nullptr;
-    DerivedProgram* derived = nullptr;
+    std::shared_ptr<DerivedProgram> derived;  // another context may discard it meanwhile
     GLuint capture_program = 0;
     const PipelineObject* pipeline = nullptr;  // the application's, if its stages are separate programs
     const capture::Layout* layout = nullptr;
@@ -112,6 +112,8 @@ class Pipeline {
 
   Cause check_state(const DrawCall& call) const;
   Cause plan_draw(const DrawCall& call, Plan& plan);
+  Cause find_derived(const DrawCall& call, Plan& plan);
+  GLuint capture_program_for(const std::shared_ptr<DerivedProgram>& derived);
   Cause find_program(Plan& plan);
   Cause find_pipeline_program(Plan& plan);
   void read_subroutines(const Plan& plan);
@@ -134,7 +136,7 @@ class Pipeline {
   bool ensure_pool();
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
-  capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan);
+  capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan, const Quiet& quiet);
   // What is drawn: the captured triangles, or those about the centroids of their polygons.
   struct Records {
     capture::CoarseTriangles triangles;
@@ -167,11 +169,13 @@ class Pipeline {
   GLuint fixed_function_fragment_ = 0;
   std::string fixed_function_refinement_;
   Plan immediate_plan_;
-  DerivedProgram* feedback_program_ = nullptr;
+  std::shared_ptr<DerivedProgram> feedback_program_;
   std::unordered_map<GLuint, std::uint64_t> feedback_vertices_;  // by transform feedback object
   std::map<std::pair<GLenum, GLenum>, std::optional<depth::Decomposition>>
       decompositions_;  // by mode, provoking convention
   std::bitset<cause_count> logged_;
+  // Of this context alone: Mesa 22 does not bear one program drawing in two threads, where the application has two.
+  std::map<std::weak_ptr<const DerivedProgram>, GLuint, std::owner_less<>> capture_programs_;
   bool bins_ready_ = false;
   bool pool_failed_ = false;
   bool counted_on_gpu_ = false;     // adaptive draws since the last reading

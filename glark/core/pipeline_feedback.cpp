@@ -51,6 +51,7 @@ std::uint64_t bytes_bound(const gl::Dispatch& gl, GLuint index) {
 }  // namespace
 
 bool Pipeline::begin_feedback(GLenum mode) {
+  const Quiet quiet = context_.quiet();
   const auto nothing = [] {};
   Plan plan;
   plan.for_feedback = true;
@@ -70,6 +71,7 @@ bool Pipeline::begin_feedback(GLenum mode) {
 // Streams of a geometry shader go to buffers of their own: the one with most room bounds them all.
 void Pipeline::note_feedback_room() {
   const Bindings& b = context_.bindings;
+  const Quiet quiet = context_.quiet();
   ErrorScope errors(context_);
   GLuint program = b.program;
   if (program == 0 && b.pipeline != 0) {

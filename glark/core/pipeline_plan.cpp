@@ -10,6 +10,7 @@
 #include "glark/core/pipeline.h"
 #include "glark/core/refine/fixed_function_state.h"
 #include "glark/core/refine/uniform_copy.h"
+#include "glark/core/track/track.h"
 
 namespace glark::core {
 
@@ -177,6 +178,9 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   if (const Cause cause = check_state(call); cause != Cause::count_) {
     return cause;
   }
+  const std::shared_ptr<Program> current = context_.current_program;
+  const std::unique_lock lock =
+      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   if (const Cause cause = find_program(plan); cause != Cause::count_) {
     return cause;
   }
@@ -195,17 +199,19 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   }
   // What is split has nothing that depends on the provoking corner, and may be captured among triangles.
   plan.placed = plan.adaptive || plan.level > static_cast<unsigned>(pattern::deepest_uniform);
+  return find_derived(call, plan);
+}
+
+Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   const DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, plan.adaptive, plan.placed);
   const auto found = plan.program->derived.find(key);
   if (found != plan.program->derived.end()) {
-    plan.derived = found->second.get();
+    plan.derived = found->second;
   } else {
     ErrorScope errors(context_);
     const FeedbackAside aside(gl_, capture_, context_.bindings);
-    const std::lock_guard lock(context_.share->mutex);
     plan.derived = builder_.derive(*plan.program, plan.owner, key);
-    context_.share->any_derived.store(true, std::memory_order_relaxed);
-    context_.mirror_uniforms = true;
+    context_.mirror_from_now_on();
   }
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
@@ -217,13 +223,21 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     return Cause::too_many_attributes;  // other programs of the pipeline may need the storage binding
   }
   plan.layout = &plan.derived->layout;
-  if (plan.derived->capture_program == 0) {
-    ErrorScope errors(context_);
-    const FeedbackAside aside(gl_, capture_, context_.bindings);
-    plan.derived->capture_program = capture_.program_for(*plan.layout, context_.ark.tag_attribute);
-  }
-  plan.capture_program = plan.derived->capture_program;
+  plan.capture_program = capture_program_for(plan.derived);
   return plan.capture_program == 0 ? Cause::program_not_derived : Cause::count_;
+}
+
+GLuint Pipeline::capture_program_for(const std::shared_ptr<DerivedProgram>& derived) {
+  const auto found = capture_programs_.find(derived);
+  if (found != capture_programs_.end()) {
+    return found->second;
+  }
+  std::erase_if(capture_programs_, [](const auto& entry) { return entry.first.expired(); });
+  ErrorScope errors(context_);
+  const FeedbackAside aside(gl_, capture_, context_.bindings);
+  const GLuint program = capture_.program_for(derived->layout, context_.ark.tag_attribute);
+  capture_programs_.emplace(derived, program);
+  return program;
 }
 
 bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {
@@ -252,7 +266,11 @@ Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
 }
 
 void Pipeline::copy_stale_uniforms(const Plan& plan) {
-  if (plan.owner != nullptr && plan.owner->uniforms_stale) {
+  if (plan.owner == nullptr) {
+    return;
+  }
+  const std::lock_guard lock(plan.owner->mutex);
+  if (plan.owner->uniforms_stale) {
     ErrorScope errors(context_);
     for (const UniformMirror& mirror : plan.owner->mirrors) {
       refine::copy_uniform_values(gl_, plan.owner->name, *mirror.derived);
@@ -261,7 +279,9 @@ void Pipeline::copy_stale_uniforms(const Plan& plan) {
   }
 }
 
-DerivedProgram* Pipeline::derived_for(Program& program, Program* owner) {
+std::shared_ptr<DerivedProgram> Pipeline::derived_for(Program& program, Program* owner) {
+  const std::lock_guard lock(program.mutex);
+  const Quiet quiet = context_.quiet();
   ErrorScope errors(context_);
   context_.refresh_bindings();
   if (!program.prepared) {
@@ -271,8 +291,7 @@ DerivedProgram* Pipeline::derived_for(Program& program, Program* owner) {
     program.refinement_log = std::string(text_of(program.cause).explanation);
     return nullptr;
   }
-  context_.mirror_uniforms = true;
-  context_.share->any_derived.store(true, std::memory_order_relaxed);
+  context_.mirror_from_now_on();
   const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
   return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged, tagged));
 }
@@ -281,6 +300,7 @@ Program* Pipeline::program_for_refinement(GLuint name) {
   if (name == 0) {
     return context_.is_compatibility() ? fixed_function_program(nullptr) : nullptr;
   }
+  const std::lock_guard lock(context_.share->mutex);
   const auto found = context_.share->programs.find(name);
   return found != context_.share->programs.end() ? found->second.get() : nullptr;
 }
@@ -297,8 +317,14 @@ void Pipeline::tag_attribute_changed() {
   for (auto& [key, program] : fixed_function_) {
     discard(*program);
   }
-  const std::lock_guard lock(context_.share->mutex);
-  for (auto& [name, program] : context_.share->programs) {
+  std::vector<std::shared_ptr<Program>> programs;
+  {
+    const std::lock_guard lock(context_.share->mutex);
+    for (auto& [name, program] : context_.share->programs) {
+      programs.push_back(program);
+    }
+  }
+  for (const std::shared_ptr<Program>& program : programs) {
     discard(*program);
   }
 }
@@ -310,15 +336,12 @@ void Pipeline::discard(Program& program) {
 
 // The fragment program lives on where another context shares it: what mirrors its uniforms must be known to be gone.
 void Pipeline::discard_fixed_function(GLuint fragment, Program& program) {
-  if (fragment != 0) {
-    const std::lock_guard lock(context_.share->mutex);
-    const auto owner = context_.share->programs.find(fragment);
-    if (owner != context_.share->programs.end()) {
-      std::erase_if(owner->second->mirrors, [&](const UniformMirror& mirror) {
-        return std::any_of(program.derived.begin(), program.derived.end(),
-                           [&](const auto& entry) { return entry.second.get() == mirror.derived; });
-      });
-    }
+  if (const std::shared_ptr<Program> owner = track::find_program(context_, fragment)) {
+    const std::lock_guard lock(owner->mutex);
+    std::erase_if(owner->mirrors, [&](const UniformMirror& mirror) {
+      return std::any_of(program.derived.begin(), program.derived.end(),
+                         [&](const auto& entry) { return entry.second.get() == mirror.derived; });
+    });
   }
   builder_.discard(program);
   gl_.DeleteProgram(program.name);

@@ -7,11 +7,15 @@
 #include <compare>
 #include <map>
 #include <memory>
+#include <mutex>
+#include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "glark/core/capture/record.h"
+#include "glark/core/quiet.h"
 #include "glark/core/refine/derive.h"
 #include "glark/core/refinement.h"
 #include "glark/core/report.h"
@@ -54,7 +58,6 @@ struct SubroutineTable {
 struct DerivedProgram {
   GLuint name = 0;
   capture::Layout layout;
-  GLuint capture_program = 0;              // of the capture stage
   GLint first_word = -1;                   // location, in a program that reads the records from the storage block
   std::vector<GLint> location_of;          // application location -> ours, -1 where we have none
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
@@ -77,6 +80,9 @@ struct UniformMirror {
 };
 
 struct Program {
+  // Contexts that share the program draw with it in their own threads; guards all that follows. Recursive: what derives a
+  // program is called from draws and from queries.
+  mutable std::recursive_mutex mutex;
   GLuint name = 0;  // the application's program; for fixed function a program of ours that holds the generated shader
   bool fixed_function = false;
   std::vector<StageSource> stages;
@@ -89,7 +95,7 @@ struct Program {
   refine::VertexStageTraits traits;
   bool subroutines_asked = false;  // the next is valid
   bool uses_subroutines = false;
-  std::map<DerivedKey, std::unique_ptr<DerivedProgram>> derived;  // null: tried, and failed
+  std::map<DerivedKey, std::shared_ptr<DerivedProgram>> derived;  // null: tried, and failed
   std::vector<UniformMirror> mirrors;
   std::string refinement_source;
   std::string refinement_log;
@@ -104,6 +110,25 @@ struct Program {
     }
     return false;
   }
+};
+
+// The mirrors of a program, which stand still while this lives; what is told to them, debug output does not hear.
+class LockedMirrors {
+ public:
+  LockedMirrors() = default;
+  LockedMirrors(std::shared_ptr<const Program> program, const gl::Dispatch& gl, bool audible)
+      : program_(std::move(program)),
+        lock_(program_->mutex),
+        mirrors_(program_->mirrors),
+        quiet_(gl, audible && !mirrors_.empty()) {}
+  auto begin() const { return mirrors_.begin(); }
+  auto end() const { return mirrors_.end(); }
+
+ private:
+  std::shared_ptr<const Program> program_;
+  std::unique_lock<std::recursive_mutex> lock_;
+  std::span<const UniformMirror> mirrors_;
+  Quiet quiet_;
 };
 
 }  // namespace glark::core

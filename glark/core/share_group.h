@@ -10,12 +10,14 @@
 #include <mutex>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
-#include "glark/core/capture_programs.h"
 #include "glark/core/display_list.h"
 #include "glark/core/program.h"
 
 namespace glark::core {
+
+class Context;
 
 struct ShareGroup {
   std::mutex
@@ -23,7 +25,7 @@ struct ShareGroup {
   std::unordered_map<GLuint, std::shared_ptr<const std::string>> compiled_sources;  // "": SPIR-V
   std::unordered_map<GLuint, std::shared_ptr<Program>> programs;
   std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
-  CapturePrograms capture_programs;
+  std::vector<Context*> contexts;
   GLuint next_list_name = 0x60000000;  // names of our list segments: out of the way of the application's
   // Every write to any buffer object counts: a cached capture is valid only while this stands still.
   std::atomic<std::uint64_t> buffer_epoch{1};

@@ -25,13 +25,12 @@ GLsizeiptr bytes_of(const Layout& layout, std::uint64_t triangles) {
 
 GLuint CaptureStage::program_for(const Layout& layout, GLuint tag_attribute) {
   CaptureSources sources = capture_sources(layout, language_, tag_attribute);
-  const std::lock_guard lock(programs_.mutex);
-  const auto found = programs_.of_vertex_source.find(sources.vertex);
-  if (found != programs_.of_vertex_source.end()) {
+  const auto found = programs_.find(sources.vertex);
+  if (found != programs_.end()) {
     return found->second;
   }
   const GLuint program = build(sources);
-  programs_.of_vertex_source.emplace(std::move(sources.vertex), program);
+  programs_.emplace(std::move(sources.vertex), program);
   return program;
 }
 
@@ -138,6 +137,10 @@ std::uint64_t CaptureStage::counted() const {
 }
 
 void CaptureStage::release() {
+  for (const auto& [text, program] : programs_) {
+    gl_.DeleteProgram(program);
+  }
+  programs_.clear();
   if (feedback_ != 0) {
     gl_.DeleteTransformFeedbacks(1, &feedback_);
     gl_.DeleteQueries(1, &query_);

@@ -5,11 +5,12 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
 
 #include "glark/core/bindings.h"
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
-#include "glark/core/capture_programs.h"
 #include "glark/core/gpu_buffer.h"
 #include "glark/gl/dispatch.h"
 
@@ -17,8 +18,8 @@ namespace glark::capture {
 
 class CaptureStage {
  public:
-  CaptureStage(const gl::Dispatch& gl, core::CapturePrograms& programs, Language language, bool query_buffer)
-      : gl_(gl), programs_(programs), language_(language), query_buffer_(query_buffer) {}
+  CaptureStage(const gl::Dispatch& gl, Language language, bool query_buffer)
+      : gl_(gl), language_(language), query_buffer_(query_buffer) {}
 
   // Program that captures `layout`, built on first use; 0 if it cannot be. Rare path: wrap in an ErrorScope.
   GLuint program_for(const Layout& layout, GLuint tag_attribute);
@@ -44,9 +45,9 @@ class CaptureStage {
   void bind_target(GLuint buffer, GLintptr offset, GLsizeiptr size, const core::Bindings& bindings) const;
 
   const gl::Dispatch& gl_;
-  core::CapturePrograms& programs_;
   Language language_;
   bool query_buffer_;
+  std::map<std::string, GLuint> programs_;  // by vertex source
   GLuint feedback_ = 0;
   GLuint query_ = 0;
   core::GpuBuffer ring_;

@@ -126,7 +126,8 @@ class Collector {
     output.noperspective = variable.noperspective;
     const BuiltInOutput* const built_in = built_in_output(variable.name);
     if (built_in != nullptr && built_in->color) {
-      const bool by_shade_model = rules_.flat_colors && !rules_.feeds_geometry && !variable.smooth && !variable.noperspective;
+      const bool by_shade_model =
+          rules_.flat_colors && !rules_.feeds_geometry && !variable.smooth && !variable.noperspective;
       output.flat = output.flat || by_shade_model;
       output.clamped = rules_.clamp_colors;
     }

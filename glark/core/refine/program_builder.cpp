@@ -162,13 +162,13 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   return core::link_program(gl_, name, shaders, error) ? name : 0;
 }
 
-core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Program* owner,
-                                             const core::DerivedKey& key) const {
+std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& program, core::Program* owner,
+                                                             const core::DerivedKey& key) const {
   const auto found = program.derived.find(key);
   if (found != program.derived.end()) {
-    return found->second.get();
+    return found->second;
   }
-  std::unique_ptr<core::DerivedProgram>& slot = program.derived[key];
+  std::shared_ptr<core::DerivedProgram>& slot = program.derived[key];
   DeriveRequest request;
   request.vertex_sources = vertex_sources(program);
   request.es = traits_.language == capture::Language::es;
@@ -197,7 +197,7 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
     core::log(core::LogLevel::warning, label(program) + " is not refined: " + error + "; its draws stay as they are");
     return nullptr;
   }
-  slot = std::make_unique<core::DerivedProgram>();
+  slot = std::make_shared<core::DerivedProgram>();
   slot->name = name;
   slot->layout = std::move(request.layout);
   if (request.stored) {
@@ -219,7 +219,7 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
     owner->mirrors.push_back({name, slot.get()});
   }
   ++core::statistics().programs_derived;
-  return slot.get();
+  return slot;
 }
 
 std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctionState& state,
@@ -242,15 +242,23 @@ std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctio
   return program;
 }
 
-void ProgramBuilder::discard(core::Program& program) const {
-  for (const auto& [key, derived] : program.derived) {
+void ProgramBuilder::discard(core::Program& program) {
+  const std::lock_guard lock(program.mutex);
+  for (auto& [key, derived] : program.derived) {
     if (derived != nullptr) {
-      gl_.DeleteProgram(derived->name);
+      discarded_.push_back(std::move(derived));
     }
   }
   program.derived.clear();
   program.mirrors.clear();
   program.prepared = false;
+  std::erase_if(discarded_, [&](const std::shared_ptr<core::DerivedProgram>& derived) {
+    const bool unused = derived.use_count() == 1;  // otherwise a draw of another context is under way with it
+    if (unused) {
+      gl_.DeleteProgram(derived->name);
+    }
+    return unused;
+  });
 }
 
 }  // namespace glark::refine

@@ -35,13 +35,14 @@ class ProgramBuilder {
 
   // The derived program for `key`, with the uniform values of now; nullptr (and a line in the log) if it cannot be built.
   // `owner`: the application's program whose uniforms it follows; null for plain fixed function.
-  core::DerivedProgram* derive(core::Program& program, core::Program* owner, const core::DerivedKey& key) const;
+  std::shared_ptr<core::DerivedProgram> derive(core::Program& program, core::Program* owner,
+                                               const core::DerivedKey& key) const;
 
   // A Program that holds the generated vertex stage of `state` beside the fragment stages of `fragment` (may be null).
   std::shared_ptr<core::Program> fixed_function(const FixedFunctionState& state, const core::Program* fragment) const;
 
-  // Deletes the GL programs derived from `program`.
-  void discard(core::Program& program) const;
+  // Deletes the GL programs derived from `program`; one that another context draws with just now, at a later call.
+  void discard(core::Program& program);
 
  private:
   GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources,
@@ -52,6 +53,7 @@ class ProgramBuilder {
 
   const gl::Dispatch& gl_;
   BuilderTraits traits_;
+  std::vector<std::shared_ptr<core::DerivedProgram>> discarded_;  // and not deleted yet
 };
 
 }  // namespace glark::refine

@@ -245,6 +245,7 @@ void RefinementShaderSourceARK(Context& c, GLuint name, GLsizei count, const GLc
     c.pipeline->set_fixed_function_refinement(std::move(source));
     return;
   }
+  const std::lock_guard lock(program->mutex);
   c.pipeline->discard(*program);
   program->refinement_source = std::move(source);
   program->virtual_uniforms.clear();

@@ -35,6 +35,7 @@ void set_tag_array(Context& c, bool enabled) {
 void set_capability(Context& c, GLenum capability, bool enabled) {
   Bindings& b = c.bindings;
   switch (capability) {
+    case GL_DEBUG_OUTPUT: b.debug_output = enabled; break;
     case GL_RASTERIZER_DISCARD: b.rasterizer_discard = enabled; break;
     case GL_PRIMITIVE_RESTART: b.primitive_restart = enabled; break;
     case GL_PRIMITIVE_RESTART_FIXED_INDEX: b.primitive_restart_fixed = enabled; break;

@@ -62,6 +62,7 @@ void record_link(Context& c, GLuint name, std::vector<StageSource> stages) {
     slot = slot != nullptr ? slot : std::make_shared<Program>();
     program = slot;
   }
+  const std::lock_guard lock(program->mutex);
   c.pipeline->discard(*program);
   c.pipeline->forget_program(name);
   program->name = name;
@@ -85,6 +86,7 @@ void forget_deleted(Context& c, GLuint name) {
     program = found->second;
     c.share->programs.erase(found);
   }
+  const std::lock_guard lock(program->mutex);
   c.pipeline->discard(*program);
   c.pipeline->forget_program(name);
   // Still in use: GL keeps it until another one is. We could not return to it after a refined draw.
@@ -93,7 +95,8 @@ void forget_deleted(Context& c, GLuint name) {
 }
 
 GLint register_virtual_uniform(Context& c, Program& program, const GLchar* name) {
-  const DerivedProgram* derived = c.pipeline->derived_for(program, &program);
+  const std::lock_guard lock(program.mutex);
+  const std::shared_ptr<DerivedProgram> derived = c.pipeline->derived_for(program, &program);
   const std::string text(name);
   if (derived == nullptr || text.rfind("gl_", 0) == 0 || text.rfind("glark_", 0) == 0 ||
       c.gl.GetUniformLocation(derived->name, name) < 0) {
@@ -118,7 +121,7 @@ GLint register_virtual_uniform(Context& c, Program& program, const GLchar* name)
 
 namespace track {
 
-std::shared_ptr<Program> find_program(Context& c, GLuint name) {
+std::shared_ptr<Program> find_program(const Context& c, GLuint name) {
   const std::lock_guard lock(c.share->mutex);
   const auto found = c.share->programs.find(name);
   return found != c.share->programs.end() ? found->second : nullptr;

@@ -28,7 +28,7 @@ bool list_begin(Context& context, GLenum mode);
 bool list_end(Context& context);
 
 // Programs.
-std::shared_ptr<Program> find_program(Context& context, GLuint name);
+std::shared_ptr<Program> find_program(const Context& context, GLuint name);
 // The same; one that was linked before we were here is read from GL. Null: there is none.
 std::shared_ptr<Program> known_program(Context& context, GLuint name);
 void adopt_current_program(Context& context);

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// However contexts are made, shared, moved between threads and processes, and left: a program sees the same with the shim, off and
+// refining, as without: colours, errors, and the messages of debug output.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/shim/process.h"
+
+namespace glark::test {
+namespace {
+
+struct Case {
+  const char* name;
+  int refined;  // draws of the process that writes the statistics last
+};
+
+std::string program(const std::string& name) { return PROGRAM_FOLDER "/shim_contexts " + name; }
+
+}  // namespace
+
+class Contexts : public testing::TestWithParam<Case> {};
+
+TEST_P(Contexts, TheProgramSeesTheSame) {
+  const Outcome without = run(program(GetParam().name));
+  if (without.status == 3) GTEST_SKIP() << "no such context here";
+  ASSERT_EQ(without.status, 0) << without.output;
+
+  const Outcome off = run_preloaded(program(GetParam().name));
+  EXPECT_EQ(off.status, 0);
+  EXPECT_EQ(off.output, without.output);
+
+  const std::string file =
+      testing::TempDir() + "contexts" + std::to_string(getpid()) + GetParam().name + std::string(".json");
+  const Outcome refined = run_preloaded(program(GetParam().name), "GLARK_ENABLE=1 GLARK_STATS=" + file);
+  EXPECT_EQ(refined.status, 0);
+  EXPECT_EQ(refined.output, without.output);
+  const nlohmann::json statistics = nlohmann::json::parse(read_file(file));
+  EXPECT_EQ(statistics["draws"]["refined"], GetParam().refined);
+  std::filesystem::remove(file);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Contexts,
+                         testing::Values(Case{"robust", 2}, Case{"no_error", 1}, Case{"debug", 12}, Case{"share", 3},
+                                         Case{"uniform", 3}, Case{"move", 2}, Case{"terminate", 3}, Case{"process", 2}),
+                         [](const auto& given) { return std::string(given.param.name); });
+
+}  // namespace glark::test
