@@ -15,3 +15,7 @@ if(GLARK_SANITIZE)
   target_compile_options(glark_options INTERFACE -fsanitize=${GLARK_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(glark_options INTERFACE -fsanitize=${GLARK_SANITIZE})
 endif()
+if(GLARK_FUZZ)  # libraries count what they cover too; only the targets of tests/fuzz have libFuzzer's main
+  target_compile_options(glark_options INTERFACE -fsanitize=fuzzer-no-link,undefined -fno-sanitize-recover=undefined)
+  target_link_options(glark_options INTERFACE -fsanitize=undefined)
+endif()

@@ -4,6 +4,10 @@
 // The choices a user makes about refinement, shared by the settings, the API and the pipeline.
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace glark::core {
 
 inline constexpr unsigned max_supported_level = 11;
@@ -14,6 +18,26 @@ enum class Refinement {
   pn,              // curved PN triangles (Vlachos et al. 2001)
 };
 
+// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. The first three are left unless
+// the user says otherwise; docs/architecture.md has the rules in full.
+namespace left_draws {
+inline constexpr unsigned screen_quads = 1U << 0;  // depth neither read nor written, one or two triangles
+inline constexpr unsigned overlays = 1U << 1;      // depth neither read nor written, and blended
+inline constexpr unsigned orthographic = 1U << 2;  // fixed function without perspective, depth neither read nor written
+inline constexpr unsigned blended = 1U << 3;       // GL_BLEND on
+inline constexpr unsigned no_depth_test = 1U << 4;    // GL_DEPTH_TEST off
+inline constexpr unsigned no_depth_writes = 1U << 5;  // GL_DEPTH_TEST off, or glDepthMask(GL_FALSE)
+inline constexpr unsigned by_default = screen_quads | overlays | orthographic;
+}  // namespace left_draws
+
+// Which vertex attribute is what, by its name in the vertex shader or by its location in digits; empty: guessed.
+struct AttributeRoles {
+  std::string position;
+  std::string normal;
+  std::string texture_coordinate;
+  bool operator==(const AttributeRoles&) const = default;
+};
+
 // What the host of the core wants of a context from its start.
 struct ContextOptions {
   bool transparent = false;  // refine a program that does not know of the extension
@@ -21,6 +45,9 @@ struct ContextOptions {
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
   bool wireframe = false;
+  unsigned left_draws = left_draws::by_default;
+  std::vector<std::uint64_t> left_shaders;  // programs that are left alone, by the hash of their sources
+  AttributeRoles roles;
   bool read_counts = false;  // for the statistics: read back, once a frame, what only the GPU has counted
 };
 

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a user may ask of glark through environment variables: their names, values and limits. The launcher sets them, the
-// shim reads them. No GL here.
+// What a user may ask of glark, through environment variables (the launcher sets them, the shim reads them) or a
+// configuration file. All of it is listed in table.h. No GL here.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,14 +18,8 @@
 namespace glark::settings {
 
 namespace variable {
-inline constexpr char enable[] = "GLARK_ENABLE";        // 1: refine a program that does not know of glark
-inline constexpr char level[] = "GLARK_LEVEL";          // 0..11: uniform level of refinement
-inline constexpr char max_level[] = "GLARK_MAX_LEVEL";  // 0..11: deepest level that patterns are made for
-inline constexpr char refine[] = "GLARK_REFINE";        // linear, outputs or pn
-inline constexpr char wireframe[] = "GLARK_WIREFRAME";  // 1: draw the refined triangles as lines
-inline constexpr char capture[] = "GLARK_CAPTURE";      // FRAME:FILE.png[,FRAME:FILE.png...]; the first frame is 1
-inline constexpr char log[] = "GLARK_LOG";              // error, warning, info or debug
-inline constexpr char statistics[] = "GLARK_STATS";     // FILE.json
+inline constexpr char enable[] = "GLARK_ENABLE";  // 1: refine a program that does not know of glark
+inline constexpr char config[] = "GLARK_CONFIG";  // FILE: the configuration file, instead of those of the XDG folders
 }  // namespace variable
 
 struct CaptureRequest {
@@ -37,6 +33,10 @@ struct Settings {
   core::LogLevel log_level = core::LogLevel::warning;
   std::vector<CaptureRequest> captures;
   std::string statistics_file;  // empty: none
+  std::string dump_folder;      // of the sources of derived programs; empty: none
+  bool everything = false;      // no draw and no shader is left alone
+  bool leave_alone = false;     // this program is not refined
+  bool max_level_set = false;   // by the user
 };
 
 // A value that is not understood leaves its setting at the default and adds a sentence to `problems`.
@@ -45,8 +45,12 @@ struct Parsed {
   std::vector<std::string> problems;
 };
 
-// `environment`: as `environ`, "NAME=value" strings up to a null pointer; may be null.
-Parsed parse(const char* const* environment);
+// `environment`: as `environ`, "NAME=value" strings up to a null pointer; may be null. Of the configuration file, the tables of
+// the programs `names` count; what the environment says wins over it.
+Parsed parse(const char* const* environment, std::span<const std::string> names = {});
+
+// The value of a variable; nothing if it is not there.
+std::optional<std::string_view> find_variable(const char* const* environment, std::string_view name);
 
 // Of single values; nothing if the text is not one. What would be one, in words, is in needed_*().
 std::optional<unsigned> parse_level(std::string_view text);
@@ -56,10 +60,9 @@ std::optional<bool> parse_switch(std::string_view text);
 // A comma separates requests only where a frame number follows it.
 std::optional<std::vector<CaptureRequest>> parse_captures(std::string_view text);
 
-std::string_view needed_level();
-std::string_view needed_refinement();
-std::string_view needed_log_level();
-std::string_view needed_switch();
-std::string_view needed_captures();
+// A list with commas.
+std::optional<unsigned> parse_left_draws(std::string_view text);
+std::optional<std::vector<std::uint64_t>> parse_hashes(std::string_view text);  // 16 hexadecimal digits each
+std::optional<std::string> parse_attribute(std::string_view text);              // a GLSL name or a location
 
 }  // namespace glark::settings

@@ -16,36 +16,37 @@ namespace {
 using glark::tool::exit_usage;
 
 // CLI11's own check type: an error text, empty when the value is good.
-template <class T>
-CLI::Validator checked(std::optional<T> (*parse)(std::string_view), std::string_view needed) {
+CLI::Validator checked(const glark::settings::Setting& setting) {
   return CLI::Validator(
-      [=](std::string& text) {
-        return parse(text) ? std::string() : '"' + text + "\" is not valid; " + std::string(needed) + " is needed";
+      [&](std::string& text) {
+        glark::settings::Settings scratch;
+        return setting.read(scratch, text)
+                   ? std::string()
+                   : '"' + text + "\" is not valid; " + std::string(setting.needed) + " is needed";
       },
       std::string());
 }
 
 void describe_run(CLI::App& run, glark::tool::RunOptions& options) {
-  using namespace glark::settings;
-  run.add_option("--level", options.level, "Uniform level of refinement, 0 to 11")
-      ->check(checked(parse_level, needed_level()))
-      ->type_name("N");
-  run.add_option("--max-level", options.max_level, "Deepest level that patterns are made for, 0 to 11")
-      ->check(checked(parse_level, needed_level()))
-      ->type_name("N");
-  run.add_option("--refine", options.refine,
-                 "linear (vertex stage on every refined vertex), outputs (interpolate its results) or pn (curved)")
-      ->check(checked(parse_refinement, needed_refinement()))
-      ->type_name("KIND");
-  run.add_flag("--wireframe", options.wireframe, "Draw the refined triangles as lines");
-  run.add_option("--capture", options.captures, "Write that frame, counted from 1, as an image; may be repeated")
-      ->check(checked(parse_captures, needed_captures()))
-      ->type_name("FRAME:FILE.png")
-      ->allow_extra_args(false);
-  run.add_option("--log", options.log, "Most verbose messages wanted: error, warning, info or debug")
-      ->check(checked(parse_log_level, needed_log_level()))
-      ->type_name("LEVEL");
-  run.add_option("--stats", options.statistics, "Write statistics of the run")->type_name("FILE.json");
+  using glark::settings::Kind;
+  for (const glark::settings::Setting& setting : glark::settings::table()) {
+    const std::string name = "--" + std::string(setting.key);
+    const auto keep = [&options, &setting](const std::vector<std::string>& values) {
+      options[setting.key] = values;
+      return true;
+    };
+    if (setting.kind == Kind::toggle) {
+      run.add_flag_callback(
+          name, [keep] { keep({"1"}); }, std::string(setting.help));
+      continue;
+    }
+    CLI::Option* option = run.add_option(name, keep, std::string(setting.help));
+    option->check(checked(setting))->type_name(std::string(setting.value))->allow_extra_args(false);
+    if (setting.kind == Kind::captures)
+      option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    else
+      option->expected(1);
+  }
   run.footer(
       "PROGRAM and all that follows it are run as they are. Write -- before a program whose name begins with a dash.");
 }

@@ -82,24 +82,46 @@ std::optional<std::string> captures_value(const std::vector<std::string>& wanted
   return value;
 }
 
-void set(const char* name, const std::string& value) {
-  if (!value.empty()) setenv(name, value.c_str(), 1);
+std::optional<std::string> made_folder(const std::string& option, const std::string& folder) {
+  const fs::path path = fs::absolute(folder);
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (!error && fs::is_directory(path) && access(path.c_str(), W_OK | X_OK) == 0) return path.string();
+  say(option + ": the folder " + path.string() + " cannot be written: " +
+      (error ? error.message() : std::strerror(fs::is_directory(path) ? errno : ENOTDIR)) + "; name another");
+  return std::nullopt;
+}
+
+std::optional<std::string> readable(const std::string& option, const std::string& file) {
+  const fs::path path = fs::absolute(file);
+  if (access(path.c_str(), R_OK) == 0 && !fs::is_directory(path)) return path.string();
+  say(option + ": " + path.string() + " cannot be read: " + std::strerror(fs::is_directory(path) ? EISDIR : errno) +
+      "; name another file");
+  return std::nullopt;
+}
+
+// As it goes to the environment; nothing, after a message, if it is of no use.
+std::optional<std::string> value_of(const settings::Setting& setting, const std::vector<std::string>& given) {
+  const std::string option = "--" + std::string(setting.key);
+  switch (setting.kind) {
+    case settings::Kind::captures: return captures_value(given);
+    case settings::Kind::output_file: return writable(option, given.back());
+    case settings::Kind::output_folder: return made_folder(option, given.back());
+    case settings::Kind::input_file: return readable(option, given.back());
+    case settings::Kind::toggle: return "1";
+    case settings::Kind::value: break;
+  }
+  return given.back();
 }
 
 bool set_environment(const RunOptions& options) {
-  const std::optional<std::string> captures = captures_value(options.captures);
-  if (!captures) return false;
-  std::optional<std::string> statistics = "";
-  if (!options.statistics.empty()) statistics = writable("--stats", options.statistics);
-  if (!statistics) return false;
-  set(variable::enable, "1");
-  set(variable::level, options.level);
-  set(variable::max_level, options.max_level);
-  set(variable::refine, options.refine);
-  set(variable::wireframe, options.wireframe ? "1" : "");
-  set(variable::log, options.log);
-  set(variable::capture, *captures);
-  set(variable::statistics, *statistics);
+  setenv(variable::enable, "1", 1);
+  for (const auto& [key, given] : options) {
+    const settings::Setting& setting = *settings::find_setting(key);
+    const std::optional<std::string> value = value_of(setting, given);
+    if (!value) return false;
+    setenv(setting.variable, value->c_str(), 1);
+  }
   return true;
 }
 

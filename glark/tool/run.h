@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "glark/settings/settings.h"
+#include "glark/settings/table.h"
 
 namespace glark::tool {
 
@@ -14,16 +16,8 @@ inline constexpr int exit_usage = 2;
 inline constexpr int exit_not_executable = 126;
 inline constexpr int exit_not_found = 127;
 
-// Values as they go to the environment, already checked; empty leaves the environment as it is.
-struct RunOptions {
-  std::string level;
-  std::string max_level;
-  std::string refine;
-  bool wireframe = false;
-  std::vector<std::string> captures;  // FRAME:FILE.png each
-  std::string log;
-  std::string statistics;
-};
+// By the key of the setting: the values that were given on the command line, already checked.
+using RunOptions = std::map<std::string_view, std::vector<std::string>>;
 
 // Becomes the program. Returns only if that fails: an exit status, after a message on standard error.
 int run(const RunOptions& options, const std::vector<std::string>& command);

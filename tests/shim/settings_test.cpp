@@ -73,7 +73,7 @@ TEST(Settings, ALimitThatIsSetHoldsTheLevelBack) {
   EXPECT_EQ(parsed.settings.context.level, 3u);
   ASSERT_EQ(parsed.problems.size(), 1u);
   EXPECT_EQ(parsed.problems[0],
-            "GLARK_LEVEL is 8, more than GLARK_MAX_LEVEL; the level is 3 now; raise GLARK_MAX_LEVEL");
+            "the level is 8, more than the greatest level; it is 3 now; raise GLARK_MAX_LEVEL or max-level");
 }
 
 TEST(ParseLevel, RejectsWhatIsNoLevel) {
