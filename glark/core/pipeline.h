@@ -104,6 +104,10 @@ class Pipeline {
   Cause check_state(const DrawCall& call) const;
   Cause plan_draw(const DrawCall& call, Plan& plan);
   Cause find_program(Plan& plan);
+  bool leaves_draws() const;
+  Cause exemption(const Program& program, std::uint64_t triangles);  // `triangles`: 0 before they are counted
+  const MatrixTraits& matrix_traits();
+  void count_refined(const Plan& plan);
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
   void plan_depth(const DrawCall& call, Plan& plan) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "glark/core/refine/uniform_copy.h"
 #include "glark/core/report.h"
@@ -60,7 +61,43 @@ bool chooses_subroutines(const gl::Dispatch& gl, const core::Program& program) {
 }
 
 std::string label(const core::Program& program) {
-  return program.fixed_function ? std::string("fixed function") : "program " + std::to_string(program.name);
+  return (program.fixed_function ? std::string("fixed function") : "program " + std::to_string(program.name)) + " [" +
+         core::hash_text(program.hash) + "]";
+}
+
+std::string_view stage_name(GLenum stage) {
+  switch (stage) {
+    case GL_VERTEX_SHADER: return "vert";
+    case GL_TESS_CONTROL_SHADER: return "tesc";
+    case GL_TESS_EVALUATION_SHADER: return "tese";
+    case GL_GEOMETRY_SHADER: return "geom";
+    case GL_FRAGMENT_SHADER: return "frag";
+    default: return "comp";
+  }
+}
+
+void show(const core::Program& program, GLenum stage, std::string_view kind, unsigned object,
+          const std::string& source) {
+  core::show_shader({program.hash, program.fixed_function ? 0 : program.name, stage_name(stage), kind, object, source});
+}
+
+void show_originals(const core::Program& program) {
+  std::map<GLenum, unsigned> objects;
+  for (const core::StageSource& stage : program.stages) {
+    show(program, stage.stage, "original", objects[stage.stage]++, *stage.source);
+  }
+}
+
+std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
+  std::string kind = refinement == core::Refinement::pn               ? "pn"
+                     : refinement == core::Refinement::linear_outputs ? "outputs"
+                                                                      : "linear";
+  kind += key.tagged ? "-tagged" : "";
+  kind += key.placed ? "-placed" : "";
+  kind += key.flat_colors ? "-flat" : "";
+  kind += key.provoking_corner == 0 ? "-first" : "";
+  kind += key.clamp_colors ? "" : "-unclamped";
+  return kind;
 }
 
 void leave(core::Program& program, const std::string& reason) {
@@ -111,7 +148,8 @@ void ProgramBuilder::read_fields(core::Program& program) const {
   if (program.traits.reads_instance_id) {
     program.fields.push_back({.name = "gl_InstanceID", .type = GL_INT});
   }
-  capture::assign_roles(program.fields);
+  capture::assign_roles(program.fields, traits_.roles);
+  core::log(core::LogLevel::info, label(program) + ": " + capture::roles_text(program.fields));
 }
 
 // Attribute locations that are left for the coarse record.
@@ -123,6 +161,10 @@ int ProgramBuilder::most_chunks(bool placed) const {
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
   program.cause = core::Cause::count_;
+  program.hash = core::source_hash(program.stages);
+  program.counters = &core::program_counters(program.hash);
+  program.conventional_projection = program.fixed_function || core::reads_conventional_projection(program.stages);
+  show_originals(program);
   if (program.stages.empty()) {
     program.cause = program.from_binary ? core::Cause::program_binary : core::Cause::no_program;
     return;
@@ -225,6 +267,10 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
     derivation.error = "its vertex attributes leave no room for depth tags and placement";
   }
   std::string error = derivation.error;
+  for (std::size_t i = 0; i < derivation.vertex_sources.size() && core::wants_shaders(); ++i) {
+    show(program, GL_VERTEX_SHADER, kind_of(key, request.refinement), static_cast<unsigned>(i),
+         derivation.vertex_sources[i]);
+  }
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
                                                        owner != nullptr ? owner->name : 0, key.placed, error)
                                     : 0;
