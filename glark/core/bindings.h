@@ -22,7 +22,7 @@ struct IndexedBuffer {
 // Of the current matrices of the fixed function.
 struct MatrixTraits {
   bool affine = false;          // the projection is without perspective
-  bool projects_plane = false;  // as gluOrtho2D: z from -1 to 1
+  bool projects_plane = false;  // as gluOrtho2D, or a space much thinner than it is wide
   bool moves_in_plane = false;  // the modelview matrix leaves z alone
 };
 

@@ -7,6 +7,7 @@
 // passes of a program that draws the same triangles twice. That is the condition of every rule that holds by default, but for
 // drawings in the plane, which are left by their matrices alone: all passes of them or none.
 #include <algorithm>
+#include <cmath>
 
 #include "glark/core/context.h"
 #include "glark/core/pipeline.h"
@@ -19,9 +20,16 @@ bool ignores_depth(const Bindings& b) { return !b.depth_test || (b.depth_functio
 // Column by column, as GL has them. Without perspective, the last row is (0, 0, 0, 1).
 bool is_affine(const GLfloat* m) { return m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1; }
 
-// z stays what it is but for its sign: gluOrtho2D, and what moves, turns and scales in the plane.
-bool keeps_z(const GLfloat* m, GLfloat scale) {
-  return is_affine(m) && m[2] == 0 && m[6] == 0 && m[8] == 0 && m[9] == 0 && m[10] == scale && m[14] == 0;
+bool keeps_z_apart(const GLfloat* m) { return is_affine(m) && m[2] == 0 && m[6] == 0 && m[8] == 0 && m[9] == 0; }
+
+// Moves, turns and scales in the plane.
+bool keeps_z(const GLfloat* m) { return keeps_z_apart(m) && m[10] == 1 && m[14] == 0; }
+
+// gluOrtho2D; or the space between near and far plane is a sheet, as where a scene graph fits it to what is drawn.
+bool projects_plane(const GLfloat* m) {
+  constexpr GLfloat thin = 8;
+  const bool sheet = std::abs(m[10]) >= thin * std::max(std::abs(m[0]), std::abs(m[5]));
+  return keeps_z_apart(m) && ((m[10] == -1 && m[14] == 0) || sheet);
 }
 
 }  // namespace
@@ -33,12 +41,12 @@ const MatrixTraits& Pipeline::matrix_traits() {
     context_.projection_stale = false;
     gl_.GetFloatv(GL_PROJECTION_MATRIX, matrix);
     traits.affine = is_affine(matrix);
-    traits.projects_plane = keeps_z(matrix, -1);
+    traits.projects_plane = projects_plane(matrix);
   }
   if (context_.modelview_stale && traits.projects_plane) {
     context_.modelview_stale = false;
     gl_.GetFloatv(GL_MODELVIEW_MATRIX, matrix);
-    traits.moves_in_plane = keeps_z(matrix, 1);
+    traits.moves_in_plane = keeps_z(matrix);
   }
   return traits;
 }

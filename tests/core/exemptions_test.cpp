@@ -120,6 +120,7 @@ class Exemptions : public testing::Test {
 
   inline static const std::vector<GLfloat> identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   inline static const std::vector<GLfloat> ortho_2d{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1};
+  inline static const std::vector<GLfloat> sheet{0.01F, 0, 0, 0, 0, 0.01F, 0, 0, 0, 0, -0.5F, 0, -1, -1, 0.25F, 1};
   inline static const std::vector<GLfloat> ortho_deep{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.01F, 0, 0, 0, 0, 1};
   inline static const std::vector<GLfloat> perspective{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0};
   inline static const std::vector<GLfloat> turned{1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1};
@@ -218,6 +219,10 @@ TEST_F(Exemptions, DrawingsInThePlaneAreLeftWithDepthToo) {
   project(turned, GL_MODELVIEW);
   EXPECT_EQ(draw_immediately(8), "refined");
   project(identity, GL_MODELVIEW);
+  project(sheet);  // a scene graph's near and far planes about it
+  EXPECT_EQ(draw_immediately(8), "orthographic");
+  project(ortho_deep);
+  EXPECT_EQ(draw_immediately(8), "refined");
   project(identity);  // a program that has set no matrix at all
   EXPECT_EQ(draw_immediately(8), "refined");
 }
