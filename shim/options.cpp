@@ -11,6 +11,7 @@
 
 #include "glark/settings/configuration.h"
 #include "shim/log.h"
+#include "shim/shader_dump.h"
 
 namespace glark::shim {
 
@@ -32,6 +33,7 @@ const settings::Settings& options() {
     settings::Parsed parsed = settings::parse(environ, names_of_this_program());
     install_log(parsed.settings.log_level);
     for (const std::string& problem : parsed.problems) core::log(core::LogLevel::warning, problem);
+    if (!parsed.settings.dump_folder.empty()) install_shader_dump(parsed.settings.dump_folder);
     return new settings::Settings(std::move(parsed.settings));
   }();
   return instance;

@@ -19,6 +19,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "glark/core/program.h"
 #include "glark/core/report.h"
 #include "shim/options.h"
 
@@ -69,6 +70,15 @@ nlohmann::json passed_through(const core::Statistics& counters) {
   return causes;
 }
 
+// By the hash of its sources: how often each shader program was drawn with.
+nlohmann::json shaders() {
+  nlohmann::json all = nlohmann::json::object();
+  core::for_each_program([&](std::uint64_t hash, const core::ProgramCounters& counters) {
+    all[core::hash_text(hash)] = {{"seen", counters.draws_seen.load()}, {"refined", counters.draws_refined.load()}};
+  });
+  return all;
+}
+
 nlohmann::json report(Times& all) {
   const core::Statistics& counters = core::statistics();
   return {
@@ -82,6 +92,7 @@ nlohmann::json report(Times& all) {
       {"refined_triangles", counters.refined_triangles.load()},
       {"captures", {{"made", counters.captures_made.load()}, {"reused", counters.captures_reused.load()}}},
       {"programs", {{"derived", counters.programs_derived.load()}, {"failed", counters.programs_failed.load()}}},
+      {"shaders", shaders()},
       {"frames", frames.load()},
       {"frame_ms", frame_times(all.frame_ms)},
       {"seconds", milliseconds(Clock::now() - all.start) / 1000},

@@ -19,6 +19,13 @@ struct IndexedBuffer {
   GLsizeiptr size = 0;  // 0: the whole buffer (glBindBufferBase)
 };
 
+// Of the current matrices of the fixed function.
+struct MatrixTraits {
+  bool affine = false;          // the projection is without perspective
+  bool projects_plane = false;  // as gluOrtho2D, or a space much thinner than it is wide
+  bool moves_in_plane = false;  // the modelview matrix leaves z alone
+};
+
 struct Bindings {
   GLuint program = 0;
   GLuint pipeline = 0;
@@ -33,6 +40,11 @@ struct Bindings {
   GLuint storage_buffer = 0;
   std::array<IndexedBuffer, tracked_storage_bindings> storage{};
   bool rasterizer_discard = false;
+  bool blend = false;  // of draw buffer 0
+  bool depth_test = false;
+  bool depth_writes = true;
+  GLenum depth_function = GL_LESS;
+  GLenum matrix_mode = GL_MODELVIEW;
   bool primitive_restart = false;
   bool primitive_restart_fixed = false;
   bool vertex_program = false;    // GL_VERTEX_PROGRAM_ARB

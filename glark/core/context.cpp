@@ -215,6 +215,10 @@ void Context::refresh_bindings() {
     b.storage[i] = {static_cast<GLuint>(buffer), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size)};
   }
   b.debug_output = gl.IsEnabled(GL_DEBUG_OUTPUT) != GL_FALSE;
+  b.blend = gl.IsEnabled(GL_BLEND) != GL_FALSE;
+  b.depth_test = gl.IsEnabled(GL_DEPTH_TEST) != GL_FALSE;
+  b.depth_writes = get(gl, GL_DEPTH_WRITEMASK) != 0;
+  b.depth_function = static_cast<GLenum>(get(gl, GL_DEPTH_FUNC));
   b.rasterizer_discard = gl.IsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE;
   b.primitive_restart_fixed = gl.IsEnabled(GL_PRIMITIVE_RESTART_FIXED_INDEX) != GL_FALSE;
   if (desktop) {
@@ -229,6 +233,8 @@ void Context::refresh_bindings() {
   if (is_compatibility()) {
     b.vertex_program = gl.IsEnabled(GL_VERTEX_PROGRAM_ARB) != GL_FALSE;
     b.two_side = gl.IsEnabled(GL_VERTEX_PROGRAM_TWO_SIDE) != GL_FALSE;
+    b.matrix_mode = static_cast<GLenum>(get(gl, GL_MATRIX_MODE));
+    touch_any_matrix();
     b.shade_model = static_cast<GLenum>(get(gl, GL_SHADE_MODEL));
     b.clamp_vertex_color = get(gl, GL_CLAMP_VERTEX_COLOR) != GL_FALSE;
     b.render_mode = static_cast<GLenum>(get(gl, GL_RENDER_MODE));

@@ -105,6 +105,8 @@ class Context {
   void touch_buffers() { share->buffer_epoch.fetch_add(1, std::memory_order_relaxed); }
   void touch_vertex_arrays() { ++vertex_array_epoch; }
   void touch_fixed_function() { fixed_function_stale = true; }
+  void touch_matrices() { (bindings.matrix_mode == GL_PROJECTION ? projection_stale : modelview_stale) = true; }
+  void touch_any_matrix() { projection_stale = modelview_stale = true; }
   LockedMirrors uniform_mirrors() const;
   LockedMirrors uniform_mirrors(GLuint program) const;
   // From the first derived program on, every context of the share group mirrors uniforms.
@@ -130,6 +132,9 @@ class Context {
   bool bindings_stale = true;
   std::uint64_t vertex_array_epoch = 1;
   bool fixed_function_stale = true;
+  MatrixTraits matrices;
+  bool projection_stale = true;
+  bool modelview_stale = true;
   GLenum pending_error = GL_NO_ERROR;
   ListCompilation list;
   ImmediateDraw immediate;

@@ -20,9 +20,10 @@ capture::Language language_of(const Capabilities& capabilities) {
   }
 }
 
-refine::BuilderTraits builder_traits(const Capabilities& capabilities) {
+refine::BuilderTraits builder_traits(const Capabilities& capabilities, const ContextOptions& options) {
   refine::BuilderTraits traits;
   traits.language = language_of(capabilities);
+  traits.roles = options.roles;
   traits.glsl_version = capabilities.version * 10;
   traits.extensions = capabilities.extensions;
   traits.max_vertex_attributes = capabilities.max_vertex_attributes;
@@ -52,7 +53,7 @@ Pipeline::Pipeline(Context& context)
       bins_(context.supported, language_of(context.capabilities)),
       submit_(context.supported),
       pipelines_(context.supported),
-      builder_(context.supported, builder_traits(context.capabilities)) {}
+      builder_(context.supported, builder_traits(context.capabilities, context.options)) {}
 
 bool Pipeline::build_pool(unsigned max_level) {
   const Quiet quiet = context_.quiet();
@@ -273,7 +274,7 @@ void Pipeline::draw(const DrawCall& call) {
   }
   const capture::CoarseTriangles triangles = capture_draw(call, plan, quiet);
   submit(plan, triangles);
-  ++statistics().draws_refined;
+  count_refined(plan);
   if (triangles.count_on_gpu) {
     uncounted_capture_ = true;
     uncounted_level_ = plan.adaptive ? 0 : plan.level;
@@ -346,9 +347,17 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
     restore(immediate_plan_, false);
     return;
   }
+  // Their number is known only now: what would have been left alone is drawn as it was captured, at level 0.
+  const Cause cause =
+      leaves_draws() && !immediate_plan_.adaptive ? exemption(*immediate_plan_.program, triangles) : Cause::count_;
+  if (cause != Cause::count_) {
+    immediate_plan_.level = 0;
+    count_passed(cause);
+  } else {
+    count_refined(immediate_plan_);
+  }
   submit(immediate_plan_, captured);
   immediate_plan_ = Plan{};  // what it was derived from may go
-  ++statistics().draws_refined;
   statistics().coarse_triangles += triangles;
 }
 

@@ -119,6 +119,10 @@ class Pipeline {
   void read_subroutines(const Plan& plan);
   void use_derived(const Plan& plan);
   void use_application_program();  // with its pipeline and subroutines, after programs of ours
+  bool leaves_draws() const;
+  Cause exemption(const Program& program, std::uint64_t triangles);  // `triangles`: 0 before they are counted
+  const MatrixTraits& matrix_traits();
+  void count_refined(const Plan& plan);
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
   void discard_fixed_function(GLuint fragment, Program& program);

@@ -40,6 +40,11 @@ void Pipeline::count_passed(Cause cause) {
   }
 }
 
+void Pipeline::count_refined(const Plan& plan) {
+  ++statistics().draws_refined;
+  ++plan.program->counters->draws_refined;
+}
+
 Cause Pipeline::check_state(const DrawCall& call) const {
   const Bindings& b = context_.bindings;
   const bool transparent = context_.options.transparent;
@@ -128,7 +133,10 @@ Cause Pipeline::find_program(Plan& plan) {
   if (!plan.program->prepared) {
     ErrorScope errors(context_);
     builder_.prepare(*plan.program);
+    const auto& left = context_.options.left_shaders;
+    plan.program->left_alone = std::find(left.begin(), left.end(), plan.program->hash) != left.end();
   }
+  ++plan.program->counters->draws_seen;
   return plan.program->cause;
 }
 
@@ -183,6 +191,11 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
       current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   if (const Cause cause = find_program(plan); cause != Cause::count_) {
     return cause;
+  }
+  if (leaves_draws()) {
+    if (const Cause cause = exemption(*plan.program, call.triangles); cause != Cause::count_) {
+      return cause;
+    }
   }
   read_subroutines(plan);
   plan_depth(call, plan);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -29,6 +30,11 @@ struct StageSource {
   GLenum stage;
   std::shared_ptr<const std::string> source;
 };
+
+// The same for the same sources in every run: what users name a shader program by.
+std::uint64_t source_hash(const std::vector<StageSource>& stages);
+std::string hash_text(std::uint64_t hash);  // 16 hexadecimal digits
+bool reads_conventional_projection(const std::vector<StageSource>& stages);
 
 // What selects one of the programs derived from an application program.
 struct DerivedKey {
@@ -100,6 +106,10 @@ struct Program {
   std::string refinement_source;
   std::string refinement_log;
   std::vector<std::string> virtual_uniforms;  // names, by location - virtual_location_base
+  std::uint64_t hash = 0;                     // of the sources; what the user names it by
+  bool left_alone = false;                    // by that hash
+  bool conventional_projection = false;       // its vertex stage may multiply by GL_PROJECTION_MATRIX
+  ProgramCounters* counters = nullptr;        // from `prepared` on
   bool uniforms_stale = false;                // changed by a display list: copy all values before the next refined draw
 
   bool has_stage(GLenum stage) const {

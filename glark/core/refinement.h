@@ -46,8 +46,8 @@ struct ContextOptions {
   Refinement refinement = Refinement::linear_inputs;
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
-  std::vector<std::uint64_t> left_shaders;  // programs that are left alone, by the hash of their sources
-  AttributeRoles roles;
+  std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources
+  AttributeRoles roles = {};
   bool read_counts = false;  // for the statistics: read back, once a frame, what only the GPU has counted
 };
 

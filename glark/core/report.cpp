@@ -2,10 +2,24 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/report.h"
 
+#include <map>
+#include <mutex>
+
 namespace glark::core {
 namespace {
 
 std::atomic<LogSink> sink{nullptr};
+std::atomic<ShaderSink> shader_sink{nullptr};
+
+struct ProgramTable {
+  std::mutex mutex;
+  std::map<std::uint64_t, ProgramCounters> programs;
+};
+
+ProgramTable& program_table() {
+  static ProgramTable* const instance = new ProgramTable;  // never destroyed, as the statistics
+  return *instance;
+}
 
 constexpr std::array<CauseText, cause_count> cause_texts{{
     {"not_triangles", "the draw has no triangles (points, lines, patches or adjacency)", "nothing to do"},
@@ -38,6 +52,20 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
      "use an indirect draw with a known count"},
     {"invalid_draw", "OpenGL refuses the call", "see the application's glGetError"},
     {"out_of_memory", "no memory for the coarse triangles of the draw", "draw fewer triangles a call"},
+    {"left_shader", "the user named the shader program to be left alone", "take its hash out of leave-shaders"},
+    {"screen_quad",
+     "one or two triangles that neither read nor write depth are taken for a full-screen pass or a user interface",
+     "--everything, or --leave-draws without screen-quads"},
+    {"overlay", "what is blended and neither reads nor writes depth is taken for a user interface",
+     "--everything, or --leave-draws without overlays"},
+    {"orthographic",
+     "what the fixed function draws without perspective and without depth is taken for a user interface",
+     "--everything, or --leave-draws without orthographic"},
+    {"blended", "the user wants blended draws to be left alone", "take blended out of leave-draws"},
+    {"no_depth_test", "the user wants draws without depth test to be left alone",
+     "take no-depth-test out of leave-draws"},
+    {"no_depth_writes", "the user wants draws that write no depth to be left alone",
+     "take no-depth-writes out of leave-draws"},
 }};
 
 }  // namespace
@@ -47,6 +75,29 @@ void set_log_sink(LogSink wanted) { sink.store(wanted, std::memory_order_relaxed
 void log(LogLevel level, std::string_view message) {
   if (const LogSink current = sink.load(std::memory_order_relaxed); current != nullptr) {
     current(level, message);
+  }
+}
+
+void set_shader_sink(ShaderSink wanted) { shader_sink.store(wanted, std::memory_order_relaxed); }
+bool wants_shaders() { return shader_sink.load(std::memory_order_relaxed) != nullptr; }
+
+void show_shader(const ShownShader& shader) {
+  if (const ShaderSink current = shader_sink.load(std::memory_order_relaxed); current != nullptr) {
+    current(shader);
+  }
+}
+
+ProgramCounters& program_counters(std::uint64_t hash) {
+  ProgramTable& table = program_table();
+  const std::lock_guard lock(table.mutex);
+  return table.programs[hash];
+}
+
+void for_each_program(const std::function<void(std::uint64_t, const ProgramCounters&)>& visit) {
+  ProgramTable& table = program_table();
+  const std::lock_guard lock(table.mutex);
+  for (const auto& [hash, counters] : table.programs) {
+    visit(hash, counters);
   }
 }
 

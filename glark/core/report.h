@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 
 namespace glark::core {
@@ -39,6 +40,13 @@ enum class Cause {
   indirect_unbounded,   // a count that only the GPU knows and that cannot be bounded
   invalid_draw,         // GL will raise an error
   out_of_memory,        // no room for the capture
+  left_shader,          // the user named its shader program
+  screen_quad,  // transparent refinement leaves user interfaces and full-screen passes alone: pipeline_exemptions.cpp
+  overlay,
+  orthographic,
+  blended,  // the user asked for these three
+  no_depth_test,
+  no_depth_writes,
   count_
 };
 inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::count_);
@@ -65,5 +73,27 @@ struct Statistics {
   std::atomic<std::uint64_t> programs_failed{0};
 };
 Statistics& statistics();
+
+// Of the shader programs with the same sources, in all contexts.
+struct ProgramCounters {
+  std::atomic<std::uint64_t> draws_seen{0};
+  std::atomic<std::uint64_t> draws_refined{0};
+};
+ProgramCounters& program_counters(std::uint64_t hash);  // stays where it is
+void for_each_program(const std::function<void(std::uint64_t hash, const ProgramCounters&)>& visit);
+
+// A shader of the application, or one derived from it, for those who want to look.
+struct ShownShader {
+  std::uint64_t hash = 0;  // of the application's program
+  unsigned program = 0;    // its name in GL; 0: fixed function
+  std::string_view stage;  // "vert", "frag" ...
+  std::string_view kind;   // "original", "linear", "pn-tagged" ...
+  unsigned object = 0;     // of the shader objects of that stage
+  std::string_view source;
+};
+using ShaderSink = void (*)(const ShownShader& shader);
+void set_shader_sink(ShaderSink sink);
+bool wants_shaders();
+void show_shader(const ShownShader& shader);
 
 }  // namespace glark::core

@@ -23,12 +23,15 @@ HEADER = """\
 # A function that looks like a draw must be classed by its full name, so that no future registry adds a draw unnoticed.
 DRAW_PATTERNS = ["glDraw*", "glMultiDraw*", "glMultiMode*", "glBegin", "glEnd", "glRect*", "glEval*", "glArrayElement*", "glCallList*"]
 
-CLASSES = {"draw", "track", "uniform", "count", "touch_buffer", "touch_vertex_array", "touch_fixed_function", "hand", "pass", "extra"}
+CLASSES = {"draw", "track", "uniform", "count", "touch_buffer", "touch_vertex_array", "touch_fixed_function", "touch_matrices",
+           "touch_any_matrix", "hand", "pass", "extra"}
 HOOKED = {"draw", "track", "api"}
 TOUCH_CALLS = {
     "touch_buffer": "touch_buffers",
     "touch_vertex_array": "touch_vertex_arrays",
     "touch_fixed_function": "touch_fixed_function",
+    "touch_matrices": "touch_matrices",
+    "touch_any_matrix": "touch_any_matrix",
 }
 LOCALS = {"t", "mirror", "derived", "result"}
 

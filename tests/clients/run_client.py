@@ -90,11 +90,11 @@ class Runner:
 def environment() -> dict:
     """Ours, without settings of glark, on Mesa's software renderer, at full speed, and for OpenSceneGraph in one small window."""
     kept = {key: value for key, value in os.environ.items() if not key.startswith("GLARK_") and key != "LD_PRELOAD"}
-    return dict(kept, LIBGL_ALWAYS_SOFTWARE="1", vblank_mode="0", OSG_WINDOW="0 0 400 400", OSG_THREADING="SingleThreaded")
+    return dict(kept, LIBGL_ALWAYS_SOFTWARE="1", GLARK_CONFIG="/dev/null", vblank_mode="0", OSG_WINDOW="0 0 400 400", OSG_THREADING="SingleThreaded")
 
 
 def complaints_about(mode: str, runner: Runner) -> list:
-    refinement = {"GLARK_ENABLE": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": "outputs"}
+    refinement = {"GLARK_ENABLE": "1", "GLARK_EVERYTHING": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": "outputs"}
     if mode == "alive":
         return judge.life_complaints(runner.statistics(refinement), LEVEL)
     plain, _ = runner.picture("plain", {})

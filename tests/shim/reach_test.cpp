@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -64,6 +66,41 @@ TEST(Reach, ThreadsThatShareAndDestroyContexts) {
   const Outcome outcome = run_preloaded(program("shim_threads"));
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.output, "done\n");
+}
+
+TEST(Dump, OriginalAndDerivedShadersLieSideBySideUnderTheHashOfTheStatistics) {
+  const std::string folder = PROGRAM_FOLDER "/shaders/of it";
+  const std::string statistics = PROGRAM_FOLDER "/dump.json";
+  std::filesystem::remove_all(PROGRAM_FOLDER "/shaders");
+  const Outcome outcome = run_preloaded(
+      program("shim_linked"), "GLARK_ENABLE=1 GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_STATS=" + statistics +
+                                  " GLARK_DUMP_SHADERS='" + folder + "'");
+  EXPECT_EQ(outcome.output, drawn);
+  const auto shaders = nlohmann::json::parse(read_file(statistics))["shaders"];
+  ASSERT_EQ(shaders.size(), 1u) << shaders;
+  EXPECT_EQ(shaders.begin().value()["seen"], shaders.begin().value()["refined"]);
+  const std::string name = folder + "/fixed-" + shaders.begin().key();
+  EXPECT_NE(read_file(name + ".original.vert").find("void main"), std::string::npos);
+  EXPECT_NE(read_file(name + ".linear.vert").find("glark_lattice"), std::string::npos);
+}
+
+TEST(Dump, AFolderThatCannotBeMadeIsToldOnceAndThePictureStays) {
+  const Outcome outcome =
+      run_preloaded(program("shim_linked"),
+                    "GLARK_ENABLE=1 GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_DUMP_SHADERS=/dev/null/x");
+  EXPECT_TRUE(outcome.output.ends_with(drawn)) << outcome.output;
+  EXPECT_TRUE(outcome.output.starts_with("glark: error: shaders cannot be written to /dev/null/x")) << outcome.output;
+  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 4) << outcome.output;
+}
+
+TEST(Configuration, TheTableOfTheProgramIsFoundByItsName) {
+  const std::string file = PROGRAM_FOLDER "/own.toml";
+  const std::string statistics = PROGRAM_FOLDER "/own.json";
+  std::ofstream(file) << "level = 12\neverything = true\n[program.shim_linked]\nleave-alone = true\n";
+  const Outcome outcome =
+      run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_CONFIG=" + file + " GLARK_STATS=" + statistics);
+  EXPECT_EQ(outcome.output, "glark: " + file + ":1:9: level is \"12\"; an integer from 0 to 11 is needed\n" + drawn);
+  EXPECT_EQ(nlohmann::json::parse(read_file(statistics))["draws"]["refined"], 0);
 }
 
 TEST(Linker, ResultsAndErrorsAreThoseOfTheProgramAlone) {

@@ -3,6 +3,7 @@
 #include "glark/core/capture/layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string_view>
 
@@ -69,26 +70,82 @@ bool contains(const std::string& lower, std::string_view word) { return lower.fi
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  // What is of a vertex says so in full; "tex" is to be found only in names of textures.
+  for (std::size_t at = text.find("vertex"); at != std::string::npos; at = text.find("vertex", at + 4)) {
+    text.erase(at + 4, 2);
+  }
   return text;
 }
 
 bool is_vector_of_three_or_four(GLenum type) { return type == GL_FLOAT_VEC3 || type == GL_FLOAT_VEC4; }
 
-Field* find_role(std::vector<Field>& fields, const char* builtin, std::initializer_list<std::string_view> words) {
+bool may_be_direction(const Field& field) {
+  return !is_builtin(field) && !field.is_array && is_vector_of_three_or_four(field.type);
+}
+
+bool may_be_coordinate(const Field& field) {
+  return !is_builtin(field) && !field.is_array && (field.type == GL_FLOAT_VEC2 || may_be_direction(field));
+}
+
+struct RoleRule {
+  Role role;
+  const char* builtin;
+  bool (*fits)(const Field&);
+  std::initializer_list<std::string_view> words;  // the first that a name has wins
+};
+
+Field* find_told(std::vector<Field>& fields, const std::string& told) {
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& field) {
+    return !told.empty() && (field.name == told || (field.location >= 0 && std::to_string(field.location) == told));
+  });
+  return found != fields.end() ? &*found : nullptr;
+}
+
+Field* find_by_name(std::vector<Field>& fields, const RoleRule& rule) {
   for (Field& field : fields) {
-    if (field.name == builtin) {
+    if (field.name == rule.builtin) {
       return &field;
     }
   }
-  for (const std::string_view word : words) {
+  for (const std::string_view word : rule.words) {
     for (Field& field : fields) {
-      if (!is_builtin(field) && !field.is_array && is_vector_of_three_or_four(field.type) &&
-          contains(lower_case(field.name), word)) {
+      if (field.role == Role::other && rule.fits(field) && contains(lower_case(field.name), word)) {
         return &field;
       }
     }
   }
   return nullptr;
+}
+
+Field* find_at(std::vector<Field>& fields, int location) {
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& field) {
+    return field.location == location && field.role == Role::other && may_be_direction(field);
+  });
+  return found != fields.end() ? &*found : nullptr;
+}
+
+bool names_something_else(const Field& field) {
+  const std::string name = lower_case(field.name);
+  return std::ranges::any_of(
+      std::initializer_list<std::string_view>{"col", "rgb", "tan", "bin", "bitan", "tex", "uv", "weight", "joint",
+                                              "bone", "vel", "off", "size", "scale", "inst", "pos", "vert", "coord"},
+      [&](std::string_view word) { return contains(name, word); });
+}
+
+// Locations 1 and 2 are where programs that number their attributes have it; a vec4 is more often a colour.
+Field* guess_normal(std::vector<Field>& fields) {
+  Field* found = nullptr;
+  for (const int location : {1, 2}) {
+    Field* const candidate = find_at(fields, location);
+    if (candidate == nullptr || candidate->type != GL_FLOAT_VEC3 || names_something_else(*candidate)) {
+      continue;
+    }
+    if (found != nullptr) {
+      return nullptr;
+    }
+    found = candidate;
+  }
+  return found;
 }
 
 }  // namespace
@@ -135,23 +192,42 @@ Layout make_layout(std::vector<Field> fields, bool tagged) {
   return layout;
 }
 
-void assign_roles(std::vector<Field>& fields) {
-  Field* position = find_role(fields, "gl_Vertex", {"position", "vertex", "pos", "vert", "coord"});
-  Field* normal = find_role(fields, "gl_Normal", {"normal", "nrm", "norm"});
-  if (position == nullptr || position == normal) {
-    position = nullptr;
-    for (Field& field : fields) {
-      if (field.location == 0 && &field != normal && !field.is_array && is_vector_of_three_or_four(field.type)) {
-        position = &field;
-      }
+void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told) {
+  const RoleRule rules[] = {
+      {Role::normal, "gl_Normal", may_be_direction, {"normal", "nrm", "norm"}},
+      {Role::texture_coordinate, "gl_MultiTexCoord0", may_be_coordinate, {"texcoord", "texture", "tex", "uv"}},
+      {Role::position, "gl_Vertex", may_be_direction, {"position", "vert", "pos", "coord"}}};
+  const std::string* const names[] = {&told.normal, &told.texture_coordinate, &told.position};
+  const auto assign = [](Field* field, Role role) {
+    if (field != nullptr && field->role == Role::other) {
+      field->role = role;
     }
+    return field != nullptr;
+  };
+  // What is told first: a guess must not take it.
+  std::array<bool, 3> known{};
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    known[i] = assign(find_told(fields, *names[i]), rules[i].role);
   }
-  if (position != nullptr) {
-    position->role = Role::position;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    known[i] = known[i] || assign(find_by_name(fields, rules[i]), rules[i].role);
   }
-  if (normal != nullptr) {
-    normal->role = Role::normal;
+  if (!known[2]) {
+    assign(find_at(fields, 0), Role::position);
   }
+  if (!known[0]) {
+    assign(guess_normal(fields), Role::normal);
+  }
+}
+
+std::string roles_text(const std::vector<Field>& fields) {
+  const auto name = [&](Role role) {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.role == role; });
+    return found != fields.end() ? found->name : std::string("unknown");
+  };
+  return "the position is " + name(Role::position) + ", the normal " + name(Role::normal) +
+         ", the texture coordinate " + name(Role::texture_coordinate);
 }
 
 namespace {

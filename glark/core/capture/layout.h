@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glark/core/capture/record.h"
+#include "glark/core/refinement.h"
 
 namespace glark::capture {
 
@@ -26,9 +27,11 @@ bool is_builtin(const Field& field);
 // Places the fields one after the other; `tagged` adds the depth tag.
 Layout make_layout(std::vector<Field> fields, bool tagged);
 
-// Position and normal by name, for PN triangles: the built-in ones, else the first input whose name says so, else location 0
-// for the position if it has three or four components.
-void assign_roles(std::vector<Field>& fields);
+// Which input is the position, the normal and the texture coordinate. What `told` names, by name or location, where the program
+// has it; else a guess: the built-in ones, else the first input whose name says so, else by location: 0 for the position, and
+// for the normal 1 or 2 where only one of the two can be it and its name speaks of nothing else.
+void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told);
+std::string roles_text(const std::vector<Field>& fields);  // "position is v, normal is n, ..."
 
 struct CaptureSources {
   std::string vertex;

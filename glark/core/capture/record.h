@@ -11,7 +11,7 @@
 
 namespace glark::capture {
 
-enum class Role { other, position, normal };
+enum class Role { other, position, normal, texture_coordinate };
 
 // An active input of the vertex stage, or a system value that it reads.
 struct Field {

@@ -3,6 +3,7 @@
 #include "glark/core/refine/program_builder.h"
 
 #include <algorithm>
+#include <map>
 
 #include "glark/core/refine/rewrite.h"
 #include "glark/core/refine/subroutines.h"
@@ -39,7 +40,43 @@ core::Cause cause_of(const core::Program& program, const VertexStageTraits& trai
 }
 
 std::string label(const core::Program& program) {
-  return program.fixed_function ? std::string("fixed function") : "program " + std::to_string(program.name);
+  return (program.fixed_function ? std::string("fixed function") : "program " + std::to_string(program.name)) + " [" +
+         core::hash_text(program.hash) + "]";
+}
+
+std::string_view stage_name(GLenum stage) {
+  switch (stage) {
+    case GL_VERTEX_SHADER: return "vert";
+    case GL_TESS_CONTROL_SHADER: return "tesc";
+    case GL_TESS_EVALUATION_SHADER: return "tese";
+    case GL_GEOMETRY_SHADER: return "geom";
+    case GL_FRAGMENT_SHADER: return "frag";
+    default: return "comp";
+  }
+}
+
+void show(const core::Program& program, GLenum stage, std::string_view kind, unsigned object,
+          const std::string& source) {
+  core::show_shader({program.hash, program.fixed_function ? 0 : program.name, stage_name(stage), kind, object, source});
+}
+
+void show_originals(const core::Program& program) {
+  std::map<GLenum, unsigned> objects;
+  for (const core::StageSource& stage : program.stages) {
+    show(program, stage.stage, "original", objects[stage.stage]++, *stage.source);
+  }
+}
+
+std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
+  std::string kind = refinement == core::Refinement::pn               ? "pn"
+                     : refinement == core::Refinement::linear_outputs ? "outputs"
+                                                                      : "linear";
+  kind += key.tagged ? "-tagged" : "";
+  kind += key.placed ? "-placed" : "";
+  kind += key.flat_colors ? "-flat" : "";
+  kind += key.provoking_corner == 0 ? "-first" : "";
+  kind += key.clamp_colors ? "" : "-unclamped";
+  return kind;
 }
 
 void leave(core::Program& program, const std::string& reason) {
@@ -87,7 +124,8 @@ void ProgramBuilder::read_fields(core::Program& program) const {
   for (const std::string& name : program.traits.system_values) {
     program.fields.push_back({.name = name, .type = GL_INT});
   }
-  capture::assign_roles(program.fields);
+  capture::assign_roles(program.fields, traits_.roles);
+  core::log(core::LogLevel::info, label(program) + ": " + capture::roles_text(program.fields));
 }
 
 // Attribute locations that are left for the coarse record.
@@ -106,6 +144,10 @@ bool ProgramBuilder::can_store_records(const core::Program& program) const {
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
   program.cause = core::Cause::count_;
+  program.hash = core::source_hash(program.stages);
+  program.counters = &core::program_counters(program.hash);
+  program.conventional_projection = program.fixed_function || core::reads_conventional_projection(program.stages);
+  show_originals(program);
   if (program.stages.empty()) {
     program.cause = program.from_binary ? core::Cause::program_binary : core::Cause::no_program;
     return;
@@ -188,6 +230,10 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
     derivation.error = "its vertex attributes leave no room for depth tags and placement";
   }
   std::string error = derivation.error;
+  for (std::size_t i = 0; i < derivation.vertex_sources.size() && core::wants_shaders(); ++i) {
+    show(program, GL_VERTEX_SHADER, kind_of(key, request.refinement), static_cast<unsigned>(i),
+         derivation.vertex_sources[i]);
+  }
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
                                                        owner != nullptr ? owner->name : 0, key.placed, error)
                                     : 0;

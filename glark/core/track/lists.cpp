@@ -52,6 +52,7 @@ void delete_segments(Context& c, const DisplayList& list) {
 void forget_state(Context& c, const DisplayList* list) {
   c.bindings_stale = true;
   c.fixed_function_stale = true;
+  c.touch_any_matrix();
   if (c.current_program != nullptr && (list == nullptr || list->changes_uniforms)) {
     const std::lock_guard lock(c.current_program->mutex);
     c.current_program->uniforms_stale = c.share->any_derived.load(std::memory_order_relaxed);

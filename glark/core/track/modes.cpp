@@ -41,9 +41,9 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_PRIMITIVE_RESTART_FIXED_INDEX: b.primitive_restart_fixed = enabled; break;
     case GL_VERTEX_PROGRAM_ARB: b.vertex_program = enabled; break;
     case GL_VERTEX_PROGRAM_TWO_SIDE: b.two_side = enabled; break;
+    case GL_BLEND: b.blend = enabled; break;
+    case GL_DEPTH_TEST: b.depth_test = enabled; break;
     // The most frequent ones that the vertex stage does not depend on.
-    case GL_BLEND:
-    case GL_DEPTH_TEST:
     case GL_CULL_FACE:
     case GL_SCISSOR_TEST:
     case GL_STENCIL_TEST:
@@ -79,6 +79,20 @@ void Disable(Context& c, GLenum capability) {
   }
 }
 
+void Enablei(Context& c, GLenum capability, GLuint index) {
+  c.gl.Enablei(capability, index);
+  if (track::executes(c) && capability == GL_BLEND && index == 0) {
+    c.bindings.blend = true;
+  }
+}
+
+void Disablei(Context& c, GLenum capability, GLuint index) {
+  c.gl.Disablei(capability, index);
+  if (track::executes(c) && capability == GL_BLEND && index == 0) {
+    c.bindings.blend = false;
+  }
+}
+
 GLboolean IsEnabled(Context& c, GLenum capability) {
   if (c.capabilities.refinable && capability == GL_ARK) {
     return track::inside_begin(c) || !c.ark.enabled ? GL_FALSE : GL_TRUE;
@@ -107,6 +121,28 @@ void DisableClientState(Context& c, GLenum array) {
   }
   c.gl.DisableClientState(array);
   c.touch_vertex_arrays();
+}
+
+void DepthFunc(Context& c, GLenum function) {
+  c.gl.DepthFunc(function);
+  if (track::executes(c) && function >= GL_NEVER && function <= GL_ALWAYS) {
+    c.bindings.depth_function = function;
+  }
+}
+
+void DepthMask(Context& c, GLboolean writes) {
+  c.gl.DepthMask(writes);
+  if (track::executes(c)) {
+    c.bindings.depth_writes = writes != GL_FALSE;
+  }
+}
+
+void MatrixMode(Context& c, GLenum mode) {
+  c.gl.MatrixMode(mode);
+  if (track::executes(c)) {
+    c.bindings.matrix_mode = mode;
+    c.touch_any_matrix();  // GL may have refused
+  }
 }
 
 void PolygonMode(Context& c, GLenum face, GLenum mode) {

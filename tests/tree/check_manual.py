@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""The manual page is well formed and has every option of `glark run --help`, every variable and every configuration key.
+
+check_manual.py GLARK: the launcher that was built.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+from tracked import ROOT, text_of, tracked_files
+
+PAGE = "docs/man/glark.1"
+GLARK = ""
+
+
+def plain(text: str) -> str:
+    return text.replace("\\-", "-").replace("\\&", "")
+
+
+def options_of(help_text: str) -> set:
+    return set(re.findall(r"^\s+(?:-\w,)?(--[\w-]+)", help_text, re.MULTILINE))
+
+
+def variables_of(sources: list) -> set:
+    return {name for text in sources for name in re.findall(r'"(GLARK_[A-Z_]+)"', text)}
+
+
+def missing(wanted: set, page: str) -> list:
+    return sorted(word for word in wanted if not re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", page))
+
+
+class Manual(unittest.TestCase):
+    def setUp(self):
+        self.page = plain(text_of(PAGE))
+        self.help = subprocess.run([GLARK, "run", "--help"], check=True, capture_output=True, text=True).stdout
+
+    def test_every_option(self):
+        options = options_of(self.help)
+        self.assertGreater(len(options), 5)
+        self.assertEqual([], missing(options, self.page))
+
+    def test_every_key(self):
+        keys = self.page[self.page.index("The keys:"):self.page.index("A switch is")]
+        self.assertEqual([], missing({option[2:] for option in options_of(self.help)} - {"help", "config"}, keys))
+
+    def test_every_variable(self):
+        names = [name for name in tracked_files() if name.startswith(("glark/settings/", "glark/tool/", "shim/"))]
+        variables = variables_of([text_of(name) for name in names])
+        self.assertGreater(len(variables), 5)
+        self.assertEqual([], missing(variables, self.page))
+
+    def test_option_of_the_page_exist(self):
+        options = set(re.findall(r"(?<![\w-])--[a-z][\w-]+", self.page)) - {"--version"}
+        self.assertEqual([], sorted(options - options_of(self.help)))
+
+    def test_well_formed(self):
+        if not shutil.which("man"):
+            self.assertNotEqual("true", os.environ.get("CI"), "man is not installed; run scripts/install_packages")
+            self.skipTest("man is not installed")
+        environment = dict(os.environ, MANROFFSEQ="", MANWIDTH="80", LC_ALL="C.UTF-8")
+        result = subprocess.run(["man", "--warnings", "--encoding=UTF-8", "--troff-device=utf8", "--local-file", str(ROOT / PAGE)],
+                                capture_output=True, text=True, env=environment)
+        self.assertEqual(("", 0), (result.stderr, result.returncode))
+        name = subprocess.run(["lexgrog", str(ROOT / PAGE)], capture_output=True, text=True)
+        self.assertIn("glark - run OpenGL programs", name.stdout)
+
+    def test_finds_what_is_missing(self):
+        self.assertEqual(["--levels"], missing({"--level", "--levels"}, "--level N"))
+
+
+if __name__ == "__main__":
+    GLARK = sys.argv.pop(1)
+    unittest.main()
