@@ -44,6 +44,7 @@ struct Bindings {
   bool clamp_vertex_color = true;  // compatibility only
   GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
   GLenum render_mode = GL_RENDER;
+  std::array<float, 2> viewport{};  // width and height
   GLuint list_base = 0;
   int primitive_queries = 0;              // active queries that a capture would show in
   GLuint primitives_generated_query = 0;  // the active ones that the application reads as numbers of triangles; 0: none

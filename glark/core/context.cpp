@@ -184,6 +184,9 @@ void Context::refresh_bindings() {
     gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, i, &size);
     b.storage[i] = {static_cast<GLuint>(buffer), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size)};
   }
+  GLfloat viewport[4] = {0, 0, 0, 0};
+  gl.GetFloatv(GL_VIEWPORT, viewport);
+  b.viewport = {viewport[2], viewport[3]};
   b.rasterizer_discard = gl.IsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE;
   b.primitive_restart_fixed = gl.IsEnabled(GL_PRIMITIVE_RESTART_FIXED_INDEX) != GL_FALSE;
   if (desktop) {

@@ -48,6 +48,7 @@ Pipeline::Pipeline(Context& context)
       gl_(context.supported),
       capture_(context.supported, language_of(context.capabilities), context.capabilities.query_buffer),
       centroids_(context.supported),
+      measure_(context.supported, language_of(context.capabilities)),
       bins_(context.supported, language_of(context.capabilities)),
       submit_(context.supported),
       builder_(context.supported, builder_traits(context.capabilities)) {}
@@ -125,14 +126,20 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
 
 depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
   const Bindings& b = context_.bindings;
-  const depth::BinRequest request{plan.layout, records.triangles, 0, context_.ark.smooth_interior,
-                                  records.tags_are_edge_depths};
+  depth::BinRequest request{
+      plan.layout, records.triangles, 0, context_.ark.smooth_interior, records.tags_are_edge_depths, {}};
+  if (plan.measured) {
+    const depth::MeasureRequest ends{plan.layout, records.triangles, plan.corner_program, plan.normal_offset,
+                                     pool_.max_level()};
+    request.measured = measure_.measure(ends, measure(), bins_.work_buffer(), b);
+  }
   const depth::BinnedInstances bins = bins_.sort(request, records.count_command->name(), b);
   counted_on_gpu_ = true;
   // The application's queries have counted the reordering too.
   for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
     if (query != 0) {
       context_.query_surplus[query] += bins_.instances_of_last();
+      context_.query_surplus[query] += plan.corner_program != 0 ? records.triangles.count : 0;
     }
   }
   return bins;
@@ -149,6 +156,9 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   depth::BinnedInstances bins;
   if (plan.adaptive) {
     bins = sort(plan, records);
+  }
+  if (plan.adaptive || plan.polygons) {
+    restore_storage();  // the vertex stage may read it
   }
   gl_.UseProgram(plan.derived->name);
   if (owns_feedback()) {
@@ -169,7 +179,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   if (indirect && b.parameter_buffer != 0) {
     gl_.BindBuffer(GL_PARAMETER_BUFFER, b.parameter_buffer);
   }
-  restore(plan, indirect);
+  restore(indirect);
 }
 
 bool Pipeline::selects_back_colors(const Plan& plan) const {
@@ -218,15 +228,12 @@ void Pipeline::reset_modes(const Plan& plan) {
   }
 }
 
-void Pipeline::restore(const Plan& plan, bool changed_indirect) {
+void Pipeline::restore(bool changed_indirect) {
   const Bindings& b = context_.bindings;
   gl_.BindVertexArray(b.vertex_array);
   gl_.UseProgram(b.program);
   if (changed_indirect) {
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, b.draw_indirect_buffer);
-  }
-  if (plan.adaptive || plan.polygons) {
-    restore_storage();
   }
 }
 
@@ -325,7 +332,7 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
   const capture::CoarseTriangles captured = end_capture(immediate_plan_, triangles, true);
   ++statistics().captures_made;
   if (triangles == 0) {
-    restore(immediate_plan_, false);
+    restore(false);
     return;
   }
   submit(immediate_plan_, captured);
@@ -352,6 +359,7 @@ bool Pipeline::begin_feedback(GLenum mode) {
 
 void Pipeline::frame_finished() {
   read_counts();
+  measure_.frame_finished();
   cache_.frame_finished(gl_);
 }
 
@@ -366,6 +374,7 @@ void Pipeline::release() {
   cache_.release(gl_);
   capture_.release();
   centroids_.release();
+  measure_.release();
   bins_.release();
   submit_.release();
   pool_.release(gl_);

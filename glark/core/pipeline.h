@@ -14,6 +14,7 @@
 #include "glark/core/capture/capture_cache.h"
 #include "glark/core/depth/bins.h"
 #include "glark/core/depth/centroid_split.h"
+#include "glark/core/depth/measure.h"
 #include "glark/core/draw_call.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/program.h"
@@ -95,6 +96,9 @@ class Pipeline {
     std::optional<depth::Decomposition> polygons;  // to be split at their centroids
     bool for_feedback = false;                     // what will be drawn is not known yet
     bool adaptive = false;
+    bool measured = false;                // adaptive, by the ends of the edges
+    GLuint corner_program = 0;            // for a measure on the screen
+    int normal_offset = -1;               // for a measure of the normals
     bool placed = false;                  // the derived program takes a placement of the piece
     bool last_vertex_convention = false;  // while capturing
     unsigned level = 0;                   // uniform level
@@ -107,6 +111,10 @@ class Pipeline {
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
   void plan_depth(const DrawCall& call, Plan& plan) const;
+  EdgeMeasure measure() const;  // off: depths come from elsewhere
+  bool can_measure(const Program& program) const;
+  DerivedProgram* derived_program(const Plan& plan, const DerivedKey& key);
+  Cause plan_measure(Plan& plan);
   bool captures_last_vertex(GLenum mode) const;
   bool splits_at_centroid(const DrawCall& call, const Plan& plan) const;
   std::optional<depth::Decomposition> decomposition_for(GLenum mode, bool last_vertex_convention);
@@ -118,6 +126,7 @@ class Pipeline {
   void begin_capture(const Plan& plan, bool exact, GpuBuffer* own);
   capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
   bool ensure_pool();
+  bool has_adaptive_room(const Plan& plan, std::uint64_t triangles) const;
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
   capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan);
@@ -134,7 +143,7 @@ class Pipeline {
   bool adds_specular_colors(const Plan& plan) const;
   void set_modes(const Plan& plan);  // that the refined draw needs otherwise than the application has them
   void reset_modes(const Plan& plan);
-  void restore(const Plan& plan, bool changed_indirect);
+  void restore(bool changed_indirect);
   void restore_storage();
   void copy_stale_uniforms(const Plan& plan);
 
@@ -144,6 +153,7 @@ class Pipeline {
   capture::CaptureStage capture_;
   capture::CaptureCache cache_;
   depth::CentroidSplit centroids_;
+  depth::MeasureStage measure_;
   depth::BinStage bins_;
   submit::SubmitStage submit_;
   refine::ProgramBuilder builder_;

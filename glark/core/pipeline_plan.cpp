@@ -147,13 +147,33 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   return key;
 }
 
+EdgeMeasure Pipeline::measure() const {
+  if (context_.options.transparent) {
+    return context_.options.measure;
+  }
+  return context_.ark.depth_source == DepthSource::measured ? context_.ark.measure : EdgeMeasure{};
+}
+
+// Behind a geometry shader, the vertex stage need not know where on the screen its vertices go.
+bool Pipeline::can_measure(const Program& program) const {
+  const EdgeMeasure wanted = measure();
+  return (wanted.pixels > 0 && !program.has_stage(GL_GEOMETRY_SHADER)) ||
+         (wanted.degrees > 0 && capture::normal_offset(program.fields) >= 0);
+}
+
 void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
+  if (can_measure(*plan.program)) {
+    plan.adaptive = plan.measured = true;
+    plan.deepest = context_.options.transparent ? context_.options.max_level
+                                                : static_cast<unsigned>(std::max(context_.ark.pool_level, 0));
+    return;
+  }
   if (context_.options.transparent) {
     plan.level = context_.options.level;
     return;
   }
   const ArkState& ark = context_.ark;
-  if (ark.depth_source == DepthSource::uniform) {
+  if (ark.depth_source != DepthSource::tag) {
     plan.level = ark.uniform_level;
     return;
   }
@@ -167,6 +187,34 @@ void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
     plan.level = static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(ark.pool_level)));
   }
   plan.deepest = static_cast<unsigned>(ark.pool_level);
+}
+
+DerivedProgram* Pipeline::derived_program(const Plan& plan, const DerivedKey& key) {
+  const auto found = plan.program->derived.find(key);
+  if (found != plan.program->derived.end()) {
+    return found->second.get();
+  }
+  ErrorScope errors(context_);
+  const FeedbackAside aside(gl_, capture_, context_.bindings);
+  const std::lock_guard lock(context_.share->mutex);
+  context_.share->any_derived.store(true, std::memory_order_relaxed);
+  context_.mirror_uniforms = true;
+  return builder_.derive(*plan.program, plan.owner, key);
+}
+
+Cause Pipeline::plan_measure(Plan& plan) {
+  const EdgeMeasure wanted = measure();
+  if (wanted.degrees > 0) {
+    plan.normal_offset = capture::normal_offset(plan.layout->fields);
+  }
+  if (wanted.pixels > 0 && !plan.program->has_stage(GL_GEOMETRY_SHADER)) {
+    const DerivedProgram* corners = derived_program(plan, DerivedKey{.at_corner = true});
+    if (corners == nullptr) {
+      return Cause::program_not_derived;
+    }
+    plan.corner_program = corners->name;
+  }
+  return Cause::count_;
 }
 
 Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
@@ -191,18 +239,8 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   }
   // What is split has nothing that depends on the provoking corner, and may be captured among triangles.
   plan.placed = plan.adaptive || plan.level > static_cast<unsigned>(pattern::deepest_uniform);
-  const DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, plan.adaptive, plan.placed);
-  const auto found = plan.program->derived.find(key);
-  if (found != plan.program->derived.end()) {
-    plan.derived = found->second.get();
-  } else {
-    ErrorScope errors(context_);
-    const FeedbackAside aside(gl_, capture_, context_.bindings);
-    const std::lock_guard lock(context_.share->mutex);
-    plan.derived = builder_.derive(*plan.program, plan.owner, key);
-    context_.share->any_derived.store(true, std::memory_order_relaxed);
-    context_.mirror_uniforms = true;
-  }
+  const bool tagged = plan.adaptive && !plan.measured;
+  plan.derived = derived_program(plan, key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed));
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
@@ -210,6 +248,11 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     return Cause::transform_feedback;
   }
   plan.layout = &plan.derived->layout;
+  if (plan.measured) {
+    if (const Cause cause = plan_measure(plan); cause != Cause::count_) {
+      return cause;
+    }
+  }
   if (plan.derived->capture_program == 0) {
     ErrorScope errors(context_);
     const FeedbackAside aside(gl_, capture_, context_.bindings);
@@ -222,16 +265,21 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
 bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {
   const FeedbackAside aside(gl_, capture_, context_.bindings);
   bins_ready_ = bins_ready_ || bins_.prepare(pool_);
-  return bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest);
+  return bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest) &&
+         (!plan.measured || measure_.reserve(triangles));
+}
+
+bool Pipeline::has_adaptive_room(const Plan& plan, std::uint64_t triangles) const {
+  const auto count = static_cast<std::uint32_t>(triangles);
+  return bins_ready_ && bins_.has_room(*plan.layout, count, plan.deepest) &&
+         (!plan.measured || measure_.has_room(count));
 }
 
 Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
   if (!capture_.can_reserve(*plan.layout, triangles)) {
     return Cause::out_of_memory;
   }
-  if (capture_.has_room(*plan.layout, triangles) &&
-      (!plan.adaptive ||
-       (bins_ready_ && bins_.has_room(*plan.layout, static_cast<std::uint32_t>(triangles), plan.deepest)))) {
+  if (capture_.has_room(*plan.layout, triangles) && (!plan.adaptive || has_adaptive_room(plan, triangles))) {
     return Cause::count_;
   }
   ErrorScope errors(context_);
@@ -267,7 +315,8 @@ DerivedProgram* Pipeline::derived_for(Program& program, Program* owner) {
   context_.mirror_uniforms = true;
   context_.share->any_derived.store(true, std::memory_order_relaxed);
   const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
-  return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged, tagged));
+  const bool placed = tagged || can_measure(program);
+  return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged, placed));
 }
 
 Program* Pipeline::program_for_refinement(GLuint name) {

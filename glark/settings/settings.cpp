@@ -18,6 +18,14 @@ std::optional<unsigned> parse_number(std::string_view text) {
   return value;
 }
 
+// Decimal, without a sign, an exponent or the locale's comma.
+std::optional<float> parse_decimal(std::string_view text, float least, float most) {
+  float value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole && value >= least && value <= most ? std::optional<float>(value) : std::nullopt;
+}
+
 std::optional<std::string_view> find(const char* const* environment, std::string_view name) {
   for (; environment != nullptr && *environment != nullptr; ++environment) {
     const std::string_view entry = *environment;
@@ -62,6 +70,9 @@ std::optional<CaptureRequest> parse_capture(std::string_view text) {
 
 std::string_view needed_level() { return "an integer from 0 to 11"; }
 std::string_view needed_refinement() { return "linear, outputs or pn"; }
+std::string_view needed_edge_pixels() { return "a number from 0.5 to 10000, or 0 for none,"; }
+std::string_view needed_curvature() { return "degrees from 0.5 to 180, or 0 for none,"; }
+std::string_view needed_budget() { return "a number of triangles up to 1000000000, or 0 for none,"; }
 std::string_view needed_log_level() { return "error, warning, info or debug"; }
 std::string_view needed_switch() { return "0 or 1"; }
 std::string_view needed_captures() { return "FRAME:FILE.png, with frames counted from 1,"; }
@@ -76,6 +87,19 @@ std::optional<core::Refinement> parse_refinement(std::string_view text) {
   if (text == "outputs") return core::Refinement::linear_outputs;
   if (text == "pn") return core::Refinement::pn;
   return std::nullopt;
+}
+
+std::optional<float> parse_edge_pixels(std::string_view text) {
+  return text == "0" ? std::optional<float>(0) : parse_decimal(text, 0.5F, 10000);
+}
+
+std::optional<float> parse_curvature(std::string_view text) {
+  return text == "0" ? std::optional<float>(0) : parse_decimal(text, 0.5F, 180);
+}
+
+std::optional<unsigned> parse_budget(std::string_view text) {
+  const std::optional<unsigned> triangles = parse_number(text);
+  return triangles && *triangles <= 1000000000 ? triangles : std::nullopt;
 }
 
 std::optional<core::LogLevel> parse_log_level(std::string_view text) {
@@ -111,6 +135,13 @@ Parsed parse(const char* const* environment) {
   read(parsed, environment, variable::level, parse_level, needed_level(), settings.context.level);
   read(parsed, environment, variable::max_level, parse_level, needed_level(), settings.context.max_level);
   read(parsed, environment, variable::refine, parse_refinement, needed_refinement(), settings.context.refinement);
+  core::EdgeMeasure& measure = settings.context.measure;
+  read(parsed, environment, variable::edge_pixels, parse_edge_pixels, needed_edge_pixels(), measure.pixels);
+  read(parsed, environment, variable::curvature, parse_curvature, needed_curvature(), measure.degrees);
+  read(parsed, environment, variable::budget, parse_budget, needed_budget(), measure.budget);
+  if (measure.budget > 0 && !measure.on())
+    parsed.problems.push_back(std::string(variable::budget) + " has no effect without " + variable::edge_pixels +
+                              " or " + variable::curvature);
   read(parsed, environment, variable::wireframe, parse_switch, needed_switch(), settings.context.wireframe);
   read(parsed, environment, variable::log, parse_log_level, needed_log_level(), settings.log_level);
   read(parsed, environment, variable::capture, parse_captures, needed_captures(), settings.captures);

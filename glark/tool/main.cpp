@@ -25,6 +25,22 @@ CLI::Validator checked(std::optional<T> (*parse)(std::string_view), std::string_
       std::string());
 }
 
+void describe_measures(CLI::App& run, glark::tool::RunOptions& options) {
+  using namespace glark::settings;
+  run.add_option(
+         "--edge-pixels", options.edge_pixels,
+         "Each edge as deep as its length on the screen wants: the longest segment, in pixels; instead of --level")
+      ->check(checked(parse_edge_pixels, needed_edge_pixels()))
+      ->type_name("P");
+  run.add_option("--curvature", options.curvature,
+                 "Each edge as deep as the normals at its ends differ: the greatest turn of a segment, in degrees")
+      ->check(checked(parse_curvature, needed_curvature()))
+      ->type_name("DEGREES");
+  run.add_option("--budget", options.budget, "Refined triangles a frame that --edge-pixels and --curvature give way to")
+      ->check(checked(parse_budget, needed_budget()))
+      ->type_name("N");
+}
+
 void describe_run(CLI::App& run, glark::tool::RunOptions& options) {
   using namespace glark::settings;
   run.add_option("--level", options.level, "Uniform level of refinement, 0 to 11")
@@ -37,6 +53,7 @@ void describe_run(CLI::App& run, glark::tool::RunOptions& options) {
                  "linear (vertex stage on every refined vertex), outputs (interpolate its results) or pn (curved)")
       ->check(checked(parse_refinement, needed_refinement()))
       ->type_name("KIND");
+  describe_measures(run, options);
   run.add_flag("--wireframe", options.wireframe, "Draw the refined triangles as lines");
   run.add_option("--capture", options.captures, "Write that frame, counted from 1, as an image; may be repeated")
       ->check(checked(parse_captures, needed_captures()))

@@ -96,6 +96,9 @@ bool set_environment(const RunOptions& options) {
   set(variable::level, options.level);
   set(variable::max_level, options.max_level);
   set(variable::refine, options.refine);
+  set(variable::edge_pixels, options.edge_pixels);
+  set(variable::curvature, options.curvature);
+  set(variable::budget, options.budget);
   set(variable::wireframe, options.wireframe ? "1" : "");
   set(variable::log, options.log);
   set(variable::capture, *captures);

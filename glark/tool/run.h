@@ -19,6 +19,9 @@ struct RunOptions {
   std::string level;
   std::string max_level;
   std::string refine;
+  std::string edge_pixels;
+  std::string curvature;
+  std::string budget;
   bool wireframe = false;
   std::vector<std::string> captures;  // FRAME:FILE.png each
   std::string log;

@@ -121,6 +121,12 @@ void assign_roles(std::vector<Field>& fields) {
   }
 }
 
+int normal_offset(const std::vector<Field>& fields) {
+  const auto normal =
+      std::find_if(fields.begin(), fields.end(), [](const Field& field) { return field.role == Role::normal; });
+  return normal != fields.end() ? normal->offset : -1;
+}
+
 CaptureSources capture_sources(const Layout& layout, Language language, GLuint tag_attribute) {
   CaptureSources result;
   std::string declarations;

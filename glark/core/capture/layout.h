@@ -24,6 +24,8 @@ Layout make_layout(std::vector<Field> fields, bool tagged);
 // Position and normal by name, for PN triangles: the built-in ones, else the first input whose name says so, else location 0
 // for the position if it has three or four components.
 void assign_roles(std::vector<Field>& fields);
+// First word of the normal in a corner; -1 without one.
+int normal_offset(const std::vector<Field>& fields);
 
 struct CaptureSources {
   std::string vertex;

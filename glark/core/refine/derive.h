@@ -25,6 +25,8 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
+  bool at_corner =
+      false;  // runs the stage as it is on one corner a vertex: the chunks hold that corner, nothing is refined
   bool placed = true;        // false: without the patch input; the piece covers the triangle
   int provoking_corner = 2;  // corner whose value a flat output takes
   bool flat_colors = false;  // glShadeModel(GL_FLAT): built-in colours are flat

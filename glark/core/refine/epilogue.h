@@ -38,6 +38,7 @@ struct OutputVariable {
 struct EpiloguePlan {
   GlslVersion version;
   core::Refinement refinement = core::Refinement::linear_inputs;
+  bool at_corner = false;  // see DeriveRequest
   bool placed = true;
   int provoking_corner = 2;
   int corner_words = 0;

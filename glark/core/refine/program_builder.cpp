@@ -155,31 +155,46 @@ void ProgramBuilder::prepare(core::Program& program) const {
   }
 }
 
+// Positions need the vertex stage alone; OpenGL ES links it only beside a fragment stage, which never runs.
+bool ProgramBuilder::needs_stage(GLenum stage, bool at_corner) const {
+  const bool es = traits_.language == capture::Language::es;
+  return at_corner ? es && stage == GL_FRAGMENT_SHADER : stage != GL_VERTEX_SHADER;
+}
+
+void ProgramBuilder::bind_inputs(GLuint name, const core::DerivedKey& key) const {
+  GLuint first_chunk = 0;
+  if (!key.at_corner) {
+    first_chunk = key.placed ? traits_.first_chunk_location : traits_.patch_location;
+    gl_.BindAttribLocation(name, traits_.lattice_location, lattice_input);
+    if (key.placed) {
+      gl_.BindAttribLocation(name, traits_.patch_location, patch_input);
+    }
+  }
+  for (GLuint chunk = 0; first_chunk + chunk < static_cast<GLuint>(traits_.max_vertex_attributes); ++chunk) {
+    gl_.BindAttribLocation(name, first_chunk + chunk, (chunk_input_prefix + std::to_string(chunk)).c_str());
+  }
+}
+
 GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_stage,
-                                        GLuint settings_of, bool placed, std::string& error) const {
+                                        GLuint settings_of, const core::DerivedKey& key, std::string& error) const {
   const GLuint name = gl_.CreateProgram();
   std::vector<GLuint> shaders;
   for (const std::string& source : vertex_stage) {
     shaders.push_back(compile(gl_, GL_VERTEX_SHADER, source, error));
   }
   for (const core::StageSource& stage : program.stages) {
-    if (stage.stage != GL_VERTEX_SHADER) {
+    if (needs_stage(stage.stage, key.at_corner)) {
       shaders.push_back(compile(gl_, stage.stage, *stage.source, error));
     }
   }
   for (const GLuint shader : shaders) {
     gl_.AttachShader(name, shader);
   }
-  const GLuint first_chunk = placed ? traits_.first_chunk_location : traits_.patch_location;
-  gl_.BindAttribLocation(name, traits_.lattice_location, lattice_input);
-  if (placed) {
-    gl_.BindAttribLocation(name, traits_.patch_location, patch_input);
-  }
-  for (int chunk = 0; chunk < most_chunks(placed); ++chunk) {
-    gl_.BindAttribLocation(name, first_chunk + static_cast<GLuint>(chunk),
-                           (chunk_input_prefix + std::to_string(chunk)).c_str());
-  }
-  if (settings_of != 0) {
+  bind_inputs(name, key);
+  if (key.at_corner) {
+    const char* const varying = "gl_Position";
+    gl_.TransformFeedbackVaryings(name, 1, &varying, GL_INTERLEAVED_ATTRIBS);
+  } else if (settings_of != 0) {
     copy_link_settings(gl_, settings_of, name);
   }
   gl_.LinkProgram(name);
@@ -212,21 +227,24 @@ core::DerivedProgram* ProgramBuilder::derive(core::Program& program, core::Progr
   request.context_glsl_version = traits_.glsl_version;
   request.layout = capture::make_layout(program.fields, key.tagged);
   request.refinement = program.traits.reads_vertex_id ? core::Refinement::linear_outputs : key.refinement;
+  request.at_corner = key.at_corner;
   request.placed = key.placed;
   request.provoking_corner = key.provoking_corner;
   request.flat_colors = key.flat_colors;
   request.clamp_colors = key.clamp_colors;
-  request.refinement_source = program.refinement_source;
+  if (!key.at_corner) {
+    request.refinement_source = program.refinement_source;
+  }
   request.extensions = traits_.extensions;
   Derivation derivation;
-  if (request.layout.chunk_count() <= most_chunks(key.placed)) {
+  if (key.at_corner || request.layout.chunk_count() <= most_chunks(key.placed)) {
     derivation = derive_vertex_stage(request);
   } else {
     derivation.error = "its vertex attributes leave no room for depth tags and placement";
   }
   std::string error = derivation.error;
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
-                                                       owner != nullptr ? owner->name : 0, key.placed, error)
+                                                       owner != nullptr ? owner->name : 0, key, error)
                                     : 0;
   program.refinement_log = error;
   if (name == 0) {
@@ -259,7 +277,7 @@ std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctio
   program->stages.push_back({GL_VERTEX_SHADER, std::make_shared<const std::string>(source)});
   // A program of the vertex stage alone tells which attributes it reads.
   std::string error;
-  program->name = compile_and_link(*program, {source}, 0, false, error);
+  program->name = compile_and_link(*program, {source}, 0, core::DerivedKey{.placed = false}, error);
   if (program->name == 0) {
     core::log(core::LogLevel::error, "fixed-function vertex stage: " + error);
   }

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Edge depths as the measuring pass leaves them.
+#pragma once
+
+#include "glark/gl/types.h"
+
+namespace glark::depth {
+
+// A word for each coarse triangle: 4 bits for the depth of each edge, edge 0 in the lowest.
+struct MeasuredDepths {
+  GLuint buffer = 0;  // 0: none
+  GLintptr offset = 0;
+};
+
+}  // namespace glark::depth
