@@ -50,6 +50,7 @@ Pipeline::Pipeline(Context& context)
       centroids_(context.supported),
       measure_(context.supported, language_of(context.capabilities)),
       bins_(context.supported, language_of(context.capabilities)),
+      ordered_(context.supported, language_of(context.capabilities)),
       submit_(context.supported),
       builder_(context.supported, builder_traits(context.capabilities)) {}
 
@@ -126,20 +127,30 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
 
 depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
   const Bindings& b = context_.bindings;
-  depth::BinRequest request{
-      plan.layout, records.triangles, 0, context_.ark.smooth_interior, records.tags_are_edge_depths, {}};
-  if (plan.measured) {
-    const depth::MeasureRequest ends{plan.layout, records.triangles, plan.corner_program, plan.normal_offset,
-                                     pool_.max_level()};
-    request.measured = measure_.measure(ends, measure(), bins_.work_buffer(), b);
-  }
-  const depth::BinnedInstances bins = bins_.sort(request, records.count_command->name(), b);
   counted_on_gpu_ = true;
-  // The application's queries have counted the reordering too.
+  const depth::MeasureRequest measured{plan.layout, records.triangles, plan.corner_program, plan.normal_offset,
+                                       pool_.max_level()};
+  depth::EdgeEnds ends;
+  if (plan.measured) {
+    ends = measure_.find_ends(measured, measure(), bins_.work_buffer(), b);
+  }
+  // The application's queries have counted what was captured in here, too.
+  std::uint64_t captured = plan.corner_program != 0 ? records.triangles.count : 0;
+  depth::BinnedInstances bins;
+  if (!context_.ark.smooth_interior && ordered_.takes(*plan.layout, records.triangles, plan.deepest)) {
+    bins = ordered_.sort({measured, ends, bins_.work_buffer(), records.tags_are_edge_depths}, b);
+  } else {
+    depth::BinRequest request{
+        plan.layout, records.triangles, 0, context_.ark.smooth_interior, records.tags_are_edge_depths, {}};
+    if (plan.measured) {
+      request.measured = measure_.measure(measured, b);
+    }
+    bins = bins_.sort(request, records.count_command->name(), b);
+    captured += b.primitives_generated_query != 0 || b.primitives_written_query != 0 ? bins_.instances_of_last() : 0;
+  }
   for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
     if (query != 0) {
-      context_.query_surplus[query] += bins_.instances_of_last();
-      context_.query_surplus[query] += plan.corner_program != 0 ? records.triangles.count : 0;
+      context_.query_surplus[query] += captured;
     }
   }
   return bins;
@@ -376,6 +387,7 @@ void Pipeline::release() {
   centroids_.release();
   measure_.release();
   bins_.release();
+  ordered_.release();
   submit_.release();
   pool_.release(gl_);
   bins_ready_ = false;

@@ -15,6 +15,7 @@
 #include "glark/core/depth/bins.h"
 #include "glark/core/depth/centroid_split.h"
 #include "glark/core/depth/measure.h"
+#include "glark/core/depth/ordered.h"
 #include "glark/core/draw_call.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/program.h"
@@ -155,6 +156,7 @@ class Pipeline {
   depth::CentroidSplit centroids_;
   depth::MeasureStage measure_;
   depth::BinStage bins_;
+  depth::OrderedStage ordered_;
   submit::SubmitStage submit_;
   refine::ProgramBuilder builder_;
   std::map<std::pair<refine::FixedFunctionState, GLuint>, std::shared_ptr<Program>> fixed_function_;

@@ -265,13 +265,14 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
 bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {
   const FeedbackAside aside(gl_, capture_, context_.bindings);
   bins_ready_ = bins_ready_ || bins_.prepare(pool_);
+  ordered_.reserve(*plan.layout, triangles);  // without it, all goes through the bins
   return bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest) &&
          (!plan.measured || measure_.reserve(triangles));
 }
 
 bool Pipeline::has_adaptive_room(const Plan& plan, std::uint64_t triangles) const {
   const auto count = static_cast<std::uint32_t>(triangles);
-  return bins_ready_ && bins_.has_room(*plan.layout, count, plan.deepest) &&
+  return bins_ready_ && ordered_.has_room(*plan.layout, count) && bins_.has_room(*plan.layout, count, plan.deepest) &&
          (!plan.measured || measure_.has_room(count));
 }
 

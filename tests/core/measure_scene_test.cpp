@@ -95,6 +95,29 @@ TEST_F(MeasureScene, FixedFunctionOfEveryKind) {
   EXPECT_LT(generated_primitives, near);
 }
 
+// Small draws keep the order of their triangles, whatever their patterns: the picture of a painter.
+TEST_F(MeasureScene, OrderOfASmallDraw) {
+  const GLuint program = link_measured_program();
+  glUseProgram(program);
+  set_view(program, flat_view);
+  std::vector<CurvedVertex> stack;
+  for (int i = 0; i < 40; ++i) {
+    const GLfloat size = 0.05F + 0.07F * static_cast<GLfloat>((17 * i) % 13);
+    const std::array<GLfloat, 3> color{static_cast<GLfloat>(i % 3) * 0.4F, static_cast<GLfloat>(i % 5) * 0.25F, 1};
+    for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, {1.0F, -0.7F}, {0.2F, 1.0F}})
+      stack.push_back({{x * size, y * size, 0}, {0, 0, 1}, color, 0, 0});
+  }
+  GLuint array = 0;
+  glGenVertexArrays(1, &array);
+  glBindVertexArray(array);
+  upload(stack);
+  glDisable(GL_DEPTH_TAG_ARRAY_ARK);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
+  measure_depths(5, 4);
+  expect_same_picture(40, [] { glDrawArrays(GL_TRIANGLES, 0, 120); });
+}
+
 // The viewport is followed whoever changes it.
 TEST_F(MeasureScene, ViewportsOfListsAndStacks) {
   const GLuint program = link_measured_program();

@@ -3,7 +3,9 @@
 //
 // Measured depths (section 11.R.4), read back through transform feedback: no cracks whatever the camera, and the depth of an
 // edge is that of its length on the screen or of the turn between its normals.
+#include <algorithm>
 #include <random>
+#include <set>
 
 #include "tests/core/closed_mesh.h"
 #include "tests/core/measured_program.h"
@@ -101,6 +103,27 @@ TEST_P(MeasureRefinement, ClosedMeshesHaveNoCracks) {
     }
   }
   EXPECT_GT(sizes.size(), 10U) << "the depths do not follow the camera";
+}
+
+// A fan of many triangles about the whole mesh's edges goes through the bins, the mesh itself does not: they agree on depths.
+TEST_P(Measure, SmallAndLargeDrawsMeet) {
+  std::mt19937 random(5);
+  const Mesh sphere = icosahedron();
+  for (const GLint degrees : {0, 5}) {
+    glARKParameteriARK(GL_EDGE_DEGREES_ARK, degrees);
+    set_view(program_, perspective(1.9F, 0.3F));
+    std::vector<CurvedVertex> mesh = turned(sphere, random);
+    const std::vector<RefinedVertex> small = refine(mesh);
+    const std::size_t once = mesh.size();
+    while (mesh.size() < 6 * 200)
+      mesh.insert(mesh.end(), mesh.begin(), mesh.begin() + static_cast<std::ptrdiff_t>(once));
+    const std::vector<RefinedVertex> large = refine(mesh);
+    EXPECT_EQ(small.size() * (mesh.size() / once), large.size());
+    std::set<PositionBits> seen;
+    for (const RefinedVertex& vertex : small) seen.insert(bits_of(vertex));
+    EXPECT_TRUE(std::all_of(large.begin(), large.end(),
+                            [&](const RefinedVertex& vertex) { return seen.contains(bits_of(vertex)); }));
+  }
 }
 
 TEST_P(Measure, ScreenLengthGivesTheDepth) {

@@ -98,7 +98,7 @@ void MeasureStage::update_limits(const core::EdgeMeasure& rule, GLuint work) {
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void MeasureStage::find_ends(const MeasureRequest& request, const core::Bindings& bindings) {
+void MeasureStage::capture_positions(const MeasureRequest& request, const core::Bindings& bindings) {
   const capture::Layout& layout = *request.layout;
   gl_.UseProgram(request.corner_program);
   gl_.BindVertexArray(vertex_array_);
@@ -130,12 +130,16 @@ void MeasureStage::find_ends(const MeasureRequest& request, const core::Bindings
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
 }
 
-MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::EdgeMeasure& rule, GLuint work,
-                                     const core::Bindings& bindings) {
+EdgeEnds MeasureStage::find_ends(const MeasureRequest& request, const core::EdgeMeasure& rule, GLuint work,
+                                 const core::Bindings& bindings) {
   if (request.corner_program != 0) {
-    find_ends(request, bindings);  // with the storage buffers of the application still bound
+    capture_positions(request, bindings);  // with the storage buffers of the application still bound
   }
   update_limits(rule, work);
+  return {ends_.name(), limits_.name()};
+}
+
+MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::Bindings& bindings) {
   const MeasuredDepths result{ends_.name(), first_depth(ends_)};
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, ends_.name());

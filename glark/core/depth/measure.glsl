@@ -67,26 +67,7 @@ float pixel_limit(int depth) { return limits[1 + depth]; }
 float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
 
 #include "glark/core/depth/edge_depth.glsl"
-
-vec4 position_of(int corner) {
-  return uintBitsToFloat(uvec4(ends[4 * corner], ends[4 * corner + 1], ends[4 * corner + 2], ends[4 * corner + 3]));
-}
-
-vec3 normal_of(int corner) {
-  int word = record_offset + corner * corner_words + normal_offset;
-  return uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2]));
-}
-
-int depth_between(int a, int b) {
-  int depth = pool_level;
-  if (on_screen != 0) {
-    depth = glark_depth_on_screen(position_of(a), position_of(b), half_size, depth);
-  }
-  if (normal_offset >= 0) {
-    depth = glark_depth_of_turn(normal_of(a), normal_of(b), depth);
-  }
-  return depth;
-}
+#include "glark/core/depth/measured_edge.glsl"
 
 void main() {
   int triangle = int(gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x);
@@ -95,7 +76,7 @@ void main() {
   }
   int depths = 0;
   for (int edge = 0; edge < 3; ++edge) {
-    depths |= depth_between(3 * triangle + edge, 3 * triangle + (edge == 2 ? 0 : edge + 1)) << (4 * edge);
+    depths |= measured_depth(3 * triangle + edge, 3 * triangle + (edge == 2 ? 0 : edge + 1)) << (4 * edge);
   }
   ends[first_depth + triangle] = uint(depths);
 }

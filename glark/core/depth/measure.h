@@ -36,9 +36,11 @@ class MeasureStage {
   // A frame has ended: what it drew decides, under a budget, how coarse the next one is.
   void frame_finished() { frame_finished_ = true; }
   // `work`: BinStage::work_buffer(). Changes the program, the vertex array and the storage buffer bindings 0 to 2, which the
-  // caller restores. The depths are valid until the next call.
-  MeasuredDepths measure(const MeasureRequest& request, const core::EdgeMeasure& rule, GLuint work,
-                         const core::Bindings& bindings);
+  // caller restores. The ends are valid until the next call.
+  EdgeEnds find_ends(const MeasureRequest& request, const core::EdgeMeasure& rule, GLuint work,
+                     const core::Bindings& bindings);
+  // From what find_ends() has left.
+  MeasuredDepths measure(const MeasureRequest& request, const core::Bindings& bindings);
   void release();
 
  private:
@@ -58,7 +60,7 @@ class MeasureStage {
   GLuint compile(int pass) const;
   bool prepare();
   void update_limits(const core::EdgeMeasure& rule, GLuint work);
-  void find_ends(const MeasureRequest& request, const core::Bindings& bindings);
+  void capture_positions(const MeasureRequest& request, const core::Bindings& bindings);
 
   const gl::Dispatch& gl_;
   capture::Language language_;

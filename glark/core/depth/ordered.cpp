@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/depth/ordered.h"
+
+#include <algorithm>
+#include <string>
+
+#include "glark/core/pattern/pieces.glsl.h"
+#include "glark/core/report.h"
+
+namespace glark::depth {
+namespace {
+
+constexpr char ordered_source[] =
+#include "glark/core/depth/ordered.glsl.inc"
+    ;
+
+constexpr const char* uniform_names[] = {"record_offset",  "corner_words", "tag_offset",    "tags_are_edge_depths",
+                                         "triangle_count", "pool_level",   "normal_offset", "on_screen"};
+constexpr int most_triangles = 128;  // the least that GL and ES guarantee as the size of a work group
+constexpr int most_instances = 4;    // of one triangle that is not deeper than a tile
+constexpr GLsizeiptr slots = GLsizeiptr{most_triangles} * most_instances;
+constexpr GLintptr patches_offset = slots * 20;
+constexpr GLintptr records_offset = patches_offset + slots * 16;
+constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
+
+GLsizeiptr bytes_for(const capture::Layout& layout) {
+  return records_offset + slots * layout.triangle_words() * 4 + chunk_overrun;
+}
+
+}  // namespace
+
+void OrderedStage::prepare() {
+  prepared_ = true;
+  const std::string version = language_ == capture::Language::es
+                                  ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
+                                  : "#version 430\n";
+  const std::string source = version + "#define GLARK_DEPTHS " + std::to_string(core::max_supported_level + 1) +
+                             "\n#define GLARK_TRIANGLES " + std::to_string(most_triangles) +
+                             "\n#define GLARK_INSTANCES " + std::to_string(most_instances) + "\n" + ordered_source;
+  const char* text = source.c_str();
+  const GLuint shader = gl_.CreateShader(GL_COMPUTE_SHADER);
+  gl_.ShaderSource(shader, 1, &text, nullptr);
+  gl_.CompileShader(shader);
+  program_ = gl_.CreateProgram();
+  gl_.AttachShader(program_, shader);
+  gl_.LinkProgram(program_);
+  GLint linked = GL_FALSE;
+  gl_.GetProgramiv(program_, GL_LINK_STATUS, &linked);
+  if (linked == GL_FALSE) {
+    std::array<char, 2048> log{};
+    gl_.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    core::log(core::LogLevel::warning, std::string("pass for small draws does not compile: ") + log.data());
+    gl_.DeleteProgram(program_);
+    program_ = 0;
+  } else {
+    for (std::size_t i = 0; i < uniform_.size(); ++i) {
+      uniform_[i] = gl_.GetUniformLocation(program_, uniform_names[i]);
+    }
+    half_size_ = gl_.GetUniformLocation(program_, "half_size");
+  }
+  gl_.DeleteShader(shader);
+}
+
+bool OrderedStage::has_room(const capture::Layout& layout, std::uint32_t triangles) const {
+  return triangles > most_triangles || (prepared_ && (program_ == 0 || bytes_for(layout) <= result_.size()));
+}
+
+void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangles) {
+  if (triangles > most_triangles) {
+    return;
+  }
+  if (!prepared_) {
+    prepare();
+  }
+  if (program_ != 0 && !result_.reserve(gl_, bytes_for(layout), GL_DYNAMIC_COPY)) {
+    gl_.DeleteProgram(program_);
+    program_ = 0;
+  }
+}
+
+bool OrderedStage::takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles,
+                         unsigned deepest) const {
+  return program_ != 0 && !triangles.count_on_gpu && triangles.count <= most_triangles &&
+         deepest <= static_cast<unsigned>(pattern::tile_level) && bytes_for(layout) <= result_.size();
+}
+
+BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bindings& bindings) {
+  const capture::Layout& layout = *request.measure.layout;
+  const capture::CoarseTriangles& triangles = request.measure.triangles;
+  const GLuint buffers[] = {triangles.buffer, result_.name(), request.work, request.ends.positions,
+                            request.ends.limits};
+  for (GLuint i = 0; i < std::size(buffers); ++i) {
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i]);
+  }
+  gl_.UseProgram(program_);
+  const GLint values[] = {static_cast<GLint>(triangles.offset / 4),
+                          layout.corner_words,
+                          layout.tag_offset,
+                          request.tags_are_edge_depths ? 1 : 0,
+                          static_cast<GLint>(triangles.count),
+                          static_cast<GLint>(request.measure.pool_level),
+                          request.measure.normal_offset,
+                          request.measure.corner_program != 0 ? 1 : 0};
+  for (std::size_t i = 0; i < uniform_.size(); ++i) {
+    gl_.Uniform1i(uniform_[i], values[i]);
+  }
+  gl_.Uniform2f(half_size_, 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
+  gl_.DispatchCompute(1, 1, 1);
+  gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  return {.records = result_.name(),
+          .records_offset = records_offset,
+          .record_stride = layout.triangle_words() * 4,
+          .patches = result_.name(),
+          .patches_offset = patches_offset,
+          .commands = result_.name(),
+          .commands_offset = 0,
+          .command_count = static_cast<GLsizei>(triangles.count) * most_instances};
+}
+
+void OrderedStage::release() {
+  gl_.DeleteProgram(program_);
+  program_ = 0;
+  prepared_ = false;
+  result_.release(gl_);
+}
+
+}  // namespace glark::depth
