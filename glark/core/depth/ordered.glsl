@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Edge depths, instances and commands of a draw of few triangles, in one work group and in the order of its triangles: an
-// invocation for each, and a command for each instance. The includer supplies #version, GLARK_DEPTHS, GLARK_TRIANGLES and
-// GLARK_INSTANCES (the most of one triangle).
+// invocation for each, and a command for each instance. The includer supplies #version, GLARK_DEPTHS, GLARK_GROUP (size
+// of the work group), GLARK_TRIANGLES (the greatest of those) and GLARK_INSTANCES (the most of one triangle).
 #include "glark/core/pattern/pieces.glsl.h"
 
-layout(local_size_x = GLARK_TRIANGLES) in;
+layout(local_size_x = GLARK_GROUP) in;
 
 layout(std430, binding = 0) readonly buffer Records { uint records[]; };
 // DrawElementsIndirectCommands (5 words), then patches (4 words), then records, of GLARK_TRIANGLES * GLARK_INSTANCES instances.
@@ -35,7 +35,7 @@ float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
 #include "glark/core/depth/edge_depth.glsl"
 #include "glark/core/depth/measured_edge.glsl"
 
-shared uint instance_count[GLARK_TRIANGLES];
+shared uint instance_count[GLARK_GROUP];
 shared uint refined_triangles;
 
 int emitted = 0;
@@ -110,7 +110,7 @@ void main() {
     write_instance(triangle, first + i, emitted_piece[i], emitted_patch[i]);
   }
   // The number of commands is known to the GPU alone: the rest draw nothing.
-  for (int slot = all + triangle; slot < GLARK_INSTANCES * triangle_count; slot += GLARK_TRIANGLES) {
+  for (int slot = all + triangle; slot < GLARK_INSTANCES * triangle_count; slot += GLARK_GROUP) {
     for (int i = 0; i < 5; ++i) {
       result[5 * slot + i] = 0u;
     }

@@ -36,14 +36,20 @@ class OrderedStage {
   void release();
 
  private:
+  struct Pass {
+    GLuint program = 0;
+    std::array<GLint, 8> uniform{};
+    GLint half_size = -1;
+  };
+
   void prepare();
+  Pass compile(int group) const;
+  void drop_programs();
 
   const gl::Dispatch& gl_;
   capture::Language language_;
   bool prepared_ = false;
-  GLuint program_ = 0;
-  std::array<GLint, 8> uniform_{};
-  GLint half_size_ = -1;
+  std::array<Pass, 3> passes_{};  // by size of the work group; all or none
   core::GpuBuffer result_;
 };
 
