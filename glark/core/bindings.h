@@ -56,6 +56,7 @@ struct Bindings {
   bool clamp_vertex_color = true;  // compatibility only
   GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
   GLenum render_mode = GL_RENDER;
+  std::array<float, 2> viewport{};  // width and height
   GLuint list_base = 0;
   bool debug_output = false;
   int primitive_queries = 0;              // active queries that a capture would show in

@@ -219,6 +219,9 @@ void Context::refresh_bindings() {
   b.depth_test = gl.IsEnabled(GL_DEPTH_TEST) != GL_FALSE;
   b.depth_writes = get(gl, GL_DEPTH_WRITEMASK) != 0;
   b.depth_function = static_cast<GLenum>(get(gl, GL_DEPTH_FUNC));
+  GLfloat viewport[4] = {0, 0, 0, 0};
+  gl.GetFloatv(GL_VIEWPORT, viewport);
+  b.viewport = {viewport[2], viewport[3]};
   b.rasterizer_discard = gl.IsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE;
   b.primitive_restart_fixed = gl.IsEnabled(GL_PRIMITIVE_RESTART_FIXED_INDEX) != GL_FALSE;
   if (desktop) {

@@ -39,7 +39,7 @@ struct Capabilities {
   GLint max_vertex_storage_blocks = 0;
 };
 
-enum class DepthSource { tag, uniform };
+enum class DepthSource { tag, uniform, measured };
 enum class PolygonSplit { triangles, centroid };
 
 // The state of GL_ARK_adaptive_refinement ("New State" of the specification).
@@ -50,6 +50,7 @@ struct ArkState {
   Refinement refinement = Refinement::linear_inputs;
   DepthSource depth_source = DepthSource::tag;
   GLuint uniform_level = 0;
+  EdgeMeasure measure{.pixels = 8};
   GLuint tag_attribute = 15;
   PolygonSplit polygon_split = PolygonSplit::triangles;
   bool smooth_interior = false;

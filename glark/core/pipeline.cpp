@@ -50,7 +50,9 @@ Pipeline::Pipeline(Context& context)
       gl_(context.supported),
       capture_(context.supported, language_of(context.capabilities), context.capabilities.query_buffer),
       centroids_(context.supported),
+      measure_(context.supported, language_of(context.capabilities)),
       bins_(context.supported, language_of(context.capabilities)),
+      ordered_(context.supported, language_of(context.capabilities)),
       submit_(context.supported),
       pipelines_(context.supported),
       builder_(context.supported, builder_traits(context.capabilities, context.options)) {}
@@ -131,14 +133,31 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
 
 depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
   const Bindings& b = context_.bindings;
-  const depth::BinRequest request{plan.layout, records.triangles, 0, context_.ark.smooth_interior,
-                                  records.tags_are_edge_depths};
-  const depth::BinnedInstances bins = bins_.sort(request, records.count_command->name(), b);
   counted_on_gpu_ = true;
-  // The application's queries have counted the reordering too.
+  const depth::MeasureRequest measured{plan.layout, records.triangles, plan.corner_program, plan.normal_offset,
+                                       pool_.max_level()};
+  depth::EdgeEnds ends;
+  if (plan.measured) {
+    ends = measure_.find_ends(measured, measure(), bins_.work_buffer(), b);
+  }
+  // The application's queries have counted what was captured in here, too.
+  std::uint64_t captured = plan.corner_program != 0 ? records.triangles.count : 0;
+  depth::BinnedInstances bins;
+  if (!context_.ark.smooth_interior && !plan.derived->stored() &&
+      ordered_.takes(*plan.layout, records.triangles, plan.deepest)) {
+    bins = ordered_.sort({measured, ends, bins_.work_buffer(), records.tags_are_edge_depths}, b);
+  } else {
+    depth::BinRequest request{
+        plan.layout, records.triangles, 0, context_.ark.smooth_interior, records.tags_are_edge_depths, {}};
+    if (plan.measured) {
+      request.measured = measure_.measure(measured, b);
+    }
+    bins = bins_.sort(request, records.count_command->name(), b);
+    captured += b.primitives_generated_query != 0 || b.primitives_written_query != 0 ? bins_.instances_of_last() : 0;
+  }
   for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
     if (query != 0) {
-      context_.query_surplus[query] += bins_.instances_of_last();
+      context_.query_surplus[query] += captured;
     }
   }
   return bins;
@@ -155,6 +174,9 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   depth::BinnedInstances bins;
   if (plan.adaptive) {
     bins = sort(plan, records);
+  }
+  if (plan.adaptive || plan.polygons) {
+    restore_storage();  // the vertex stage may read it
   }
   use_derived(plan);
   if (owns_feedback()) {
@@ -239,7 +261,7 @@ void Pipeline::restore(const Plan& plan, bool changed_indirect) {
   if (changed_indirect) {
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, b.draw_indirect_buffer);
   }
-  if (plan.adaptive || plan.polygons || (plan.derived != nullptr && plan.derived->stored())) {
+  if (plan.derived != nullptr && plan.derived->stored()) {
     restore_storage();
   }
 }
@@ -364,6 +386,7 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
 void Pipeline::frame_finished() {
   const Quiet quiet(gl_, context_.bindings.debug_output);
   read_counts();
+  measure_.frame_finished();
   cache_.frame_finished(gl_);
 }
 
@@ -379,7 +402,9 @@ void Pipeline::release() {
   capture_.release();
   capture_programs_.clear();
   centroids_.release();
+  measure_.release();
   bins_.release();
+  ordered_.release();
   submit_.release();
   pipelines_.release();
   pool_.release(gl_);

@@ -15,6 +15,8 @@
 #include "glark/core/capture/capture_cache.h"
 #include "glark/core/depth/bins.h"
 #include "glark/core/depth/centroid_split.h"
+#include "glark/core/depth/measure.h"
+#include "glark/core/depth/ordered.h"
 #include "glark/core/draw_call.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/program.h"
@@ -104,6 +106,10 @@ class Pipeline {
     std::optional<depth::Decomposition> polygons;  // to be split at their centroids
     bool for_feedback = false;                     // what will be drawn is not known yet
     bool adaptive = false;
+    bool measured = false;  // adaptive, by the ends of the edges
+    std::shared_ptr<DerivedProgram> corners;
+    GLuint corner_program = 0;            // for a measure on the screen
+    int normal_offset = -1;               // for a measure of the normals
     bool placed = false;                  // the derived program takes a placement of the piece
     bool last_vertex_convention = false;  // while capturing
     unsigned level = 0;                   // uniform level
@@ -113,6 +119,7 @@ class Pipeline {
   Cause check_state(const DrawCall& call) const;
   Cause plan_draw(const DrawCall& call, Plan& plan);
   Cause find_derived(const DrawCall& call, Plan& plan);
+  std::shared_ptr<DerivedProgram> derived_program(const Plan& plan, const DerivedKey& key);
   GLuint capture_program_for(const std::shared_ptr<DerivedProgram>& derived);
   Cause find_program(Plan& plan);
   Cause find_pipeline_program(Plan& plan);
@@ -127,6 +134,9 @@ class Pipeline {
   Program* fixed_function_program(Program* fragment);
   void discard_fixed_function(GLuint fragment, Program& program);
   void plan_depth(const DrawCall& call, Plan& plan) const;
+  EdgeMeasure measure() const;  // off: depths come from elsewhere
+  bool can_measure(const Program& program) const;
+  Cause plan_measure(Plan& plan);
   bool captures_last_vertex(GLenum mode) const;
   bool splits_at_centroid(const DrawCall& call, const Plan& plan) const;
   std::optional<depth::Decomposition> decomposition_for(GLenum mode, bool last_vertex_convention);
@@ -138,6 +148,7 @@ class Pipeline {
   void begin_capture(const Plan& plan, bool exact, GpuBuffer* own);
   capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
   bool ensure_pool();
+  bool has_adaptive_room(const Plan& plan, std::uint64_t triangles) const;
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
   capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan, const Quiet& quiet);
@@ -164,7 +175,9 @@ class Pipeline {
   capture::CaptureStage capture_;
   capture::CaptureCache cache_;
   depth::CentroidSplit centroids_;
+  depth::MeasureStage measure_;
   depth::BinStage bins_;
+  depth::OrderedStage ordered_;
   submit::SubmitStage submit_;
   ProgramPipelines pipelines_;
   refine::ProgramBuilder builder_;

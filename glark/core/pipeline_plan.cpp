@@ -159,13 +159,36 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   return key;
 }
 
+EdgeMeasure Pipeline::measure() const {
+  if (context_.options.transparent) {
+    return context_.options.measure;
+  }
+  return context_.ark.depth_source == DepthSource::measured ? context_.ark.measure : EdgeMeasure{};
+}
+
+// Behind a geometry shader, the vertex stage need not know where on the screen its vertices go.
+bool Pipeline::can_measure(const Program& program) const {
+  const EdgeMeasure wanted = measure();
+  if (!context_.subroutines.empty()) {
+    return false;  // the choice would have to be made for the program of the corners, too
+  }
+  return (wanted.pixels > 0 && !program.has_stage(GL_GEOMETRY_SHADER)) ||
+         (wanted.degrees > 0 && capture::normal_offset(program.fields) >= 0);
+}
+
 void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
+  if (can_measure(*plan.program)) {
+    plan.adaptive = plan.measured = true;
+    plan.deepest = context_.options.transparent ? context_.options.max_level
+                                                : static_cast<unsigned>(std::max(context_.ark.pool_level, 0));
+    return;
+  }
   if (context_.options.transparent) {
     plan.level = context_.options.level;
     return;
   }
   const ArkState& ark = context_.ark;
-  if (ark.depth_source == DepthSource::uniform) {
+  if (ark.depth_source != DepthSource::tag) {
     plan.level = ark.uniform_level;
     return;
   }
@@ -179,6 +202,21 @@ void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
     plan.level = static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(ark.pool_level)));
   }
   plan.deepest = static_cast<unsigned>(ark.pool_level);
+}
+
+Cause Pipeline::plan_measure(Plan& plan) {
+  const EdgeMeasure wanted = measure();
+  if (wanted.degrees > 0) {
+    plan.normal_offset = capture::normal_offset(plan.layout->fields);
+  }
+  if (wanted.pixels > 0 && !plan.program->has_stage(GL_GEOMETRY_SHADER)) {
+    plan.corners = derived_program(plan, DerivedKey{.at_corner = true});
+    if (plan.corners == nullptr) {
+      return Cause::program_not_derived;
+    }
+    plan.corner_program = plan.corners->name;
+  }
+  return Cause::count_;
 }
 
 Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
@@ -215,27 +253,36 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   return find_derived(call, plan);
 }
 
-Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
-  const DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, plan.adaptive, plan.placed);
+std::shared_ptr<DerivedProgram> Pipeline::derived_program(const Plan& plan, const DerivedKey& key) {
   const auto found = plan.program->derived.find(key);
   if (found != plan.program->derived.end()) {
-    plan.derived = found->second;
-  } else {
-    ErrorScope errors(context_);
-    const FeedbackAside aside(gl_, capture_, context_.bindings);
-    plan.derived = builder_.derive(*plan.program, plan.owner, key);
-    context_.mirror_from_now_on();
+    return found->second;
   }
+  ErrorScope errors(context_);
+  const FeedbackAside aside(gl_, capture_, context_.bindings);
+  std::shared_ptr<DerivedProgram> derived = builder_.derive(*plan.program, plan.owner, key);
+  context_.mirror_from_now_on();
+  return derived;
+}
+
+Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
+  const bool tagged = plan.adaptive && !plan.measured;
+  plan.derived = derived_program(plan, key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed));
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
   if (owns_feedback() && plan.derived != feedback_program_) {
     return Cause::transform_feedback;
   }
-  if (plan.derived->stored() && plan.pipeline != nullptr) {
+  if (plan.derived->stored() && (plan.pipeline != nullptr || plan.measured)) {
     return Cause::too_many_attributes;  // other programs of the pipeline may need the storage binding
   }
   plan.layout = &plan.derived->layout;
+  if (plan.measured) {
+    if (const Cause cause = plan_measure(plan); cause != Cause::count_) {
+      return cause;
+    }
+  }
   plan.capture_program = capture_program_for(plan.derived);
   return plan.capture_program == 0 ? Cause::program_not_derived : Cause::count_;
 }
@@ -256,16 +303,22 @@ GLuint Pipeline::capture_program_for(const std::shared_ptr<DerivedProgram>& deri
 bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {
   const FeedbackAside aside(gl_, capture_, context_.bindings);
   bins_ready_ = bins_ready_ || bins_.prepare(pool_);
-  return bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest);
+  ordered_.reserve(*plan.layout, triangles);  // without it, all goes through the bins
+  return bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest) &&
+         (!plan.measured || measure_.reserve(triangles));
+}
+
+bool Pipeline::has_adaptive_room(const Plan& plan, std::uint64_t triangles) const {
+  const auto count = static_cast<std::uint32_t>(triangles);
+  return bins_ready_ && ordered_.has_room(*plan.layout, count) && bins_.has_room(*plan.layout, count, plan.deepest) &&
+         (!plan.measured || measure_.has_room(count));
 }
 
 Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
   if (!capture_.can_reserve(*plan.layout, triangles)) {
     return Cause::out_of_memory;
   }
-  if (capture_.has_room(*plan.layout, triangles) &&
-      (!plan.adaptive ||
-       (bins_ready_ && bins_.has_room(*plan.layout, static_cast<std::uint32_t>(triangles), plan.deepest)))) {
+  if (capture_.has_room(*plan.layout, triangles) && (!plan.adaptive || has_adaptive_room(plan, triangles))) {
     return Cause::count_;
   }
   ErrorScope errors(context_);
@@ -306,7 +359,8 @@ std::shared_ptr<DerivedProgram> Pipeline::derived_for(Program& program, Program*
   }
   context_.mirror_from_now_on();
   const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
-  return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged, tagged));
+  const bool placed = tagged || can_measure(program);
+  return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged, placed));
 }
 
 Program* Pipeline::program_for_refinement(GLuint name) {

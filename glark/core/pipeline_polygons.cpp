@@ -26,7 +26,7 @@ bool gives_centroids(const Program& program) {
 }  // namespace
 
 bool Pipeline::splits_at_centroid(const DrawCall& call, const Plan& plan) const {
-  return !context_.options.transparent && context_.ark.polygon_split == PolygonSplit::centroid &&
+  return !context_.options.transparent && context_.ark.polygon_split == PolygonSplit::centroid && !plan.measured &&
          context_.is_compatibility() && depth::is_polygon_mode(call.mode) && call.whole_polygons &&
          (call.exact || call.mode != GL_POLYGON) && context_.bindings.shade_model != GL_FLAT &&
          gives_centroids(*plan.program);

@@ -43,7 +43,8 @@ struct DerivedKey {
   bool flat_colors = false;
   bool clamp_colors = false;
   bool tagged = false;
-  bool placed = true;  // pieces have a placement (patch); a uniform level of one piece a triangle needs none
+  bool at_corner = false;  // no refinement: gives the position of each captured corner, for measured depths
+  bool placed = true;      // pieces have a placement (patch); a uniform level of one piece a triangle needs none
   auto operator<=>(const DerivedKey&) const = default;
 };
 

@@ -38,12 +38,22 @@ struct AttributeRoles {
   bool operator==(const AttributeRoles&) const = default;
 };
 
+// How edge depths are measured where the application gives no tags. 0 turns a measure off; of two, an edge takes the lesser depth.
+struct EdgeMeasure {
+  float pixels = 0;     // longest segment of an edge on the screen
+  float degrees = 0;    // greatest angle between the normals at the ends of a segment
+  unsigned budget = 0;  // refined triangles a frame that the measures give way to
+  bool on() const { return pixels > 0 || degrees > 0; }
+  bool operator==(const EdgeMeasure&) const = default;
+};
+
 // What the host of the core wants of a context from its start.
 struct ContextOptions {
   bool transparent = false;  // refine a program that does not know of the extension
   unsigned level = 2;        // uniform level of transparent refinement
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
+  EdgeMeasure measure;  // on: transparent refinement by measured depths up to max_level
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources

@@ -17,6 +17,13 @@ std::optional<unsigned> parse_number(std::string_view text) {
   return value;
 }
 
+std::optional<float> parse_decimal(std::string_view text, float least, float most) {
+  float value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+  const bool whole = error == std::errc{} && end == text.data() + text.size();
+  return whole && value >= least && value <= most ? std::optional<float>(value) : std::nullopt;
+}
+
 // The end of the file name that starts at `text`: its length.
 std::size_t file_name_length(std::string_view text) {
   for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
@@ -77,6 +84,19 @@ std::optional<core::Refinement> parse_refinement(std::string_view text) {
   if (text == "outputs") return core::Refinement::linear_outputs;
   if (text == "pn") return core::Refinement::pn;
   return std::nullopt;
+}
+
+std::optional<float> parse_edge_pixels(std::string_view text) {
+  return text == "0" ? std::optional<float>(0) : parse_decimal(text, 0.5F, 10000);
+}
+
+std::optional<float> parse_curvature(std::string_view text) {
+  return text == "0" ? std::optional<float>(0) : parse_decimal(text, 0.5F, 180);
+}
+
+std::optional<unsigned> parse_budget(std::string_view text) {
+  const std::optional<unsigned> triangles = parse_number(text);
+  return triangles && *triangles <= 1000000000 ? triangles : std::nullopt;
 }
 
 std::optional<core::LogLevel> parse_log_level(std::string_view text) {

@@ -72,6 +72,10 @@ extern "C" {
 #define GL_DEPTH_TAG_ARK                         0x6F15
 #define GL_UNIFORM_DEPTH_ARK                     0x6F16
 #define GL_UNIFORM_DEPTH_LEVEL_ARK               0x6F17 /* 0 to the pool level; 0 */
+#define GL_MEASURED_DEPTH_ARK                    0x6F23
+#define GL_EDGE_PIXELS_ARK                       0x6F24 /* 0: no measure; 8 */
+#define GL_EDGE_DEGREES_ARK                      0x6F25 /* 0 to 180, 0: no measure; 0 */
+#define GL_TRIANGLE_BUDGET_ARK                   0x6F26 /* 0: none; 0 */
 #define GL_POLYGON_SPLIT_ARK                     0x6F18
 #define GL_POLYGON_TRIANGLES_ARK                 0x6F19
 #define GL_POLYGON_CENTROID_ARK                  0x6F1A
@@ -107,12 +111,15 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
 /*
  * Sets a parameter of refinement; names and values are listed above.
  *   GL_REFINEMENT_ARK: interpolate the vertex stage's inputs, or its outputs, or curve its inputs as PN triangles.
- *   GL_DEPTH_SOURCE_ARK: depths from the tags of the vertices, or GL_UNIFORM_DEPTH_LEVEL_ARK for every edge.
+ *   GL_DEPTH_SOURCE_ARK: depths from the tags of the vertices, or GL_UNIFORM_DEPTH_LEVEL_ARK for every edge, or measured.
+ *   GL_EDGE_PIXELS_ARK, GL_EDGE_DEGREES_ARK: the measured depth of an edge is the least whose segments are at most as long on
+ *     the screen, or turn the normal by at most as much; of both, the lesser.
+ *   GL_TRIANGLE_BUDGET_ARK: refined triangles a frame, which measured depths give way to.
  *   GL_POLYGON_SPLIT_ARK: quads and polygons as GL triangulates them, or as a fan about their centroid.
  *   GL_PATTERN_INTERIOR_ARK: fewest triangles, or a softer passage between edges of different depths.
  *   GL_DEPTH_TAG_ATTRIBUTE_ARK: index of the generic attribute that carries the tag; not 0 in the compatibility profile.
  * Errors: GL_INVALID_ENUM for an unknown name, or a value not among those of its name; GL_INVALID_VALUE for a level outside
- * 0 to the pool level (0 before glARKinit), or an attribute index out of range. The state is then unchanged.
+ * 0 to the pool level (0 before glARKinit), an attribute index out of range, or a measure or budget out of range. The state is then unchanged.
  */
 GLARK_API void GLARK_APIENTRY glARKParameteriARK(GLenum pname, GLint param);
 

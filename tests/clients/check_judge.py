@@ -34,6 +34,12 @@ class Judge(unittest.TestCase):
         self.assertTrue(judge.life_complaints({"coarse_triangles": 2, "refined_triangles": 8, "draws": draws}, 2))
         self.assertFalse(judge.life_complaints({"coarse_triangles": 2, "refined_triangles": 32, "draws": draws}, 2))
 
+    def test_measured_depths_refine(self):
+        draws = {"seen": 1, "refined": 1}
+        self.assertTrue(judge.measured_complaints({"coarse_triangles": 2, "refined_triangles": 2, "draws": draws}))
+        self.assertTrue(judge.measured_complaints({"coarse_triangles": 0, "refined_triangles": 0, "draws": draws}))
+        self.assertFalse(judge.measured_complaints({"coarse_triangles": 2, "refined_triangles": 3, "draws": draws}))
+
     def test_off_means_off(self):
         self.assertTrue(judge.off_complaints({"refined_triangles": 1}))
         self.assertFalse(judge.off_complaints({"refined_triangles": 0}))

@@ -59,3 +59,11 @@ def life_complaints(statistics: dict, level: int) -> list:
     if refined != coarse * 4**level:
         return [f"{refined} refined triangles of {coarse} coarse ones are not those of level {level}"]
     return []
+
+
+def measured_complaints(statistics: dict) -> list:
+    """Depths that nobody chose: more triangles than there were."""
+    coarse, refined = statistics["coarse_triangles"], statistics["refined_triangles"]
+    if coarse == 0 or refined <= coarse:
+        return [f"{refined} refined triangles of {coarse} coarse ones; draws: {statistics['draws']}"]
+    return []

@@ -102,6 +102,10 @@ def complaints_about(mode: str, runner: Runner) -> list:
     if mode == "passthrough":
         passed, statistics = runner.picture("passthrough", {"GLARK_LEVEL": str(LEVEL)})
         complaints += judge.identity_complaints(plain, passed) + judge.off_complaints(statistics)
+    elif mode == "measured":
+        settings = {"GLARK_ENABLE": "1", "GLARK_EDGE_PIXELS": "8", "GLARK_REFINE": "outputs"}
+        refined, statistics = runner.picture("measured", settings)
+        complaints += judge.likeness_complaints(plain, refined) + judge.measured_complaints(statistics)
     elif mode == "refined":
         refined, statistics = runner.picture("refined", refinement)
         complaints += judge.likeness_complaints(plain, refined) + judge.life_complaints(statistics, LEVEL)
@@ -110,7 +114,7 @@ def complaints_about(mode: str, runner: Runner) -> list:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--mode", choices=["passthrough", "refined", "alive", "plain"], required=True)
+    parser.add_argument("--mode", choices=["passthrough", "refined", "measured", "alive", "plain"], required=True)
     parser.add_argument("--library", type=pathlib.Path, help="libGLARK.so")
     parser.add_argument("--runtime", action="append", default=[], help="library to preload before it, of a sanitizer")
     parser.add_argument("--display", action="store_true", help="the program needs an X server, and ends by itself")

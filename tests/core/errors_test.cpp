@@ -106,6 +106,9 @@ TEST_P(Errors, Parameters) {
   expect_error(invalid_enum, [] { glARKParameteriARK(GL_PATTERN_INTERIOR_ARK, GL_POLYGON_CENTROID_ARK); });
   expect_error(invalid_value, [] { glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, -1); });
   expect_error(invalid_value, [] { glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 5); });
+  expect_error(invalid_value, [] { glARKParameteriARK(GL_EDGE_PIXELS_ARK, -1); });
+  expect_error(invalid_value, [] { glARKParameteriARK(GL_EDGE_DEGREES_ARK, 181); });
+  expect_error(invalid_value, [] { glARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, -1); });
   expect_error(invalid_value, [] { glARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, -1); });
   expect_error(invalid_value, [] { glARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, 16); });
   if (!core()) {
@@ -120,6 +123,10 @@ TEST_P(Errors, ParametersAreSet) {
                                              {GL_REFINEMENT_ARK, GL_LINEAR_INPUTS_ARK},
                                              {GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK},
                                              {GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK},
+                                             {GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK},
+                                             {GL_EDGE_PIXELS_ARK, 12},
+                                             {GL_EDGE_DEGREES_ARK, 180},
+                                             {GL_TRIANGLE_BUDGET_ARK, 100000},
                                              {GL_UNIFORM_DEPTH_LEVEL_ARK, 4},
                                              {GL_DEPTH_TAG_ATTRIBUTE_ARK, core() ? 0 : 1},
                                              {GL_POLYGON_SPLIT_ARK, GL_POLYGON_CENTROID_ARK},

@@ -201,6 +201,16 @@ TEST_F(Es, TagsFromAnArray) {
   expect_same_picture(8 + 4, draw_strip);  // tags 3 1 1: depths 2 1 2; tags 1 1 2: depths 1 1 1
 }
 
+TEST_F(Es, MeasuredDepths) {
+  glARKinit(4);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  glARKParameteriARK(GL_EDGE_PIXELS_ARK, 16);
+  // 57.6 and 51.2 pixels, the diagonal 77.1: depths 2, 2 and 3, and one less in a viewport of half the size.
+  expect_same_picture(2 * 20, draw_strip);
+  glViewport(0, 0, size / 2, size / 2);
+  expect_same_picture(2 * 6, draw_strip);
+}
+
 TEST_F(Es, CurrentTag) {
   glARKinit(4);
   glDepthTag1i(2);

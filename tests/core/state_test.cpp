@@ -149,6 +149,13 @@ TEST_P(State, AdaptiveTagsFromAnArray) {
   expect_state_kept(10, [] { glDrawArrays(GL_TRIANGLE_STRIP, 0, 6); });
 }
 
+TEST_P(State, MeasuredDepths) {
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  glARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 1000);
+  use_new_program();
+  expect_state_kept(10, [] { glDrawArrays(GL_TRIANGLE_STRIP, 0, 6); });
+}
+
 TEST_P(State, Restart) {
   set_uniform_depth();
   use_new_program();
@@ -189,6 +196,11 @@ TEST_P(State, DrawArp) {
 TEST_P(StateCompatibility, Immediate) {
   set_uniform_depth();
   expect_state_kept(4 * 16, [] { draw_immediate(strip()); });
+}
+
+TEST_P(StateCompatibility, ImmediateMeasured) {
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  expect_state_kept(10, [] { draw_immediate(strip()); });
 }
 
 TEST_P(StateCompatibility, ImmediateTags) {

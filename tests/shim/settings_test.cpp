@@ -76,6 +76,27 @@ TEST(Settings, ALimitThatIsSetHoldsTheLevelBack) {
             "the level is 8, more than the greatest level; it is 3 now; raise GLARK_MAX_LEVEL or max-level");
 }
 
+TEST(Settings, Measures) {
+  const Parsed parsed = parse_all({"GLARK_EDGE_PIXELS=7.5", "GLARK_CURVATURE=12", "GLARK_BUDGET=50000"});
+  EXPECT_TRUE(parsed.problems.empty());
+  EXPECT_EQ(parsed.settings.context.measure, (core::EdgeMeasure{7.5F, 12, 50000}));
+  EXPECT_FALSE(parse_all({}).settings.context.measure.on());
+  EXPECT_FALSE(parse_all({"GLARK_EDGE_PIXELS=0"}).settings.context.measure.on());
+}
+
+TEST(Settings, ABudgetNeedsAMeasure) {
+  const Parsed parsed = parse_all({"GLARK_BUDGET=50000"});
+  ASSERT_EQ(parsed.problems.size(), 1u);
+  EXPECT_EQ(parsed.problems[0], "GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
+}
+
+TEST(ParseMeasures, RejectWhatIsNoMeasure) {
+  for (const char* text : {"", "-1", "0.1", "10001", "1e2", "8px", "nan", "inf", " 8", "0x8", "8,5"})
+    EXPECT_FALSE(parse_edge_pixels(text)) << text;
+  for (const char* text : {"", "181", "-5", "0.4", "nan"}) EXPECT_FALSE(parse_curvature(text)) << text;
+  for (const char* text : {"", "-1", "1.5", "1000000001", "1e6"}) EXPECT_FALSE(parse_budget(text)) << text;
+}
+
 TEST(ParseLevel, RejectsWhatIsNoLevel) {
   EXPECT_EQ(parse_level("11"), 11u);
   for (const char* text : {"", "12", "-1", "1.5", "2x", " 2", "0x2", "99999999999"})

@@ -220,6 +220,12 @@ void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told) 
   }
 }
 
+int normal_offset(const std::vector<Field>& fields) {
+  const auto normal =
+      std::find_if(fields.begin(), fields.end(), [](const Field& field) { return field.role == Role::normal; });
+  return normal != fields.end() ? normal->offset : -1;
+}
+
 std::string roles_text(const std::vector<Field>& fields) {
   const auto name = [&](Role role) {
     const auto found =

@@ -32,6 +32,8 @@ Layout make_layout(std::vector<Field> fields, bool tagged);
 // for the normal 1 or 2 where only one of the two can be it and its name speaks of nothing else.
 void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told);
 std::string roles_text(const std::vector<Field>& fields);  // "position is v, normal is n, ..."
+// First word of the normal in a corner; -1 without one.
+int normal_offset(const std::vector<Field>& fields);
 
 struct CaptureSources {
   std::string vertex;

@@ -34,6 +34,7 @@ struct Layout {
 
   int triangle_words() const { return 3 * corner_words; }
   int chunk_count() const { return (triangle_words() + 3) / 4; }
+  int corner_chunk_count() const { return (corner_words + 3) / 4; }
 };
 
 }  // namespace glark::capture

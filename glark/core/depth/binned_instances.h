@@ -11,6 +11,7 @@ namespace glark::depth {
 // Instances sorted by piece: their coarse records, and their patches (vec4), in the same order.
 struct BinnedInstances {
   GLuint records = 0;
+  GLintptr records_offset = 0;
   GLsizei record_stride = 0;  // bytes
   GLuint patches = 0;
   GLintptr patches_offset = 0;

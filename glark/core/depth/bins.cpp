@@ -25,9 +25,9 @@ constexpr GLuint group_size = 64;
 constexpr GLuint most_groups = 65535;  // in one dimension, guaranteed; more go to the second
 constexpr GLsizeiptr deep_reserve_bytes = GLsizeiptr{32} << 20;
 
-constexpr const char* uniform_names[] = {"record_offset",     "corner_words",        "tag_offset", "uniform_tag",
-                                         "triangle_bound",    "count_on_gpu",        "pool_level", "smooth_interior",
-                                         "instance_capacity", "tags_are_edge_depths"};
+constexpr const char* uniform_names[] = {"record_offset",     "corner_words",         "tag_offset",   "uniform_tag",
+                                         "triangle_bound",    "count_on_gpu",         "pool_level",   "smooth_interior",
+                                         "instance_capacity", "tags_are_edge_depths", "packed_depths"};
 
 }  // namespace
 
@@ -102,7 +102,9 @@ bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, u
 }
 
 void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
-  const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
+  const bool measured = request.measured.buffer != 0;
+  const GLintptr offset = measured ? request.measured.offset : request.triangles.offset;
+  const GLint values[] = {static_cast<GLint>(offset / 4),
                           request.layout->corner_words,
                           request.layout->tag_offset,
                           static_cast<GLint>(request.uniform_tag),
@@ -111,7 +113,8 @@ void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
                           static_cast<GLint>(pool_level_),
                           request.smooth_interior ? 1 : 0,
                           static_cast<GLint>(capacity_),
-                          request.tags_are_edge_depths ? 1 : 0};
+                          request.tags_are_edge_depths ? 1 : 0,
+                          measured ? 1 : 0};
   for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
     if (pass.uniform[i] >= 0) {
       gl_.Uniform1i(pass.uniform[i], values[i]);
@@ -120,7 +123,8 @@ void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
 }
 
 BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings) {
-  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0,
+                     request.measured.buffer != 0 ? request.measured.buffer : request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, instances_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, work_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, count_buffer);

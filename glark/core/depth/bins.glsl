@@ -15,7 +15,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Records { uint records[]; };
 // Sorted by piece: the corners of instance_capacity coarse triangles (3 words each), then as many patches (4 words each).
 layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
-// uint words: 0 refined triangles (low), 1 (high), 2 and 3 unused, 4 a DrawElementsIndirectCommand of all instances (5 words),
+// uint words: 0 refined triangles (low), 1 (high), 2 those of this frame (measure.glsl), 3 unused, 4 a DrawElementsIndirectCommand of all instances (5 words),
 // 9 to 11 unused, then counts, cursors, pieces (4 words each: index count, first index, base vertex, 0) and the
 // DrawElementsIndirectCommands of the pieces (5 words each).
 layout(std430, binding = 2) buffer Work { uint work[]; };
@@ -36,6 +36,7 @@ uniform int count_on_gpu;
 uniform int pool_level;
 uniform int smooth_interior;
 uniform int tags_are_edge_depths;  // corner k holds the depth of edge k
+uniform int packed_depths;         // records holds a word for each triangle: 4 bits for each edge, edge 0 in the lowest
 uniform int instance_capacity;
 
 #if GLARK_PASS == 1
@@ -58,6 +59,7 @@ void main() {
     uint low = work[0] + triangles;
     work[1] += low < work[0] ? 1u : 0u;
     work[0] = low;
+    work[2] += triangles;
     base += count;
   }
   work[all_instances] = 3u * base;
@@ -105,6 +107,11 @@ void main() {
   }
   triangle = int(gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x);
   if (triangle >= bound) {
+    return;
+  }
+  if (packed_depths != 0) {
+    int depths = int(records[record_offset + triangle]);
+    expand_pattern(depths & 15, (depths >> 4) & 15, (depths >> 8) & 15, smooth_interior);
     return;
   }
   int a = tag_of(0);

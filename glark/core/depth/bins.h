@@ -11,6 +11,7 @@
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/binned_instances.h"
+#include "glark/core/depth/measured_depths.h"
 #include "glark/core/depth/reorder.h"
 #include "glark/core/gpu_buffer.h"
 #include "glark/core/pattern/gpu_pool.h"
@@ -23,6 +24,7 @@ struct BinRequest {
   unsigned uniform_tag = 0;  // where the layout holds no tags
   bool smooth_interior = false;
   bool tags_are_edge_depths = false;  // of edges 0, 1, 2, in the place of the tags of corners 0, 1, 2
+  MeasuredDepths measured;            // if there are any, instead of tags
 };
 
 class BinStage {
@@ -41,12 +43,14 @@ class BinStage {
   std::uint32_t instances_of_last() const;
   // Triangles drawn since the last call; reads back.
   std::uint64_t take_refined_triangles();
+  // Its word 2 counts the refined triangles until somebody sets it back.
+  GLuint work_buffer() const { return work_.name(); }
   void release();
 
  private:
   struct Pass {
     GLuint program = 0;
-    std::array<GLint, 10> uniform{};
+    std::array<GLint, 11> uniform{};
   };
 
   Pass compile(int pass) const;

@@ -96,12 +96,17 @@ class Deriver {
     plan_.corner_words = request_.layout.corner_words;
     plan_.placed = request_.placed;
     plan_.stored = request_.stored;
-    plan_.chunk_count = request_.layout.chunk_count();
+    plan_.at_corner = request_.at_corner;
+    plan_.chunk_count = plan_.at_corner ? request_.layout.corner_chunk_count() : request_.layout.chunk_count();
     for (const VertexUnit& unit : units_) {
       plan_.structures.insert(plan_.structures.end(), unit.interface.structures.begin(),
                               unit.interface.structures.end());
     }
     if (!plan_inputs()) return false;
+    if (plan_.at_corner) {
+      plan_resets();
+      return true;
+    }
     plan_refinement();
     plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.outputs);
     if (plan_.refinement != core::Refinement::linear_outputs) {

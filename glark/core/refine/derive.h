@@ -39,8 +39,9 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
-  bool stored = false;       // the record is read from the storage block
-  bool placed = true;        // false: without the patch input; the piece covers the triangle
+  bool stored = false;     // the record is read from the storage block
+  bool at_corner = false;  // runs the stage as it is on one corner a vertex, which the chunks hold; nothing is refined
+  bool placed = true;      // false: without the patch input; the piece covers the triangle
   int provoking_corner = 2;  // corner whose value a flat output takes
   OutputRules outputs;
   std::string refinement_source;  // the application's own refinement shader (glRefinementShaderSourceARK), or empty

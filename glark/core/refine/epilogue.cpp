@@ -13,6 +13,7 @@ class MainText {
   explicit MainText(const EpiloguePlan& plan) : plan_(plan) {}
 
   std::string text() {
+    if (plan_.at_corner) return "void main() {\n" + fill_from_corner(plan_, 0) + run() + "}\n";
     std::string main = "void main() {\n  @place();\n";
     if (plan_.stored) main += "  @find_record();\n";
     if (plan_.refinement == core::Refinement::linear_outputs) {
@@ -166,7 +167,8 @@ std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& appli
 MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarations_of_inputs) {
   TypeSet mixed_types;
   std::string functions = output_functions(plan, plan.main_unit, mixed_types);
-  if (plan.refinement != core::Refinement::linear_outputs) functions += interpolate_function(plan, mixed_types);
+  if (plan.refinement != core::Refinement::linear_outputs && !plan.at_corner)
+    functions += interpolate_function(plan, mixed_types);
   for (std::size_t unit = 0; unit < plan.resets.size(); ++unit) {
     if (unit != plan.main_unit) output_functions(plan, unit, mixed_types);  // for the types that it mixes
   }
@@ -175,7 +177,7 @@ MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarat
   text = "\n";
   if (plan.version.es) text += "precision highp float;\nprecision highp int;\n";
   text += chunk_declarations(plan) + declarations_of_inputs + prototypes_of_other_units(plan);
-  text += plan.placed ? place_function : cover_function;
+  if (!plan.at_corner) text += plan.placed ? place_function : cover_function;
   if (plan.has_screen_outputs()) text += screen_function;
   text += mix_functions(mixed_types, true);
   if (plan.curved()) text += pn_functions();

@@ -39,6 +39,7 @@ struct OutputVariable {
 struct EpiloguePlan {
   GlslVersion version;
   core::Refinement refinement = core::Refinement::linear_inputs;
+  bool at_corner = false;  // see DeriveRequest
   bool placed = true;
   bool stored = false;
   int provoking_corner = 2;

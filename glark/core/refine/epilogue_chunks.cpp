@@ -68,8 +68,9 @@ std::string storage_declarations(const EpiloguePlan& plan) {
 std::string chunk_declarations(const EpiloguePlan& plan) {
   const std::string storage = plan.version.has_in_out() ? "in" : "attribute";
   const std::string precision = plan.version.es ? " highp" : "";
-  std::string text = storage + precision + " vec2 " + lattice_input + ";\n";
-  if (plan.placed) text += storage + precision + " vec4 " + patch_input + ";\n";
+  std::string text;
+  if (!plan.at_corner) text += storage + precision + " vec2 " + lattice_input + ";\n";
+  if (plan.placed && !plan.at_corner) text += storage + precision + " vec4 " + patch_input + ";\n";
   if (plan.stored) return text + storage_declarations(plan);
   for (int chunk = 0; chunk < plan.chunk_count; ++chunk) {
     text += storage + precision + " vec4 " + chunk_input_prefix + std::to_string(chunk) + ";\n";

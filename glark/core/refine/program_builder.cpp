@@ -68,6 +68,7 @@ void show_originals(const core::Program& program) {
 }
 
 std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
+  if (key.at_corner) return "corners";
   std::string kind = refinement == core::Refinement::pn               ? "pn"
                      : refinement == core::Refinement::linear_outputs ? "outputs"
                                                                       : "linear";
@@ -177,28 +178,47 @@ void ProgramBuilder::prepare(core::Program& program) const {
   }
 }
 
+// Positions need the vertex stage alone; OpenGL ES links it only beside a fragment stage, which never runs.
+bool ProgramBuilder::needs_stage(GLenum stage, bool at_corner) const {
+  const bool es = traits_.language == capture::Language::es;
+  return at_corner ? es && stage == GL_FRAGMENT_SHADER : stage != GL_VERTEX_SHADER;
+}
+
+void ProgramBuilder::bind_inputs(GLuint name, const core::DerivedKey& key) const {
+  GLuint first_chunk = 0;
+  if (!key.at_corner) {
+    first_chunk = key.placed ? traits_.first_chunk_location : traits_.patch_location;
+    gl_.BindAttribLocation(name, traits_.lattice_location, lattice_input);
+    if (key.placed) {
+      gl_.BindAttribLocation(name, traits_.patch_location, patch_input);
+    }
+  }
+  for (GLuint chunk = 0; first_chunk + chunk < static_cast<GLuint>(traits_.max_vertex_attributes); ++chunk) {
+    gl_.BindAttribLocation(name, first_chunk + chunk, (chunk_input_prefix + std::to_string(chunk)).c_str());
+  }
+}
+
 GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_stage,
-                                        GLuint settings_of, bool placed, std::string& error) const {
+                                        GLuint settings_of, const core::DerivedKey& key, std::string& error) const {
   const GLuint name = gl_.CreateProgram();
   std::vector<GLuint> shaders;
   for (const std::string& source : vertex_stage) {
     shaders.push_back(core::compile_shader(gl_, GL_VERTEX_SHADER, source, error));
   }
   for (const core::StageSource& stage : program.stages) {
-    if (stage.stage != GL_VERTEX_SHADER) {
+    if (needs_stage(stage.stage, key.at_corner)) {
       shaders.push_back(core::compile_shader(gl_, stage.stage, *stage.source, error));
     }
   }
-  const GLuint first_chunk = placed ? traits_.first_chunk_location : traits_.patch_location;
-  gl_.BindAttribLocation(name, traits_.lattice_location, lattice_input);
-  if (placed) {
-    gl_.BindAttribLocation(name, traits_.patch_location, patch_input);
+  const bool es = traits_.language == capture::Language::es;
+  if (key.at_corner && !(es && program.has_stage(GL_FRAGMENT_SHADER))) {
+    shaders.push_back(core::compile_shader(gl_, GL_FRAGMENT_SHADER, core::idle_fragment_shader(es), error));
   }
-  for (int chunk = 0; chunk < most_chunks(placed); ++chunk) {
-    gl_.BindAttribLocation(name, first_chunk + static_cast<GLuint>(chunk),
-                           (chunk_input_prefix + std::to_string(chunk)).c_str());
-  }
-  if (settings_of != 0) {
+  bind_inputs(name, key);
+  if (key.at_corner) {
+    const char* const varying = "gl_Position";
+    gl_.TransformFeedbackVaryings(name, 1, &varying, GL_INTERLEAVED_ATTRIBS);
+  } else if (settings_of != 0) {
     copy_link_settings(gl_, settings_of, name);
   }
   return core::link_program(gl_, name, shaders, error) ? name : 0;
@@ -217,14 +237,17 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   request.context_glsl_version = traits_.glsl_version;
   request.layout = capture::make_layout(program.fields, key.tagged);
   request.refinement = program.traits.reads_vertex_id ? core::Refinement::linear_outputs : key.refinement;
+  request.at_corner = key.at_corner;
   request.placed = key.placed;
   request.provoking_corner = key.provoking_corner;
   request.outputs = {key.flat_colors, key.clamp_colors, has_geometry_stage(program)};
-  request.refinement_source = program.refinement_source;
+  if (!key.at_corner) {
+    request.refinement_source = program.refinement_source;
+  }
   request.extensions = traits_.extensions;
-  request.stored = request.layout.chunk_count() > most_chunks(key.placed);
+  request.stored = !key.at_corner && request.layout.chunk_count() > most_chunks(key.placed);
   Derivation derivation;
-  if (!request.stored || can_store_records(program)) {
+  if (key.at_corner || !request.stored || can_store_records(program)) {
     derivation = derive_vertex_stage(request);
   } else {
     derivation.error = "its vertex attributes leave no room for depth tags and placement";
@@ -235,7 +258,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
          derivation.vertex_sources[i]);
   }
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
-                                                       owner != nullptr ? owner->name : 0, key.placed, error)
+                                                       owner != nullptr ? owner->name : 0, key, error)
                                     : 0;
   program.refinement_log = error;
   if (name == 0) {
@@ -276,7 +299,7 @@ std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctio
   program->stages.push_back({GL_VERTEX_SHADER, std::make_shared<const std::string>(source)});
   // A program of the vertex stage alone tells which attributes it reads.
   std::string error;
-  program->name = compile_and_link(*program, {source}, 0, false, error);
+  program->name = compile_and_link(*program, {source}, 0, core::DerivedKey{.placed = false}, error);
   if (program->name == 0) {
     core::log(core::LogLevel::error, "fixed-function vertex stage: " + error);
   }

@@ -47,7 +47,9 @@ class ProgramBuilder {
 
  private:
   GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources,
-                          GLuint settings_of, bool placed, std::string& error) const;
+                          GLuint settings_of, const core::DerivedKey& key, std::string& error) const;
+  void bind_inputs(GLuint name, const core::DerivedKey& key) const;
+  bool needs_stage(GLenum stage, bool at_corner) const;
   int most_chunks(bool placed) const;
   bool can_store_records(const core::Program& program) const;
   void read_fields(core::Program& program) const;

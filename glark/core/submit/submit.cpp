@@ -93,7 +93,7 @@ void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedI
   bind_vertex_array(chunks, Source::binned, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
   gl_.BindVertexBuffer(patch_binding, bins.patches, bins.patches_offset, patch_bytes);
-  gl_.BindVertexBuffer(record_binding, bins.records, 0, bins.record_stride);
+  gl_.BindVertexBuffer(record_binding, bins.records, bins.records_offset, bins.record_stride);
   gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, bins.commands);
   const auto multi_draw = gl_.MultiDrawElementsIndirect;
   if (multi_draw != nullptr) {

@@ -67,6 +67,27 @@ void set_refinement(Context& c, GLenum value) {
   }
 }
 
+void set_depth_source(Context& c, GLenum value) {
+  switch (value) {
+    case GL_DEPTH_TAG_ARK: c.ark.depth_source = DepthSource::tag; break;
+    case GL_UNIFORM_DEPTH_ARK: c.ark.depth_source = DepthSource::uniform; break;
+    case GL_MEASURED_DEPTH_ARK: c.ark.depth_source = DepthSource::measured; break;
+    default: c.raise(GL_INVALID_ENUM); break;
+  }
+}
+
+void set_measure(Context& c, GLenum name, GLint value) {
+  if (value < 0 || (name == GL_EDGE_DEGREES_ARK && value > 180)) {
+    c.raise(GL_INVALID_VALUE);
+    return;
+  }
+  switch (name) {
+    case GL_EDGE_PIXELS_ARK: c.ark.measure.pixels = static_cast<float>(value); break;
+    case GL_EDGE_DEGREES_ARK: c.ark.measure.degrees = static_cast<float>(value); break;
+    default: c.ark.measure.budget = static_cast<unsigned>(value); break;
+  }
+}
+
 void set_tag_attribute(Context& c, GLint index) {
   const GLint lowest = c.is_compatibility() ? 1 : 0;  // attribute 0 is glVertex there
   if (index < lowest || index >= c.capabilities.max_vertex_attributes) {
@@ -146,11 +167,10 @@ void ARKParameteriARK(Context& c, GLenum name, GLint value) {
   bool first = true;
   switch (name) {
     case GL_REFINEMENT_ARK: set_refinement(c, token); break;
-    case GL_DEPTH_SOURCE_ARK:
-      if (set_choice(c, token == GL_DEPTH_TAG_ARK || token == GL_UNIFORM_DEPTH_ARK, token == GL_DEPTH_TAG_ARK, first)) {
-        c.ark.depth_source = first ? DepthSource::tag : DepthSource::uniform;
-      }
-      break;
+    case GL_DEPTH_SOURCE_ARK: set_depth_source(c, token); break;
+    case GL_EDGE_PIXELS_ARK:
+    case GL_EDGE_DEGREES_ARK:
+    case GL_TRIANGLE_BUDGET_ARK: set_measure(c, name, value); break;
     case GL_UNIFORM_DEPTH_LEVEL_ARK:
       if (value < 0 || static_cast<GLuint>(value) > highest_tag(c)) {
         c.raise(GL_INVALID_VALUE);

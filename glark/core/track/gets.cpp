@@ -35,6 +35,14 @@ GLint refinement_token(Refinement refinement) {
   }
 }
 
+GLint depth_source_token(DepthSource source) {
+  switch (source) {
+    case DepthSource::uniform: return GL_UNIFORM_DEPTH_ARK;
+    case DepthSource::measured: return GL_MEASURED_DEPTH_ARK;
+    default: return GL_DEPTH_TAG_ARK;
+  }
+}
+
 // The value of a state of the extension; empty for any other name.
 std::optional<GLint> extension_state(const Context& c, GLenum name) {
   if (!c.capabilities.refinable) {
@@ -52,7 +60,10 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
     case GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING);
     case GL_DEPTH_TAG_ATTRIBUTE_ARK: return static_cast<GLint>(ark.tag_attribute);
     case GL_REFINEMENT_ARK: return refinement_token(ark.refinement);
-    case GL_DEPTH_SOURCE_ARK: return ark.depth_source == DepthSource::uniform ? GL_UNIFORM_DEPTH_ARK : GL_DEPTH_TAG_ARK;
+    case GL_DEPTH_SOURCE_ARK: return depth_source_token(ark.depth_source);
+    case GL_EDGE_PIXELS_ARK: return static_cast<GLint>(ark.measure.pixels);
+    case GL_EDGE_DEGREES_ARK: return static_cast<GLint>(ark.measure.degrees);
+    case GL_TRIANGLE_BUDGET_ARK: return static_cast<GLint>(ark.measure.budget);
     case GL_UNIFORM_DEPTH_LEVEL_ARK: return static_cast<GLint>(ark.uniform_level);
     case GL_POLYGON_SPLIT_ARK:
       return ark.polygon_split == PolygonSplit::centroid ? GL_POLYGON_CENTROID_ARK : GL_POLYGON_TRIANGLES_ARK;
@@ -64,7 +75,7 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
 // Writes our state, or leaves the query to GL. True if it was ours.
 template <typename Value>
 bool answer(Context& c, GLenum name, Value* data) {
-  const std::optional<GLint> value = name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_SMOOTH_INTERIOR_ARK)
+  const std::optional<GLint> value = name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_TRIANGLE_BUDGET_ARK)
                                          ? extension_state(c, name)
                                          : std::nullopt;
   if (!value.has_value()) {

@@ -145,6 +145,28 @@ void MatrixMode(Context& c, GLenum mode) {
   }
 }
 
+void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
+  c.gl.Viewport(x, y, width, height);
+  if (track::executes(c) && width >= 0 && height >= 0) {
+    c.bindings.viewport = {static_cast<float>(width), static_cast<float>(height)};
+  }
+}
+
+void ViewportIndexedf(Context& c, GLuint index, GLfloat x, GLfloat y, GLfloat width, GLfloat height) {
+  c.gl.ViewportIndexedf(index, x, y, width, height);
+  c.bindings_stale = c.bindings_stale || index == 0;
+}
+
+void ViewportIndexedfv(Context& c, GLuint index, const GLfloat* viewport) {
+  c.gl.ViewportIndexedfv(index, viewport);
+  c.bindings_stale = c.bindings_stale || index == 0;
+}
+
+void ViewportArrayv(Context& c, GLuint first, GLsizei count, const GLfloat* viewports) {
+  c.gl.ViewportArrayv(first, count, viewports);
+  c.bindings_stale = c.bindings_stale || first == 0;
+}
+
 void PolygonMode(Context& c, GLenum face, GLenum mode) {
   c.gl.PolygonMode(face, mode);
   if (track::executes(c)) {

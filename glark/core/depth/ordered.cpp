@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/depth/ordered.h"
+
+#include <algorithm>
+#include <string>
+
+#include "glark/core/pattern/pieces.glsl.h"
+#include "glark/core/report.h"
+
+namespace glark::depth {
+namespace {
+
+constexpr char ordered_source[] =
+#include "glark/core/depth/ordered.glsl.inc"
+    ;
+
+constexpr const char* uniform_names[] = {"record_offset",  "corner_words", "tag_offset",    "tags_are_edge_depths",
+                                         "triangle_count", "pool_level",   "normal_offset", "on_screen"};
+constexpr int most_triangles = 128;  // the least that GL and ES guarantee as the size of a work group
+constexpr std::uint32_t group_sizes[] = {8, 32, most_triangles};  // idle invocations are not free
+constexpr int most_instances = 4;                                 // of one triangle that is not deeper than a tile
+constexpr GLsizeiptr slots = GLsizeiptr{most_triangles} * most_instances;
+constexpr GLintptr patches_offset = slots * 20;
+constexpr GLintptr records_offset = patches_offset + slots * 16;
+constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
+
+GLsizeiptr bytes_for(const capture::Layout& layout) {
+  return records_offset + slots * layout.triangle_words() * 4 + chunk_overrun;
+}
+
+}  // namespace
+
+OrderedStage::Pass OrderedStage::compile(int group) const {
+  const std::string version = language_ == capture::Language::es
+                                  ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
+                                  : "#version 430\n";
+  const std::string source = version + "#define GLARK_DEPTHS " + std::to_string(core::max_supported_level + 1) +
+                             "\n#define GLARK_GROUP " + std::to_string(group) + "\n#define GLARK_TRIANGLES " +
+                             std::to_string(most_triangles) + "\n#define GLARK_INSTANCES " +
+                             std::to_string(most_instances) + "\n" + ordered_source;
+  const char* text = source.c_str();
+  const GLuint shader = gl_.CreateShader(GL_COMPUTE_SHADER);
+  gl_.ShaderSource(shader, 1, &text, nullptr);
+  gl_.CompileShader(shader);
+  Pass pass;
+  pass.program = gl_.CreateProgram();
+  gl_.AttachShader(pass.program, shader);
+  gl_.LinkProgram(pass.program);
+  GLint linked = GL_FALSE;
+  gl_.GetProgramiv(pass.program, GL_LINK_STATUS, &linked);
+  if (linked == GL_FALSE) {
+    std::array<char, 2048> log{};
+    gl_.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    core::log(core::LogLevel::warning, std::string("pass for small draws does not compile: ") + log.data());
+    gl_.DeleteProgram(pass.program);
+    pass.program = 0;
+  } else {
+    for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
+      pass.uniform[i] = gl_.GetUniformLocation(pass.program, uniform_names[i]);
+    }
+    pass.half_size = gl_.GetUniformLocation(pass.program, "half_size");
+  }
+  gl_.DeleteShader(shader);
+  return pass;
+}
+
+void OrderedStage::prepare() {
+  prepared_ = true;
+  for (std::size_t i = 0; i < passes_.size(); ++i) {
+    passes_[i] = compile(static_cast<int>(group_sizes[i]));
+    if (passes_[i].program == 0) {
+      drop_programs();
+      return;
+    }
+  }
+}
+
+void OrderedStage::drop_programs() {
+  for (Pass& pass : passes_) {
+    gl_.DeleteProgram(pass.program);
+    pass = Pass{};
+  }
+}
+
+bool OrderedStage::has_room(const capture::Layout& layout, std::uint32_t triangles) const {
+  return triangles > most_triangles || (prepared_ && (passes_[0].program == 0 || bytes_for(layout) <= result_.size()));
+}
+
+void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangles) {
+  if (triangles > most_triangles) {
+    return;
+  }
+  if (!prepared_) {
+    prepare();
+  }
+  if (passes_[0].program != 0 && !result_.reserve(gl_, bytes_for(layout), GL_DYNAMIC_COPY)) {
+    drop_programs();
+  }
+}
+
+bool OrderedStage::takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles,
+                         unsigned deepest) const {
+  return passes_[0].program != 0 && !triangles.count_on_gpu && triangles.count <= most_triangles &&
+         deepest <= static_cast<unsigned>(pattern::tile_level) && bytes_for(layout) <= result_.size();
+}
+
+BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bindings& bindings) {
+  const capture::Layout& layout = *request.measure.layout;
+  const capture::CoarseTriangles& triangles = request.measure.triangles;
+  const GLuint buffers[] = {triangles.buffer, result_.name(), request.work, request.ends.positions,
+                            request.ends.limits};
+  for (GLuint i = 0; i < std::size(buffers); ++i) {
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i]);
+  }
+  const auto group = std::lower_bound(std::begin(group_sizes), std::end(group_sizes), triangles.count);
+  const Pass& pass = passes_[static_cast<std::size_t>(group - std::begin(group_sizes))];
+  gl_.UseProgram(pass.program);
+  const GLint values[] = {static_cast<GLint>(triangles.offset / 4),
+                          layout.corner_words,
+                          layout.tag_offset,
+                          request.tags_are_edge_depths ? 1 : 0,
+                          static_cast<GLint>(triangles.count),
+                          static_cast<GLint>(request.measure.pool_level),
+                          request.measure.normal_offset,
+                          request.measure.corner_program != 0 ? 1 : 0};
+  for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
+    gl_.Uniform1i(pass.uniform[i], values[i]);
+  }
+  gl_.Uniform2f(pass.half_size, 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
+  gl_.DispatchCompute(1, 1, 1);
+  gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  return {.records = result_.name(),
+          .records_offset = records_offset,
+          .record_stride = layout.triangle_words() * 4,
+          .patches = result_.name(),
+          .patches_offset = patches_offset,
+          .commands = result_.name(),
+          .commands_offset = 0,
+          .command_count = static_cast<GLsizei>(triangles.count) * most_instances};
+}
+
+void OrderedStage::release() {
+  drop_programs();
+  prepared_ = false;
+  result_.release(gl_);
+}
+
+}  // namespace glark::depth

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Edge depths, instances and commands of a draw of few triangles, in one work group and in the order of its triangles: an
+// invocation for each, and a command for each instance. The includer supplies #version, GLARK_DEPTHS, GLARK_GROUP (size
+// of the work group), GLARK_TRIANGLES (the greatest of those) and GLARK_INSTANCES (the most of one triangle).
+#include "glark/core/pattern/pieces.glsl.h"
+
+layout(local_size_x = GLARK_GROUP) in;
+
+layout(std430, binding = 0) readonly buffer Records { uint records[]; };
+// DrawElementsIndirectCommands (5 words), then patches (4 words), then records, of GLARK_TRIANGLES * GLARK_INSTANCES instances.
+layout(std430, binding = 1) writeonly buffer Output { uint result[]; };
+layout(std430, binding = 2) buffer Work { uint work[]; };           // as bins.glsl has it
+layout(std430, binding = 3) readonly buffer Ends { uint ends[]; };  // as measure.glsl has it
+layout(std430, binding = 4) readonly buffer Limits { float limits[]; };
+
+const int pieces = 12 + 2 * piece_count;
+const int patches = 5 * GLARK_TRIANGLES * GLARK_INSTANCES;
+const int moved_records = patches + 4 * GLARK_TRIANGLES * GLARK_INSTANCES;
+
+uniform int record_offset;  // in words
+uniform int corner_words;
+uniform int tag_offset;  // in a corner; < 0: depths are measured
+uniform int tags_are_edge_depths;
+uniform int triangle_count;
+uniform int pool_level;
+uniform int normal_offset;  // in a corner; < 0: the normals do not count
+uniform int on_screen;
+uniform vec2 half_size;
+
+float pixel_limit(int depth) { return limits[1 + depth]; }
+float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
+
+#include "glark/core/depth/edge_depth.glsl"
+#include "glark/core/depth/measured_edge.glsl"
+
+shared uint instance_count[GLARK_GROUP];
+shared uint refined_triangles;
+
+int emitted = 0;
+int emitted_piece[GLARK_INSTANCES];
+vec4 emitted_patch[GLARK_INSTANCES];
+
+void emit_instance(int piece, float ou, float ov, float s, float r) {
+  if (emitted < GLARK_INSTANCES) {
+    emitted_piece[emitted] = piece;
+    emitted_patch[emitted] = vec4(ou, ov, s, r);
+    ++emitted;
+  }
+}
+
+#define GLARK_EMIT(piece, ou, ov, s, r) emit_instance(piece, ou, ov, s, r)
+#include "glark/core/pattern/expand.glsl.h"
+
+int tag_of(int corner) {
+  float tag = uintBitsToFloat(records[record_offset + corner * corner_words + tag_offset]);
+  return int(clamp(floor(tag + 0.5), 0.0, float(pool_level)));
+}
+
+void expand(int triangle) {
+  int depth[3];
+  for (int edge = 0; edge < 3; ++edge) {
+    int from = 3 * triangle + edge;
+    int to = 3 * triangle + (edge == 2 ? 0 : edge + 1);
+    if (tag_offset < 0) {
+      depth[edge] = measured_depth(from, to);
+    } else {
+      depth[edge] = tags_are_edge_depths != 0 ? tag_of(from) : (tag_of(from) + tag_of(to)) >> 1;
+    }
+  }
+  expand_pattern(depth[0], depth[1], depth[2], 0);
+}
+
+void write_instance(int triangle, int slot, int piece, vec4 placement) {
+  uint index_count = work[pieces + 4 * piece];
+  result[5 * slot] = index_count;
+  result[5 * slot + 1] = 1u;
+  result[5 * slot + 2] = work[pieces + 4 * piece + 1];
+  result[5 * slot + 3] = work[pieces + 4 * piece + 2];
+  result[5 * slot + 4] = uint(slot);
+  uvec4 words = floatBitsToUint(placement);
+  for (int i = 0; i < 4; ++i) {
+    result[patches + 4 * slot + i] = words[i];
+  }
+  int size = 3 * corner_words;
+  for (int i = 0; i < size; ++i) {
+    result[moved_records + slot * size + i] = records[record_offset + triangle * size + i];
+  }
+  atomicAdd(refined_triangles, index_count / 3u);
+}
+
+void main() {
+  int triangle = int(gl_LocalInvocationID.x);
+  if (triangle == 0) {
+    refined_triangles = 0u;
+  }
+  if (triangle < triangle_count) {
+    expand(triangle);
+  }
+  instance_count[triangle] = uint(emitted);
+  barrier();
+  int first = 0;
+  int all = 0;
+  for (int i = 0; i < triangle_count; ++i) {
+    first += i < triangle ? int(instance_count[i]) : 0;
+    all += int(instance_count[i]);
+  }
+  for (int i = 0; i < emitted; ++i) {
+    write_instance(triangle, first + i, emitted_piece[i], emitted_patch[i]);
+  }
+  // The number of commands is known to the GPU alone: the rest draw nothing.
+  for (int slot = all + triangle; slot < GLARK_INSTANCES * triangle_count; slot += GLARK_GROUP) {
+    for (int i = 0; i < 5; ++i) {
+      result[5 * slot + i] = 0u;
+    }
+  }
+  barrier();
+  if (triangle == 0) {
+    uint low = work[0] + refined_triangles;
+    work[1] += low < work[0] ? 1u : 0u;
+    work[0] = low;
+    work[2] += refined_triangles;
+  }
+}

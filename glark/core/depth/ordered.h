@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Draws of few triangles: depths, instances and commands in one dispatch. Many programs have hundreds of them, for which the
+// passes of BinStage cost more than the triangles. What is drawn keeps the order of the triangles, which shows where they blend.
+#pragma once
+
+#include <array>
+
+#include "glark/core/bindings.h"
+#include "glark/core/depth/binned_instances.h"
+#include "glark/core/depth/measure.h"
+#include "glark/core/gpu_buffer.h"
+
+namespace glark::depth {
+
+struct OrderedRequest {
+  MeasureRequest measure;  // layout, triangles, and what is measured unless the layout has tags
+  EdgeEnds ends;
+  GLuint work = 0;  // BinStage::work_buffer()
+  bool tags_are_edge_depths = false;
+};
+
+class OrderedStage {
+ public:
+  OrderedStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+
+  // Compiles the pass when first called. Rare path: wrap in an ErrorScope.
+  void reserve(const capture::Layout& layout, std::uint32_t triangles);
+  // Whether reserve() would change nothing.
+  bool has_room(const capture::Layout& layout, std::uint32_t triangles) const;
+  // Whether the draw is one for this stage; with a minimum interior only.
+  bool takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles, unsigned deepest) const;
+  // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. Valid until the next call.
+  BinnedInstances sort(const OrderedRequest& request, const core::Bindings& bindings);
+  void release();
+
+ private:
+  struct Pass {
+    GLuint program = 0;
+    std::array<GLint, 8> uniform{};
+    GLint half_size = -1;
+  };
+
+  void prepare();
+  Pass compile(int group) const;
+  void drop_programs();
+
+  const gl::Dispatch& gl_;
+  capture::Language language_;
+  bool prepared_ = false;
+  std::array<Pass, 3> passes_{};  // by size of the work group; all or none
+  core::GpuBuffer result_;
+};
+
+}  // namespace glark::depth
