@@ -12,10 +12,13 @@
 #include <vector>
 
 #include "glark/core/bindings.h"
+#include "glark/core/bound_buffers.h"
+#include "glark/core/current_values.h"
 #include "glark/core/program.h"
 #include "glark/core/refine/fixed_function.h"
 #include "glark/core/refinement.h"
 #include "glark/core/share_group.h"
+#include "glark/core/vertex_arrays.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {
@@ -61,6 +64,7 @@ struct ListCompilation {
   GLenum mode = 0;
   std::shared_ptr<DisplayList> list;
   GLuint open_segment = 0;
+  SegmentEffects segment;                // of the open one
   GLenum begun_mode = 0;                 // of a glBegin that is open in a draw segment
   std::vector<VertexList> vertex_lists;  // called since the open glBegin
   bool in_draw = false;
@@ -99,9 +103,34 @@ class Context {
   bool list_changes_uniforms = false;
   std::uint64_t immediate_vertices = 0;
 
-  void touch_buffers() { share->buffer_epoch.fetch_add(1, std::memory_order_relaxed); }
-  void touch_vertex_arrays() { ++vertex_array_epoch; }
-  void touch_fixed_function() { fixed_function_stale = true; }
+  // Called after the write.
+  void wrote_buffer(GLuint buffer) { share->buffers.wrote(buffer, next_stamp()); }
+  void wrote_target(GLenum target) {
+    const BoundBuffer* bound = bound_buffers.at(target);
+    bound != nullptr && bound->known ? wrote_buffer(bound->name) : wrote_buffer_of(target);
+  }
+  void wrote_pack_buffer() { wrote_target(GL_PIXEL_PACK_BUFFER); }
+  void gpu_wrote() { share->buffers.gpu_wrote(next_stamp()); }
+  void gpu_may_write(GLuint buffer) { share->buffers.gpu_may_write(buffer); }
+  void never_trust_buffer(GLuint buffer) { share->buffers.never_trust(buffer); }
+  void never_trust_target(GLenum target) { share->buffers.never_trust(bound_buffer(target).name); }
+  void touch_vertex_arrays() { vertex_arrays.forget_current(); }
+  void touch_all_vertex_arrays() { vertex_arrays.forget_all(); }
+  // The call that `again` makes sets a current attribute value.
+  void set_current(int slot, CurrentValue::Again again, GLuint index, const void* components, std::uint32_t bytes) {
+    if (compiling_list) {
+      record_current(slot, again, index, components, bytes);
+    } else if (slot >= 0) {
+      current_values.set(slot, again, index, components, bytes);
+    }
+  }
+  // Current values may have changed unseen, or state that a list sets between glBegin and glEnd.
+  void forget_values();
+  void forget_in_list();
+  void touch_fixed_function() {
+    fixed_function_stale = true;
+    list.segment.touches_state = true;
+  }
   std::span<const UniformMirror> uniform_mirrors() const;
   std::span<const UniformMirror> uniform_mirrors(GLuint program) const;
 
@@ -109,6 +138,13 @@ class Context {
   void update_refining();
   // Re-reads the bindings from GL if something we cannot follow (a display list, glPopAttrib) changed them.
   void refresh_bindings();
+  // What is bound to a target, asked for if it is not known.
+  BoundBuffer bound_buffer(GLenum target);
+  // Where an attribute of the bound vertex array comes from; the buffer of its indices. Queries what is not known.
+  const AttributeSource& attribute_source(int slot);
+  const BoundBuffer& element_buffer();
+  // A number that no other context of the share group has, nor this one had.
+  std::uint64_t next_stamp() { return ++stamp_; }
   // Records an error of ours for glGetError; the first stays, as in GL.
   void raise(GLenum error);
   bool is_compatibility() const { return capabilities.api == Capabilities::Api::compatibility; }
@@ -119,7 +155,10 @@ class Context {
   ArkState ark;
   Bindings bindings;
   bool bindings_stale = true;
-  std::uint64_t vertex_array_epoch = 1;
+  BoundBuffers bound_buffers;
+  VertexArrays vertex_arrays;
+  CurrentValues current_values;
+  GLenum client_texture = 0;  // glClientActiveTexture; 0: not known
   bool fixed_function_stale = true;
   GLenum pending_error = GL_NO_ERROR;
   ListCompilation list;
@@ -135,6 +174,11 @@ class Context {
  private:
   Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group, const ContextOptions& wanted);
   void read_capabilities();
+  void wrote_buffer_of(GLenum target);
+  void confirm(BoundBuffer& bound, GLuint name);
+  void record_current(int slot, CurrentValue::Again again, GLuint index, const void* components, std::uint32_t bytes);
+
+  std::uint64_t stamp_ = 0;
 };
 
 // Keeps the application's pending GL errors apart from those of our own calls: what was pending at construction goes

@@ -36,11 +36,6 @@ refine::BuilderTraits builder_traits(const Capabilities& capabilities) {
 // Bytes that a glBegin..glEnd may capture: the number of its vertices is known only at its end.
 constexpr std::uint64_t immediate_bytes = std::uint64_t{32} << 20;
 
-// Of the records of a kept capture; the last vec4 chunk may read past the last record.
-GLsizeiptr bytes_to_keep(const capture::Layout& layout, std::uint64_t triangles) {
-  return static_cast<GLsizeiptr>(triangles) * layout.triangle_words() * 4 + 16;
-}
-
 }  // namespace
 
 Pipeline::Pipeline(Context& context)
@@ -56,71 +51,9 @@ bool Pipeline::build_pool(unsigned max_level) {
   if (!pool_.build(gl_, max_level)) {
     return false;
   }
+  ++pools_built_;
   bins_ready_ = false;
   return true;
-}
-
-capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan& plan) {
-  using Answer = capture::CaptureCache::Answer;
-  const Bindings& b = context_.bindings;
-  GpuBuffer* own = nullptr;
-  capture::CaptureCache::Entry* entry = nullptr;
-  if (call.arrays != nullptr && call.exact && !b.primitive_restart && !b.primitive_restart_fixed) {
-    const capture::Epochs epochs{context_.share->buffer_epoch.load(std::memory_order_relaxed),
-                                 context_.vertex_array_epoch};
-    cache_.make_room(gl_);
-    const auto [answer, found] = cache_.look_up({*call.arrays, plan.capture_program, b.vertex_array}, epochs, [&] {
-      ErrorScope errors(context_);
-      return capture::reads_only_buffers(gl_, *plan.layout, call.arrays->index_type != 0, context_.ark.tag_attribute) &&
-             cache_.may_keep(bytes_to_keep(*plan.layout, call.triangles));
-    });
-    if (answer == Answer::kept) {
-      ++statistics().captures_reused;
-      return found->triangles;
-    }
-    if (answer == Answer::keep) {
-      ErrorScope errors(context_);
-      const GLsizeiptr before = found->buffer.size();
-      if (found->buffer.reserve(gl_, bytes_to_keep(*plan.layout, call.triangles), GL_STATIC_COPY)) {
-        cache_.count_kept(found->buffer.size() - before);
-        own = &found->buffer;
-        entry = found;
-      }
-    }
-  }
-  ++statistics().captures_made;
-  begin_capture(plan, call.exact, own);
-  call.issue();
-  const capture::CoarseTriangles triangles = end_capture(plan, call.triangles, call.exact);
-  if (entry != nullptr) {
-    capture::CaptureCache::fill(*entry, triangles);
-  }
-  return triangles;
-}
-
-void Pipeline::begin_capture(const Plan& plan, bool exact, GpuBuffer* own) {
-  if (!exact && context_.options.read_counts) {
-    read_uncounted();  // its query is used again
-  }
-  if (plan.last_vertex_convention) {
-    gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
-  }
-  capture_.begin(plan.capture_program, context_.bindings, exact, own);
-}
-
-capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t triangles, bool exact) {
-  const Bindings& b = context_.bindings;
-  const capture::CoarseTriangles captured = capture_.end(*plan.layout, triangles, b);
-  if (plan.last_vertex_convention) {
-    gl_.ProvokingVertex(b.provoking_vertex);
-  }
-  // The application's queries have counted the capture too. Only here, and if GL alone knows the number, it is read back.
-  for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
-    if (query != 0) {
-      context_.query_surplus[query] += exact ? triangles : capture_.counted();
-    }
-  }
-  return captured;
 }
 
 depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
@@ -138,17 +71,18 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
   return bins;
 }
 
-void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured) {
+void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured, const Keeping& keeping) {
   const Bindings& b = context_.bindings;
   copy_stale_uniforms(plan);
-  const Records records = records_of(plan, captured);
+  const bool sorted = plan.adaptive && keeping.filled;
+  const Records records = sorted ? Records{captured} : records_of(plan, captured);
   const bool indirect = plan.adaptive || records.triangles.count_on_gpu;
   if (indirect && b.parameter_buffer != 0) {
     gl_.BindBuffer(GL_PARAMETER_BUFFER, 0);  // Mesa 22 takes the count of any indirect draw from it
   }
   depth::BinnedInstances bins;
   if (plan.adaptive) {
-    bins = sort(plan, records);
+    bins = binned(plan, records, keeping);
   }
   gl_.UseProgram(plan.derived->name);
   if (owns_feedback()) {
@@ -169,7 +103,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   if (indirect && b.parameter_buffer != 0) {
     gl_.BindBuffer(GL_PARAMETER_BUFFER, b.parameter_buffer);
   }
-  restore(plan, indirect);
+  restore({.indirect = indirect, .storage = !sorted && (plan.adaptive || plan.polygons)});
 }
 
 bool Pipeline::selects_back_colors(const Plan& plan) const {
@@ -218,14 +152,14 @@ void Pipeline::reset_modes(const Plan& plan) {
   }
 }
 
-void Pipeline::restore(const Plan& plan, bool changed_indirect) {
+void Pipeline::restore(const Changed& changed) {
   const Bindings& b = context_.bindings;
   gl_.BindVertexArray(b.vertex_array);
   gl_.UseProgram(b.program);
-  if (changed_indirect) {
+  if (changed.indirect) {
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, b.draw_indirect_buffer);
   }
-  if (plan.adaptive || plan.polygons) {
+  if (changed.storage) {
     restore_storage();
   }
 }
@@ -255,8 +189,9 @@ void Pipeline::draw(const DrawCall& call) {
     call.issue();
     return;
   }
-  const capture::CoarseTriangles triangles = capture_draw(call, plan);
-  submit(plan, triangles);
+  Keeping keeping = look_up(call, plan);
+  const capture::CoarseTriangles triangles = capture_draw(call, plan, keeping);
+  submit(plan, triangles, keeping);
   ++statistics().draws_refined;
   if (triangles.count_on_gpu) {
     uncounted_capture_ = true;
@@ -272,7 +207,7 @@ void Pipeline::read_uncounted() {
     return;
   }
   uncounted_capture_ = false;
-  const std::uint64_t coarse = capture_.counted();
+  const std::uint64_t coarse = capture_.counted(context_.bindings);
   statistics().coarse_triangles += coarse;
   statistics().refined_triangles += uncounted_level_ > 0 ? coarse << (2 * uncounted_level_) : 0;
 }
@@ -307,7 +242,7 @@ bool Pipeline::begin_immediate(GLenum mode) {
     count_passed(cause);
     return false;
   }
-  begin_capture(immediate_plan_, true, nullptr);
+  begin_capture(immediate_plan_, capture::Count::known, nullptr);
   return true;
 }
 
@@ -325,10 +260,10 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
   const capture::CoarseTriangles captured = end_capture(immediate_plan_, triangles, true);
   ++statistics().captures_made;
   if (triangles == 0) {
-    restore(immediate_plan_, false);
+    restore({});
     return;
   }
-  submit(immediate_plan_, captured);
+  submit(immediate_plan_, captured, {});
   ++statistics().draws_refined;
   statistics().coarse_triangles += triangles;
 }
@@ -352,7 +287,7 @@ bool Pipeline::begin_feedback(GLenum mode) {
 
 void Pipeline::frame_finished() {
   read_counts();
-  cache_.frame_finished(gl_);
+  kept_.frame_finished(gl_);
 }
 
 void Pipeline::release() {
@@ -363,7 +298,7 @@ void Pipeline::release() {
     gl_.DeleteProgram(program->name);
   }
   fixed_function_.clear();
-  cache_.release(gl_);
+  kept_.release(gl_);
   capture_.release();
   centroids_.release();
   bins_.release();

@@ -9,12 +9,14 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "glark/core/capture/capture.h"
-#include "glark/core/capture/capture_cache.h"
 #include "glark/core/depth/bins.h"
 #include "glark/core/depth/centroid_split.h"
+#include "glark/core/draw_cache.h"
 #include "glark/core/draw_call.h"
+#include "glark/core/draw_key.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/program.h"
 #include "glark/core/refine/fixed_function_state.h"
@@ -84,6 +86,7 @@ class Pipeline {
   void count_passed(Cause cause);
   void frame_finished();
   void release();
+  std::vector<GLuint> take_kept_buffers();  // for whoever deletes them
 
  private:
   struct Plan {
@@ -106,6 +109,7 @@ class Pipeline {
   Cause find_program(Plan& plan);
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
+  unsigned current_tag() const;
   void plan_depth(const DrawCall& call, Plan& plan) const;
   bool captures_last_vertex(GLenum mode) const;
   bool splits_at_centroid(const DrawCall& call, const Plan& plan) const;
@@ -115,12 +119,21 @@ class Pipeline {
   DerivedKey key_of(GLenum mode, bool tagged, bool placed) const;
   void read_uncounted();
   void read_counts();
-  void begin_capture(const Plan& plan, bool exact, GpuBuffer* own);
+  void begin_capture(const Plan& plan, capture::Count count, GpuBuffer* own);
   capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
   bool ensure_pool();
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
-  capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan);
+  // What a draw keeps for the next time, or has kept.
+  struct Keeping {
+    DrawCache::Entry* entry = nullptr;
+    bool filled = false;
+  };
+  bool add_array_inputs(const Plan& plan, const ArrayDraw& draw);
+  bool add_segment_inputs(const Plan& plan, const ListSegment& segment);
+  bool make_key(const DrawCall& call, const Plan& plan);
+  Keeping look_up(const DrawCall& call, const Plan& plan);
+  capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan, Keeping& keeping);
   // What is drawn: the captured triangles, or those about the centroids of their polygons.
   struct Records {
     capture::CoarseTriangles triangles;
@@ -129,12 +142,17 @@ class Pipeline {
   };
   Records records_of(const Plan& plan, const capture::CoarseTriangles& captured);
   depth::BinnedInstances sort(const Plan& plan, const Records& records);
-  void submit(const Plan& plan, const capture::CoarseTriangles& captured);
+  depth::BinnedInstances binned(const Plan& plan, const Records& records, const Keeping& keeping);
+  void submit(const Plan& plan, const capture::CoarseTriangles& captured, const Keeping& keeping);
   bool selects_back_colors(const Plan& plan) const;
   bool adds_specular_colors(const Plan& plan) const;
   void set_modes(const Plan& plan);  // that the refined draw needs otherwise than the application has them
   void reset_modes(const Plan& plan);
-  void restore(const Plan& plan, bool changed_indirect);
+  struct Changed {
+    bool indirect = false;
+    bool storage = false;
+  };
+  void restore(const Changed& changed);
   void restore_storage();
   void copy_stale_uniforms(const Plan& plan);
 
@@ -142,7 +160,8 @@ class Pipeline {
   const gl::Dispatch& gl_;
   pattern::GpuPool pool_;
   capture::CaptureStage capture_;
-  capture::CaptureCache cache_;
+  DrawCache kept_;
+  DrawKey key_;  // scratch
   depth::CentroidSplit centroids_;
   depth::BinStage bins_;
   submit::SubmitStage submit_;
@@ -156,6 +175,7 @@ class Pipeline {
   std::map<std::pair<GLenum, GLenum>, std::optional<depth::Decomposition>>
       decompositions_;  // by mode, provoking convention
   std::bitset<cause_count> logged_;
+  std::uint64_t pools_built_ = 0;
   bool bins_ready_ = false;
   bool pool_failed_ = false;
   bool counted_on_gpu_ = false;     // adaptive draws since the last reading
@@ -163,5 +183,8 @@ class Pipeline {
   unsigned uncounted_level_ = 0;
   bool split_failed_ = false;
 };
+
+// The attributes that a capture of `layout` reads, by AttributeSlot; no_slot for one that is not followed.
+std::vector<int> input_slots(const capture::Layout& layout, GLuint tag_attribute);
 
 }  // namespace glark::core

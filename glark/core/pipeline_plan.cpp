@@ -4,6 +4,7 @@
 // Before a draw: whether it can be refined, by which program, to which depth, and with room for its triangles.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "glark/core/context.h"
@@ -147,6 +148,20 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   return key;
 }
 
+unsigned Pipeline::current_tag() const {
+  const auto highest = static_cast<unsigned>(context_.ark.pool_level);
+  const CurrentValue* value = context_.current_values.find(static_cast<int>(context_.ark.tag_attribute));
+  if (value != nullptr && value->again == set_tag) {
+    GLuint tag = 0;
+    std::memcpy(&tag, value->components.data(), sizeof(tag));
+    return std::min(tag, highest);
+  }
+  GLfloat current[4] = {0, 0, 0, 0};
+  gl_.GetVertexAttribfv(context_.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
+  const float tag = std::isnan(current[0]) ? 0.0F : current[0];
+  return static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(highest)));
+}
+
 void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
   if (context_.options.transparent) {
     plan.level = context_.options.level;
@@ -157,14 +172,10 @@ void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
     plan.level = ark.uniform_level;
     return;
   }
-  GLint array_enabled = 0;
-  gl_.GetVertexAttribiv(ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &array_enabled);
-  plan.adaptive = call.tags_vary || feedback_tagged() || array_enabled != 0;
+  plan.adaptive =
+      call.tags_vary || feedback_tagged() || context_.attribute_source(static_cast<int>(ark.tag_attribute)).enabled;
   if (!plan.adaptive) {
-    GLfloat current[4] = {0, 0, 0, 0};
-    gl_.GetVertexAttribfv(ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
-    const float tag = std::isnan(current[0]) ? 0.0F : current[0];
-    plan.level = static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(ark.pool_level)));
+    plan.level = current_tag();
   }
   plan.deepest = static_cast<unsigned>(ark.pool_level);
 }
@@ -214,6 +225,7 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     ErrorScope errors(context_);
     const FeedbackAside aside(gl_, capture_, context_.bindings);
     plan.derived->capture_program = capture_.program_for(*plan.layout, context_.ark.tag_attribute);
+    plan.derived->input_slots = input_slots(*plan.layout, context_.ark.tag_attribute);
   }
   plan.capture_program = plan.derived->capture_program;
   return plan.capture_program == 0 ? Cause::program_not_derived : Cause::count_;

@@ -63,7 +63,7 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
     gl_.VertexAttribFormat(0, 1, GL_FLOAT, GL_FALSE, 0);
     gl_.VertexAttribBinding(0, 0);
     gl_.EnableVertexAttribArray(0);
-    begin_capture(plan, true, &output);
+    begin_capture(plan, capture::Count::known, &output);
     gl_.DrawArrays(mode, 0, vertices);
     end_capture(plan, triangles, true);
     gl_.UseProgram(context_.bindings.program);

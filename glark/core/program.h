@@ -41,6 +41,7 @@ struct DerivedProgram {
   GLuint name = 0;
   capture::Layout layout;
   GLuint capture_program = 0;              // of the capture stage
+  std::vector<int> input_slots;            // attributes that the capture reads, by AttributeSlot
   std::vector<GLint> location_of;          // application location -> ours, -1 where we have none
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
 };
@@ -63,6 +64,7 @@ struct Program {
   bool fixed_function = false;
   std::vector<StageSource> stages;
   bool from_binary = false;
+  bool may_store = false;       // its shaders may write buffers
   bool prepared = false;        // fields, traits and cause below are valid
   Cause cause = Cause::count_;  // why it cannot be refined; count_ if it can
   std::vector<capture::Field> fields;

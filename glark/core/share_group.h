@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// State of the objects that several contexts share: shaders, programs, display lists, and whether any buffer changed.
+// State of the objects that several contexts share: shaders, programs, display lists, and when buffers were written.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,9 @@
 #include <mutex>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
+#include "glark/core/buffer_stamps.h"
 #include "glark/core/display_list.h"
 #include "glark/core/program.h"
 
@@ -23,8 +25,9 @@ struct ShareGroup {
   std::unordered_map<GLuint, std::shared_ptr<Program>> programs;
   std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
   GLuint next_list_name = 0x60000000;  // names of our list segments: out of the way of the application's
-  // Every write to any buffer object counts: a cached capture is valid only while this stands still.
-  std::atomic<std::uint64_t> buffer_epoch{1};
+  BufferStamps buffers;
+  std::atomic<std::uint64_t> contexts{0};  // made so far: each stamps with numbers of its own
+  std::vector<GLuint> orphaned_buffers;    // of contexts that went without a chance to delete them; guarded by `mutex`
   std::atomic<bool> any_derived{false};
 };
 

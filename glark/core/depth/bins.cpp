@@ -159,6 +159,52 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, c
           .command_count = pattern::piece_count};
 }
 
+namespace {
+
+constexpr std::size_t command_words = 5;
+
+// The records come first; patches and commands need no more than 4 bytes of alignment.
+GLsizeiptr bytes_of_records(const capture::Layout& layout, std::uint32_t instances) {
+  return static_cast<GLsizeiptr>(instances) * Reorder::stride(layout) + 16;  // the last chunk reads past its record
+}
+
+}  // namespace
+
+BinStage::Extent BinStage::extent(const capture::Layout& layout) const {
+  std::vector<std::uint32_t> all(command_words * pattern::piece_count);
+  work_.read(gl_, static_cast<GLintptr>(work_commands * sizeof(all[0])),
+             static_cast<GLsizeiptr>(all.size() * sizeof(all[0])), all.data());
+  Extent extent;
+  for (std::size_t at = 0; at < all.size(); at += command_words) {
+    const std::uint32_t instances = all[at + 1];
+    if (instances > 0) {
+      extent.instances += instances;
+      extent.refined_triangles += std::uint64_t{instances} * (all[at] / 3);
+      extent.commands.insert(extent.commands.end(), all.begin() + static_cast<std::ptrdiff_t>(at),
+                             all.begin() + static_cast<std::ptrdiff_t>(at + command_words));
+    }
+  }
+  extent.bytes = bytes_of_records(layout, extent.instances) + GLsizeiptr{16} * extent.instances +
+                 static_cast<GLsizeiptr>(extent.commands.size() * sizeof(all[0]));
+  return extent;
+}
+
+BinnedInstances BinStage::copy(const BinnedInstances& sorted, const Extent& extent, const core::GpuBuffer& to) const {
+  gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  BinnedInstances result = sorted;
+  const GLsizeiptr records = GLsizeiptr{extent.instances} * sorted.record_stride;
+  const GLsizeiptr patches = GLsizeiptr{16} * extent.instances;
+  result.records = result.patches = result.commands = to.name();
+  result.patches_offset = records + 16;
+  result.commands_offset = result.patches_offset + patches;
+  result.command_count = static_cast<GLsizei>(extent.commands.size() / command_words);
+  to.copy_from(gl_, sorted.records, 0, 0, records);
+  to.copy_from(gl_, sorted.patches, sorted.patches_offset, result.patches_offset, patches);
+  to.write(gl_, result.commands_offset, static_cast<GLsizeiptr>(extent.commands.size() * sizeof(extent.commands[0])),
+           extent.commands.data());
+  return result;
+}
+
 std::uint32_t BinStage::instances_of_last() const {
   std::uint32_t instances = 0;
   work_.read(gl_, work_all_instances * 4, sizeof(instances), &instances);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "glark/core/bindings.h"
 #include "glark/core/capture/coarse_triangles.h"
@@ -37,6 +38,16 @@ class BinStage {
   // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer bindings 0 to
   // 3, which the caller restores.
   BinnedInstances sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings);
+  // How much the last sort() has made; reads back.
+  struct Extent {
+    std::uint32_t instances = 0;
+    std::uint64_t refined_triangles = 0;
+    GLsizeiptr bytes = 0;                 // of a copy
+    std::vector<std::uint32_t> commands;  // those that draw something
+  };
+  Extent extent(const capture::Layout& layout) const;
+  // Copies the instances of the last sort() to a buffer of at least extent.bytes.
+  BinnedInstances copy(const BinnedInstances& sorted, const Extent& extent, const core::GpuBuffer& to) const;
   // Instances that the last sort() made; reads back.
   std::uint32_t instances_of_last() const;
   // Triangles drawn since the last call; reads back.

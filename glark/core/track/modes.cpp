@@ -19,6 +19,26 @@ void set_ark_enabled(Context& c, bool enabled) {
   c.update_refining();
 }
 
+// The array of a name of glEnableClientState; no_slot for those that are not followed.
+int slot_of(const Context& c, GLenum array) {
+  switch (array) {
+    case GL_VERTEX_ARRAY: return vertex_slot;
+    case GL_NORMAL_ARRAY: return normal_slot;
+    case GL_COLOR_ARRAY: return color_slot;
+    case GL_TEXTURE_COORD_ARRAY: return texture_slot(c.client_texture);
+    default: return no_slot;
+  }
+}
+
+void client_state_changed(Context& c, GLenum array, bool enabled) {
+  const int slot = c.refining && !c.immediate.open ? slot_of(c, array) : no_slot;
+  if (slot == no_slot) {
+    c.touch_vertex_arrays();
+    return;
+  }
+  c.vertex_arrays.current(c.bindings.vertex_array).sources[static_cast<std::size_t>(slot)].enabled = enabled;
+}
+
 void set_tag_array(Context& c, bool enabled) {
   if (track::inside_begin(c)) {
     return;
@@ -96,7 +116,7 @@ void EnableClientState(Context& c, GLenum array) {
     return;
   }
   c.gl.EnableClientState(array);
-  c.touch_vertex_arrays();
+  client_state_changed(c, array, true);
 }
 
 void DisableClientState(Context& c, GLenum array) {
@@ -105,7 +125,7 @@ void DisableClientState(Context& c, GLenum array) {
     return;
   }
   c.gl.DisableClientState(array);
-  c.touch_vertex_arrays();
+  client_state_changed(c, array, false);
 }
 
 void PolygonMode(Context& c, GLenum face, GLenum mode) {
@@ -119,7 +139,6 @@ void ProvokingVertex(Context& c, GLenum mode) {
   c.gl.ProvokingVertex(mode);
   if (track::executes(c) && (mode == GL_FIRST_VERTEX_CONVENTION || mode == GL_LAST_VERTEX_CONVENTION)) {
     c.bindings.provoking_vertex = mode;
-    c.touch_vertex_arrays();  // captures order their corners by it
   }
 }
 
@@ -152,11 +171,13 @@ void PushAttrib(Context& c, GLbitfield mask) {
 
 void PopAttrib(Context& c) {
   c.gl.PopAttrib();
+  c.forget_in_list();
   if (!track::executes(c) || c.immediate.open) {
     return;
   }
   c.bindings_stale = true;
   c.fixed_function_stale = true;
+  c.current_values.forget(c.next_stamp());  // GL_CURRENT_BIT
   if (c.pushed_ark_enables.empty()) {
     return;
   }
@@ -173,7 +194,12 @@ void PushClientAttrib(Context& c, GLbitfield mask) { c.gl.PushClientAttrib(mask)
 void PopClientAttrib(Context& c) {
   c.gl.PopClientAttrib();
   c.bindings_stale = true;
-  c.touch_vertex_arrays();
+  c.bound_buffers.forget();
+  if (c.capabilities.refinable && !c.immediate.open) {
+    c.bindings.vertex_array = track::bound_vertex_array(c);
+  }
+  c.client_texture = 0;
+  c.touch_all_vertex_arrays();
 }
 
 }  // namespace hook

@@ -3,7 +3,10 @@
 //
 // Hooks of shaders and programs: the sources a program was linked from are kept, since an application may delete its
 // shader objects right after linking.
+#include <algorithm>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glark/core/track/track.h"
@@ -50,6 +53,23 @@ std::vector<StageSource> read_stages(Context& c, GLuint program) {
   return stages;
 }
 
+// By the words that every store of a shader needs; one too many costs captures.
+bool may_store(const std::vector<StageSource>& stages) {
+  constexpr std::string_view words[] = {"buffer", "image", "atomic", "store"};
+  return std::any_of(stages.begin(), stages.end(), [&](const StageSource& stage) {
+    return std::any_of(std::begin(words), std::end(words),
+                       [&](std::string_view word) { return stage.source->find(word) != std::string::npos; });
+  });
+}
+
+// The program in use is about to be another: what its draws stored, they have stored.
+void leave_program(Context& c) {
+  const bool known = c.current_program != nullptr;
+  if (known ? c.current_program->may_store : c.bindings.program != 0 || c.bindings.pipeline != 0) {
+    c.gpu_wrote();
+  }
+}
+
 // The stages of a program as it was just linked; what was derived from the old ones goes.
 void record_link(Context& c, GLuint name, bool from_binary) {
   if (!c.capabilities.refinable || c.gl.IsProgram(name) == GL_FALSE) {
@@ -68,6 +88,7 @@ void record_link(Context& c, GLuint name, bool from_binary) {
   program->name = name;
   program->stages = std::move(stages);
   program->from_binary = from_binary || program->stages.empty();
+  program->may_store = program->from_binary || may_store(program->stages);
 }
 
 void forget_deleted(Context& c, GLuint name) {
@@ -181,6 +202,7 @@ void DeleteObjectARB(Context& c, GLhandleARB object) {
 
 void UseProgram(Context& c, GLuint program) {
   c.gl.UseProgram(program);
+  leave_program(c);
   if (!track::executes(c)) {
     return;
   }
@@ -201,6 +223,7 @@ void UseProgram(Context& c, GLuint program) {
 
 void BindProgramPipeline(Context& c, GLuint pipeline) {
   c.gl.BindProgramPipeline(pipeline);
+  leave_program(c);
   if (track::executes(c)) {
     c.bindings.pipeline = pipeline;
   }

@@ -18,14 +18,25 @@ namespace glark::core::track {
 void draw(Context& context, const DrawCall& call);
 
 // While a display list is compiled (and not executed) state does not change.
-inline bool executes(const Context& context) {
+inline bool executes(Context& context) {
+  context.list.segment.touches_state = true;  // the segment that is being compiled, if any
   return !context.compiling_list || context.list.mode == GL_COMPILE_AND_EXECUTE;
+}
+
+inline GLuint bound_vertex_array(const Context& context) {
+  GLint array = 0;
+  context.gl.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &array);
+  return static_cast<GLuint>(array);
 }
 
 // Display lists.
 void record_draw(Context& context, const DrawCall& call);
 bool list_begin(Context& context, GLenum mode);
 bool list_end(Context& context);
+void apply_effects(Context& context, const SegmentEffects& effects);
+void forget_uniforms(Context& context);  // a list has set some of the current program
+void run_state(Context& context, const ListSegment& segment);
+void run_draw(Context& context, const ListSegment& segment, std::uint64_t triangles);
 
 // Programs.
 std::shared_ptr<Program> find_program(Context& context, GLuint name);
