@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "glark/gl/types.h"
 
@@ -26,6 +27,18 @@ class BoundBuffers {
     return index < 0 ? nullptr : &bound_[static_cast<std::size_t>(index)];
   }
   void forget() { bound_ = {}; }
+  // GL has an object of that name, as long as no other of its generation is deleted.
+  void confirm(GLuint name, std::uint64_t generation) {
+    if (name < most_confirmed) {
+      if (name >= confirmed_.size()) {
+        confirmed_.resize(name + 1, no_generation);
+      }
+      confirmed_[name] = generation;
+    }
+  }
+  bool confirmed(GLuint name, std::uint64_t generation) const {
+    return name < confirmed_.size() && confirmed_[name] == generation;
+  }
   // Deletion unbinds in the current context.
   void unbind(GLuint name) {
     for (BoundBuffer& bound : bound_) {
@@ -56,7 +69,10 @@ class BoundBuffers {
     }
   }
 
+  static constexpr GLuint most_confirmed = 1 << 16;
+  static constexpr std::uint64_t no_generation = ~std::uint64_t{0};
   std::array<BoundBuffer, 14> bound_{};
+  std::vector<std::uint64_t> confirmed_;  // by name: the generation in which GL was asked
 };
 
 // The query that tells what is bound to a target; 0 for targets that OpenGL does not have.

@@ -138,7 +138,7 @@ void Context::read_capabilities() {
       !is_compatibility() || get(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
   capabilities.max_vertex_attributes = std::min<GLint>(get(gl, GL_MAX_VERTEX_ATTRIBS), generic_slots);
   capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
-  bindings.vertex_array = static_cast<GLuint>(get(gl, GL_VERTEX_ARRAY_BINDING));
+  read_client_state();
 }
 
 void Context::release() {
@@ -173,12 +173,20 @@ std::span<const UniformMirror> Context::uniform_mirrors(GLuint program) const {
                                         : std::span<const UniformMirror>();
 }
 
+void Context::read_client_state() {
+  bindings.vertex_array = static_cast<GLuint>(get(gl, GL_VERTEX_ARRAY_BINDING));
+  client_texture = is_compatibility() ? static_cast<GLenum>(get(gl, GL_CLIENT_ACTIVE_TEXTURE)) : 0;
+}
+
 // GL says that `name` is bound: if that is what the hooks thought, they know since when too.
 void Context::confirm(BoundBuffer& bound, GLuint name) {
   if (bound.name != name) {
     bound = {false, name, generation_of(*share, name, next_stamp())};
   }
   bound.known = true;
+  if (bound.generation == share->buffers.generation(name)) {  // not an object whose name was deleted
+    bound_buffers.confirm(name, bound.generation);
+  }
 }
 
 BoundBuffer Context::bound_buffer(GLenum target) {

@@ -138,6 +138,8 @@ class Context {
   void update_refining();
   // Re-reads the bindings from GL if something we cannot follow (a display list, glPopAttrib) changed them.
   void refresh_bindings();
+  // The vertex array and the unit of glTexCoordPointer, whose bindings the hooks follow from then on.
+  void read_client_state();
   // What is bound to a target, asked for if it is not known.
   BoundBuffer bound_buffer(GLenum target);
   // Where an attribute of the bound vertex array comes from; the buffer of its indices. Queries what is not known.

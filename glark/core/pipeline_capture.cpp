@@ -75,6 +75,9 @@ std::vector<int> input_slots(const capture::Layout& layout, GLuint tag_attribute
 
 // False: it reads what cannot be watched.
 bool Pipeline::add_array_inputs(const Plan& plan, const ArrayDraw& draw) {
+  if (context_.bindings.primitive_restart || context_.bindings.primitive_restart_fixed) {
+    return false;
+  }
   key_.add(draw.mode, draw.index_type);
   key_.add(static_cast<std::uint32_t>(draw.first), static_cast<std::uint32_t>(draw.count));
   key_.add(static_cast<std::uint32_t>(draw.instances), draw.base_instance);

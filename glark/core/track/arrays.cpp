@@ -33,7 +33,8 @@ struct Pointer {
 // glXPointer reads the buffer that is bound to GL_ARRAY_BUFFER now.
 bool attach(Context& c, AttributeSource& source, const Pointer& to) {
   const BoundBuffer bound = c.bound_buffer(GL_ARRAY_BUFFER);
-  const GLsizei packed = packed_stride(to.size, to.type);
+  const bool es_double = to.type == GL_DOUBLE && c.capabilities.api == Capabilities::Api::es;
+  const GLsizei packed = es_double ? 0 : packed_stride(to.size, to.type);
   if (!bound.known || packed == 0 || to.stride < 0 || to.stride > surely_valid_stride ||
       (bound.name == 0 && !c.is_compatibility())) {
     return false;
@@ -112,7 +113,8 @@ void BindVertexBuffer(Context& c, GLuint binding, GLuint buffer, GLintptr offset
   if (array == nullptr) {
     return;
   }
-  const bool valid = c.is_compatibility() && buffer != 0 && offset >= 0 && stride >= 0 && stride <= surely_valid_stride;
+  const bool valid = (c.is_compatibility() || c.bindings.vertex_array != 0) && offset >= 0 && stride >= 0 &&
+                     stride <= surely_valid_stride && c.gl.IsBuffer(buffer) != GL_FALSE;
   for (GLuint i = 0; i < generic_slots; ++i) {
     AttributeSource& source = array->sources[i];
     if (source.binding != binding) {

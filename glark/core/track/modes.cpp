@@ -39,6 +39,17 @@ void client_state_changed(Context& c, GLenum array, bool enabled) {
   c.vertex_arrays.current(c.bindings.vertex_array).sources[static_cast<std::size_t>(slot)].enabled = enabled;
 }
 
+// Vertex arrays and buffer bindings are others now.
+void client_state_replaced(Context& c) {
+  c.bindings_stale = true;
+  c.bound_buffers.forget();
+  c.touch_all_vertex_arrays();
+  c.client_texture = 0;
+  if (c.capabilities.refinable && !c.immediate.open) {
+    c.read_client_state();
+  }
+}
+
 void set_tag_array(Context& c, bool enabled) {
   if (track::inside_begin(c)) {
     return;
@@ -193,13 +204,17 @@ void PushClientAttrib(Context& c, GLbitfield mask) { c.gl.PushClientAttrib(mask)
 
 void PopClientAttrib(Context& c) {
   c.gl.PopClientAttrib();
-  c.bindings_stale = true;
-  c.bound_buffers.forget();
-  if (c.capabilities.refinable && !c.immediate.open) {
-    c.bindings.vertex_array = track::bound_vertex_array(c);
-  }
-  c.client_texture = 0;
-  c.touch_all_vertex_arrays();
+  client_state_replaced(c);
+}
+
+void ClientAttribDefaultEXT(Context& c, GLbitfield mask) {
+  c.gl.ClientAttribDefaultEXT(mask);
+  client_state_replaced(c);
+}
+
+void PushClientAttribDefaultEXT(Context& c, GLbitfield mask) {
+  c.gl.PushClientAttribDefaultEXT(mask);
+  client_state_replaced(c);
 }
 
 }  // namespace hook

@@ -9,14 +9,16 @@
 namespace glark::core {
 namespace {
 
-// Whether GL took the name, as far as can be told without asking.
-bool surely_bound(const Context& c, GLuint buffer) {
-  return buffer == 0 || (c.capabilities.api != Capabilities::Api::core && !c.immediate.open);
+// Whether GL took the name, as far as can be told without asking: in core contexts it refuses names that it did not give out.
+bool surely_bound(const Context& c, GLuint buffer, std::uint64_t generation) {
+  return !c.immediate.open && (buffer == 0 || c.capabilities.api != Capabilities::Api::core ||
+                               c.bound_buffers.confirmed(buffer, generation));
 }
 
-// What writes to `target` go to. In core contexts GL refuses names that it did not give out: asked for at the first write.
+// What writes to `target` go to. If it is not sure, the first write asks.
 void follow_binding(Context& c, GLenum target, GLuint buffer) {
-  const BoundBuffer bound{surely_bound(c, buffer), buffer, c.share->buffers.generation(buffer)};
+  const std::uint64_t generation = c.share->buffers.generation(buffer);
+  const BoundBuffer bound{surely_bound(c, buffer, generation), buffer, generation};
   if (target == GL_ELEMENT_ARRAY_BUFFER) {
     c.vertex_arrays.current(c.bindings.vertex_array).elements = bound;
   } else if (BoundBuffer* kept = c.bound_buffers.at(target); kept != nullptr) {

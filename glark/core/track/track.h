@@ -23,12 +23,6 @@ inline bool executes(Context& context) {
   return !context.compiling_list || context.list.mode == GL_COMPILE_AND_EXECUTE;
 }
 
-inline GLuint bound_vertex_array(const Context& context) {
-  GLint array = 0;
-  context.gl.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &array);
-  return static_cast<GLuint>(array);
-}
-
 // Display lists.
 void record_draw(Context& context, const DrawCall& call);
 bool list_begin(Context& context, GLenum mode);
