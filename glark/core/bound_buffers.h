@@ -26,6 +26,7 @@ class BoundBuffers {
     const int index = index_of(target);
     return index < 0 ? nullptr : &bound_[static_cast<std::size_t>(index)];
   }
+  BoundBuffer& array() { return bound_[0]; }
   void forget() { bound_ = {}; }
   // GL has an object of that name, as long as no other of its generation is deleted.
   void confirm(GLuint name, std::uint64_t generation) {

@@ -116,7 +116,8 @@ bool Pipeline::add_segment_inputs(const Plan& plan, const ListSegment& segment) 
     if (slot == no_slot) {
       return false;
     }
-    if ((segment.effects.own & slot_bit(slot)) == 0) {
+    const bool is_vertex = slot == vertex_slot || slot == 0;  // lists are of compatibility contexts: the two are one
+    if (!is_vertex && (segment.effects.own & slot_bit(slot)) == 0) {
       key_.add_value(slot, context_.current_values);
     }
   }

@@ -42,6 +42,17 @@ TEST_F(CacheLists, ListIsKept) {
   expect_kept([list] { glCallList(list); }, [] { glTranslatef(0.001F, 0, 0); });
 }
 
+// It sets all that its vertices have: nothing that happens to the current values matters.
+TEST_F(CacheLists, ListInheritsNothing) {
+  const GLuint list = compile([] { draw_immediate(strip()); });
+  const GLuint unseen = compile([] { glPopAttrib(); });
+  expect_kept([list] { glCallList(list); }, [unseen] {
+    glPushAttrib(GL_CURRENT_BIT);
+    glColor3f(0, 0, 1);
+    glCallList(unseen);
+  });
+}
+
 TEST_F(CacheLists, ListOfArraysIsKept) {
   const std::vector<ColoredVertex> vertices = strip().vertices;
   point_conventional_arrays(vertices.data());

@@ -127,10 +127,16 @@ void correct_result(Context& c, GLuint id, GLenum name, Value* result) {
 
 namespace hook {
 
+// The most frequent target first, and the real call last, by a jump: programs bind before every draw.
 void BindBuffer(Context& c, GLenum target, GLuint buffer) {
+  if (target == GL_ARRAY_BUFFER) {
+    const std::uint64_t generation = c.share->buffers.generation(buffer);
+    c.bound_buffers.array() = {surely_bound(c, buffer, generation), buffer, generation};
+  } else {
+    set_binding(c, target, buffer);
+    follow_binding(c, target, buffer);
+  }
   c.gl.BindBuffer(target, buffer);
-  set_binding(c, target, buffer);
-  follow_binding(c, target, buffer);
 }
 
 void BindBufferBase(Context& c, GLenum target, GLuint index, GLuint buffer) {
