@@ -22,7 +22,8 @@ constexpr unsigned pool_level = 6;
 Mesh placed(Mesh mesh, int object) {
   constexpr float size = 0.05F;
   const float x = 0.1F * (static_cast<float>(object % columns) - 0.5F * (columns - 1));
-  const float y = 0.2F * (static_cast<float>(object / columns) - 0.5F * (rows - 1));
+  const int row = object / columns;
+  const float y = 0.2F * (static_cast<float>(row) - 0.5F * (rows - 1));
   for (Vertex& vertex : mesh.vertices) {
     for (float& coordinate : vertex.position) coordinate *= size;
     vertex.position[0] += x;

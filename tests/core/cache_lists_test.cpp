@@ -46,11 +46,12 @@ TEST_F(CacheLists, ListIsKept) {
 TEST_F(CacheLists, ListInheritsNothing) {
   const GLuint list = compile([] { draw_immediate(strip()); });
   const GLuint unseen = compile([] { glPopAttrib(); });
-  expect_kept([list] { glCallList(list); }, [unseen] {
-    glPushAttrib(GL_CURRENT_BIT);
-    glColor3f(0, 0, 1);
-    glCallList(unseen);
-  });
+  expect_kept([list] { glCallList(list); },
+              [unseen] {
+                glPushAttrib(GL_CURRENT_BIT);
+                glColor3f(0, 0, 1);
+                glCallList(unseen);
+              });
 }
 
 TEST_F(CacheLists, ListOfArraysIsKept) {
