@@ -3,6 +3,7 @@
 #include "glark/core/context.h"
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -52,19 +53,30 @@ GLint get(const gl::Dispatch& gl, GLenum name) {
   return value;
 }
 
+// Of an object that GL names, attached we do not know when: if the name was never deleted, it is the first. Otherwise `unique`.
+std::uint64_t generation_of(const ShareGroup& share, GLuint name, std::uint64_t unique) {
+  return share.buffers.generation(name) == 0 ? 0 : unique;
+}
+
 }  // namespace
 
 std::shared_ptr<ShareGroup> make_share_group() { return std::make_shared<ShareGroup>(); }
 
 Context::Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group, const ContextOptions& wanted)
     : gl(dispatch), share(std::move(group)), options(wanted) {
+  constexpr int stamp_bits = 40;
+  stamp_ = (share->contexts_made.fetch_add(1, std::memory_order_relaxed) + 1) << stamp_bits;
+  current_values.forget(next_stamp());
   const std::lock_guard lock(share->mutex);
   share->contexts.push_back(this);
   mirror_uniforms = share->any_derived.load();
 }
 
+// Objects live on in the share group: another context deletes them.
 Context::~Context() {
+  const std::vector<GLuint> buffers = pipeline != nullptr ? pipeline->take_kept_buffers() : std::vector<GLuint>();
   const std::lock_guard lock(share->mutex);
+  share->orphaned_buffers.insert(share->orphaned_buffers.end(), buffers.begin(), buffers.end());
   std::erase(share->contexts, this);
 }
 
@@ -126,9 +138,10 @@ void Context::read_capabilities() {
   capabilities.parameter_buffer = !es && (capabilities.version >= 46 || has_extension("GL_ARB_indirect_parameters"));
   capabilities.quads_follow_convention =
       !is_compatibility() || get(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
-  capabilities.max_vertex_attributes = get(gl, GL_MAX_VERTEX_ATTRIBS);
+  capabilities.max_vertex_attributes = std::min<GLint>(get(gl, GL_MAX_VERTEX_ATTRIBS), generic_slots);
   capabilities.max_vertex_storage_blocks = get(gl, GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
   capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
+  read_client_state();
 }
 
 void Context::release() {
@@ -138,6 +151,14 @@ void Context::release() {
 }
 
 void Context::frame_finished() {
+  std::vector<GLuint> orphans;
+  {
+    const std::lock_guard lock(share->mutex);
+    orphans.swap(share->orphaned_buffers);
+  }
+  if (!orphans.empty()) {
+    gl.DeleteBuffers(static_cast<GLsizei>(orphans.size()), orphans.data());
+  }
   if (pipeline != nullptr) {
     pipeline->frame_finished();
   }
@@ -163,6 +184,82 @@ void Context::mirror_from_now_on() {
   for (Context* context : share->contexts) {
     context->mirror_uniforms = true;
   }
+}
+
+void Context::read_client_state() {
+  bindings.vertex_array = static_cast<GLuint>(get(gl, GL_VERTEX_ARRAY_BINDING));
+  client_texture = is_compatibility() ? static_cast<GLenum>(get(gl, GL_CLIENT_ACTIVE_TEXTURE)) : 0;
+}
+
+// GL says that `name` is bound: if that is what the hooks thought, they know since when too.
+void Context::confirm(BoundBuffer& bound, GLuint name) {
+  if (bound.name != name) {
+    bound = {false, name, generation_of(*share, name, next_stamp())};
+  }
+  bound.known = true;
+  if (bound.generation == share->buffers.generation(name)) {  // not an object whose name was deleted
+    bound_buffers.confirm(name, bound.generation);
+  }
+}
+
+BoundBuffer Context::bound_buffer(GLenum target) {
+  if (target == GL_ELEMENT_ARRAY_BUFFER) {
+    return immediate.open || !capabilities.refinable ? BoundBuffer() : element_buffer();
+  }
+  BoundBuffer* kept = bound_buffers.at(target);
+  if (kept != nullptr && kept->known) {
+    return *kept;
+  }
+  // Between glBegin and glEnd nothing can be asked, and not everything in old versions.
+  if (kept == nullptr || immediate.open || !capabilities.refinable) {
+    return {};
+  }
+  confirm(*kept, static_cast<GLuint>(get(gl, binding_of(target))));
+  return *kept;
+}
+
+void Context::wrote_buffer_of(GLenum target) {
+  const BoundBuffer bound = bound_buffer(target);
+  bound.known ? wrote_buffer(bound.name) : share->buffers.wrote_any(next_stamp());
+}
+
+const AttributeSource& Context::attribute_source(int slot) {
+  VertexArray& array = vertex_arrays.current(bindings.vertex_array);
+  AttributeSource& source = array.sources[static_cast<std::size_t>(slot)];
+  if ((array.known & slot_bit(slot)) == 0) {
+    source = read_source(gl, slot);
+    source.generation = generation_of(*share, source.buffer, next_stamp());
+    array.known |= slot_bit(slot);
+  }
+  return source;
+}
+
+const BoundBuffer& Context::element_buffer() {
+  BoundBuffer& elements = vertex_arrays.current(bindings.vertex_array).elements;
+  if (!elements.known) {
+    confirm(elements, static_cast<GLuint>(get(gl, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
+  }
+  return elements;
+}
+
+void Context::forget_values() {
+  forget_in_list();
+  if (!compiling_list) {
+    current_values.forget(next_stamp());
+  }
+}
+
+void Context::forget_in_list() {
+  if (compiling_list) {
+    list.segment.opaque = true;
+  }
+}
+
+void Context::record_current(int slot, CurrentValue::Again again, GLuint index, const void* components,
+                             std::uint32_t bytes) {
+  CurrentValue value{again, index, bytes};
+  std::memcpy(value.components.data(), components, bytes);
+  list.segment.record(slot, value, immediate_vertices == 0);
 }
 
 void Context::update_refining() {
@@ -197,6 +294,7 @@ void Context::refresh_bindings() {
   b.program = static_cast<GLuint>(get(gl, GL_CURRENT_PROGRAM));
   b.pipeline = static_cast<GLuint>(get(gl, GL_PROGRAM_PIPELINE_BINDING));
   b.vertex_array = static_cast<GLuint>(get(gl, GL_VERTEX_ARRAY_BINDING));
+  vertex_arrays.bind(b.vertex_array);
   b.transform_feedback = static_cast<GLuint>(get(gl, GL_TRANSFORM_FEEDBACK_BINDING));
   b.transform_feedback_active = get(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
   b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;

@@ -11,12 +11,16 @@
 #include <unordered_map>
 #include <vector>
 
+#include "glark/core/ark_state.h"
 #include "glark/core/bindings.h"
+#include "glark/core/bound_buffers.h"
+#include "glark/core/current_values.h"
 #include "glark/core/program.h"
 #include "glark/core/quiet.h"
 #include "glark/core/refine/fixed_function.h"
 #include "glark/core/refinement.h"
 #include "glark/core/share_group.h"
+#include "glark/core/vertex_arrays.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {
@@ -39,24 +43,6 @@ struct Capabilities {
   GLint max_vertex_storage_blocks = 0;
 };
 
-enum class DepthSource { tag, uniform, measured };
-enum class PolygonSplit { triangles, centroid };
-
-// The state of GL_ARK_adaptive_refinement ("New State" of the specification).
-struct ArkState {
-  bool enabled = false;
-  int pool_level = -1;  // -1 before glARKinit
-  GLuint current_tag = 0;
-  Refinement refinement = Refinement::linear_inputs;
-  DepthSource depth_source = DepthSource::tag;
-  GLuint uniform_level = 0;
-  EdgeMeasure measure{.pixels = 8};
-  GLuint tag_attribute = 15;
-  PolygonSplit polygon_split = PolygonSplit::triangles;
-  bool smooth_interior = false;
-  bool tag_array = false;
-};
-
 // A display list that the application is compiling.
 struct ListCompilation {
   bool cutting = false;  // into segments; otherwise the driver compiles it alone
@@ -64,6 +50,7 @@ struct ListCompilation {
   GLenum mode = 0;
   std::shared_ptr<DisplayList> list;
   GLuint open_segment = 0;
+  SegmentEffects segment;                // of the open one
   GLenum begun_mode = 0;                 // of a glBegin that is open in a draw segment
   std::vector<VertexList> vertex_lists;  // called since the open glBegin
   bool in_draw = false;
@@ -103,11 +90,42 @@ class Context {
   bool list_changes_uniforms = false;
   std::uint64_t immediate_vertices = 0;
 
-  void touch_buffers() { share->buffer_epoch.fetch_add(1, std::memory_order_relaxed); }
-  void touch_vertex_arrays() { ++vertex_array_epoch; }
-  void touch_fixed_function() { fixed_function_stale = true; }
-  void touch_matrices() { (bindings.matrix_mode == GL_PROJECTION ? projection_stale : modelview_stale) = true; }
-  void touch_any_matrix() { projection_stale = modelview_stale = true; }
+  // Called after the write.
+  void wrote_buffer(GLuint buffer) { share->buffers.wrote(buffer, next_stamp()); }
+  void wrote_target(GLenum target) {
+    const BoundBuffer* bound = bound_buffers.at(target);
+    bound != nullptr && bound->known ? wrote_buffer(bound->name) : wrote_buffer_of(target);
+  }
+  void wrote_pack_buffer() { wrote_target(GL_PIXEL_PACK_BUFFER); }
+  void gpu_wrote() { share->buffers.gpu_wrote(next_stamp()); }
+  void gpu_may_write(GLuint buffer) { share->buffers.gpu_may_write(buffer); }
+  void never_trust_buffer(GLuint buffer) { share->buffers.never_trust(buffer); }
+  void never_trust_target(GLenum target) { share->buffers.never_trust(bound_buffer(target).name); }
+  void touch_vertex_arrays() { vertex_arrays.forget_current(); }
+  void touch_all_vertex_arrays() { vertex_arrays.forget_all(); }
+  // The call that `again` makes sets a current attribute value.
+  void set_current(int slot, CurrentValue::Again again, GLuint index, const void* components, std::uint32_t bytes) {
+    if (compiling_list) {
+      record_current(slot, again, index, components, bytes);
+    } else if (slot >= 0) {
+      current_values.set(slot, again, index, components, bytes);
+    }
+  }
+  // Current values may have changed unseen, or state that a list sets between glBegin and glEnd.
+  void forget_values();
+  void forget_in_list();
+  void touch_fixed_function() {
+    fixed_function_stale = true;
+    list.segment.touches_state = true;
+  }
+  void touch_matrices() {
+    (bindings.matrix_mode == GL_PROJECTION ? projection_stale : modelview_stale) = true;
+    list.segment.touches_state = true;
+  }
+  void touch_any_matrix() {
+    projection_stale = modelview_stale = true;
+    list.segment.touches_state = true;
+  }
   LockedMirrors uniform_mirrors() const;
   LockedMirrors uniform_mirrors(GLuint program) const;
   // From the first derived program on, every context of the share group mirrors uniforms.
@@ -121,6 +139,15 @@ class Context {
   void forget_state();
   // For the time of GL calls of ours.
   Quiet quiet();
+  // The vertex array and the unit of glTexCoordPointer, whose bindings the hooks follow from then on.
+  void read_client_state();
+  // What is bound to a target, asked for if it is not known.
+  BoundBuffer bound_buffer(GLenum target);
+  // Where an attribute of the bound vertex array comes from; the buffer of its indices. Queries what is not known.
+  const AttributeSource& attribute_source(int slot);
+  const BoundBuffer& element_buffer();
+  // A number that no other context of the share group has, nor this one had.
+  std::uint64_t next_stamp() { return ++stamp_; }
   // Records an error of ours for glGetError; the first stays, as in GL.
   void raise(GLenum error);
   bool is_compatibility() const { return capabilities.api == Capabilities::Api::compatibility; }
@@ -131,7 +158,10 @@ class Context {
   ArkState ark;
   Bindings bindings;
   bool bindings_stale = true;
-  std::uint64_t vertex_array_epoch = 1;
+  BoundBuffers bound_buffers;
+  VertexArrays vertex_arrays;
+  CurrentValues current_values;
+  GLenum client_texture = 0;  // glClientActiveTexture; 0: not known
   bool fixed_function_stale = true;
   MatrixTraits matrices;
   bool projection_stale = true;
@@ -152,6 +182,11 @@ class Context {
  private:
   Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group, const ContextOptions& wanted);
   void read_capabilities();
+  void wrote_buffer_of(GLenum target);
+  void confirm(BoundBuffer& bound, GLuint name);
+  void record_current(int slot, CurrentValue::Again again, GLuint index, const void* components, std::uint32_t bytes);
+
+  std::uint64_t stamp_ = 0;
 };
 
 // Keeps the application's pending GL errors apart from those of our own calls: what was pending at construction goes

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "glark/core/current_values.h"
 #include "glark/gl/types.h"
 
 namespace glark::core {
@@ -17,6 +18,37 @@ namespace glark::core {
 struct VertexList {
   GLuint list = 0;
   bool offset = false;  // `list` is added to glListBase
+};
+
+// What the calls of a segment do beyond drawing.
+struct SegmentEffects {
+  struct Value {
+    int slot;
+    CurrentValue value;
+  };
+
+  std::vector<Value> values;   // the last of each attribute that it sets
+  std::uint64_t set = 0;       // their slots
+  std::uint64_t own = 0;       // those set before its first vertex: no vertex inherits them
+  bool opaque = false;         // sets what we do not follow: to be executed each time
+  bool touches_state = false;  // that refined draws depend on
+  bool changes_uniforms = false;
+
+  void record(int slot, const CurrentValue& value, bool before_vertices) {
+    if (slot < 0) {
+      opaque = true;
+      return;
+    }
+    if ((set & slot_bit(slot)) == 0) {
+      own |= before_vertices ? slot_bit(slot) : 0;
+      set |= slot_bit(slot);
+      values.push_back({slot, value});
+      return;
+    }
+    for (Value& known : values) {
+      known.value = known.slot == slot ? value : known.value;
+    }
+  }
 };
 
 struct ListSegment {
@@ -30,6 +62,8 @@ struct ListSegment {
   bool sets_tags = false;                     // glDepthTag1i was called inside
   bool whole_polygons = false;                // as in DrawCall
   std::vector<VertexList> vertex_lists = {};  // `vertices` are without theirs
+  std::uint64_t identity = 0;                 // never another segment's
+  SegmentEffects effects = {};
 };
 
 struct DisplayList {

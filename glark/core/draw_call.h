@@ -28,6 +28,8 @@ class Issue {
   void (*call_)(void*);
 };
 
+struct ListSegment;
+
 // The arguments that decide what a draw of vertex arrays captures.
 struct ArrayDraw {
   GLenum mode = 0;
@@ -48,8 +50,9 @@ struct DrawCall {
   bool tags_vary = false;             // glDepthTag1i was called between its vertices
   bool whole_polygons = false;        // its triangles are those of GL's quads, or of one GL_POLYGON alone
   bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
-  const ArrayDraw* arrays = nullptr;  // set if its capture may be kept
-  Issue issue;                        // makes the application's own call
+  const ArrayDraw* arrays = nullptr;  // these or a segment are set if its capture may be kept
+  const ListSegment* segment = nullptr;
+  Issue issue;  // makes the application's own call
 };
 
 inline bool is_triangle_mode(GLenum mode) {

@@ -50,6 +50,15 @@ void GpuBuffer::read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, v
   }
 }
 
+void GpuBuffer::copy_from(const gl::Dispatch& gl, GLuint buffer, GLintptr from, GLintptr to, GLsizeiptr size) const {
+  const CopyWriteBinding binding(gl, name_);
+  GLint previous = 0;
+  gl.GetIntegerv(GL_COPY_READ_BUFFER_BINDING, &previous);
+  gl.BindBuffer(GL_COPY_READ_BUFFER, buffer);
+  gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, from, to, size);
+  gl.BindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(previous));
+}
+
 void GpuBuffer::release(const gl::Dispatch& gl) {
   if (name_ != 0) {
     gl.DeleteBuffers(1, &name_);

@@ -31,6 +31,7 @@ class GpuBuffer {
   bool reserve(const gl::Dispatch& gl, GLsizeiptr size, GLenum usage);
   void write(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, const void* data) const;
   void read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const;
+  void copy_from(const gl::Dispatch& gl, GLuint buffer, GLintptr from, GLintptr to, GLsizeiptr size) const;
   void release(const gl::Dispatch& gl);
 
   GLuint name() const { return name_; }

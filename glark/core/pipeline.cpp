@@ -38,11 +38,6 @@ refine::BuilderTraits builder_traits(const Capabilities& capabilities, const Con
 // Bytes that a glBegin..glEnd may capture: the number of its vertices is known only at its end.
 constexpr std::uint64_t immediate_bytes = std::uint64_t{32} << 20;
 
-// Of the records of a kept capture; the last vec4 chunk may read past the last record.
-GLsizeiptr bytes_to_keep(const capture::Layout& layout, std::uint64_t triangles) {
-  return static_cast<GLsizeiptr>(triangles) * layout.triangle_words() * 4 + 16;
-}
-
 }  // namespace
 
 Pipeline::Pipeline(Context& context)
@@ -62,73 +57,14 @@ bool Pipeline::build_pool(unsigned max_level) {
   if (!pool_.build(gl_, max_level)) {
     return false;
   }
+  ++pools_built_;
   bins_ready_ = false;
   return true;
 }
 
-capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan& plan, const Quiet& quiet) {
-  using Answer = capture::CaptureCache::Answer;
-  const Bindings& b = context_.bindings;
-  GpuBuffer* own = nullptr;
-  capture::CaptureCache::Entry* entry = nullptr;
-  if (call.arrays != nullptr && call.exact && !b.primitive_restart && !b.primitive_restart_fixed) {
-    const capture::Epochs epochs{context_.share->buffer_epoch.load(std::memory_order_relaxed),
-                                 context_.vertex_array_epoch};
-    cache_.make_room(gl_);
-    const auto [answer, found] = cache_.look_up({*call.arrays, plan.capture_program, b.vertex_array}, epochs, [&] {
-      ErrorScope errors(context_);
-      return capture::reads_only_buffers(gl_, *plan.layout, call.arrays->index_type != 0, context_.ark.tag_attribute) &&
-             cache_.may_keep(bytes_to_keep(*plan.layout, call.triangles));
-    });
-    if (answer == Answer::kept) {
-      ++statistics().captures_reused;
-      return found->triangles;
-    }
-    if (answer == Answer::keep) {
-      ErrorScope errors(context_);
-      const GLsizeiptr before = found->buffer.size();
-      if (found->buffer.reserve(gl_, bytes_to_keep(*plan.layout, call.triangles), GL_STATIC_COPY)) {
-        cache_.count_kept(found->buffer.size() - before);
-        own = &found->buffer;
-        entry = found;
-      }
-    }
-  }
-  ++statistics().captures_made;
-  begin_capture(plan, call.exact, own);
-  quiet.interrupt();
-  call.issue();
-  quiet.hush();
-  const capture::CoarseTriangles triangles = end_capture(plan, call.triangles, call.exact);
-  if (entry != nullptr) {
-    capture::CaptureCache::fill(*entry, triangles);
-  }
-  return triangles;
-}
-
-void Pipeline::begin_capture(const Plan& plan, bool exact, GpuBuffer* own) {
-  if (!exact && context_.options.read_counts) {
-    read_uncounted();  // its query is used again
-  }
-  if (plan.last_vertex_convention) {
-    gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
-  }
-  capture_.begin(plan.capture_program, context_.bindings, exact, own);
-}
-
-capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t triangles, bool exact) {
-  const Bindings& b = context_.bindings;
-  const capture::CoarseTriangles captured = capture_.end(*plan.layout, triangles, b);
-  if (plan.last_vertex_convention) {
-    gl_.ProvokingVertex(b.provoking_vertex);
-  }
-  // The application's queries have counted the capture too. Only here, and if GL alone knows the number, it is read back.
-  for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
-    if (query != 0) {
-      context_.query_surplus[query] += exact ? triangles : capture_.counted();
-    }
-  }
-  return captured;
+bool Pipeline::takes_in_order(const Plan& plan, const capture::CoarseTriangles& triangles) const {
+  return !context_.ark.smooth_interior && !plan.derived->stored() &&
+         ordered_.takes(*plan.layout, triangles, plan.deepest);
 }
 
 depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
@@ -143,8 +79,7 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
   // The application's queries have counted what was captured in here, too.
   std::uint64_t captured = plan.corner_program != 0 ? records.triangles.count : 0;
   depth::BinnedInstances bins;
-  if (!context_.ark.smooth_interior && !plan.derived->stored() &&
-      ordered_.takes(*plan.layout, records.triangles, plan.deepest)) {
+  if (takes_in_order(plan, records.triangles)) {
     bins = ordered_.sort({measured, ends, bins_.work_buffer(), records.tags_are_edge_depths}, b);
   } else {
     depth::BinRequest request{
@@ -163,19 +98,20 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
   return bins;
 }
 
-void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured) {
+void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured, const Keeping& keeping) {
   const Bindings& b = context_.bindings;
   copy_stale_uniforms(plan);
-  const Records records = records_of(plan, captured);
+  const bool sorted = plan.keeps_bins() && keeping.filled;
+  const Records records = sorted ? Records{captured} : records_of(plan, captured);
   const bool indirect = plan.adaptive || records.triangles.count_on_gpu;
   if (indirect && b.parameter_buffer != 0) {
     gl_.BindBuffer(GL_PARAMETER_BUFFER, 0);  // Mesa 22 takes the count of any indirect draw from it
   }
   depth::BinnedInstances bins;
   if (plan.adaptive) {
-    bins = sort(plan, records);
+    bins = binned(plan, records, keeping);
   }
-  if (plan.adaptive || plan.polygons) {
+  if (!sorted && (plan.adaptive || plan.polygons)) {
     restore_storage();  // the vertex stage may read it
   }
   use_derived(plan);
@@ -205,7 +141,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   if (indirect && b.parameter_buffer != 0) {
     gl_.BindBuffer(GL_PARAMETER_BUFFER, b.parameter_buffer);
   }
-  restore(plan, indirect);
+  restore({.indirect = indirect, .storage = stored});
 }
 
 bool Pipeline::selects_back_colors(const Plan& plan) const {
@@ -254,14 +190,14 @@ void Pipeline::reset_modes(const Plan& plan) {
   }
 }
 
-void Pipeline::restore(const Plan& plan, bool changed_indirect) {
+void Pipeline::restore(const Changed& changed) {
   const Bindings& b = context_.bindings;
   gl_.BindVertexArray(b.vertex_array);
   use_application_program();
-  if (changed_indirect) {
+  if (changed.indirect) {
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, b.draw_indirect_buffer);
   }
-  if (plan.derived != nullptr && plan.derived->stored()) {
+  if (changed.storage) {
     restore_storage();
   }
 }
@@ -294,8 +230,9 @@ void Pipeline::draw(const DrawCall& call) {
     quiet.hush();
     return;
   }
-  const capture::CoarseTriangles triangles = capture_draw(call, plan, quiet);
-  submit(plan, triangles);
+  Keeping keeping = look_up(call, plan);
+  const capture::CoarseTriangles triangles = capture_draw(call, plan, keeping, quiet);
+  submit(plan, triangles, keeping);
   count_refined(plan);
   if (triangles.count_on_gpu) {
     uncounted_capture_ = true;
@@ -311,7 +248,7 @@ void Pipeline::read_uncounted() {
     return;
   }
   uncounted_capture_ = false;
-  const std::uint64_t coarse = capture_.counted();
+  const std::uint64_t coarse = capture_.counted(context_.bindings);
   statistics().coarse_triangles += coarse;
   statistics().refined_triangles += uncounted_level_ > 0 ? coarse << (2 * uncounted_level_) : 0;
 }
@@ -347,7 +284,7 @@ bool Pipeline::begin_immediate(GLenum mode) {
     count_passed(cause);
     return false;
   }
-  begin_capture(immediate_plan_, true, nullptr);
+  begin_capture(immediate_plan_, capture::Count::known, nullptr);
   return true;
 }
 
@@ -366,7 +303,7 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
   const capture::CoarseTriangles captured = end_capture(immediate_plan_, triangles, true);
   ++statistics().captures_made;
   if (triangles == 0) {
-    restore(immediate_plan_, false);
+    restore({});
     return;
   }
   // Their number is known only now: what would have been left alone is drawn as it was captured, at level 0.
@@ -378,7 +315,7 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
   } else {
     count_refined(immediate_plan_);
   }
-  submit(immediate_plan_, captured);
+  submit(immediate_plan_, captured, {});
   immediate_plan_ = Plan{};  // what it was derived from may go
   statistics().coarse_triangles += triangles;
 }
@@ -387,7 +324,7 @@ void Pipeline::frame_finished() {
   const Quiet quiet(gl_, context_.bindings.debug_output);
   read_counts();
   measure_.frame_finished();
-  cache_.frame_finished(gl_);
+  kept_.frame_finished(gl_);
 }
 
 void Pipeline::release() {
@@ -398,7 +335,7 @@ void Pipeline::release() {
     discard_fixed_function(key.second, *program);
   }
   fixed_function_.clear();
-  cache_.release(gl_);
+  kept_.release(gl_);
   capture_.release();
   capture_programs_.clear();
   centroids_.release();

@@ -10,14 +10,17 @@
 #include <optional>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "glark/core/capture/capture.h"
-#include "glark/core/capture/capture_cache.h"
+#include "glark/core/capture/feedback_aside.h"
 #include "glark/core/depth/bins.h"
 #include "glark/core/depth/centroid_split.h"
 #include "glark/core/depth/measure.h"
 #include "glark/core/depth/ordered.h"
+#include "glark/core/draw_cache.h"
 #include "glark/core/draw_call.h"
+#include "glark/core/draw_key.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/program.h"
 #include "glark/core/program_pipelines.h"
@@ -29,29 +32,6 @@
 namespace glark::core {
 
 class Context;
-
-// While it lives, an idle transform feedback object is bound: varyings cannot be given to a program while the bound one is
-// active, even if it is paused.
-class FeedbackAside {
- public:
-  FeedbackAside(const gl::Dispatch& gl, capture::CaptureStage& capture, const Bindings& bindings)
-      : gl_(gl), bindings_(bindings) {
-    if (bindings_.transform_feedback_active) {
-      gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture.feedback());
-    }
-  }
-  ~FeedbackAside() {
-    if (bindings_.transform_feedback_active) {
-      gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings_.transform_feedback);
-    }
-  }
-  FeedbackAside(const FeedbackAside&) = delete;
-  FeedbackAside& operator=(const FeedbackAside&) = delete;
-
- private:
-  const gl::Dispatch& gl_;
-  const Bindings& bindings_;
-};
 
 class Pipeline {
  public:
@@ -94,6 +74,7 @@ class Pipeline {
   void count_passed(Cause cause);
   void frame_finished();
   void release();
+  std::vector<GLuint> take_kept_buffers();  // for whoever deletes them
 
  private:
   struct Plan {
@@ -101,10 +82,13 @@ class Pipeline {
     Program* owner = nullptr;
     std::shared_ptr<DerivedProgram> derived;  // another context may discard it meanwhile
     GLuint capture_program = 0;
+    const std::vector<int>* inputs = nullptr;  // attributes that are captured, by AttributeSlot
     const PipelineObject* pipeline = nullptr;  // the application's, if its stages are separate programs
     const capture::Layout* layout = nullptr;
     std::optional<depth::Decomposition> polygons;  // to be split at their centroids
-    bool for_feedback = false;                     // what will be drawn is not known yet
+    // Measured depths change with the camera: what is captured is kept, not how it was sorted.
+    bool keeps_bins() const { return adaptive && !measured; }
+    bool for_feedback = false;  // what will be drawn is not known yet
     bool adaptive = false;
     bool measured = false;  // adaptive, by the ends of the edges
     std::shared_ptr<DerivedProgram> corners;
@@ -116,11 +100,15 @@ class Pipeline {
     unsigned deepest = 0;                 // that an adaptive draw can reach
   };
 
+  struct CaptureProgram {
+    GLuint name = 0;
+    std::vector<int> inputs;  // attributes that it reads, by AttributeSlot
+  };
   Cause check_state(const DrawCall& call) const;
   Cause plan_draw(const DrawCall& call, Plan& plan);
   Cause find_derived(const DrawCall& call, Plan& plan);
   std::shared_ptr<DerivedProgram> derived_program(const Plan& plan, const DerivedKey& key);
-  GLuint capture_program_for(const std::shared_ptr<DerivedProgram>& derived);
+  const CaptureProgram& capture_program_for(const std::shared_ptr<DerivedProgram>& derived);
   Cause find_program(Plan& plan);
   Cause find_pipeline_program(Plan& plan);
   void read_subroutines(const Plan& plan);
@@ -133,6 +121,7 @@ class Pipeline {
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
   void discard_fixed_function(GLuint fragment, Program& program);
+  unsigned current_tag() const;
   void plan_depth(const DrawCall& call, Plan& plan) const;
   EdgeMeasure measure() const;  // off: depths come from elsewhere
   bool can_measure(const Program& program) const;
@@ -145,13 +134,22 @@ class Pipeline {
   DerivedKey key_of(GLenum mode, bool tagged, bool placed) const;
   void read_uncounted();
   void read_counts();
-  void begin_capture(const Plan& plan, bool exact, GpuBuffer* own);
+  void begin_capture(const Plan& plan, capture::Count count, GpuBuffer* own);
   capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
   bool ensure_pool();
   bool has_adaptive_room(const Plan& plan, std::uint64_t triangles) const;
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
-  capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan, const Quiet& quiet);
+  // What a draw keeps for the next time, or has kept.
+  struct Keeping {
+    DrawCache::Entry* entry = nullptr;
+    bool filled = false;
+  };
+  bool add_array_inputs(const Plan& plan, const ArrayDraw& draw);
+  bool add_segment_inputs(const Plan& plan, const ListSegment& segment);
+  bool make_key(const DrawCall& call, const Plan& plan);
+  Keeping look_up(const DrawCall& call, const Plan& plan);
+  capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan, Keeping& keeping, const Quiet& quiet);
   // What is drawn: the captured triangles, or those about the centroids of their polygons.
   struct Records {
     capture::CoarseTriangles triangles;
@@ -159,13 +157,19 @@ class Pipeline {
     bool tags_are_edge_depths = false;
   };
   Records records_of(const Plan& plan, const capture::CoarseTriangles& captured);
+  bool takes_in_order(const Plan& plan, const capture::CoarseTriangles& triangles) const;
   depth::BinnedInstances sort(const Plan& plan, const Records& records);
-  void submit(const Plan& plan, const capture::CoarseTriangles& captured);
+  depth::BinnedInstances binned(const Plan& plan, const Records& records, const Keeping& keeping);
+  void submit(const Plan& plan, const capture::CoarseTriangles& captured, const Keeping& keeping);
   bool selects_back_colors(const Plan& plan) const;
   bool adds_specular_colors(const Plan& plan) const;
   void set_modes(const Plan& plan);  // that the refined draw needs otherwise than the application has them
   void reset_modes(const Plan& plan);
-  void restore(const Plan& plan, bool changed_indirect);
+  struct Changed {
+    bool indirect = false;
+    bool storage = false;
+  };
+  void restore(const Changed& changed);
   void restore_storage();
   void copy_stale_uniforms(const Plan& plan);
 
@@ -173,7 +177,8 @@ class Pipeline {
   const gl::Dispatch& gl_;
   pattern::GpuPool pool_;
   capture::CaptureStage capture_;
-  capture::CaptureCache cache_;
+  DrawCache kept_;
+  DrawKey key_;  // scratch
   depth::CentroidSplit centroids_;
   depth::MeasureStage measure_;
   depth::BinStage bins_;
@@ -192,7 +197,8 @@ class Pipeline {
       decompositions_;  // by mode, provoking convention
   std::bitset<cause_count> logged_;
   // Of this context alone: Mesa 22 does not bear one program drawing in two threads, where the application has two.
-  std::map<std::weak_ptr<const DerivedProgram>, GLuint, std::owner_less<>> capture_programs_;
+  std::map<std::weak_ptr<const DerivedProgram>, CaptureProgram, std::owner_less<>> capture_programs_;
+  std::uint64_t pools_built_ = 0;
   bool bins_ready_ = false;
   bool pool_failed_ = false;
   bool counted_on_gpu_ = false;     // adaptive draws since the last reading
@@ -200,5 +206,8 @@ class Pipeline {
   unsigned uncounted_level_ = 0;
   bool split_failed_ = false;
 };
+
+// The attributes that a capture of `layout` reads, by AttributeSlot; no_slot for one that is not followed.
+std::vector<int> input_slots(const capture::Layout& layout, GLuint tag_attribute);
 
 }  // namespace glark::core

@@ -4,6 +4,7 @@
 // Before a draw: whether it can be refined, by which program, to which depth, and with room for its triangles.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "glark/core/context.h"
@@ -176,6 +177,20 @@ bool Pipeline::can_measure(const Program& program) const {
          (wanted.degrees > 0 && capture::normal_offset(program.fields) >= 0);
 }
 
+unsigned Pipeline::current_tag() const {
+  const auto highest = static_cast<unsigned>(context_.ark.pool_level);
+  const CurrentValue* value = context_.current_values.find(static_cast<int>(context_.ark.tag_attribute));
+  if (value != nullptr && value->again == set_tag) {
+    GLuint tag = 0;
+    std::memcpy(&tag, value->components.data(), sizeof(tag));
+    return std::min(tag, highest);
+  }
+  GLfloat current[4] = {0, 0, 0, 0};
+  gl_.GetVertexAttribfv(context_.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
+  const float tag = std::isnan(current[0]) ? 0.0F : current[0];
+  return static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(highest)));
+}
+
 void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
   if (can_measure(*plan.program)) {
     plan.adaptive = plan.measured = true;
@@ -192,14 +207,10 @@ void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
     plan.level = ark.uniform_level;
     return;
   }
-  GLint array_enabled = 0;
-  gl_.GetVertexAttribiv(ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &array_enabled);
-  plan.adaptive = call.tags_vary || feedback_tagged() || array_enabled != 0;
+  plan.adaptive =
+      call.tags_vary || feedback_tagged() || context_.attribute_source(static_cast<int>(ark.tag_attribute)).enabled;
   if (!plan.adaptive) {
-    GLfloat current[4] = {0, 0, 0, 0};
-    gl_.GetVertexAttribfv(ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
-    const float tag = std::isnan(current[0]) ? 0.0F : current[0];
-    plan.level = static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(ark.pool_level)));
+    plan.level = current_tag();
   }
   plan.deepest = static_cast<unsigned>(ark.pool_level);
 }
@@ -259,7 +270,7 @@ std::shared_ptr<DerivedProgram> Pipeline::derived_program(const Plan& plan, cons
     return found->second;
   }
   ErrorScope errors(context_);
-  const FeedbackAside aside(gl_, capture_, context_.bindings);
+  const capture::FeedbackAside aside(gl_, capture_, context_.bindings);
   std::shared_ptr<DerivedProgram> derived = builder_.derive(*plan.program, plan.owner, key);
   context_.mirror_from_now_on();
   return derived;
@@ -283,25 +294,28 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
       return cause;
     }
   }
-  plan.capture_program = capture_program_for(plan.derived);
+  const CaptureProgram& capture_program = capture_program_for(plan.derived);
+  plan.capture_program = capture_program.name;
+  plan.inputs = &capture_program.inputs;
   return plan.capture_program == 0 ? Cause::program_not_derived : Cause::count_;
 }
 
-GLuint Pipeline::capture_program_for(const std::shared_ptr<DerivedProgram>& derived) {
+const Pipeline::CaptureProgram& Pipeline::capture_program_for(const std::shared_ptr<DerivedProgram>& derived) {
   const auto found = capture_programs_.find(derived);
   if (found != capture_programs_.end()) {
     return found->second;
   }
   std::erase_if(capture_programs_, [](const auto& entry) { return entry.first.expired(); });
   ErrorScope errors(context_);
-  const FeedbackAside aside(gl_, capture_, context_.bindings);
-  const GLuint program = capture_.program_for(derived->layout, context_.ark.tag_attribute);
-  capture_programs_.emplace(derived, program);
-  return program;
+  const capture::FeedbackAside aside(gl_, capture_, context_.bindings);
+  const GLuint tag_attribute = context_.ark.tag_attribute;
+  CaptureProgram program{capture_.program_for(derived->layout, tag_attribute),
+                         input_slots(derived->layout, tag_attribute)};
+  return capture_programs_.emplace(derived, std::move(program)).first->second;
 }
 
 bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {
-  const FeedbackAside aside(gl_, capture_, context_.bindings);
+  const capture::FeedbackAside aside(gl_, capture_, context_.bindings);
   bins_ready_ = bins_ready_ || bins_.prepare(pool_);
   ordered_.reserve(*plan.layout, triangles);  // without it, all goes through the bins
   return bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest) &&

@@ -42,7 +42,7 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
   Plan plan;
   plan.layout = &layout;
   {
-    const FeedbackAside aside(gl_, capture_, context_.bindings);
+    const capture::FeedbackAside aside(gl_, capture_, context_.bindings);
     plan.capture_program = capture_.program_for(layout, context_.ark.tag_attribute);
   }
   plan.last_vertex_convention = last_vertex_convention;
@@ -64,7 +64,7 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
     gl_.VertexAttribFormat(0, 1, GL_FLOAT, GL_FALSE, 0);
     gl_.VertexAttribBinding(0, 0);
     gl_.EnableVertexAttribArray(0);
-    begin_capture(plan, true, &output);
+    begin_capture(plan, capture::Count::known, &output);
     gl_.DrawArrays(mode, 0, vertices);
     end_capture(plan, triangles, true);
     use_application_program();

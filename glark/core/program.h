@@ -96,6 +96,7 @@ struct Program {
   bool from_binary = false;
   bool linked =
       true;  // by its last glLinkProgram; otherwise what it ran before stays in use, and GL cannot return to it
+  bool may_store = false;       // its shaders may write buffers
   bool prepared = false;        // fields, traits and cause below are valid
   Cause cause = Cause::count_;  // why it cannot be refined; count_ if it can
   std::vector<capture::Field> fields;

@@ -53,7 +53,7 @@ struct ContextOptions {
   unsigned level = 2;        // uniform level of transparent refinement
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
-  EdgeMeasure measure;  // on: transparent refinement by measured depths up to max_level
+  EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// State of the objects that several contexts share: shaders, programs, display lists, and whether any buffer changed.
+// State of the objects that several contexts share: shaders, programs, display lists, and when buffers were written.
 #pragma once
 
 #include <atomic>
@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "glark/core/buffer_stamps.h"
 #include "glark/core/display_list.h"
 #include "glark/core/program.h"
 
@@ -25,10 +26,11 @@ struct ShareGroup {
   std::unordered_map<GLuint, std::shared_ptr<const std::string>> compiled_sources;  // "": SPIR-V
   std::unordered_map<GLuint, std::shared_ptr<Program>> programs;
   std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
-  std::vector<Context*> contexts;
+  std::vector<Context*> contexts;      // that live
   GLuint next_list_name = 0x60000000;  // names of our list segments: out of the way of the application's
-  // Every write to any buffer object counts: a cached capture is valid only while this stands still.
-  std::atomic<std::uint64_t> buffer_epoch{1};
+  BufferStamps buffers;
+  std::atomic<std::uint64_t> contexts_made{0};  // so far: each stamps with numbers of its own
+  std::vector<GLuint> orphaned_buffers;  // of contexts that went without a chance to delete them; guarded by `mutex`
   std::atomic<bool> any_derived{false};
   // Linked, deleted or derived programs: what refers to programs by their names is valid only while this stands still.
   std::atomic<std::uint64_t> program_epoch{1};

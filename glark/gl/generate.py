@@ -23,17 +23,38 @@ HEADER = """\
 # A function that looks like a draw must be classed by its full name, so that no future registry adds a draw unnoticed.
 DRAW_PATTERNS = ["glDraw*", "glMultiDraw*", "glMultiMode*", "glBegin", "glEnd", "glRect*", "glEval*", "glArrayElement*", "glCallList*"]
 
-CLASSES = {"draw", "track", "uniform", "count", "touch_buffer", "touch_vertex_array", "touch_fixed_function", "touch_matrices",
-           "touch_any_matrix", "hand", "pass", "extra"}
-HOOKED = {"draw", "track", "api"}
+CLASSES = {"draw", "track", "uniform", "count", "count_unseen", "attribute", "opaque", "write_target", "write_buffer", "write_pack",
+           "write_gpu", "gpu_may_write", "external_target", "external_buffer", "array", "touch_vertex_array",
+           "touch_fixed_function", "touch_matrices", "touch_any_matrix", "hand", "pass", "extra"}
+HOOKED = {"draw", "track", "array", "api"}
+# Class -> what is called on the context after the real function, with the first of these parameters that the function has.
 TOUCH_CALLS = {
-    "touch_buffer": "touch_buffers",
-    "touch_vertex_array": "touch_vertex_arrays",
-    "touch_fixed_function": "touch_fixed_function",
-    "touch_matrices": "touch_matrices",
-    "touch_any_matrix": "touch_any_matrix",
+    "write_target": ("wrote_target", ["writeTarget", "target"]),
+    "write_buffer": ("wrote_buffer", ["writeBuffer", "buffer"]),
+    "write_pack": ("wrote_pack_buffer", []),
+    "write_gpu": ("gpu_wrote", []),
+    "gpu_may_write": ("gpu_may_write", ["buffer"]),
+    "external_target": ("never_trust_target", ["target"]),
+    "external_buffer": ("never_trust_buffer", ["buffer"]),
+    "touch_vertex_array": ("touch_vertex_arrays", []),
+    "touch_fixed_function": ("touch_fixed_function", []),
+    "opaque": ("forget_in_list", []),
+    "touch_matrices": ("touch_matrices", []),
+    "touch_any_matrix": ("touch_any_matrix", []),
 }
-LOCALS = {"t", "mirror", "derived", "result"}
+# The current value that a function sets: by the start of its name.
+ATTRIBUTE_SLOTS = [
+    ("glColor", "color_slot"),
+    ("glNormal", "normal_slot"),
+    ("glTexCoord", "texture_coordinate_slot"),
+    ("glMultiTexCoord", "texture_slot"),
+    ("glSecondaryColor", "secondary_color_slot"),
+    ("glFogCoord", "fog_coordinate_slot"),
+    ("glIndex", "color_index_slot"),
+    ("glEdgeFlag", "edge_flag_slot"),
+    ("glVertexAttrib", "generic_slot"),
+]
+LOCALS = {"here", "mirror", "derived", "result", "Arguments", "arguments", "same", "gl_", "index_", "data_"}
 
 
 def fail(message):
@@ -207,9 +228,9 @@ def hooks_header(hooked, kinds):
     lines = [HEADER, "#pragma once\n\n#include \"glark/gl/types.h\"\n\nnamespace glark::core {\n\nclass Context;\n\n"
              "// What glark does in place of a GL function. A hook calls the real function itself, through its context's dispatch.\n"
              "namespace hook {\n"]
-    titles = {"track": "State that a refined draw needs.", "draw": "Draws; called only while the context is refining.",
+    titles = {"track": "State that a refined draw needs.", "draw": "Draws; called only while the context is refining.", "array": "Vertex arrays; only while the context is refining.",
               "api": "GL_ARK_adaptive_refinement."}
-    for kind in ("track", "draw", "api"):
+    for kind in ("track", "draw", "array", "api"):
         lines.append(f"// {titles[kind]}")
         for c in hooked:
             if kinds[c.name] == kind:
@@ -221,26 +242,76 @@ def hooks_header(hooked, kinds):
 
 def wrapper_body(command, kind):
     c, arguments = command, command.arguments
-    real = f"t.gl->{c.member}({arguments})"
-    hook = f"glark::core::hook::{c.canonical.member}(*t.context{', ' if arguments else ''}{arguments})"
+    real = f"here.gl->{c.member}({arguments})"
+    hook = f"glark::core::hook::{c.canonical.member}(*here.context{', ' if arguments else ''}{arguments})"
     pass_on = f"{{ {real}; return; }}" if c.is_void() else f"return {real};"
     if kind == "track":
-        return [f"if (t.context == nullptr) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
+        return [f"if (here.context == nullptr) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
     if kind == "draw":
-        return [f"if (t.context == nullptr || !t.context->refining) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
+        return [f"if (here.context == nullptr || !here.context->refining) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
     if kind == "api":
         nothing = "return;" if c.is_void() else "return {};"
-        return [f"if (t.context == nullptr && !adopt_current_context()) {nothing}", f"{'' if c.is_void() else 'return '}{hook};"]
+        return [f"if (here.context == nullptr && !adopt_current_context()) {nothing}", f"{'' if c.is_void() else 'return '}{hook};"]
     if kind == "uniform":
         return uniform_body(c, real)
-    if kind == "count":
+    if kind == "array":
+        return [f"if (here.context == nullptr || !here.context->refining) {{", f"  {real};",
+                "  if (here.context != nullptr) here.context->touch_vertex_arrays();", "  return;", "}", f"{hook};"]
+    if kind in ("count", "count_unseen"):
         first = c.parameters[0][1] if c.parameters else ""
         only = f" && {first} == 0" if first == "index" and c.name.startswith("glVertexAttrib") else ""
-        return [f"if (t.context != nullptr{only}) ++t.context->immediate_vertices;", f"{real};"]
-    touch = f"if (t.context != nullptr) t.context->{TOUCH_CALLS[kind]}();"
+        unseen = ["if (here.context != nullptr) here.context->forget_values();"] if kind == "count_unseen" else []
+        return unseen + [f"if (here.context != nullptr{only}) ++here.context->immediate_vertices;", f"{real};"]
+    if kind == "attribute":
+        return attribute_body(c, real)
+    call, choices = TOUCH_CALLS[kind]
+    parameters = [name for _, name in c.parameters]
+    chosen = [name for name in choices if name in parameters][:1]
+    if choices and not chosen:
+        fail(f"{c.name} is classed {kind} but has no parameter named {' or '.join(choices)}")
+    if kind == "touch_vertex_array" and "vaobj" in parameters:
+        call = "touch_all_vertex_arrays"  # of an array that need not be bound
+    touch = f"if (here.context != nullptr) here.context->{call}({''.join(chosen)});"
     if c.is_void():
         return [f"{real};", touch]
     return [f"const auto result = {real};", touch, "return result;"]
+
+
+def attribute_body(command, real):
+    """The value is known by the function and its arguments."""
+    slot = next(slot for start, slot in ATTRIBUTE_SLOTS if command.name.startswith(start))
+    indexed = slot in ("generic_slot", "texture_slot")
+    index = command.parameters[0][1] if indexed else "0"
+    digits = re.search(r"\d", command.name)
+    packed = re.search(r"P\d", command.name) is not None
+    members, copies, again = [], [], []
+    for number, (kind, name) in enumerate(command.parameters[1 if indexed else 0:]):
+        kind, member = kind.replace("const ", ""), f"value{number}"
+        if kind.endswith("*"):
+            length = int(digits.group()) if digits and not packed else 1
+            members.append(f"{kind.rstrip(' *')} {member}[{length}];")
+            copies.append(f"std::memcpy(arguments.{member}, {name}, sizeof arguments.{member});")
+            again.append(f"same.{member}")
+        else:  # no padding: it would make equal arguments differ
+            members.append(f"{'GLuint' if kind == 'GLboolean' else kind} {member};")
+            copies.append(f"arguments.{member} = {name};")
+            again.append(f"static_cast<{kind}>(same.{member})")
+    call = ", ".join((["index_"] if indexed else []) + again)
+    count = [f"if ({index} == 0) ++here.context->immediate_vertices;"] if slot == "generic_slot" else []
+    return [
+        f"if (here.context == nullptr) {{ {real}; return; }}",
+        f"struct Arguments {{ {' '.join(members)} }} arguments;",
+        *copies,
+        f"here.context->set_current({f'glark::core::{slot}({index})' if indexed else f'glark::core::{slot}'},",
+        "  [](const glark::gl::Dispatch& gl_, GLuint index_, const void* data_) {",
+        "    Arguments same;",
+        "    std::memcpy(&same, data_, sizeof same);",
+        *([] if indexed else ["    static_cast<void>(index_);"]),
+        f"    gl_.{command.member}({call});",
+        f"  }}, {index}, &arguments, sizeof arguments);",
+        *count,
+        f"{real};",
+    ]
 
 
 def uniform_body(command, real):
@@ -249,24 +320,24 @@ def uniform_body(command, real):
     of_program = command.name.startswith("glProgramUniform")
     twin = command.canonical.member if of_program else f"Program{command.canonical.member}"
     values = ", ".join(names[2:] if of_program else names[1:])
-    mirrors = f"t.context->uniform_mirrors({names[0] if of_program else ''})"
+    mirrors = f"here.context->uniform_mirrors({names[0] if of_program else ''})"
     # What is rare stands in a function of its own, so that the usual call is a jump.
     return [
-        f"if (t.context == nullptr || (!t.context->mirror_uniforms && !t.context->compiling_list && location < glark::core::virtual_location_base)) "
+        f"if (here.context == nullptr || (!here.context->mirror_uniforms && !here.context->compiling_list && location < glark::core::virtual_location_base)) "
         f"{{ {real}; return; }}",
-        "[=, &t]() __attribute__((noinline, cold)) {",
+        "[=, &here]() __attribute__((noinline, cold)) {",
         f"  if (location < glark::core::virtual_location_base) {real};",
-        "  if (t.context->compiling_list) { t.context->list_changes_uniforms = true; return; }",
-        "  if (!t.context->mirror_uniforms) return;",
+        "  if (here.context->compiling_list) { here.context->list_changes_uniforms = true; return; }",
+        "  if (!here.context->mirror_uniforms) return;",
         f"  for (const glark::core::UniformMirror& mirror : {mirrors})",
         "    if (const GLint derived = mirror.location(location); derived >= 0)",
-        f"      t.gl->{twin}(mirror.program, derived, {values});",
+        f"      here.gl->{twin}(mirror.program, derived, {values});",
         "}();",
     ]
 
 
 def wrappers_source(wrapped, kinds):
-    lines = [HEADER, '#include "glark/core/context.h"\n#include "glark/gl/hooks.h"\n#include "shim/thread.h"\n\n'
+    lines = [HEADER, '#include <cstring>\n\n#include "glark/core/context.h"\n#include "glark/gl/hooks.h"\n#include "shim/thread.h"\n\n'
              "using glark::shim::adopt_current_context;\nusing glark::shim::Thread;\nusing glark::shim::thread;\n"]
     for c in wrapped:
         kind = kinds[c.name]
@@ -274,7 +345,7 @@ def wrappers_source(wrapped, kinds):
             continue
         if LOCALS & {name for _, name in c.parameters}:
             fail(f"{c.name} has a parameter named as a local of its wrapper; rename the local")
-        lines.append(f"GLARK_EXPORT {c.returns} {c.name}({c.declared or 'void'}) {{\n  Thread& t = thread();")
+        lines.append(f"GLARK_EXPORT {c.returns} {c.name}({c.declared or 'void'}) {{\n  Thread& here = thread();")
         lines += [f"  {line}" for line in wrapper_body(c, kind)]
         lines.append("}\n")
     return "\n".join(lines)

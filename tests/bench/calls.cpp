@@ -60,6 +60,9 @@ int main() {
   glVertexPointer(3, GL_FLOAT, 0, nullptr);
   report("glColor4f", 20000, 60, [] { glColor4f(0.1F, 0.2F, 0.3F, 1.0F); });
   report("glDrawArrays", 500, 60, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
+  report("glVertexPointer", 20000, 60, [] { glVertexPointer(3, GL_FLOAT, 0, nullptr); });
+  report("glBindBuffer", 20000, 60, [buffer] { glBindBuffer(GL_ARRAY_BUFFER, buffer); });
+  report("glBufferSubData", 2000, 60, [&] { glBufferSubData(GL_ARRAY_BUFFER, 0, 4, outside); });
   const GLint location = use_program();
   report("glUniform4f", 5000, 60, [location] { glUniform4f(location, 0.1F, 0.2F, 0.3F, 0.0F); });
   OSMesaDestroyContext(context);

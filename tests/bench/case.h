@@ -22,6 +22,7 @@ void add_draw_cases(std::vector<Case>& cases);
 void add_pool_cases(std::vector<Case>& cases);
 void add_capture_cases(std::vector<Case>& cases);
 void add_call_cases(std::vector<Case>& cases);
+void add_scene_cases(std::vector<Case>& cases);
 void add_adaptive_cases(std::vector<Case>& cases);
 
 }  // namespace glark::bench

@@ -107,6 +107,19 @@ Competitor Subject::tagged() const {
           [this] { draw(); }};
 }
 
+void Subject::draw_by_array() const {
+  glBindVertexArray(array_);
+  draw();
+}
+
+void Subject::draw_by_pointers() const {
+  glBindVertexArray(0);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
+  glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+  set_pointers();
+  draw();
+}
+
 // In pieces of less than 2^16 vertices: llvmpipe 22.3 draws the wrong triangles beyond.
 Competitor Subject::tessellated(unsigned level) const {
   const GLsizei segments = 1 << level;

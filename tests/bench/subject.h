@@ -29,6 +29,10 @@ class Subject {
   // A few bytes of the vertices are written before each draw, so that nothing of it can be kept.
   Competitor touched(const Competitor& competitor) const;
 
+  // One object among others, whose program is in use: by its vertex array; or by the array 0, every pointer set anew.
+  void draw_by_array() const;
+  void draw_by_pointers() const;
+
  private:
   void bind(bool refined) const;
   void draw() const;

@@ -82,7 +82,7 @@ void CaptureStage::bind_target(GLuint buffer, GLintptr offset, GLsizeiptr size, 
   gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);
 }
 
-void CaptureStage::begin(GLuint program, const core::Bindings& bindings, bool exact, core::GpuBuffer* own_buffer) {
+void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count count, core::GpuBuffer* own_buffer) {
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   if (own_buffer != nullptr) {
     target_ = own_buffer->name();
@@ -93,12 +93,12 @@ void CaptureStage::begin(GLuint program, const core::Bindings& bindings, bool ex
     target_offset_ = cursor_;
     bind_target(target_, cursor_, ring_.size() - cursor_, bindings);
   }
-  counting_ = !exact;
+  count_ = count;
   gl_.UseProgram(program);
   if (!bindings.rasterizer_discard) {
     gl_.Enable(GL_RASTERIZER_DISCARD);
   }
-  if (counting_) {
+  if (count_ != Count::known) {
     gl_.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query_);
   }
   gl_.BeginTransformFeedback(GL_TRIANGLES);
@@ -107,17 +107,15 @@ void CaptureStage::begin(GLuint program, const core::Bindings& bindings, bool ex
 CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings) {
   gl_.EndTransformFeedback();
   CoarseTriangles result{target_, target_offset_, static_cast<std::uint32_t>(triangles), false};
-  if (counting_) {
+  if (count_ != Count::known) {
     gl_.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
-    if (query_buffer_) {
+    if (query_buffer_ && count_ == Count::by_query) {
       gl_.BindBuffer(GL_QUERY_BUFFER, count_command_.name());
       gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, reinterpret_cast<GLuint*>(offsetof(CountCommand, instance_count)));
       gl_.BindBuffer(GL_QUERY_BUFFER, bindings.query_buffer);
       result.count_on_gpu = true;
     } else {
-      GLuint written = 0;
-      gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &written);
-      result.count = std::min(result.count, written);
+      result.count = std::min(result.count, static_cast<std::uint32_t>(counted(bindings)));
     }
   }
   if (!bindings.rasterizer_discard) {
@@ -130,9 +128,15 @@ CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles,
   return result;
 }
 
-std::uint64_t CaptureStage::counted() const {
+std::uint64_t CaptureStage::counted(const core::Bindings& bindings) const {
   GLuint written = 0;
+  if (bindings.query_buffer != 0) {
+    gl_.BindBuffer(GL_QUERY_BUFFER, 0);
+  }
   gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &written);
+  if (bindings.query_buffer != 0) {
+    gl_.BindBuffer(GL_QUERY_BUFFER, bindings.query_buffer);
+  }
   return written;
 }
 

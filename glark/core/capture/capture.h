@@ -16,6 +16,13 @@
 
 namespace glark::capture {
 
+// Who knows how many triangles there are.
+enum class Count {
+  known,     // the caller
+  checked,   // the caller; GL's own count is read back, and the smaller one taken
+  by_query,  // GL; the number stays on the GPU where it can
+};
+
 class CaptureStage {
  public:
   CaptureStage(const gl::Dispatch& gl, Language language, bool query_buffer)
@@ -26,12 +33,12 @@ class CaptureStage {
 
   // Room for `triangles` records in `ring`; false without memory. Rare path inside when the ring must grow.
   bool reserve(const Layout& layout, std::uint64_t triangles);
-  // From here to end() the draws of the application are captured. `exact`: the caller knows the number of triangles.
-  void begin(GLuint program, const core::Bindings& bindings, bool exact, core::GpuBuffer* own_buffer);
+  // From here to end() the draws of the application are captured.
+  void begin(GLuint program, const core::Bindings& bindings, Count count, core::GpuBuffer* own_buffer);
   CoarseTriangles end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings);
 
   // Triangles of the last capture that was not exact; waits for the GPU.
-  std::uint64_t counted() const;
+  std::uint64_t counted(const core::Bindings& bindings) const;
 
   GLuint feedback();  // our transform feedback object, made on first use
   GLuint count_buffer() const { return count_command_.name(); }
@@ -56,7 +63,7 @@ class CaptureStage {
   // of the capture under way
   GLuint target_ = 0;
   GLintptr target_offset_ = 0;
-  bool counting_ = false;
+  Count count_ = Count::known;
 };
 
 }  // namespace glark::capture

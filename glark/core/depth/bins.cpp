@@ -149,6 +149,19 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, c
           .command_count = pattern::piece_count};
 }
 
+namespace {
+
+constexpr std::size_t command_words = 5;
+
+}  // namespace
+
+InstanceExtent BinStage::extent(const BinnedInstances& sorted) const {
+  std::vector<std::uint32_t> all(command_words * pattern::piece_count);
+  work_.read(gl_, static_cast<GLintptr>(work_commands * sizeof(all[0])),
+             static_cast<GLsizeiptr>(all.size() * sizeof(all[0])), all.data());
+  return extent_of(all, sorted.record_stride);
+}
+
 std::uint32_t BinStage::instances_of_last() const {
   std::uint32_t instances = 0;
   work_.read(gl_, work_all_instances * 4, sizeof(instances), &instances);

@@ -6,11 +6,13 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "glark/core/bindings.h"
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/binned_instances.h"
+#include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measured_depths.h"
 #include "glark/core/depth/reorder.h"
 #include "glark/core/gpu_buffer.h"
@@ -39,6 +41,8 @@ class BinStage {
   // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer bindings 0 to
   // 3, which the caller restores.
   BinnedInstances sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings);
+  // How much the last sort() has made; reads back.
+  InstanceExtent extent(const BinnedInstances& sorted) const;
   // Instances that the last sort() made; reads back.
   std::uint32_t instances_of_last() const;
   // Triangles drawn since the last call; reads back.

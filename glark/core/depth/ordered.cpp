@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "glark/core/pattern/pieces.glsl.h"
 #include "glark/core/report.h"
@@ -138,6 +139,14 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
           .commands = result_.name(),
           .commands_offset = 0,
           .command_count = static_cast<GLsizei>(triangles.count) * most_instances};
+}
+
+InstanceExtent OrderedStage::extent(const BinnedInstances& sorted) const {
+  gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  std::vector<std::uint32_t> commands(static_cast<std::size_t>(sorted.command_count) * 5);
+  result_.read(gl_, sorted.commands_offset, static_cast<GLsizeiptr>(commands.size() * sizeof(commands[0])),
+               commands.data());
+  return extent_of(commands, sorted.record_stride);
 }
 
 void OrderedStage::release() {

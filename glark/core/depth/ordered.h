@@ -9,6 +9,7 @@
 
 #include "glark/core/bindings.h"
 #include "glark/core/depth/binned_instances.h"
+#include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measure.h"
 #include "glark/core/gpu_buffer.h"
 
@@ -33,6 +34,8 @@ class OrderedStage {
   bool takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles, unsigned deepest) const;
   // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. Valid until the next call.
   BinnedInstances sort(const OrderedRequest& request, const core::Bindings& bindings);
+  // How much that has made; reads back.
+  InstanceExtent extent(const BinnedInstances& sorted) const;
   void release();
 
  private:

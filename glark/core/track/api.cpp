@@ -204,7 +204,8 @@ void DepthTag1i(Context& c, GLuint d) {
     c.raise(GL_INVALID_VALUE);
     return;
   }
-  c.gl.VertexAttrib4f(c.ark.tag_attribute, static_cast<GLfloat>(d), 0.0F, 0.0F, 1.0F);
+  set_tag(c.gl, c.ark.tag_attribute, &d);
+  c.set_current(generic_slot(c.ark.tag_attribute), set_tag, c.ark.tag_attribute, &d, sizeof(d));
   c.immediate.tags_set = true;
   if (track::executes(c)) {
     c.ark.current_tag = d;

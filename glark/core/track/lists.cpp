@@ -4,6 +4,7 @@
 // Display lists, cut into segments while they are compiled (see display_list.h). Lists that were compiled before refinement
 // was on are called as they are.
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "glark/core/track/track.h"
@@ -31,7 +32,14 @@ void open_segment(Context& c, GLenum mode) {
 void close_segment(Context& c, ListSegment segment) {
   c.gl.EndList();
   segment.list = c.list.open_segment;
-  c.list.list->segments.push_back(segment);
+  segment.identity = c.next_stamp();
+  segment.effects = std::exchange(c.list.segment, {});
+  segment.effects.changes_uniforms = std::exchange(c.list_changes_uniforms, false);
+  c.list.list->changes_uniforms |= segment.effects.changes_uniforms;
+  if (segment.kind == ListSegment::Kind::state && c.list.mode == GL_COMPILE_AND_EXECUTE) {
+    track::apply_effects(c, segment.effects);
+  }
+  c.list.list->segments.push_back(std::move(segment));
 }
 
 std::shared_ptr<DisplayList> find_list(Context& c, GLuint name) {
@@ -53,13 +61,13 @@ void forget_state(Context& c, const DisplayList* list) {
   c.bindings_stale = true;
   c.fixed_function_stale = true;
   c.touch_any_matrix();
-  if (c.current_program != nullptr && (list == nullptr || list->changes_uniforms)) {
-    const std::lock_guard lock(c.current_program->mutex);
-    c.current_program->uniforms_stale = c.share->any_derived.load(std::memory_order_relaxed);
+  c.current_values.forget(c.next_stamp());
+  if (list == nullptr || list->changes_uniforms) {
+    track::forget_uniforms(c);
   }
 }
 
-void run_segment(Context& c, const ListSegment& segment, const DisplayList& list, int depth);
+void run_segment(Context& c, const ListSegment& segment, int depth);
 
 GLuint list_base(Context& c) {
   if (!c.immediate.open) {  // between glBegin and glEnd nothing can be asked, and nothing changes it
@@ -110,24 +118,14 @@ void call_list(Context& c, GLuint name, int depth) {
     return;
   }
   for (const ListSegment& segment : list->segments) {
-    run_segment(c, segment, *list, depth);
+    run_segment(c, segment, depth);
   }
 }
 
-void run_segment(Context& c, const ListSegment& segment, const DisplayList& list, int depth) {
+void run_segment(Context& c, const ListSegment& segment, int depth) {
   switch (segment.kind) {
-    case ListSegment::Kind::state:
-      c.gl.CallList(segment.list);
-      forget_state(c, &list);
-      break;
-    case ListSegment::Kind::draw:
-      c.pipeline->draw({.mode = segment.mode,
-                        .triangles = triangles_of_segment(c, segment),
-                        .exact = segment.exact,
-                        .tags_vary = segment.sets_tags,
-                        .whole_polygons = segment.whole_polygons,
-                        .issue = [&] { c.gl.CallList(segment.list); }});
-      break;
+    case ListSegment::Kind::state: track::run_state(c, segment); break;
+    case ListSegment::Kind::draw: track::run_draw(c, segment, triangles_of_segment(c, segment)); break;
     case ListSegment::Kind::call: call_list(c, segment.list, depth + 1); break;
     case ListSegment::Kind::call_offset: call_list(c, list_base(c) + segment.list, depth + 1); break;
   }
@@ -138,7 +136,7 @@ void execute_last(Context& c) {
   if (c.list.mode == GL_COMPILE_AND_EXECUTE) {
     c.compiling_list = false;  // the pipeline draws now
     forget_state(c, nullptr);  // what was recorded before it was executed too, unseen
-    run_segment(c, c.list.list->segments.back(), *c.list.list, 0);
+    run_segment(c, ListSegment(c.list.list->segments.back()), 0);
     c.compiling_list = true;
   }
 }
@@ -295,8 +293,8 @@ void EndList(Context& c) {
   c.compiling_list = false;
   if (c.list.mode == GL_COMPILE_AND_EXECUTE) forget_state(c, nullptr);
   c.list.list->loose_vertices += c.list.in_begin ? 0 : c.immediate_vertices;
-  c.list.list->changes_uniforms = c.list_changes_uniforms;
   if (!c.list.cutting) {
+    c.list.list->changes_uniforms = c.list_changes_uniforms;
     c.gl.EndList();
     const std::lock_guard lock(c.share->mutex);
     c.share->lists[c.list.name] = std::move(c.list.list);

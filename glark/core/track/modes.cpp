@@ -19,6 +19,37 @@ void set_ark_enabled(Context& c, bool enabled) {
   c.update_refining();
 }
 
+// The array of a name of glEnableClientState; no_slot for those that are not followed.
+int slot_of(const Context& c, GLenum array) {
+  switch (array) {
+    case GL_VERTEX_ARRAY: return vertex_slot;
+    case GL_NORMAL_ARRAY: return normal_slot;
+    case GL_COLOR_ARRAY: return color_slot;
+    case GL_TEXTURE_COORD_ARRAY: return texture_slot(c.client_texture);
+    default: return no_slot;
+  }
+}
+
+void client_state_changed(Context& c, GLenum array, bool enabled) {
+  const int slot = c.refining && !c.immediate.open ? slot_of(c, array) : no_slot;
+  if (slot == no_slot) {
+    c.touch_vertex_arrays();
+    return;
+  }
+  c.vertex_arrays.current(c.bindings.vertex_array).sources[static_cast<std::size_t>(slot)].enabled = enabled;
+}
+
+// Vertex arrays and buffer bindings are others now.
+void client_state_replaced(Context& c) {
+  c.bindings_stale = true;
+  c.bound_buffers.forget();
+  c.touch_all_vertex_arrays();
+  c.client_texture = 0;
+  if (c.capabilities.refinable && !c.immediate.open) {
+    c.read_client_state();
+  }
+}
+
 void set_tag_array(Context& c, bool enabled) {
   if (track::inside_begin(c)) {
     return;
@@ -111,7 +142,7 @@ void EnableClientState(Context& c, GLenum array) {
     return;
   }
   c.gl.EnableClientState(array);
-  c.touch_vertex_arrays();
+  client_state_changed(c, array, true);
 }
 
 void DisableClientState(Context& c, GLenum array) {
@@ -120,7 +151,7 @@ void DisableClientState(Context& c, GLenum array) {
     return;
   }
   c.gl.DisableClientState(array);
-  c.touch_vertex_arrays();
+  client_state_changed(c, array, false);
 }
 
 void DepthFunc(Context& c, GLenum function) {
@@ -154,17 +185,17 @@ void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
 
 void ViewportIndexedf(Context& c, GLuint index, GLfloat x, GLfloat y, GLfloat width, GLfloat height) {
   c.gl.ViewportIndexedf(index, x, y, width, height);
-  c.bindings_stale = c.bindings_stale || index == 0;
+  c.bindings_stale = (track::executes(c) && index == 0) || c.bindings_stale;
 }
 
 void ViewportIndexedfv(Context& c, GLuint index, const GLfloat* viewport) {
   c.gl.ViewportIndexedfv(index, viewport);
-  c.bindings_stale = c.bindings_stale || index == 0;
+  c.bindings_stale = (track::executes(c) && index == 0) || c.bindings_stale;
 }
 
 void ViewportArrayv(Context& c, GLuint first, GLsizei count, const GLfloat* viewports) {
   c.gl.ViewportArrayv(first, count, viewports);
-  c.bindings_stale = c.bindings_stale || first == 0;
+  c.bindings_stale = (track::executes(c) && first == 0) || c.bindings_stale;
 }
 
 void PolygonMode(Context& c, GLenum face, GLenum mode) {
@@ -178,7 +209,6 @@ void ProvokingVertex(Context& c, GLenum mode) {
   c.gl.ProvokingVertex(mode);
   if (track::executes(c) && (mode == GL_FIRST_VERTEX_CONVENTION || mode == GL_LAST_VERTEX_CONVENTION)) {
     c.bindings.provoking_vertex = mode;
-    c.touch_vertex_arrays();  // captures order their corners by it
   }
 }
 
@@ -211,11 +241,13 @@ void PushAttrib(Context& c, GLbitfield mask) {
 
 void PopAttrib(Context& c) {
   c.gl.PopAttrib();
+  c.forget_in_list();
   if (!track::executes(c) || c.immediate.open) {
     return;
   }
   c.bindings_stale = true;
   c.fixed_function_stale = true;
+  c.current_values.forget(c.next_stamp());  // GL_CURRENT_BIT
   if (c.pushed_ark_enables.empty()) {
     return;
   }
@@ -231,8 +263,17 @@ void PushClientAttrib(Context& c, GLbitfield mask) { c.gl.PushClientAttrib(mask)
 
 void PopClientAttrib(Context& c) {
   c.gl.PopClientAttrib();
-  c.bindings_stale = true;
-  c.touch_vertex_arrays();
+  client_state_replaced(c);
+}
+
+void ClientAttribDefaultEXT(Context& c, GLbitfield mask) {
+  c.gl.ClientAttribDefaultEXT(mask);
+  client_state_replaced(c);
+}
+
+void PushClientAttribDefaultEXT(Context& c, GLbitfield mask) {
+  c.gl.PushClientAttribDefaultEXT(mask);
+  client_state_replaced(c);
 }
 
 }  // namespace hook

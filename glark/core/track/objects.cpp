@@ -9,6 +9,39 @@
 namespace glark::core {
 namespace {
 
+// Whether GL took the name, as far as can be told without asking: in core contexts it refuses names that it did not give out.
+bool surely_bound(const Context& c, GLuint buffer, std::uint64_t generation) {
+  return !c.immediate.open && (buffer == 0 || c.capabilities.api != Capabilities::Api::core ||
+                               c.bound_buffers.confirmed(buffer, generation));
+}
+
+// What writes to `target` go to. If it is not sure, the first write asks.
+void follow_binding(Context& c, GLenum target, GLuint buffer) {
+  const std::uint64_t generation = c.share->buffers.generation(buffer);
+  const BoundBuffer bound{surely_bound(c, buffer, generation), buffer, generation};
+  if (target == GL_ELEMENT_ARRAY_BUFFER) {
+    c.vertex_arrays.current(c.bindings.vertex_array).elements = bound;
+  } else if (BoundBuffer* kept = c.bound_buffers.at(target); kept != nullptr) {
+    *kept = bound;
+  }
+}
+
+// Indexed bindings of other targets than uniform buffers are for writing.
+void follow_indexed(Context& c, GLenum target, GLuint buffer) {
+  if (BoundBuffer* kept = c.bound_buffers.at(target); kept != nullptr) {
+    *kept = {false, buffer, c.share->buffers.generation(buffer)};
+  }
+  if (target != GL_UNIFORM_BUFFER) {
+    c.gpu_may_write(buffer);
+  }
+}
+
+void follow_several(Context& c, GLenum target, GLsizei count, const GLuint* buffers) {
+  for (GLsizei i = 0; i < count && buffers != nullptr && target != GL_UNIFORM_BUFFER; ++i) {
+    c.gpu_may_write(buffers[i]);
+  }
+}
+
 void set_binding(Context& c, GLenum target, GLuint buffer) {
   switch (target) {
     case GL_DRAW_INDIRECT_BUFFER: c.bindings.draw_indirect_buffer = buffer; break;
@@ -16,8 +49,6 @@ void set_binding(Context& c, GLenum target, GLuint buffer) {
     case GL_QUERY_BUFFER: c.bindings.query_buffer = buffer; break;
     case GL_SHADER_STORAGE_BUFFER: c.bindings.storage_buffer = buffer; break;
     case GL_TRANSFORM_FEEDBACK_BUFFER: c.bindings.feedback_buffer = buffer; break;
-    // Indices come from this buffer: a kept capture of the same call is no longer its capture.
-    case GL_ELEMENT_ARRAY_BUFFER: c.touch_vertex_arrays(); break;
     default: break;
   }
 }
@@ -79,7 +110,11 @@ void query_ended(Context& c, GLenum target, GLuint index) {
 
 // Takes what our captures added out of a result that GL has written to client memory.
 template <typename Value>
-void correct_result(const Context& c, GLuint id, GLenum name, Value* result) {
+void correct_result(Context& c, GLuint id, GLenum name, Value* result) {
+  const BoundBuffer* bound = c.bound_buffers.at(GL_QUERY_BUFFER);
+  if (c.capabilities.query_buffer && (!bound->known || bound->name != 0)) {
+    c.wrote_target(GL_QUERY_BUFFER);
+  }
   const auto found = c.query_surplus.find(id);
   if (found == c.query_surplus.end() || result == nullptr || c.bindings.query_buffer != 0 ||
       (name != GL_QUERY_RESULT && name != GL_QUERY_RESULT_NO_WAIT)) {
@@ -92,19 +127,28 @@ void correct_result(const Context& c, GLuint id, GLenum name, Value* result) {
 
 namespace hook {
 
+// The most frequent target first, and the real call last, by a jump: programs bind before every draw.
 void BindBuffer(Context& c, GLenum target, GLuint buffer) {
+  if (target == GL_ARRAY_BUFFER) {
+    const std::uint64_t generation = c.share->buffers.generation(buffer);
+    c.bound_buffers.array() = {surely_bound(c, buffer, generation), buffer, generation};
+  } else {
+    set_binding(c, target, buffer);
+    follow_binding(c, target, buffer);
+  }
   c.gl.BindBuffer(target, buffer);
-  set_binding(c, target, buffer);
 }
 
 void BindBufferBase(Context& c, GLenum target, GLuint index, GLuint buffer) {
   c.gl.BindBufferBase(target, index, buffer);
   set_binding(c, target, buffer);
   set_indexed(c, target, index, {buffer, 0, 0});
+  follow_indexed(c, target, buffer);
 }
 
 void BindBufferRange(Context& c, GLenum target, GLuint index, GLuint buffer, GLintptr offset, GLsizeiptr size) {
   c.gl.BindBufferRange(target, index, buffer, offset, size);
+  follow_indexed(c, target, buffer);
   if (target == GL_SHADER_STORAGE_BUFFER) {
     c.bindings_stale = true;  // GL checks alignment: ask it what it took
   } else {
@@ -114,29 +158,45 @@ void BindBufferRange(Context& c, GLenum target, GLuint index, GLuint buffer, GLi
 
 void BindBuffersBase(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers) {
   c.gl.BindBuffersBase(target, first, count, buffers);
+  follow_several(c, target, count, buffers);
   c.bindings_stale = c.bindings_stale || target == GL_SHADER_STORAGE_BUFFER;
 }
 
 void BindBuffersRange(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers,
                       const GLintptr* offsets, const GLsizeiptr* sizes) {
   c.gl.BindBuffersRange(target, first, count, buffers, offsets, sizes);
+  follow_several(c, target, count, buffers);
   c.bindings_stale = c.bindings_stale || target == GL_SHADER_STORAGE_BUFFER;
 }
 
 void DeleteBuffers(Context& c, GLsizei n, const GLuint* buffers) {
   c.gl.DeleteBuffers(n, buffers);
-  c.touch_buffers();
   c.bindings_stale = true;  // deleting unbinds
+  c.touch_vertex_arrays();  // from the bound vertex array too; other ones keep the object
+  for (GLsizei i = 0; i < n && buffers != nullptr; ++i) {
+    c.share->buffers.deleted(buffers[i], c.next_stamp());
+    c.bound_buffers.unbind(buffers[i]);
+  }
 }
 
 void BindVertexArray(Context& c, GLuint array) {
   c.gl.BindVertexArray(array);
+  if (!c.vertex_arrays.bind(array) && array != 0) {
+    if (c.immediate.open || c.gl.IsVertexArray(array) == GL_FALSE) {
+      c.vertex_arrays.bind(c.bindings.vertex_array);  // GL has refused
+      return;
+    }
+    c.vertex_arrays.confirm(array);
+  }
   c.bindings.vertex_array = array;
 }
 
 void DeleteVertexArrays(Context& c, GLsizei n, const GLuint* arrays) {
   c.gl.DeleteVertexArrays(n, arrays);
-  c.touch_vertex_arrays();
+  for (GLsizei i = 0; i < n && arrays != nullptr; ++i) {
+    c.vertex_arrays.erase(arrays[i]);
+    c.bindings.vertex_array = c.bindings.vertex_array == arrays[i] ? 0 : c.bindings.vertex_array;
+  }
   c.bindings_stale = true;
 }
 
@@ -169,7 +229,7 @@ void EndTransformFeedback(Context& c) {
   if (c.pipeline != nullptr) {
     c.pipeline->end_feedback();
   }
-  c.touch_buffers();
+  c.gpu_wrote();
   c.bindings_stale = true;
 }
 
@@ -179,6 +239,7 @@ void PauseTransformFeedback(Context& c) {
     return;
   }
   c.gl.PauseTransformFeedback();
+  c.gpu_wrote();
   c.bindings_stale = true;
 }
 

@@ -4,10 +4,24 @@
 // Hooks of what is in use: the program or the program pipeline, and the subroutines.
 #include "glark/core/track/track.h"
 
-namespace glark::core::hook {
+namespace glark::core {
+namespace {
+
+// The program in use is about to be another: what its draws stored, they have stored.
+void leave_program(Context& c) {
+  const bool known = c.current_program != nullptr;
+  if (known ? c.current_program->may_store : c.bindings.program != 0 || c.bindings.pipeline != 0) {
+    c.gpu_wrote();
+  }
+}
+
+}  // namespace
+
+namespace hook {
 
 void UseProgram(Context& c, GLuint program) {
   c.gl.UseProgram(program);
+  leave_program(c);
   if (!track::executes(c)) {
     return;
   }
@@ -35,6 +49,7 @@ void UniformSubroutinesuiv(Context& c, GLenum type, GLsizei count, const GLuint*
 
 void BindProgramPipeline(Context& c, GLuint pipeline) {
   c.gl.BindProgramPipeline(pipeline);
+  leave_program(c);
   if (!track::executes(c)) {
     return;
   }
@@ -49,6 +64,7 @@ void BindProgramPipeline(Context& c, GLuint pipeline) {
 
 void UseProgramStages(Context& c, GLuint pipeline, GLbitfield stages, GLuint program) {
   c.gl.UseProgramStages(pipeline, stages, program);
+  leave_program(c);
   c.subroutines_known = false;
   if (c.pipeline != nullptr) {
     c.pipeline->pipeline_changed(pipeline);
@@ -70,4 +86,5 @@ void DeleteProgramPipelines(Context& c, GLsizei n, const GLuint* pipelines) {
   c.bindings_stale = true;  // deleting unbinds
 }
 
-}  // namespace glark::core::hook
+}  // namespace hook
+}  // namespace glark::core

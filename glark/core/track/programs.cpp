@@ -3,7 +3,10 @@
 //
 // Hooks of shaders and programs: the sources a program was linked from are kept, since an application may delete its
 // shader objects right after linking.
+#include <algorithm>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glark/core/track/track.h"
@@ -50,6 +53,15 @@ std::vector<StageSource> read_stages(Context& c, GLuint program) {
   return stages;
 }
 
+// By the words that every store of a shader needs; one too many costs captures.
+bool may_store(const std::vector<StageSource>& stages) {
+  constexpr std::string_view words[] = {"buffer", "image", "atomic", "store"};
+  return std::any_of(stages.begin(), stages.end(), [&](const StageSource& stage) {
+    return std::any_of(std::begin(words), std::end(words),
+                       [&](std::string_view word) { return stage.source->find(word) != std::string::npos; });
+  });
+}
+
 // The stages of a program as it was just linked; what was derived from the old ones goes.
 void record_link(Context& c, GLuint name, std::vector<StageSource> stages) {
   if (!c.capabilities.refinable || c.gl.IsProgram(name) == GL_FALSE) {
@@ -68,6 +80,7 @@ void record_link(Context& c, GLuint name, std::vector<StageSource> stages) {
   program->name = name;
   program->stages = std::move(stages);
   program->from_binary = program->stages.empty();
+  program->may_store = program->from_binary || may_store(program->stages);
   GLint linked = GL_FALSE;
   c.gl.GetProgramiv(name, GL_LINK_STATUS, &linked);
   program->linked = linked != GL_FALSE;

@@ -18,7 +18,8 @@ namespace glark::core::track {
 void draw(Context& context, const DrawCall& call);
 
 // While a display list is compiled (and not executed) state does not change.
-inline bool executes(const Context& context) {
+inline bool executes(Context& context) {
+  context.list.segment.touches_state = true;  // the segment that is being compiled, if any
   return !context.compiling_list || context.list.mode == GL_COMPILE_AND_EXECUTE;
 }
 
@@ -26,6 +27,10 @@ inline bool executes(const Context& context) {
 void record_draw(Context& context, const DrawCall& call);
 bool list_begin(Context& context, GLenum mode);
 bool list_end(Context& context);
+void apply_effects(Context& context, const SegmentEffects& effects);
+void forget_uniforms(Context& context);  // a list has set some of the current program
+void run_state(Context& context, const ListSegment& segment);
+void run_draw(Context& context, const ListSegment& segment, std::uint64_t triangles);
 
 // Programs.
 std::shared_ptr<Program> find_program(const Context& context, GLuint name);

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "glark/core/refinement.h"
+#include "glark/gl/types.h"
+
+namespace glark::core {
+
+enum class DepthSource { tag, uniform, measured };
+enum class PolygonSplit { triangles, centroid };
+
+// The state of GL_ARK_adaptive_refinement ("New State" of the specification).
+struct ArkState {
+  bool enabled = false;
+  int pool_level = -1;  // -1 before glARKinit
+  GLuint current_tag = 0;
+  Refinement refinement = Refinement::linear_inputs;
+  DepthSource depth_source = DepthSource::tag;
+  GLuint uniform_level = 0;
+  EdgeMeasure measure{.pixels = 8};
+  GLuint tag_attribute = 15;
+  PolygonSplit polygon_split = PolygonSplit::triangles;
+  bool smooth_interior = false;
+  bool tag_array = false;
+};
+
+}  // namespace glark::core

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "glark/core/bindings.h"
+#include "glark/core/capture/capture.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::capture {
+
+// While it lives, an idle transform feedback object is bound: varyings cannot be given to a program while the bound one is
+// active, even if it is paused.
+class FeedbackAside {
+ public:
+  FeedbackAside(const gl::Dispatch& gl, CaptureStage& capture, const core::Bindings& bindings)
+      : gl_(gl), bindings_(bindings) {
+    if (bindings_.transform_feedback_active) {
+      gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture.feedback());
+    }
+  }
+  ~FeedbackAside() {
+    if (bindings_.transform_feedback_active) {
+      gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings_.transform_feedback);
+    }
+  }
+  FeedbackAside(const FeedbackAside&) = delete;
+  FeedbackAside& operator=(const FeedbackAside&) = delete;
+
+ private:
+  const gl::Dispatch& gl_;
+  const core::Bindings& bindings_;
+};
+
+}  // namespace glark::capture

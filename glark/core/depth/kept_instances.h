@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Sorted instances that outlive the next draw: how large they are, and a copy of them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "glark/core/depth/binned_instances.h"
+#include "glark/core/gpu_buffer.h"
+
+namespace glark::depth {
+
+struct InstanceExtent {
+  std::uint32_t instances = 0;
+  std::uint64_t refined_triangles = 0;
+  GLsizeiptr bytes = 0;                 // of a copy
+  std::vector<std::uint32_t> commands;  // those that draw something; one for neighbours that draw the same piece
+};
+
+// `commands`: as in BinnedInstances, 5 words each. `record_stride`: bytes.
+InstanceExtent extent_of(std::span<const std::uint32_t> commands, GLsizei record_stride);
+
+// Copies to a buffer of at least extent.bytes.
+BinnedInstances copy_instances(const gl::Dispatch& gl, const BinnedInstances& sorted, const InstanceExtent& extent,
+                               const core::GpuBuffer& to);
+
+}  // namespace glark::depth
