@@ -24,6 +24,7 @@ refine::BuilderTraits builder_traits(const Capabilities& capabilities, const Con
   refine::BuilderTraits traits;
   traits.language = language_of(capabilities);
   traits.roles = options.roles;
+  traits.transparent = options.transparent;
   traits.glsl_version = capabilities.version * 10;
   traits.extensions = capabilities.extensions;
   traits.max_vertex_attributes = capabilities.max_vertex_attributes;
@@ -284,7 +285,9 @@ bool Pipeline::begin_immediate(GLenum mode) {
     count_passed(cause);
     return false;
   }
-  begin_capture(immediate_plan_, capture::Count::known, nullptr);
+  // glArrayElement may restart the primitive.
+  const bool exact = !context_.bindings.primitive_restart;
+  begin_capture(immediate_plan_, exact ? capture::Count::known : capture::Count::by_query, nullptr);
   return true;
 }
 
@@ -300,7 +303,8 @@ void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary
             " that are captured at once; the rest is not drawn; use vertex arrays for meshes of this size");
     triangles = capacity;
   }
-  const capture::CoarseTriangles captured = end_capture(immediate_plan_, triangles, true);
+  const capture::CoarseTriangles captured =
+      end_capture(immediate_plan_, triangles, !context_.bindings.primitive_restart);
   ++statistics().captures_made;
   if (triangles == 0) {
     restore({});

@@ -40,6 +40,8 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
     {"tessellation", "the application tessellates by itself", "nothing to do"},
     {"too_many_attributes", "the vertex attributes of three corners do not fit into the attributes of one instance",
      "use fewer or smaller attributes"},
+    {"primitive_id", "a fragment or geometry shader reads gl_PrimitiveID, which would number refined triangles",
+     "refine the program by its own calls of the extension"},
     {"side_effects", "the vertex stage writes to buffers, images or counters, once per vertex of the application",
      "move the writes to another draw"},
     {"transform_feedback", "the application captures transform feedback", "nothing to do"},

@@ -31,6 +31,7 @@ enum class Cause {
   assembly_program,     // ARB vertex program
   tessellation,         // the application has tessellation stages
   too_many_attributes,  // the coarse record does not fit
+  primitive_id,         // a later stage counts the triangles
   side_effects,         // vertex stage writes buffers, images or atomics
   transform_feedback,   // the application captures
   primitive_query,      // the application counts primitives

@@ -52,6 +52,7 @@ struct DeriveRequest {
 // What the vertex stage does that decides whether and how it can be refined.
 struct VertexStageTraits {
   bool reads_vertex_id = false;         // outputs must be interpolated
+  bool writes_cull_distance = false;    // so here: it takes all corners to tell whether the triangle goes
   std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
   bool has_side_effects = false;        // image stores, buffer writes, atomics
   bool writes_flat_outputs = false;

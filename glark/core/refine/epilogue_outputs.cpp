@@ -175,6 +175,13 @@ class Statements {
                         [](const Paths& element) { return "  " + element[0] + " = " + element[1] + ";\n"; });
   }
 
+  // paths[0] = the greatest of paths[1..3]: a triangle is culled where all its corners are below 0 (OpenGL 4.5, 13.5).
+  std::string greatest(const std::vector<std::string>& sizes, const Paths& paths) {
+    return for_elements(sizes, 0, paths, [](const Paths& element) {
+      return "  " + element[0] + " = max(" + element[1] + ", max(" + element[2] + ", " + element[3] + "));\n";
+    });
+  }
+
   // paths[0] = the interpolation of paths[1..3]
   std::string interpolate(const std::string& type, const std::vector<std::string>& sizes, const Paths& paths) {
     return for_elements(sizes, 0, paths, [&](const Paths& element) { return interpolate_element(type, element); });
@@ -287,6 +294,8 @@ std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet
     const std::string& source = paths[interpolated ? 1 + plan.provoking_corner : 1];
     if (copied) {
       finish += statements.copy(output.sizes, {output.path, source});
+    } else if (output.path == "gl_CullDistance") {
+      finish += statements.greatest(output.sizes, paths);
     } else {
       (output.noperspective ? finish_screen : finish) += statements.interpolate(output.type, output.sizes, paths);
     }

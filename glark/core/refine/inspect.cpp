@@ -62,6 +62,8 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
     structures.insert(structures.end(), units[i].interface.structures.begin(), units[i].interface.structures.end());
   }
   const std::vector<OutputVariable> outputs = collect_outputs(units, main_unit, {});
+  result.traits.writes_cull_distance = std::any_of(
+      outputs.begin(), outputs.end(), [](const OutputVariable& output) { return output.path == "gl_CullDistance"; });
   result.traits.writes_flat_outputs = std::any_of(
       outputs.begin(), outputs.end(), [&](const OutputVariable& output) { return is_flat(output, structures); });
   result.ok = true;

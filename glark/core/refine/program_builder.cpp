@@ -24,11 +24,6 @@ std::vector<std::string> vertex_sources(const core::Program& program) {
   return result;
 }
 
-bool has_geometry_stage(const core::Program& program) {
-  return std::any_of(program.stages.begin(), program.stages.end(),
-                     [](const core::StageSource& stage) { return stage.stage == GL_GEOMETRY_SHADER; });
-}
-
 core::Cause cause_of(const core::Program& program, const VertexStageTraits& traits) {
   if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
     return core::Cause::tessellation;
@@ -37,6 +32,13 @@ core::Cause cause_of(const core::Program& program, const VertexStageTraits& trai
     return core::Cause::side_effects;
   }
   return core::Cause::count_;
+}
+
+// Without sources there is nothing to read: a binary.
+bool reads(const core::Program& program, GLenum stage, std::string_view name) {
+  return std::any_of(program.stages.begin(), program.stages.end(), [&](const core::StageSource& source) {
+    return source.stage == stage && source.source->find(name) != std::string::npos;
+  });
 }
 
 std::string label(const core::Program& program) {
@@ -161,6 +163,11 @@ void ProgramBuilder::prepare(core::Program& program) const {
     return;
   }
   program.cause = cause_of(program, inspection.traits);
+  if (traits_.transparent && program.cause == core::Cause::count_ &&
+      (program.has_stage(GL_GEOMETRY_SHADER) ? reads(program, GL_GEOMETRY_SHADER, "gl_PrimitiveIDIn")
+                                             : reads(program, GL_FRAGMENT_SHADER, "gl_PrimitiveID"))) {
+    program.cause = core::Cause::primitive_id;
+  }
   if (program.cause != core::Cause::count_) {
     return;
   }
@@ -224,6 +231,15 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   return core::link_program(gl_, name, shaders, error) ? name : 0;
 }
 
+// Integers name things (bones, layers): between corners that name others there is nothing to run the stage on. A program that
+// refines by itself is told so and gets the provoking corner's.
+bool ProgramBuilder::interpolates_outputs(const core::Program& program) const {
+  const bool names_things = std::any_of(program.fields.begin(), program.fields.end(), [](const capture::Field& field) {
+    return field.location >= 0 && capture::is_integer(field.type);
+  });
+  return program.traits.reads_vertex_id || program.traits.writes_cull_distance || (traits_.transparent && names_things);
+}
+
 std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& program, core::Program* owner,
                                                              const core::DerivedKey& key) const {
   const auto found = program.derived.find(key);
@@ -236,11 +252,11 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   request.es = traits_.language == capture::Language::es;
   request.context_glsl_version = traits_.glsl_version;
   request.layout = capture::make_layout(program.fields, key.tagged);
-  request.refinement = program.traits.reads_vertex_id ? core::Refinement::linear_outputs : key.refinement;
+  request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
   request.at_corner = key.at_corner;
   request.placed = key.placed;
   request.provoking_corner = key.provoking_corner;
-  request.outputs = {key.flat_colors, key.clamp_colors, has_geometry_stage(program)};
+  request.outputs = {key.flat_colors, key.clamp_colors, program.has_stage(GL_GEOMETRY_SHADER)};
   if (!key.at_corner) {
     request.refinement_source = program.refinement_source;
   }

@@ -15,6 +15,7 @@
 namespace glark::refine {
 
 struct BuilderTraits {
+  bool transparent = false;  // the program does not know that it is refined
   capture::Language language = capture::Language::compatibility;
   int glsl_version = 450;
   GLint max_vertex_attributes = 16;
@@ -50,6 +51,7 @@ class ProgramBuilder {
                           GLuint settings_of, const core::DerivedKey& key, std::string& error) const;
   void bind_inputs(GLuint name, const core::DerivedKey& key) const;
   bool needs_stage(GLenum stage, bool at_corner) const;
+  bool interpolates_outputs(const core::Program& program) const;
   int most_chunks(bool placed) const;
   bool can_store_records(const core::Program& program) const;
   void read_fields(core::Program& program) const;

@@ -226,6 +226,7 @@ bool list_begin(Context& c, GLenum mode) {
   c.list.in_begin = true;
   c.immediate.tags_set = false;
   c.list.begun_mode = mode;
+  c.refresh_bindings();
   c.list.vertex_lists.clear();
   c.list.in_draw = is_triangle_mode(mode);
   if (c.list.in_draw) {
@@ -250,6 +251,7 @@ bool list_end(Context& c) {
                     .mode = c.list.begun_mode,
                     .vertices = c.immediate_vertices,
                     .triangles = triangles_of(c.list.begun_mode, c.immediate_vertices),
+                    .exact = !c.bindings.primitive_restart,  // glArrayElement may have restarted it
                     .sets_tags = c.immediate.tags_set || !c.list.vertex_lists.empty(),
                     .whole_polygons = true,
                     .vertex_lists = std::move(c.list.vertex_lists)});

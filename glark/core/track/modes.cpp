@@ -142,6 +142,7 @@ void EnableClientState(Context& c, GLenum array) {
     return;
   }
   c.gl.EnableClientState(array);
+  c.bindings_stale = c.bindings_stale || array == GL_PRIMITIVE_RESTART_NV;
   client_state_changed(c, array, true);
 }
 
@@ -151,6 +152,7 @@ void DisableClientState(Context& c, GLenum array) {
     return;
   }
   c.gl.DisableClientState(array);
+  c.bindings_stale = c.bindings_stale || array == GL_PRIMITIVE_RESTART_NV;
   client_state_changed(c, array, false);
 }
 
