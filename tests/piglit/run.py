@@ -22,7 +22,7 @@ import suite
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 PLAIN_LIMIT = 30  # seconds; a test that is slower without us is left out
-LIMIT = 240       # seconds with us: a hang
+LIMIT = 120       # seconds with us: a hang
 
 # Mode -> environment beside the library. Nothing is exempt: an exempt draw would prove nothing.
 REFINED = {"GLARK_ENABLE": "1", "GLARK_EVERYTHING": "1"}

@@ -28,9 +28,10 @@ inline constexpr unsigned records_binding = 4;
 
 // What the surroundings of the vertex stage make of its outputs.
 struct OutputRules {
-  bool flat_colors = false;     // glShadeModel(GL_FLAT): built-in colours are flat
-  bool clamp_colors = false;    // built-in colours end at 0 and 1 before they are interpolated
-  bool feeds_geometry = false;  // a geometry shader reads every vertex: `flat` says nothing yet
+  bool flat_colors = false;   // glShadeModel(GL_FLAT): built-in colours are flat
+  bool clamp_colors = false;  // built-in colours end at 0 and 1 before they are interpolated
+  // Outputs from which a geometry shader takes positions: it reads every vertex's own, and `flat` says nothing of them.
+  std::set<std::string> positions = {};
 };
 
 struct DeriveRequest {

@@ -122,12 +122,11 @@ class Collector {
     if (!names_.insert(output.path).second) return;
     output.type = variable.type;
     output.sizes = variable.sizes;
-    output.flat = variable.flat && !rules_.feeds_geometry;
+    output.flat = variable.flat && !rules_.positions.contains(variable.name);
     output.noperspective = variable.noperspective;
     const BuiltInOutput* const built_in = built_in_output(variable.name);
     if (built_in != nullptr && built_in->color) {
-      const bool by_shade_model =
-          rules_.flat_colors && !rules_.feeds_geometry && !variable.smooth && !variable.noperspective;
+      const bool by_shade_model = rules_.flat_colors && !variable.smooth && !variable.noperspective;
       output.flat = output.flat || by_shade_model;
       output.clamped = rules_.clamp_colors;
     }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "glark/core/refine/glsl_tokens.h"
 #include "glark/core/refine/rewrite.h"
 #include "glark/core/refine/subroutines.h"
 #include "glark/core/refine/uniform_copy.h"
@@ -39,6 +41,25 @@ bool reads(const core::Program& program, GLenum stage, std::string_view name) {
   return std::any_of(program.stages.begin(), program.stages.end(), [&](const core::StageSource& source) {
     return source.stage == stage && source.source->find(name) != std::string::npos;
   });
+}
+
+// The words in what a geometry shader assigns to gl_Position.
+std::set<std::string> positions_of_geometry(const core::Program& program) {
+  std::set<std::string> words;
+  for (const core::StageSource& stage : program.stages) {
+    if (stage.stage != GL_GEOMETRY_SHADER) {
+      continue;
+    }
+    const Tokens tokens = tokenize(*stage.source);
+    bool assigned = false;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      assigned = (assigned && !tokens[i].is(";")) || tokens[i].is("gl_Position");
+      if (assigned && tokens[i].kind == TokenKind::identifier) {
+        words.insert(tokens[i].text);
+      }
+    }
+  }
+  return words;
 }
 
 std::string label(const core::Program& program) {
@@ -256,7 +277,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   request.at_corner = key.at_corner;
   request.placed = key.placed;
   request.provoking_corner = key.provoking_corner;
-  request.outputs = {key.flat_colors, key.clamp_colors, program.has_stage(GL_GEOMETRY_SHADER)};
+  request.outputs = {key.flat_colors, key.clamp_colors, positions_of_geometry(program)};
   if (!key.at_corner) {
     request.refinement_source = program.refinement_source;
   }

@@ -136,6 +136,9 @@ void BindBuffer(Context& c, GLenum target, GLuint buffer) {
     set_binding(c, target, buffer);
     follow_binding(c, target, buffer);
   }
+  if (target == GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD) {
+    c.never_trust_buffer(buffer);  // its contents are the application's memory
+  }
   c.gl.BindBuffer(target, buffer);
 }
 

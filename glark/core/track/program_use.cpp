@@ -27,6 +27,9 @@ void UseProgram(Context& c, GLuint program) {
   }
   c.subroutines_known = false;
   c.mirror_uniforms = c.share->any_derived.load(std::memory_order_relaxed);
+  if (c.bindings.transform_feedback_active && c.bindings_stale) {
+    c.refresh_bindings();  // it may have ended, and the uniforms that follow are of the new program
+  }
   if (program != 0 &&
       (c.bindings.transform_feedback_active || (c.current_program = track::find_program(c, program)) == nullptr ||
        !c.current_program->linked)) {
@@ -55,6 +58,9 @@ void BindProgramPipeline(Context& c, GLuint pipeline) {
   }
   c.subroutines_known = false;
   c.mirror_uniforms = c.share->any_derived.load(std::memory_order_relaxed);
+  if (c.bindings.transform_feedback_active && c.bindings_stale) {
+    c.refresh_bindings();
+  }
   if (pipeline != 0 && (c.bindings.transform_feedback_active || c.gl.IsProgramPipeline(pipeline) == GL_FALSE)) {
     c.bindings_stale = true;  // GL may have refused
     return;
