@@ -139,6 +139,7 @@ void Context::read_capabilities() {
   capabilities.quads_follow_convention =
       !is_compatibility() || get(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
   capabilities.max_vertex_attributes = std::min<GLint>(get(gl, GL_MAX_VERTEX_ATTRIBS), generic_slots);
+  capabilities.fog_distance = has_extension("GL_NV_fog_distance");
   capabilities.max_vertex_storage_blocks = get(gl, GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
   capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
   read_client_state();

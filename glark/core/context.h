@@ -38,6 +38,7 @@ struct Capabilities {
   bool query_buffer = false;            // results of queries go to a buffer
   bool multi_draw_indirect = false;     // with a base instance; otherwise bins are read back
   std::vector<std::string> extensions;
+  bool fog_distance = false;  // GL_NV_fog_distance
   GLint max_vertex_attributes = 16;
   GLint max_feedback_components = 64;
   GLint max_vertex_storage_blocks = 0;

@@ -96,7 +96,8 @@ Program* Pipeline::fixed_function_program(Program* fragment) {
   if (context_.fixed_function_stale || fixed_function_fragment_ != fragment_name) {
     context_.fixed_function_stale = false;
     fixed_function_fragment_ = fragment_name;
-    fixed_function_state_ = refine::read_fixed_function_state(gl_, fragment_reads(fragment));
+    fixed_function_state_ =
+        refine::read_fixed_function_state(gl_, fragment_reads(fragment), context_.capabilities.fog_distance);
   }
   std::shared_ptr<Program>& slot = fixed_function_[{fixed_function_state_, fragment_name}];
   if (slot == nullptr) {

@@ -42,6 +42,8 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
      "use fewer or smaller attributes"},
     {"primitive_id", "a fragment or geometry shader reads gl_PrimitiveID, which would number refined triangles",
      "refine the program by its own calls of the extension"},
+    {"geometry_shader", "the geometry shader places its triangles by itself, or reads integers of every vertex",
+     "nothing to do"},
     {"side_effects", "the vertex stage writes to buffers, images or counters, once per vertex of the application",
      "move the writes to another draw"},
     {"transform_feedback", "the application captures transform feedback", "nothing to do"},

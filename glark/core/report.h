@@ -32,6 +32,7 @@ enum class Cause {
   tessellation,         // the application has tessellation stages
   too_many_attributes,  // the coarse record does not fit
   primitive_id,         // a later stage counts the triangles
+  geometry_shader,      // makes triangles that do not follow from the corners
   side_effects,         // vertex stage writes buffers, images or atomics
   transform_feedback,   // the application captures
   primitive_query,      // the application counts primitives

@@ -112,7 +112,15 @@ class Deriver {
     if (plan_.refinement != core::Refinement::linear_outputs) {
       std::erase_if(plan_.outputs, [&](const OutputVariable& output) { return !is_flat(output, plan_.structures); });
     }
+    // A compiler turns each index that is no constant into a choice among all elements, and here for three corners: minutes.
+    constexpr int most_indexed_words = 48;
+    int indexed_words = 0;
     for (const OutputVariable& output : plan_.outputs) {
+      indexed_words += output.indexed_words;
+      if (plan_.refinement == core::Refinement::linear_outputs && indexed_words > most_indexed_words) {
+        error_ = "output array '" + output.path + "' is too large to be interpolated where its index is no constant";
+        return false;
+      }
       if (output.problem.empty()) continue;
       error_ = output.problem;
       return false;

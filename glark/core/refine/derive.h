@@ -57,6 +57,7 @@ struct VertexStageTraits {
   std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
   bool has_side_effects = false;        // image stores, buffer writes, atomics
   bool writes_flat_outputs = false;
+  bool writes_integers = false;  // that are not declared flat: a geometry shader reads those of every vertex
 };
 
 struct Inspection {

@@ -32,8 +32,9 @@ struct OutputVariable {
   std::vector<std::string> sizes;  // array sizes, none open
   bool flat = false;
   bool noperspective = false;
-  bool clamped = false;  // to 0 .. 1
-  std::string problem;   // why it cannot be saved, or empty
+  int indexed_words = 0;  // of an array that is indexed by more than constants
+  bool clamped = false;   // to 0 .. 1
+  std::string problem;    // why it cannot be saved, or empty
 };
 
 struct EpiloguePlan {

@@ -137,6 +137,11 @@ class Collector {
       if (implied == 0) output.problem = "output array '" + output.path + "' has no size; declare it with one";
       size = std::to_string(implied);
     }
+    if (!output.sizes.empty() && implied_size(units_, variable.name) == 0) {
+      const NumericType* const numeric = numeric_type(std::string_view(output.type));
+      output.indexed_words = numeric != nullptr ? numeric->words() : 4;
+      for (const std::string& size : output.sizes) output.indexed_words *= std::max(literal(size), 1);
+    }
     outputs_.push_back(std::move(output));
   }
 

@@ -83,7 +83,7 @@ FragmentReads fragment_reads(const std::string& source) {
   return reads;
 }
 
-FixedFunctionState read_fixed_function_state(const gl::Dispatch& gl, const FragmentReads& fragment) {
+FixedFunctionState read_fixed_function_state(const gl::Dispatch& gl, const FragmentReads& fragment, bool fog_distance) {
   FixedFunctionState state;
   state.lighting = gl.IsEnabled(GL_LIGHTING) != GL_FALSE;
   if (state.lighting) {
@@ -94,6 +94,9 @@ FixedFunctionState read_fixed_function_state(const gl::Dispatch& gl, const Fragm
   state.rescale_normal = gl.IsEnabled(GL_RESCALE_NORMAL) != GL_FALSE;
   state.fog = fragment.own_fragment_stage || gl.IsEnabled(GL_FOG) != GL_FALSE;
   state.fog_from_coordinate = state.fog && get_enum(gl, GL_FOG_COORD_SRC) == GL_FOG_COORD;
+  if (state.fog && fog_distance) {
+    state.fog_distance = get_enum(gl, GL_FOG_DISTANCE_MODE_NV);
+  }
   for (GLenum plane = 0; plane < 8; ++plane) {
     state.clip_planes = state.clip_planes || gl.IsEnabled(GL_CLIP_PLANE0 + plane) != GL_FALSE;
   }

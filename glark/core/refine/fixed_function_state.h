@@ -20,6 +20,7 @@ FragmentReads fragment_reads(const std::string& source);
 
 // Reads the enables and modes of the current context. Changes nothing (the active texture unit is put back). Queries; call it
 // only when something changed.
-FixedFunctionState read_fixed_function_state(const gl::Dispatch& gl, const FragmentReads& fragment);
+// `fog_distance`: the context has GL_NV_fog_distance.
+FixedFunctionState read_fixed_function_state(const gl::Dispatch& gl, const FragmentReads& fragment, bool fog_distance);
 
 }  // namespace glark::refine

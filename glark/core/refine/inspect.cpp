@@ -64,6 +64,10 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
   const std::vector<OutputVariable> outputs = collect_outputs(units, main_unit, {});
   result.traits.writes_cull_distance = std::any_of(
       outputs.begin(), outputs.end(), [](const OutputVariable& output) { return output.path == "gl_CullDistance"; });
+  result.traits.writes_integers = std::any_of(outputs.begin(), outputs.end(), [](const OutputVariable& output) {
+    const NumericType* const numeric = numeric_type(std::string_view(output.type));
+    return !output.flat && !output.path.starts_with("gl_") && numeric != nullptr && !numeric->interpolates();
+  });
   result.traits.writes_flat_outputs = std::any_of(
       outputs.begin(), outputs.end(), [&](const OutputVariable& output) { return is_flat(output, structures); });
   result.ok = true;

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
-#include "glark/core/refine/glsl_tokens.h"
+#include "glark/core/refine/geometry_shader.h"
 #include "glark/core/refine/rewrite.h"
 #include "glark/core/refine/subroutines.h"
 #include "glark/core/refine/uniform_copy.h"
@@ -20,6 +19,16 @@ std::vector<std::string> vertex_sources(const core::Program& program) {
   std::vector<std::string> result;
   for (const core::StageSource& stage : program.stages) {
     if (stage.stage == GL_VERTEX_SHADER) {
+      result.push_back(*stage.source);
+    }
+  }
+  return result;
+}
+
+std::vector<std::string> geometry_sources(const core::Program& program) {
+  std::vector<std::string> result;
+  for (const core::StageSource& stage : program.stages) {
+    if (stage.stage == GL_GEOMETRY_SHADER) {
       result.push_back(*stage.source);
     }
   }
@@ -41,25 +50,6 @@ bool reads(const core::Program& program, GLenum stage, std::string_view name) {
   return std::any_of(program.stages.begin(), program.stages.end(), [&](const core::StageSource& source) {
     return source.stage == stage && source.source->find(name) != std::string::npos;
   });
-}
-
-// The words in what a geometry shader assigns to gl_Position.
-std::set<std::string> positions_of_geometry(const core::Program& program) {
-  std::set<std::string> words;
-  for (const core::StageSource& stage : program.stages) {
-    if (stage.stage != GL_GEOMETRY_SHADER) {
-      continue;
-    }
-    const Tokens tokens = tokenize(*stage.source);
-    bool assigned = false;
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-      assigned = (assigned && !tokens[i].is(";")) || tokens[i].is("gl_Position");
-      if (assigned && tokens[i].kind == TokenKind::identifier) {
-        words.insert(tokens[i].text);
-      }
-    }
-  }
-  return words;
 }
 
 std::string label(const core::Program& program) {
@@ -145,6 +135,16 @@ void ProgramBuilder::read_fields(core::Program& program) const {
   std::sort(program.fields.begin(), program.fields.end(), [](const capture::Field& a, const capture::Field& b) {
     return a.location != b.location ? a.location < b.location : a.name > b.name;
   });
+  int end = 0;
+  for (const capture::Field& field : program.fields) {
+    if (field.location >= 0 && field.location < end) {
+      program.cause = core::Cause::program_not_derived;
+      core::log(core::LogLevel::warning, label(program) + ": vertex input " + field.name +
+                                             " shares a location with another; its draws stay as they are");
+      return;
+    }
+    end = std::max(end, field.location + capture::columns_of(field.type) * field.array_size);
+  }
   for (const std::string& name : program.traits.system_values) {
     program.fields.push_back({.name = name, .type = GL_INT});
   }
@@ -188,6 +188,10 @@ void ProgramBuilder::prepare(core::Program& program) const {
       (program.has_stage(GL_GEOMETRY_SHADER) ? reads(program, GL_GEOMETRY_SHADER, "gl_PrimitiveIDIn")
                                              : reads(program, GL_FRAGMENT_SHADER, "gl_PrimitiveID"))) {
     program.cause = core::Cause::primitive_id;
+  }
+  if (traits_.transparent && program.cause == core::Cause::count_ && program.has_stage(GL_GEOMETRY_SHADER) &&
+      (inspection.traits.writes_integers || makes_its_own_positions(geometry_sources(program)))) {
+    program.cause = core::Cause::geometry_shader;
   }
   if (program.cause != core::Cause::count_) {
     return;
@@ -277,7 +281,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   request.at_corner = key.at_corner;
   request.placed = key.placed;
   request.provoking_corner = key.provoking_corner;
-  request.outputs = {key.flat_colors, key.clamp_colors, positions_of_geometry(program)};
+  request.outputs = {key.flat_colors, key.clamp_colors, words_of_positions(geometry_sources(program))};
   if (!key.at_corner) {
     request.refinement_source = program.refinement_source;
   }
