@@ -38,6 +38,9 @@ bool is_shared(const capture::Field& field) {
 
 // Whether what is written to the buffer is noticed.
 bool watched(const gl::Dispatch& gl, const BufferStamps& stamps, GLuint buffer) {
+  if (gl.IsBuffer(buffer) == GL_FALSE) {  // binding it would make it
+    return false;
+  }
   const CopyWriteBinding binding(gl, buffer);
   GLint flags = 0;
   gl.GetBufferParameteriv(GL_COPY_WRITE_BUFFER, GL_BUFFER_STORAGE_FLAGS,

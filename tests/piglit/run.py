@@ -123,7 +123,7 @@ def known_differences() -> list:
     known = []
     for line in (HERE / "differences.txt").read_text().splitlines():
         if line and not line.startswith("#"):
-            modes, test, reason = (part.strip() for part in line.split("|", 2))
+            modes, test, reason = (part.strip() for part in line.split(" | ", 2))
             known.append((re.compile(modes), re.compile(test), reason))
     return known
 

@@ -80,6 +80,15 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_STENCIL_TEST:
     case GL_ALPHA_TEST:
     case GL_DITHER: break;
+    // EXT_vertex_array enabled them so, and drivers still take it.
+    case GL_VERTEX_ARRAY:
+    case GL_NORMAL_ARRAY:
+    case GL_COLOR_ARRAY:
+    case GL_INDEX_ARRAY:
+    case GL_TEXTURE_COORD_ARRAY:
+    case GL_EDGE_FLAG_ARRAY:
+    case GL_FOG_COORD_ARRAY:
+    case GL_SECONDARY_COLOR_ARRAY: c.touch_vertex_arrays(); break;
     default: c.fixed_function_stale = true; break;
   }
 }

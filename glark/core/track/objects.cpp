@@ -159,6 +159,12 @@ void BindBufferRange(Context& c, GLenum target, GLuint index, GLuint buffer, GLi
   }
 }
 
+void BindBufferOffsetEXT(Context& c, GLenum target, GLuint index, GLuint buffer, GLintptr offset) {
+  c.gl.BindBufferOffsetEXT(target, index, buffer, offset);
+  follow_indexed(c, target, buffer);
+  set_binding(c, target, buffer);
+}
+
 void BindBuffersBase(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers) {
   c.gl.BindBuffersBase(target, first, count, buffers);
   follow_several(c, target, count, buffers);
@@ -176,6 +182,7 @@ void DeleteBuffers(Context& c, GLsizei n, const GLuint* buffers) {
   c.gl.DeleteBuffers(n, buffers);
   c.bindings_stale = true;  // deleting unbinds
   c.touch_vertex_arrays();  // from the bound vertex array too; other ones keep the object
+  c.vertex_arrays.forget_elements();
   for (GLsizei i = 0; i < n && buffers != nullptr; ++i) {
     c.share->buffers.deleted(buffers[i], c.next_stamp());
     c.bound_buffers.unbind(buffers[i]);
