@@ -69,7 +69,7 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
   read_variables(environment, parsed);
   limit_level(parsed);
   if (settings.context.measure.budget > 0 && !settings.context.measure.on())
-    parsed.problems.push_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
+    parsed.problems.emplace_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
   settings.context.transparent = settings.context.transparent && !settings.leave_alone;
   settings.context.read_counts = !settings.statistics_file.empty();
   if (settings.everything) {
