@@ -281,5 +281,22 @@ TEST_F(DrawsLists, WithoutTagsTheCurrentTagCounts) {
   EXPECT_EQ(generated_primitives, 4U * 16);
 }
 
+// What such a list sets is set at once, for the draws that it holds too.
+TEST_F(DrawsLists, UniformsOfListsThatAreExecuted) {
+  const GLuint program =
+      link_program({.vertex = "#version 120\nvoid main() { gl_Position = gl_Vertex; }\n",
+                    .fragment = "#version 120\nuniform vec4 tint;\nvoid main() { gl_FragColor = tint; }\n"});
+  glUseProgram(program);
+  const GLint tint = glGetUniformLocation(program, "tint");
+  expect_same_scene({4}, [&] {
+    for (const bool right : {false, true}) {
+      glNewList(1, GL_COMPILE_AND_EXECUTE);
+      glUniform4f(tint, right ? 1.0F : 0.0F, 1.0F, 0.0F, 1.0F);
+      glRectf(right ? 0.0F : -1.0F, -1.0F, right ? 1.0F : 0.0F, 1.0F);
+      glEndList();
+    }
+  });
+}
+
 }  // namespace
 }  // namespace glark::core::test

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What follows the vertex stage: geometry shaders, and framebuffers that take integers.
+// What follows the vertex stage: geometry shaders, and framebuffers that take integers; and records of many lengths.
 #include "tests/core/modes.h"
 #include "tests/core/programs.h"
 #include "tests/core/scene.h"
@@ -39,6 +39,18 @@ TEST_P(DrawsOnwards, GeometryShaderReadsFlatOutputsOfEveryVertex) {
   expect_same_scene({4, GL_LINEAR_INPUTS_ARK}, draw);
 }
 
+// A triangle goes if all its corners are outside: not the refined ones at one corner.
+TEST_P(DrawsOnwards, CullDistances) {
+  glUseProgram(link_program(
+      {.vertex =
+           "#version 450\nlayout(location = 0) in vec2 position; layout(location = 1) in vec3 color;\nout vec3 c;\n"
+           "out float gl_CullDistance[1];\nvoid main() { gl_Position = vec4(position, 0.0, 1.0); c = color;\n"
+           "gl_CullDistance[0] = position.x; }\n",
+       .fragment = "#version 450\nin vec3 c; out vec4 result;\nvoid main() { result = vec4(c, 1.0); }\n"}));
+  expect_same_scene({4, GL_LINEAR_OUTPUTS_ARK}, draw);
+  expect_same_scene({4, GL_LINEAR_INPUTS_ARK}, draw);
+}
+
 TEST_P(DrawsOnwards, IntegerFramebuffer) {
   GLuint texture = 0;
   GLuint framebuffer = 0;
@@ -64,6 +76,31 @@ TEST_P(DrawsOnwards, IntegerFramebuffer) {
     glReadPixels(4, 4, 1, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, seen);
     EXPECT_EQ(seen[0], 7U) << (adaptive ? "adaptive" : "uniform");
     EXPECT_EQ(pending_errors(), "");
+  }
+}
+
+// The buffer of captures grows by half, whatever its size: ranges of it must stay bindable.
+TEST(DrawsOnwardsImmediate, RecordsOfEveryLengthInOneContext) {
+  const OsmesaContext context(Profile::compatibility);
+  for (const int units : {0, 1, 2, 3, 5, 7}) {
+    for (const bool lit : {false, true}) {
+      lit ? glEnable(GL_LIGHTING) : glDisable(GL_LIGHTING);
+      for (GLenum unit = 0; unit < static_cast<GLenum>(units); ++unit) {
+        glActiveTexture(GL_TEXTURE0 + unit);
+        glEnable(GL_TEXTURE_2D);
+      }
+      glActiveTexture(GL_TEXTURE0);
+      refine_uniformly(1);
+      picture_of([] {
+        glBegin(GL_TRIANGLES);
+        glVertex2f(-1, -1);
+        glVertex2f(1, -1);
+        glVertex2f(0, 1);
+        glEnd();
+      });
+      EXPECT_EQ(generated_primitives, 4U) << units << " units";
+      EXPECT_EQ(pending_errors(), "") << units << " units";
+    }
   }
 }
 
