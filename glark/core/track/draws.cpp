@@ -24,7 +24,10 @@ void draw(Context& context, const DrawCall& call) {
 
 namespace {
 
-bool restarts(const Context& context) {
+bool restarts(Context& context) {
+  if (!context.immediate.open) {
+    context.refresh_bindings();
+  }
   return context.bindings.primitive_restart || context.bindings.primitive_restart_fixed;
 }
 

@@ -86,6 +86,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     issue();
     return;
   }
+  c.refresh_bindings();
   const bool restarts = c.bindings.primitive_restart || c.bindings.primitive_restart_fixed;
   track::draw(c, {.mode = call.mode,
                   .triangles = triangles,
