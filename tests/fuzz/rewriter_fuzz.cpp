@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "glark/core/refine/derive.h"
+#include "glark/core/refine/geometry_shader.h"
 #include "glark/core/refine/glsl_types.h"
 #include "glark/core/refine/rewrite.h"
 
@@ -65,6 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   request.vertex_sources = shaders;
   request.es = (choice & 1U) != 0;
   const refine::Inspection inspection = refine::inspect_vertex_stage(shaders, request.es, extensions);
+  if (refine::makes_its_own_positions(shaders) && refine::words_of_positions(shaders).empty()) std::abort();
   if (inspection.ok == !inspection.error.empty()) std::abort();
   if (!inspection.ok) return 0;
   request.layout = layout_of(shaders, request.es, inspection.traits);
@@ -73,8 +75,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                             : core::Refinement::linear_inputs;
   request.placed = (choice & 8U) != 0;
   request.stored = (choice & 16U) != 0;
-  request.flat_colors = (choice & 32U) != 0;
-  request.clamp_colors = (choice & 64U) != 0;
+  request.outputs.flat_colors = (choice & 32U) != 0;
+  request.outputs.clamp_colors = (choice & 64U) != 0;
   request.provoking_corner = (choice & 128U) != 0 ? 0 : 2;
   request.extensions = extensions;
   const refine::Derivation derivation = refine::derive_vertex_stage(request);

@@ -45,8 +45,10 @@ bool meets(const Words& a, const Words& b) {
 }
 
 Words followed_from_positions(const std::vector<Assignment>& assignments) {
+  constexpr int longest_chain = 64;  // a shader of a megabyte must not take minutes
   Words words{"gl_Position"};
-  for (std::size_t before = 0; before != words.size();) {
+  std::size_t before = 0;
+  for (int round = 0; before != words.size() && round < longest_chain; ++round) {
     before = words.size();
     for (const Assignment& assignment : assignments) {
       if (meets(assignment.left, words)) words.insert(assignment.right.begin(), assignment.right.end());
