@@ -15,6 +15,7 @@
 #include "glark/core/bindings.h"
 #include "glark/core/bound_buffers.h"
 #include "glark/core/current_values.h"
+#include "glark/core/immediate_draw.h"
 #include "glark/core/program.h"
 #include "glark/core/quiet.h"
 #include "glark/core/refine/fixed_function.h"
@@ -25,7 +26,13 @@
 
 namespace glark::core {
 
+class Context;
 class Pipeline;
+
+namespace track {
+// The capture under way is full: draws it, and begins another.
+void immediate_full(Context& context);
+}  // namespace track
 
 // What this driver's context offers.
 struct Capabilities {
@@ -58,14 +65,6 @@ struct ListCompilation {
   bool in_begin = false;
 };
 
-// glBegin .. glEnd being captured.
-struct ImmediateDraw {
-  bool open = false;       // between glBegin and glEnd
-  bool capturing = false;  // by the pipeline
-  GLenum mode = 0;
-  bool tags_set = false;
-};
-
 class Context {
  public:
   // The context must be current. `gl` outlives it.
@@ -90,6 +89,16 @@ class Context {
   bool compiling_list = false;
   bool list_changes_uniforms = false;
   std::uint64_t immediate_vertices = 0;
+  bool elements_restart = false;               // glPrimitiveRestartIndexNV was called: glArrayElement may restart
+  std::uint64_t immediate_limit = UINT64_MAX;  // so many vertices fit the capture under way
+
+  // Called before a vertex between glBegin and glEnd.
+  void count_vertex() {
+    if (immediate_vertices == immediate_limit) {
+      track::immediate_full(*this);
+    }
+    ++immediate_vertices;
+  }
 
   // Called after the write.
   void wrote_buffer(GLuint buffer) { share->buffers.wrote(buffer, next_stamp()); }

@@ -37,7 +37,7 @@ refine::BuilderTraits builder_traits(const Capabilities& capabilities, const Con
 }
 
 // Bytes that a glBegin..glEnd may capture: the number of its vertices is known only at its end.
-constexpr std::uint64_t immediate_bytes = std::uint64_t{32} << 20;
+constexpr std::uint64_t most_immediate_bytes = std::uint64_t{512} << 20;
 
 }  // namespace
 
@@ -266,7 +266,7 @@ void Pipeline::read_counts() {
   }
 }
 
-bool Pipeline::begin_immediate(GLenum mode) {
+std::uint64_t Pipeline::begin_immediate(GLenum mode) {
   const auto nothing = [] {};
   const DrawCall call{.mode = mode,
                       .tags_vary = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag,
@@ -276,35 +276,33 @@ bool Pipeline::begin_immediate(GLenum mode) {
   const Quiet quiet = context_.quiet();
   immediate_plan_ = Plan{};
   Cause cause = plan_draw(call, immediate_plan_);
+  std::uint64_t capacity = 0;
   if (cause == Cause::count_) {
-    const std::uint64_t capacity =
-        immediate_bytes / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
+    capacity = immediate_bytes_ / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
     cause = ensure_room(immediate_plan_, capacity);
   }
   if (cause != Cause::count_) {
     count_passed(cause);
-    return false;
+    return 0;
   }
   // glArrayElement may restart the primitive.
-  const bool exact = !context_.bindings.primitive_restart;
-  begin_capture(immediate_plan_, exact ? capture::Count::known : capture::Count::by_query, nullptr);
-  return true;
+  immediate_exact_ = !context_.bindings.primitive_restart && !context_.elements_restart;
+  begin_capture(immediate_plan_, immediate_exact_ ? capture::Count::known : capture::Count::by_query, nullptr);
+  return capacity;
 }
 
-void Pipeline::end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary) {
-  (void)tags_vary;
+void Pipeline::end_immediate(std::uint64_t triangles) {
   const Quiet quiet(gl_, context_.bindings.debug_output);  // while our feedback is bound, bindings are not read again
   const std::uint64_t capacity =
-      immediate_bytes / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
-  std::uint64_t triangles = triangles_of(mode, vertices);
+      immediate_bytes_ / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
   if (triangles > capacity) {
     log(LogLevel::warning,
-        "glBegin..glEnd of " + std::to_string(triangles) + " triangles exceeds the " + std::to_string(capacity) +
-            " that are captured at once; the rest is not drawn; use vertex arrays for meshes of this size");
+        "glBegin..glEnd of " + std::to_string(triangles) + " joined triangles exceeds the " + std::to_string(capacity) +
+            " that are captured at once; the rest is not drawn this time; use vertex arrays for meshes of this size");
+    immediate_bytes_ = std::min(2 * immediate_bytes_, most_immediate_bytes);
     triangles = capacity;
   }
-  const capture::CoarseTriangles captured =
-      end_capture(immediate_plan_, triangles, !context_.bindings.primitive_restart);
+  const capture::CoarseTriangles captured = end_capture(immediate_plan_, triangles, immediate_exact_);
   ++statistics().captures_made;
   if (triangles == 0) {
     restore({});

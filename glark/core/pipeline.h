@@ -43,9 +43,9 @@ class Pipeline {
   // Draws refined, or as the application asked; counts either.
   void draw(const DrawCall& call);
 
-  // glBegin..glEnd in a mode of triangles. False: the caller begins as the application asked.
-  bool begin_immediate(GLenum mode);
-  void end_immediate(GLenum mode, std::uint64_t vertices, bool tags_vary);
+  // glBegin..glEnd in a mode of triangles: how many triangles fit. 0: the caller begins as the application asked.
+  std::uint64_t begin_immediate(GLenum mode);
+  void end_immediate(std::uint64_t triangles);
 
   // The application's transform feedback, when it enabled GL_ARK itself: it captures refined triangles.
   // False: nothing was done.
@@ -191,6 +191,8 @@ class Pipeline {
   GLuint fixed_function_fragment_ = 0;
   std::string fixed_function_refinement_;
   Plan immediate_plan_;
+  bool immediate_exact_ = true;                              // its number of triangles is known without a query
+  std::uint64_t immediate_bytes_ = std::uint64_t{32} << 20;  // grows where a strip or fan did not fit
   std::shared_ptr<DerivedProgram> feedback_program_;
   std::unordered_map<GLuint, std::uint64_t> feedback_vertices_;  // by transform feedback object
   std::map<std::pair<GLenum, GLenum>, std::optional<depth::Decomposition>>

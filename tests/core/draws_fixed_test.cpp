@@ -51,6 +51,23 @@ TEST_F(DrawsFixed, TwoSidedProgram) {
   });
 }
 
+// More triangles in one glBegin than are captured at once: most of them are of no area.
+TEST_F(DrawsFixed, ImmediateTrianglesWithoutEnd) {
+  constexpr GLuint triangles = 500'000;
+  glColor3f(1, 0.5F, 0.25F);
+  expect_same_scene({.coarse_triangles = triangles, .level = 0}, [] {
+    glBegin(GL_TRIANGLES);
+    for (GLuint i = 0; i < triangles; ++i) {
+      const GLfloat size = i % 1000 == 999 ? 0.1F : 0.0F;
+      const GLfloat along = 2.0F * static_cast<GLfloat>(i) / triangles - 1.0F;
+      glVertex2f(along, along);
+      glVertex2f(along + size, along);
+      glVertex2f(along, along + size);
+    }
+    glEnd();
+  });
+}
+
 TEST_F(DrawsFixed, TextureMatricesAndGeneration) {
   GLubyte texels[16][4];
   for (int i = 0; i < 16; ++i) {

@@ -43,6 +43,43 @@ TEST_F(DrawsLists, StateBetweenDraws) {
   expect_same_scene({8}, [list] { glCallList(list); });
 }
 
+// Twelve vertices in three rows, and two strips through them.
+constexpr GLfloat rows[9][2] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+constexpr GLint none = -1;
+constexpr GLint two_strips[] = {3, 0, 4, 1, 5, 2, none, 6, 3, 7, 4, 8, 5};
+
+TEST_F(DrawsLists, RestartedByACall) {
+  const auto strips = [] {
+    glBegin(GL_TRIANGLE_STRIP);
+    for (const GLint i : two_strips) {
+      i == none ? glPrimitiveRestartNV() : glVertex2fv(rows[i]);
+    }
+    glEnd();
+  };
+  const GLuint list = compile(strips);
+  expect_same_scene({12}, [list] { glCallList(list); });  // in a list Mesa joins strips by triangles of no area
+  expect_same_scene({8}, strips);
+}
+
+TEST_F(DrawsLists, RestartEnabledAfterBegin) {
+  glPrimitiveRestartIndexNV(0);
+  glVertexPointer(2, GL_FLOAT, 0, rows);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  const GLuint list = compile([] {
+    glBegin(GL_TRIANGLE_STRIP);
+    for (const GLint i : two_strips) {
+      if (i == none) {
+        glEnableClientState(GL_PRIMITIVE_RESTART_NV);
+      }
+      glArrayElement(i == none ? 0 : i);
+    }
+    glEnd();
+  });
+  glDisableClientState(GL_PRIMITIVE_RESTART_NV);
+  glDisableClientState(GL_VERTEX_ARRAY);
+  expect_same_scene({12}, [list] { glCallList(list); });
+}
+
 TEST_F(DrawsLists, ColorLeftByTheListColorsWhatFollows) {
   const GLuint list = compile([] { glColor3f(1, 0.5F, 0.25F); });
   expect_same_scene({2}, [list] {

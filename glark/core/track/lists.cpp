@@ -247,11 +247,17 @@ bool list_end(Context& c) {
     return true;
   }
   c.list.in_draw = false;
+  // Mesa joins strips that a restart parted by triangles of no area: up to four vertices for a restart. It may have been enabled
+  // after glBegin.
+  c.refresh_bindings();
+  const bool exact = !c.immediate.restarted && !c.bindings.primitive_restart && !c.elements_restart;
+  const std::uint64_t vertices =
+      exact ? c.immediate_vertices : 5 * (c.immediate.vertices_before + c.immediate_vertices);
   close_segment(c, {.kind = ListSegment::Kind::draw,
                     .mode = c.list.begun_mode,
-                    .vertices = c.immediate_vertices,
-                    .triangles = triangles_of(c.list.begun_mode, c.immediate_vertices),
-                    .exact = !c.bindings.primitive_restart,  // glArrayElement may have restarted it
+                    .vertices = vertices,
+                    .triangles = triangles_of(c.list.begun_mode, vertices),
+                    .exact = exact,
                     .sets_tags = c.immediate.tags_set || !c.list.vertex_lists.empty(),
                     .whole_polygons = true,
                     .vertex_lists = std::move(c.list.vertex_lists)});
