@@ -253,6 +253,7 @@ void Context::forget_values() {
 void Context::forget_in_list() {
   if (compiling_list) {
     list.segment.opaque = true;
+    list.segment.late |= !before_vertices();
   }
 }
 
@@ -260,7 +261,7 @@ void Context::record_current(int slot, CurrentValue::Again again, GLuint index, 
                              std::uint32_t bytes) {
   CurrentValue value{again, index, bytes};
   std::memcpy(value.components.data(), components, bytes);
-  list.segment.record(slot, value, immediate_vertices == 0);
+  list.segment.record(slot, value, before_vertices());
 }
 
 void Context::update_refining() {

@@ -89,16 +89,19 @@ class Context {
   bool compiling_list = false;
   bool list_changes_uniforms = false;
   std::uint64_t immediate_vertices = 0;
+  unsigned immediate_components = 0;           // bits: how many components those vertices have
   bool elements_restart = false;               // glPrimitiveRestartIndexNV was called: glArrayElement may restart
   std::uint64_t immediate_limit = UINT64_MAX;  // so many vertices fit the capture under way
 
-  // Called before a vertex between glBegin and glEnd.
-  void count_vertex() {
+  // Called before a vertex of so many components between glBegin and glEnd.
+  void count_vertex(unsigned components) {
     if (immediate_vertices == immediate_limit) {
       track::immediate_full(*this);
     }
     ++immediate_vertices;
+    immediate_components |= 1U << components;
   }
+  bool before_vertices() const { return immediate_vertices == 0 && immediate.vertices_before == 0; }
 
   // Called after the write.
   void wrote_buffer(GLuint buffer) { share->buffers.wrote(buffer, next_stamp()); }

@@ -31,22 +31,28 @@ struct SegmentEffects {
   std::uint64_t set = 0;       // their slots
   std::uint64_t own = 0;       // those set before its first vertex: no vertex inherits them
   bool opaque = false;         // sets what we do not follow: to be executed each time
+  bool late = false;           // a vertex after the first has more to it than those before
   bool touches_state = false;  // that refined draws depend on
   bool changes_uniforms = false;
 
   void record(int slot, const CurrentValue& value, bool before_vertices) {
     if (slot < 0) {
       opaque = true;
+      late |= !before_vertices;
       return;
     }
     if ((set & slot_bit(slot)) == 0) {
+      late |= !before_vertices;
       own |= before_vertices ? slot_bit(slot) : 0;
       set |= slot_bit(slot);
       values.push_back({slot, value});
       return;
     }
     for (Value& known : values) {
-      known.value = known.slot == slot ? value : known.value;
+      if (known.slot == slot) {
+        late |= !before_vertices && known.value.again != value.again;  // perhaps of more components
+        known.value = value;
+      }
     }
   }
 };

@@ -261,7 +261,7 @@ def wrapper_body(command, kind):
         first = c.parameters[0][1] if c.parameters else ""
         only = f" && {first} == 0" if first == "index" and c.name.startswith("glVertexAttrib") else ""
         unseen = ["if (here.context != nullptr) here.context->forget_values();"] if kind == "count_unseen" else []
-        return unseen + [f"if (here.context != nullptr{only}) here.context->count_vertex();", f"{real};"]
+        return unseen + [f"if (here.context != nullptr{only}) here.context->count_vertex({components(c)});", f"{real};"]
     if kind == "attribute":
         return attribute_body(c, real)
     call, choices = TOUCH_CALLS[kind]
@@ -275,6 +275,12 @@ def wrapper_body(command, kind):
     if c.is_void():
         return [f"{real};", touch]
     return [f"const auto result = {real};", touch, "return result;"]
+
+
+def components(command):
+    """Of the vertex that the call gives; 0 where its name does not say."""
+    digits = re.search(r"\d", command.name)
+    return int(digits.group()) if digits else 0
 
 
 def attribute_body(command, real):
@@ -297,7 +303,7 @@ def attribute_body(command, real):
             copies.append(f"arguments.{member} = {name};")
             again.append(f"static_cast<{kind}>(same.{member})")
     call = ", ".join((["index_"] if indexed else []) + again)
-    count = [f"if ({index} == 0) here.context->count_vertex();"] if slot == "generic_slot" else []
+    count = [f"if ({index} == 0) here.context->count_vertex({components(command)});"] if slot == "generic_slot" else []
     return [
         f"if (here.context == nullptr) {{ {real}; return; }}",
         f"struct Arguments {{ {' '.join(members)} }} arguments;",

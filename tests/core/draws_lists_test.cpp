@@ -80,6 +80,30 @@ TEST_F(DrawsLists, RestartEnabledAfterBegin) {
   expect_same_scene({12}, [list] { glCallList(list); });
 }
 
+// An attribute that appears late parts the primitive in Mesa's list.
+TEST_F(DrawsLists, AttributesThatAppearLate) {
+  for (const std::size_t late : {std::size_t{1}, std::size_t{2}, std::size_t{4}}) {
+    const GLuint list = compile([late] {
+      glBegin(GL_TRIANGLE_STRIP);
+      for (std::size_t i = 0; i < 6; ++i) {
+        if (i == late) {
+          const GLfloat half[] = {0.5F, 0.5F, 0.5F, 1};
+          glMaterialfv(GL_FRONT, GL_DIFFUSE, half);
+          glVertexAttrib4f(5, 1, 0, 1, 1);
+        }
+        i == late ? glVertex3f(rows[two_strips[i]][0], rows[two_strips[i]][1], 0.1F) : glVertex2fv(rows[two_strips[i]]);
+      }
+      glEnd();
+      glBegin(GL_LINES);  // the list is not of one primitive: those Mesa draws wrong
+      glVertex2f(-1, 0.5F);
+      glVertex2f(1, 0.5F);
+      glEnd();
+    });
+    SCOPED_TRACE(late);
+    expect_same_scene({}, [list] { glCallList(list); });
+  }
+}
+
 TEST_F(DrawsLists, ColorLeftByTheListColorsWhatFollows) {
   const GLuint list = compile([] { glColor3f(1, 0.5F, 0.25F); });
   expect_same_scene({2}, [list] {

@@ -19,6 +19,7 @@ std::uint64_t vertices_of_primitive(GLenum mode) {
 
 void begin_count(Context& c) {
   c.immediate_vertices = 0;
+  c.immediate_components = 0;
   c.immediate_limit = UINT64_MAX;
   c.immediate.restarted = false;
   c.immediate.vertices_before = 0;

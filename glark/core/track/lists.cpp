@@ -4,6 +4,7 @@
 // Display lists, cut into segments while they are compiled (see display_list.h). Lists that were compiled before refinement
 // was on are called as they are.
 #include <algorithm>
+#include <bit>
 #include <utility>
 #include <vector>
 
@@ -247,17 +248,20 @@ bool list_end(Context& c) {
     return true;
   }
   c.list.in_draw = false;
-  // Mesa joins strips that a restart parted by triangles of no area: up to four vertices for a restart. It may have been enabled
-  // after glBegin.
-  c.refresh_bindings();
-  const bool exact = !c.immediate.restarted && !c.bindings.primitive_restart && !c.elements_restart;
-  const std::uint64_t vertices =
-      exact ? c.immediate_vertices : 5 * (c.immediate.vertices_before + c.immediate_vertices);
+  c.refresh_bindings();  // restart may have been enabled after glBegin
+  // Mesa 22 adds triangles of no area to a list: where it joins strips that a restart parted (up to four vertices each time), and where a
+  // vertex has more to it than those before, which parts the primitive.
+  constexpr std::uint64_t vertices_of_parts = 160;
+  const bool restarts = c.immediate.restarted || c.bindings.primitive_restart || c.elements_restart;
+  const bool parts =
+      c.list.segment.late || !c.list.vertex_lists.empty() || !std::has_single_bit(c.immediate_components);
+  const std::uint64_t own = c.immediate.vertices_before + c.immediate_vertices;
+  const std::uint64_t vertices = (restarts ? 5 * own : own) + (parts && own > 0 ? vertices_of_parts : 0);
   close_segment(c, {.kind = ListSegment::Kind::draw,
                     .mode = c.list.begun_mode,
                     .vertices = vertices,
                     .triangles = triangles_of(c.list.begun_mode, vertices),
-                    .exact = exact,
+                    .exact = !restarts && !parts,
                     .sets_tags = c.immediate.tags_set || !c.list.vertex_lists.empty(),
                     .whole_polygons = true,
                     .vertex_lists = std::move(c.list.vertex_lists)});
