@@ -104,8 +104,9 @@ class Runner:
             with lock, (self.results_ / f"{mode}.jsonl").open("a") as file:
                 outcomes[test.name] = outcome
                 file.write(json.dumps({"name": test.name} | dataclasses.asdict(outcome)) + "\n")
-                if len(outcomes) % 100 == 0:
-                    print(f"{mode}: {len(outcomes)} of {len(tests)}", flush=True)
+                done = sum(test.name in outcomes for test in tests)
+                if done % 100 == 0:
+                    print(f"{mode}: {done} of {len(tests)}", flush=True)
 
         try:
             with concurrent.futures.ThreadPoolExecutor(self.jobs_) as pool:

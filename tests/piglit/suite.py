@@ -10,6 +10,7 @@ import re
 import signal
 import subprocess
 import sys
+import time
 
 PIGLIT = pathlib.Path("/usr/lib/x86_64-linux-gnu/piglit")
 PROFILES = ("quick_gl", "quick_shader")
@@ -81,7 +82,6 @@ def read_results(output: str) -> tuple:
 
 def run(test: Test, environment: dict, statistics_file: pathlib.Path, limit: float) -> Outcome:
     """Runs a test on the display of `environment`. Its whole process group is killed after `limit` seconds."""
-    import time
     statistics_file.unlink(missing_ok=True)
     start = time.monotonic()
     process = subprocess.Popen(test.command, cwd=PIGLIT, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,

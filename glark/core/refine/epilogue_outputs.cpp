@@ -219,7 +219,11 @@ class Statements {
     const NumericType* const numeric = numeric_type(std::string_view(type));
     if (numeric != nullptr && numeric->interpolates()) {
       mixed_types_.insert(std::string(numeric->name));
-      return "  " + paths[0] + " = @mix(" + paths[1] + ", " + paths[2] + ", " + paths[3] + ");\n";
+      const std::string mixed = "@mix(" + paths[1] + ", " + paths[2] + ", " + paths[3] + ")";
+      if (paths[0] == "gl_Position") return "  " + paths[0] + " = " + mixed + ";\n";
+      // What is the same at all corners stays so to the last bit: fragment shaders may compare it.
+      return "  " + paths[0] + " = " + paths[1] + " == " + paths[2] + " && " + paths[1] + " == " + paths[3] + " ? " +
+             paths[1] + " : " + mixed + ";\n";
     }
     const Structure* const structure = find_structure(plan_.structures, type);
     if (structure == nullptr) return "  " + paths[0] + " = " + paths[1 + plan_.provoking_corner] + ";\n";
