@@ -265,6 +265,52 @@ TEST_F(CacheFixed, ArraysEnabledAndDisabled) {
   expect_seen(draw, [] { glDisableClientState(GL_COLOR_ARRAY); });
 }
 
+// As client states, by the functions for capabilities.
+TEST_F(CacheFixed, ArraysEnabledAsCapabilities) {
+  glColor3f(1, 0.5F, 0);
+  glColorPointer(3, GL_FLOAT, sizeof(ColoredVertex), byte_offset(sizeof(ColoredVertex::position)));
+  expect_seen(draw, [] { glEnable(GL_COLOR_ARRAY); });
+  glEnable(GL_ARK);
+  expect_seen(draw, [] { glDisable(GL_COLOR_ARRAY); });
+}
+
+TEST_F(CacheFixed, ElementBufferDeletedWhileBound) {
+  const std::vector<GLushort> all = {0, 1, 2, 2, 1, 3, 3, 4, 5};
+  const std::vector<GLushort> one = {0, 1, 2, 0, 0, 0, 0, 0, 0};
+  const GLuint elements = make_buffer(GL_ELEMENT_ARRAY_BUFFER, all);
+  const GLushort* at = nullptr;
+  expect_seen([&at] { glDrawElements(GL_TRIANGLES, 9, GL_UNSIGNED_SHORT, at); },
+              [&] {
+                glDeleteBuffers(1, &elements);
+                at = one.data();
+              });
+}
+
+TEST_F(CacheFixed, RestartEnabled) {
+  make_buffer(GL_ELEMENT_ARRAY_BUFFER, std::vector<GLushort>{0, 1, 2, 3, 4, 5});
+  glPrimitiveRestartIndexNV(3);
+  const auto draw_strip = [] { glDrawElements(GL_TRIANGLE_STRIP, 6, GL_UNSIGNED_SHORT, nullptr); };
+  expect_seen(draw_strip, [] { glEnableClientState(GL_PRIMITIVE_RESTART_NV); });
+  glEnable(GL_ARK);
+  expect_seen(draw_strip, [] { glDisableClientState(GL_PRIMITIVE_RESTART_NV); });
+}
+
+// It binds the generic binding point as well, like glBindBufferBase.
+TEST_F(CacheFixed, WrittenThroughAnOffsetBinding) {
+  const auto bind = proc<PFNGLBINDBUFFEROFFSETEXTPROC>("glBindBufferOffsetEXT");
+  if (bind == nullptr) GTEST_SKIP() << "no glBindBufferOffsetEXT here";
+  const GLuint buffer = make_buffer(GL_ARRAY_BUFFER, strip().vertices);
+  glVertexPointer(2, GL_FLOAT, sizeof(ColoredVertex), nullptr);
+  const GLuint other = make_buffer(GL_ARRAY_BUFFER, strip().vertices);
+  glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, other);
+  expect_seen(draw, [&] {
+    bind(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, 0);
+    const std::vector<ColoredVertex> changed = other_vertices();
+    glBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<GLsizeiptr>(changed.size() * sizeof(ColoredVertex)),
+                    changed.data());
+  });
+}
+
 TEST_F(CacheFixed, PointerOfAnotherUnit) {
   GLuint texture = 0;
   const GLubyte texels[] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 0, 255};
