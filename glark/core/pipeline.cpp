@@ -91,11 +91,7 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
     bins = bins_.sort(request, records.count_command->name(), b);
     captured += b.primitives_generated_query != 0 || b.primitives_written_query != 0 ? bins_.instances_of_last() : 0;
   }
-  for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
-    if (query != 0) {
-      context_.query_surplus[query] += captured;
-    }
-  }
+  add_surplus(static_cast<std::int64_t>(captured));
   return bins;
 }
 
@@ -233,6 +229,10 @@ void Pipeline::draw(const DrawCall& call) {
   }
   Keeping keeping = look_up(call, plan);
   const capture::CoarseTriangles triangles = capture_draw(call, plan, keeping, quiet);
+  if (triangles.count == 0) {
+    restore({});
+    return;
+  }
   submit(plan, triangles, keeping);
   count_refined(plan);
   if (triangles.count_on_gpu) {

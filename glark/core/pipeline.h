@@ -136,6 +136,8 @@ class Pipeline {
   void read_counts();
   void begin_capture(const Plan& plan, capture::Count count, GpuBuffer* own);
   capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
+  // To what our captures have added to the application's queries.
+  void add_surplus(std::int64_t triangles);
   bool ensure_pool();
   bool has_adaptive_room(const Plan& plan, std::uint64_t triangles) const;
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);

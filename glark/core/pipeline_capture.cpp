@@ -124,7 +124,7 @@ bool Pipeline::add_segment_inputs(const Plan& plan, const ListSegment& segment) 
 
 // All that decides what is captured, and for adaptive draws how it is sorted. False: nothing of this draw can be kept.
 bool Pipeline::make_key(const DrawCall& call, const Plan& plan) {
-  if (!call.exact || (call.arrays == nullptr && call.segment == nullptr)) {
+  if ((!call.exact || call.arrays == nullptr) && call.segment == nullptr) {
     return false;
   }
   key_.clear();
@@ -169,16 +169,29 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
   }
   ++statistics().captures_made;
   const bool own = keeping.entry != nullptr && !plan.keeps_bins();
-  const capture::Count count = !call.exact                ? capture::Count::by_query
-                               : keeping.entry != nullptr ? capture::Count::checked
-                                                          : capture::Count::known;
-  begin_capture(plan, count, own ? &keeping.entry->buffer : nullptr);
-  quiet.interrupt();
-  call.issue();
-  quiet.hush();
-  const capture::CoarseTriangles triangles = end_capture(plan, call.triangles, call.exact);
+  const capture::Count count = keeping.entry != nullptr ? capture::Count::checked
+                               : call.exact             ? capture::Count::known
+                                                        : capture::Count::by_query;
+  const auto capture = [&] {
+    begin_capture(plan, count, own ? &keeping.entry->buffer : nullptr);
+    quiet.interrupt();
+    call.issue();
+    quiet.hush();
+    return end_capture(plan, call.triangles, call.exact);
+  };
+  capture::CoarseTriangles triangles = capture();
+  // An error is this draw's own, or one that was there before it: the second time there is none before it.
+  if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR) {
+    context_.raise(error);
+    triangles = capture();
+    if (gl_.GetError() != GL_NO_ERROR) {  // GL rejects it: it draws nothing, and counts nothing
+      add_surplus(call.exact ? -2 * static_cast<std::int64_t>(call.triangles) : 0);
+      keeping.entry = nullptr;
+      return {};
+    }
+  }
   // GL may have drawn nothing: conditional rendering, an incomplete framebuffer, a mapped buffer.
-  if (keeping.entry != nullptr && triangles.count != call.triangles) {
+  if (keeping.entry != nullptr && (call.exact ? triangles.count != call.triangles : triangles.count == 0)) {
     keeping.entry = nullptr;
   }
   if (own && keeping.entry != nullptr) {
@@ -205,12 +218,19 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
     gl_.ProvokingVertex(b.provoking_vertex);
   }
   // The application's queries have counted the capture too. Only here, and if GL alone knows the number, it is read back.
-  for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
-    if (query != 0) {
-      context_.query_surplus[query] += exact ? triangles : capture_.counted(b);
-    }
+  if (b.primitives_generated_query != 0 || b.primitives_written_query != 0) {
+    add_surplus(static_cast<std::int64_t>(exact ? triangles : capture_.counted(b)));
   }
   return captured;
+}
+
+void Pipeline::add_surplus(std::int64_t triangles) {
+  for (const GLuint query :
+       {context_.bindings.primitives_generated_query, context_.bindings.primitives_written_query}) {
+    if (query != 0) {
+      context_.query_surplus[query] += static_cast<std::uint64_t>(triangles);  // modulo 2^64
+    }
+  }
 }
 
 // The bins of an adaptive draw: kept ones, or those that are made now, which may then be kept.
