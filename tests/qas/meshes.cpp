@@ -52,7 +52,9 @@ ControlMesh icosahedron() {
       add_vertex(mesh, z, 0, y);
     }
   }
-  const auto at = [&](int v, int axis) { return double{mesh.positions[static_cast<std::size_t>(3 * v + axis)]}; };
+  const auto at = [&](int v, int axis) {
+    return double{mesh.positions[3 * static_cast<std::size_t>(v) + static_cast<std::size_t>(axis)]};
+  };
   const auto near = [&](int a, int b) {
     return std::hypot(at(a, 0) - at(b, 0), at(a, 1) - at(b, 1), at(a, 2) - at(b, 2)) < 2.1;
   };

@@ -56,4 +56,10 @@ Scaled take_positions(std::span<const float> positions, std::vector<Float4>& to)
   return scaled;
 }
 
+void check_barycentric(const std::array<float, 3>& barycentric) {
+  for (const float weight : barycentric) {
+    if (!std::isfinite(weight)) throw Error(Element::array, 0, "of barycentric coordinates holds what is not finite");
+  }
+}
+
 }  // namespace glark::qas

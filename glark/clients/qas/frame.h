@@ -5,6 +5,7 @@
 // is computed of them is then the same at every scale, and neither overflows nor vanishes.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -19,5 +20,8 @@ struct Scaled {
 
 // Throws Error, before anything is written.
 Scaled take_positions(std::span<const float> positions, std::vector<Float4>& to);
+
+// Throws Error where one is not finite.
+void check_barycentric(const std::array<float, 3>& barycentric);
 
 }  // namespace glark::qas

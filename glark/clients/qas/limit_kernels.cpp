@@ -36,12 +36,39 @@ void LimitStep::run_fan(const Frame& frame, const Fan& fan, std::size_t begin, s
       first += weights[j].first * spoke;
       second += weights[j].second * spoke;
     }
-    frame.shift[which.vertex] = fan.shift * sum;
     if constexpr (With_limits) {
+      frame.shift[which.vertex] = fan.shift * sum;
       store(frame.positions[which.vertex], position(vertex + fan.limit * sum, frame.unscale));
       Float4 normal;
       if (!unit_normal(first, second, normal)) normal = ring_normal(frame.from, vertex, ring, fan.valence, true);
       store(frame.normals[which.sector], normal);
+    } else {
+      frame.shift[which.vertex] = vertex + fan.shift * sum;
+    }
+  }
+}
+
+// The regular valence, which nearly all vertices have after a step: the ring's Fourier mode without its weights.
+template <bool With_limits>
+void LimitStep::run_regular_fan(const Frame& frame, const Fan& fan, std::size_t begin, std::size_t end) const {
+  for (std::size_t i = begin; i < end; ++i) {
+    const FanVertex which = fan_vertices_[i];
+    const std::uint32_t* const ring = &rings_[fan.first_ring + (i - fan.first) * 6];
+    const Float4 vertex = frame.from[which.vertex];
+    const Float4 r0 = frame.from[ring[0]], r1 = frame.from[ring[1]], r2 = frame.from[ring[2]];
+    const Float4 r3 = frame.from[ring[3]], r4 = frame.from[ring[4]], r5 = frame.from[ring[5]];
+    const Float4 sum =
+        ((r0 - vertex) + (r3 - vertex)) + (((r1 - vertex) + (r4 - vertex)) + ((r2 - vertex) + (r5 - vertex)));
+    if constexpr (With_limits) {
+      frame.shift[which.vertex] = fan.shift * sum;
+      store(frame.positions[which.vertex], position(vertex + fan.limit * sum, frame.unscale));
+      const Float4 first = (r0 - r3) + 0.5F * ((r1 - r2) + (r5 - r4));
+      const Float4 second = (r1 - r4) + (r2 - r5);
+      Float4 normal;
+      if (!unit_normal(first, second, normal)) normal = ring_normal(frame.from, vertex, ring, 6, true);
+      store(frame.normals[which.sector], normal);
+    } else {
+      frame.shift[which.vertex] = vertex + fan.shift * sum;
     }
   }
 }
@@ -51,7 +78,12 @@ void LimitStep::run_fans(const Frame& frame, std::size_t begin, std::size_t end)
   for (const Fan& fan : fans_) {
     const std::size_t from = std::max<std::size_t>(begin, fan.first);
     const std::size_t to = std::min<std::size_t>(end, std::size_t{fan.first} + fan.count);
-    if (from < to) run_fan<With_limits>(frame, fan, from, to);
+    if (from >= to) continue;
+    if (fan.valence == 6) {
+      run_regular_fan<With_limits>(frame, fan, from, to);
+    } else {
+      run_fan<With_limits>(frame, fan, from, to);
+    }
   }
 }
 
@@ -61,8 +93,12 @@ void LimitStep::run_creases(const Frame& frame, std::size_t begin, std::size_t e
     const CreaseVertex& crease = creases_[i];
     const Float4 vertex = frame.from[crease.vertex];
     const Float4 sum = (frame.from[crease.before] - vertex) + (frame.from[crease.after] - vertex);
-    frame.shift[crease.vertex] = sum * 0.125F;
-    if constexpr (With_limits) store(frame.positions[crease.vertex], position(vertex + sum / 6.0F, frame.unscale));
+    if constexpr (With_limits) {
+      frame.shift[crease.vertex] = sum * 0.125F;
+      store(frame.positions[crease.vertex], position(vertex + sum / 6.0F, frame.unscale));
+    } else {
+      frame.shift[crease.vertex] = vertex + sum * 0.125F;
+    }
   }
 }
 
@@ -177,13 +213,10 @@ void LimitStep::run(const Workers& workers, const Frame& frame) const {
 }
 
 void LimitStep::subdivide(const Workers& workers, const Float4* from, Float4* to) const {
-  const Frame frame{from, to, nullptr, nullptr, 1};  // the shifts first
+  const Frame frame{from, to, nullptr, nullptr, 1};
   workers.each(fan_vertices_.size(), [&](auto begin, auto end) { run_fans<false>(frame, begin, end); });
   workers.each(creases_.size(), [&](auto begin, auto end) { run_creases<false>(frame, begin, end); });
-  for (const std::uint32_t vertex : corners_) to[vertex] = Float4{};
-  workers.each(vertex_count_, [&](auto begin, auto end) {
-    for (auto v = begin; v < end; ++v) to[v] += from[v];
-  });
+  for (const std::uint32_t vertex : corners_) to[vertex] = from[vertex];
   Float4* const middles = to + vertex_count_;
   const auto smooth = [&](const std::vector<SmoothEdge>& edges) {
     workers.each(edges.size(), [&](auto begin, auto end) {

@@ -7,17 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+
+#include "glark/clients/qas/masks.h"
 
 namespace glark::qas {
 namespace {
-
-// Loop, Smooth Subdivision Surfaces Based on Triangles, 1987; the weight of each neighbour.
-double loop_beta(std::uint32_t valence) {
-  const double n = valence;
-  const double root = 3.0 / 8 + std::cos(2 * std::numbers::pi / n) / 4;
-  return (5.0 / 8 - root * root) / n;
-}
 
 struct Across {
   std::uint32_t vertex;
@@ -88,7 +82,6 @@ void LimitStep::add_fans(const Topology& topology) {
   }
 }
 
-// Based on: Hoppe et al., Piecewise Smooth Surface Reconstruction, 1994, with the tangent across the crease pointing inwards.
 void LimitStep::add_open_sectors(const Topology& topology) {
   for (std::uint32_t v = 0; v < topology.vertex_count; ++v) {
     if (topology.rules[v] == Rule::corner) corners_.push_back(v);
@@ -102,17 +95,9 @@ void LimitStep::add_open_sectors(const Topology& topology) {
     open_sectors_.push_back({s, sector.vertex, sector.count, rings_.size(), weights_.size(), corner, false});
     const auto ring = topology.rings.begin() + sector.first;
     rings_.insert(rings_.end(), ring, ring + sector.count);
-    const std::uint32_t last = sector.count - 1;  // the number of triangles
-    const double theta = std::numbers::pi / last;
-    for (std::uint32_t i = 0; i <= last; ++i) {
-      const bool end = i == 0 || i == last;
-      const float along = i == 0 ? 1.0F : (i == last && !corner ? -1.0F : 0.0F);
-      double inwards = end ? -std::sin(theta) : 2 * (1 - std::cos(theta)) * std::sin(i * theta);
-      if (last == 1) inwards = 1;            // the tangents are the two edges
-      if (last == 2) inwards = end ? 0 : 1;  // the inner edge
-      if (corner) inwards = i == last ? 1 : 0;
-      weights_.push_back({along, static_cast<float>(inwards)});
-    }
+    const TangentMask mask = tangent_mask(sector.count, corner);
+    for (std::uint32_t i = 0; i < sector.count; ++i)
+      weights_.push_back({static_cast<float>(mask.along(i)), static_cast<float>(mask.inwards(i))});
   }
 }
 

@@ -96,10 +96,13 @@ class LimitStep {
   void add_patches(const Topology& topology);
   Patch copied_patch(const Topology& topology, std::uint32_t triangle);
 
+  // With_limits: shifts and limits; without, frame.shift receives the vertices after the step.
   template <bool With_limits>
   void run_fans(const Frame& frame, std::size_t begin, std::size_t end) const;
   template <bool With_limits>
   void run_fan(const Frame& frame, const Fan& fan, std::size_t begin, std::size_t end) const;
+  template <bool With_limits>
+  void run_regular_fan(const Frame& frame, const Fan& fan, std::size_t begin, std::size_t end) const;
   template <bool With_limits>
   void run_creases(const Frame& frame, std::size_t begin, std::size_t end) const;
   void run_open_sectors(const Frame& frame, std::size_t begin, std::size_t end) const;

@@ -115,9 +115,7 @@ Sample Surface::evaluate(std::size_t patch, std::array<float, 3> barycentric) co
   if (patch >= patches().size()) {
     throw Error(Element::triangle, patch, "is none of the " + std::to_string(patches().size()) + " patches");
   }
-  for (const float weight : barycentric) {
-    if (!std::isfinite(weight)) throw Error(Element::array, 0, "of barycentric coordinates holds what is not finite");
-  }
+  check_barycentric(barycentric);
   std::array<Float4, 6> points, normals;
   for (std::size_t i = 0; i < 6; ++i) {
     points[i] = load(state_->positions[patches()[patch].positions[i]]);

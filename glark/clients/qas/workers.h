@@ -23,10 +23,9 @@ class Workers {
     arena_->initialize();
   }
 
-  // body(begin, end) over all of 0 .. count, in pieces.
+  // body(begin, end) over all of 0 .. count, in pieces of `grain` at least.
   template <typename Body>
-  void each(std::size_t count, const Body& body) const {
-    constexpr std::size_t grain = 2048;
+  void each(std::size_t count, const Body& body, std::size_t grain = 2048) const {
     if (!arena_ || count <= grain) {
       if (count > 0) body(std::size_t{0}, count);
       return;
