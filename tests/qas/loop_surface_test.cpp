@@ -64,7 +64,7 @@ TEST_P(LoopSurfaceOf, RefinesToTheSamePoints) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, LoopSurfaceOf, testing::ValuesIn(seven_meshes()),
+INSTANTIATE_TEST_SUITE_P(Meshes, LoopSurfaceOf, testing::ValuesIn(small_meshes()),
                          [](const auto& parameter) { return parameter.param.name; });
 
 TEST(LoopSurface, IsContinuousAcrossEdgesAndTowardsVertices) {

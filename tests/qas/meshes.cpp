@@ -184,26 +184,109 @@ ControlMesh bipyramid(int sides) {
 
 ControlMesh drum(int sides) {
   ControlMesh mesh{"drum", {}, {}};
-  for (int ring = 0; ring < 3; ++ring) {
+  const int rings = std::max(3, sides - 4);
+  const auto height = [&](int ring) { return 1.0 * ring / (rings - 1); };
+  for (int ring = 0; ring < rings; ++ring) {
+    const double radius = 1 - 0.3 * std::sin(pi * height(ring));
     for (int i = 0; i < sides; ++i)
-      add_vertex(mesh, std::cos(2 * pi * i / sides), std::sin(2 * pi * i / sides), 0.5 * ring);
+      add_vertex(mesh, radius * std::cos(2 * pi * i / sides), radius * std::sin(2 * pi * i / sides), height(ring));
   }
+  const int bottom = rings * sides, last = (rings - 1) * sides;
   add_vertex(mesh, 0, 0, -0.1);
   add_vertex(mesh, 0, 0, 1.2);
   for (int i = 0; i < sides; ++i) {
     const int next = (i + 1) % sides;
-    for (int ring = 0; ring < 2; ++ring)
+    for (int ring = 0; ring + 1 < rings; ++ring)
       add_quad(mesh, ring * sides + i, ring * sides + next, (ring + 1) * sides + next, (ring + 1) * sides + i);
-    add_triangle(mesh, next, i, 3 * sides);
-    add_triangle(mesh, 2 * sides + i, 2 * sides + next, 3 * sides + 1);
-    for (const int ring : {0, 2}) {
-      for (const int v : {ring * sides + i, ring * sides + next}) mesh.creases.push_back(static_cast<std::uint32_t>(v));
+    add_triangle(mesh, next, i, bottom);
+    add_triangle(mesh, last + i, last + next, bottom + 1);
+    for (const int first : {0, last}) {
+      for (const int v : {first + i, first + next}) mesh.creases.push_back(static_cast<std::uint32_t>(v));
     }
   }
   return mesh;
 }
 
+ControlMesh asteroid(int levels) {
+  ControlMesh mesh = densified(icosahedron(), levels);
+  mesh.name = "asteroid";
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    float* const p = &mesh.positions[3 * v];
+    const double length = std::hypot(p[0], p[1], p[2]);
+    const double x = p[0] / length, y = p[1] / length, z = p[2] / length;
+    const double radius = 1 + 0.15 * std::sin(5 * x + 1) * std::cos(4 * y) + 0.1 * std::sin(7 * z + 3 * x);
+    p[0] = static_cast<float>(1.3 * radius * x);
+    p[1] = static_cast<float>(radius * y);
+    p[2] = static_cast<float>(0.8 * radius * z);
+  }
+  return mesh;
+}
+
+ControlMesh goblet(int around, int rings) {
+  ControlMesh mesh{"goblet", {}, {}};
+  for (int i = 1; i < rings; ++i) {
+    const double t = double(i) / rings;
+    const double radius = std::sin(pi * t) * (0.7 + 0.35 * std::cos(9 * t));
+    for (int j = 0; j < around; ++j)
+      add_vertex(mesh, radius * std::cos(2 * pi * j / around), radius * std::sin(2 * pi * j / around), 2.2 * t);
+  }
+  const int bottom = (rings - 1) * around;
+  add_vertex(mesh, 0, 0, 0);
+  add_vertex(mesh, 0, 0, 2.2);
+  for (int j = 0; j < around; ++j) {
+    const int next = (j + 1) % around;
+    add_triangle(mesh, next, j, bottom);
+    add_triangle(mesh, bottom - around + j, bottom - around + next, bottom + 1);
+    for (int i = 0; i + 2 < rings; ++i)
+      add_quad(mesh, i * around + j, i * around + next, (i + 1) * around + next, (i + 1) * around + j);
+  }
+  return mesh;
+}
+
+// Each vertex that an edge leaves or reaches keeps a valence of 4 to 9.
+ControlMesh flipped(ControlMesh mesh, int flips) {
+  using Edge = std::array<std::uint32_t, 2>;
+  std::map<Edge, std::uint32_t> opposite;  // of the directed edge, and of which triangle
+  std::vector<int> valence(mesh.vertex_count(), 0);
+  for (std::uint32_t h = 0; h < mesh.triangles.size(); ++h) {
+    opposite[{mesh.triangles[h], mesh.triangles[h % 3 == 2 ? h - 2 : h + 1]}] = h;
+    ++valence[mesh.triangles[h]];
+  }
+  const auto third = [&](std::uint32_t h) { return mesh.triangles[h % 3 == 0 ? h + 2 : h - 1]; };
+  std::uint32_t state = 1;
+  for (int done = 0, tried = 0; done < flips && tried < 100 * flips; ++tried) {
+    state = state * 1664525U + 1013904223U;
+    const std::uint32_t h = (state >> 8U) % static_cast<std::uint32_t>(mesh.triangles.size());
+    const std::uint32_t a = mesh.triangles[h], b = mesh.triangles[h % 3 == 2 ? h - 2 : h + 1];
+    const auto back = opposite.find({b, a});
+    if (back == opposite.end()) continue;
+    const std::uint32_t g = back->second, c = third(h), d = third(g);
+    if (valence[a] < 5 || valence[b] < 5 || valence[c] > 8 || valence[d] > 8 || opposite.contains({c, d}) ||
+        opposite.contains({d, c}))
+      continue;
+    opposite.erase({a, b});
+    opposite.erase({b, a});
+    const std::uint32_t first = h / 3 * 3, second = g / 3 * 3;
+    const std::array<std::uint32_t, 6> corners = {a, d, c, d, b, c};
+    for (std::uint32_t i = 0; i < 6; ++i) mesh.triangles[(i < 3 ? first : second - 3) + i] = corners[i];
+    for (const std::uint32_t start : {first, second}) {
+      for (std::uint32_t i = 0; i < 3; ++i)
+        opposite[{mesh.triangles[start + i], mesh.triangles[start + (i + 1) % 3]}] = start + i;
+    }
+    --valence[a], --valence[b], ++valence[c], ++valence[d];
+    ++done;
+  }
+  return mesh;
+}
+
 std::vector<ControlMesh> seven_meshes() {
+  ControlMesh irregular = flipped(asteroid(3), 400);
+  irregular.name = "flipped";
+  return {knot(72, 7), shaken(asteroid(3), 0.003), irregular, densified(blocks(), 2), sheet(24), goblet(24, 24),
+          drum(24)};
+}
+
+std::vector<ControlMesh> small_meshes() {
   return {shaken(icosahedron(), 0.02), shaken(cube(), 0.02), knot(60, 6), blocks(), sheet(12), bipyramid(12), drum(12)};
 }
 

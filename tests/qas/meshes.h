@@ -28,13 +28,20 @@ struct ControlMesh {
 inline std::ostream& operator<<(std::ostream& out, const ControlMesh& mesh) { return out << mesh.name; }
 
 ControlMesh icosahedron();
-ControlMesh cube();                       // 12 triangles
-ControlMesh knot(int along, int around);  // a trefoil of 2 * along * around triangles, every valence 6
-ControlMesh blocks();                     // a ring of cubes with a post: genus 1, valences 4 to 8
-ControlMesh sheet(int cells);             // a wavy square with a boundary, 2 * cells^2 triangles
-ControlMesh bipyramid(int sides);         // two vertices of that valence
-ControlMesh drum(int sides);              // a cylinder with lids, creases along the two rims
-std::vector<ControlMesh> seven_meshes();
+ControlMesh cube();                         // 12 triangles
+ControlMesh knot(int along, int around);    // a trefoil of 2 * along * around triangles, every valence 6
+ControlMesh blocks();                       // a ring of cubes with a post: genus 1, valences 4 to 8
+ControlMesh sheet(int cells);               // a wavy square with a boundary, 2 * cells^2 triangles
+ControlMesh bipyramid(int sides);           // two vertices of that valence
+ControlMesh drum(int sides);                // a cylinder with lids, creases along the two rims
+ControlMesh asteroid(int levels);           // 20 * 4^levels triangles
+ControlMesh goblet(int around, int rings);  // of revolution; two poles
+
+std::vector<ControlMesh> seven_meshes();  // of 720 to 1440 triangles, as the coarse meshes of the thesis are
+std::vector<ControlMesh> small_meshes();  // of 12 to 720
+
+// With edges turned at random: irregular valences, as decimation leaves.
+ControlMesh flipped(ControlMesh mesh, int flips);
 
 // Vertices moved by up to `amount` of the diagonal, the same way every time.
 ControlMesh shaken(ControlMesh mesh, double amount);
