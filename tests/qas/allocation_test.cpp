@@ -36,9 +36,11 @@ namespace {
 TEST(Allocation, NoneInAFrame) {
   const ControlMesh mesh = densified(blocks(), 3);
   for (const unsigned threads : {1U, 2U}) {
-    for (const unsigned splits : {0U, 1U}) {
+    for (const unsigned which : {0U, 1U, 2U, 3U}) {
+      const unsigned splits = which % 2;
+      const Scheme scheme = which < 2 ? Scheme::loop : Scheme::modified_butterfly;
       const int before_all = allocations;
-      Surface surface(mesh.view(), {.splits = splits, .threads = threads});
+      Surface surface(mesh.view(), {.scheme = scheme, .splits = splits, .threads = threads});
       EXPECT_GT(allocations, before_all) << "allocations are not counted";
       std::vector<Corner> corners(surface.corner_count());
       surface.update(mesh.positions);

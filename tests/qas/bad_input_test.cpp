@@ -15,8 +15,10 @@ namespace {
 
 // Finite positions and unit normals, of every patch.
 void expect_sound(const ControlMesh& mesh) {
-  for (const unsigned splits : {0U, 1U}) {
-    Surface surface(mesh.view(), {.splits = splits, .threads = 1});
+  for (const unsigned which : {0U, 1U, 2U, 3U}) {
+    const unsigned splits = which % 2;
+    const Scheme scheme = which < 2 ? Scheme::loop : Scheme::modified_butterfly;
+    Surface surface(mesh.view(), {.scheme = scheme, .splits = splits, .threads = 1});
     surface.update(mesh.positions);
     std::vector<Corner> corners(surface.corner_count());
     surface.write_corners(corners);

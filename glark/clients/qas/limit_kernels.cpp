@@ -208,6 +208,10 @@ void LimitStep::run(const Workers& workers, const Frame& frame) const {
   workers.each(general_edges_.size(), [&](auto begin, auto end) { run_general_edges(frame, begin, end); });
   workers.each(sharp_edges_.size(), [&](auto begin, auto end) { run_sharp_edges(frame, begin, end); });
   workers.each(sharp_sides_.size(), [&](auto begin, auto end) { run_sharp_sides(frame, begin, end); });
+  finish(frame);
+}
+
+void LimitStep::finish(const Frame& frame) const {
   for (const Reversed& pair : reversed_) store(frame.normals[pair.to], -load(frame.normals[pair.from]));
   frame.normals[no_normal_] = {0, 0, 1, 0};
 }

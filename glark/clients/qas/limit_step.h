@@ -35,6 +35,8 @@ class LimitStep {
     float unscale;       // what positions are multiplied by in the end
   };
   void run(const Workers& workers, const Frame& frame) const;
+  // The normals of what has none, and of triangles that are drawn as another's back.
+  void finish(const Frame& frame) const;
   // The vertices of the mesh after one step of subdivision: [position_count()].
   void subdivide(const Workers& workers, const Float4* from, Float4* to) const;
 

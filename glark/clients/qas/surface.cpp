@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string>
 
+#include "glark/clients/qas/butterfly_step.h"
 #include "glark/clients/qas/frame.h"
 #include "glark/clients/qas/limit_step.h"
 #include "glark/clients/qas/quadratic.h"
@@ -38,11 +39,13 @@ Error::Error(Element element, std::size_t index, const std::string& what)
 
 struct Surface::State {
   Workers workers;
-  std::vector<LimitStep> subdivisions;  // from the coarse mesh to the one that has the patches
+  std::unique_ptr<LimitStep>
+      subdivision;  // from the coarse mesh to the one that has the patches; none where that is the same
   std::unique_ptr<LimitStep> step;
+  std::unique_ptr<ButterflyStep> butterfly_subdivision, butterfly;  // in their place
   std::vector<std::array<std::uint32_t, 2>> corner_vertices;
   std::vector<std::vector<Float4>> levels;  // the vertices, scaled: of the coarse mesh first
-  std::vector<Float4> shift;
+  std::vector<Float4> shift;                // or the points of a step of the Butterfly
   std::vector<Vector> positions, normals;
 
   State(const Mesh& mesh, const Options& options);
@@ -55,18 +58,21 @@ Surface::State::State(const Mesh& mesh, const Options& options) : workers(option
   Topology topology = analyse(mesh);
   std::vector<std::array<std::uint32_t, 2>> ancestors;
   levels.emplace_back(topology.vertex_count);
+  const bool interpolates = options.scheme == Scheme::modified_butterfly;
   if (options.splits == 1) {
-    subdivisions.emplace_back(topology);
+    subdivision = std::make_unique<LimitStep>(topology);
+    if (interpolates) butterfly_subdivision = std::make_unique<ButterflyStep>(topology, *subdivision);
     ancestors = parents(topology);
-    topology = split(topology, subdivisions.back().patches());
+    topology = split(topology, subdivision->patches());
     levels.emplace_back(topology.vertex_count);
   }
   step = std::make_unique<LimitStep>(topology);
+  if (interpolates) butterfly = std::make_unique<ButterflyStep>(topology, *step);
   corner_vertices.reserve(topology.triangles.size());
   for (const std::uint32_t vertex : topology.triangles) {
     corner_vertices.push_back(ancestors.empty() ? std::array{vertex, vertex} : ancestors[vertex]);
   }
-  shift.resize(topology.vertex_count);
+  shift.resize(interpolates ? step->position_count() : topology.vertex_count);
   positions.resize(step->position_count());
   normals.resize(step->normal_count());
 }
@@ -79,11 +85,18 @@ Surface& Surface::operator=(Surface&&) noexcept = default;
 void Surface::update(std::span<const float> positions) {
   State& state = *state_;
   const Scaled scaled = take_positions(positions, state.levels.front());
-  for (std::size_t i = 0; i < state.subdivisions.size(); ++i) {
-    state.subdivisions[i].subdivide(state.workers, state.levels[i].data(), state.levels[i + 1].data());
+  if (state.butterfly_subdivision) {
+    state.butterfly_subdivision->subdivide(state.workers, state.levels[0].data(), state.levels[1].data());
+  } else if (state.subdivision) {
+    state.subdivision->subdivide(state.workers, state.levels[0].data(), state.levels[1].data());
   }
-  state.step->run(state.workers, {state.levels.back().data(), state.shift.data(), state.positions.data(),
-                                  state.normals.data(), scaled.unscale});
+  const LimitStep::Frame frame{state.levels.back().data(), state.shift.data(), state.positions.data(),
+                               state.normals.data(), scaled.unscale};
+  if (state.butterfly) {
+    state.butterfly->run(state.workers, frame, state.shift.data());
+  } else {
+    state.step->run(state.workers, frame);
+  }
 }
 
 std::span<const Vector> Surface::limit_positions() const { return state_->positions; }
