@@ -166,7 +166,7 @@ struct ShaderInputs {
   std::string edge_normal = "normal[1]";
 };
 
-// GLSL for glRefinementShaderSourceARK, of any version. What lies on an edge is computed from the edge's three points alone, and
+// GLSL for glRefinementShaderSourceARK, from 1.20 on. What lies on an edge is computed from the edge's three points alone, and
 // alike from both ends: patches that share them meet bit by bit, whatever their depths inside.
 std::string refinement_shader(const ShaderInputs& inputs = {});
 

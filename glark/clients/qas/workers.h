@@ -5,10 +5,12 @@
 #pragma once
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 
@@ -19,7 +21,9 @@ class Workers {
   // threads: at most; 0: as many as the machine has.
   explicit Workers(unsigned threads) {
     if (threads == 1) return;
-    arena_ = std::make_unique<tbb::task_arena>(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+    const int most = tbb::info::default_concurrency();  // TBB complains of more
+    arena_ = std::make_unique<tbb::task_arena>(
+        threads == 0 ? most : std::min(most, static_cast<int>(std::min(threads, 1024U))));
     arena_->initialize();
   }
 
