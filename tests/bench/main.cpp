@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* help = R"(usage: glark-bench [options]
 Measures refined draws against the same triangles refined beforehand and against tessellation shaders, the pattern pool,
-capture and binning, and calls that are passed through. Prints a table; 'short' is a target that is missed.
+capture and binning, calls that are passed through, and subdivision surfaces (QAS). Prints a table; 'short' is a target that is missed.
 
   --filter TEXT  only cases whose name contains TEXT
   --list         the names of the cases
@@ -67,6 +67,10 @@ std::vector<glark::bench::Case> all_cases() {
   glark::bench::add_call_cases(cases);
   glark::bench::add_scene_cases(cases);
   glark::bench::add_adaptive_cases(cases);
+#ifdef GLARK_BENCH_QAS
+  glark::bench::add_qas_cases(cases);
+  glark::bench::add_qas_draw_cases(cases);
+#endif
   return cases;
 }
 

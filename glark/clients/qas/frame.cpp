@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/qas/frame.h"
+
+#include <glark/qas.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace glark::qas {
+namespace {
+
+constexpr float greatest_coordinate = 1e37F;
+
+[[noreturn]] void complain(std::span<const float> positions) {
+  const auto wrong =
+      std::find_if(positions.begin(), positions.end(), [](float x) { return !(std::fabs(x) <= greatest_coordinate); });
+  const auto index = static_cast<std::size_t>(wrong - positions.begin());
+  throw Error(Element::vertex, index / 3,
+              std::string("has the ") + "xyz"[index % 3] + " coordinate " + std::to_string(*wrong) +
+                  "; it has to be finite and at most 1e37");
+}
+
+// In four lanes, which the compiler keeps in one register. Infinity where something is no number.
+float greatest_of(std::span<const float> values) {
+  std::array<float, 4> greatest{};
+  bool numbers = true;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float value = std::fabs(values[i]);
+    numbers = numbers && value <= greatest_coordinate;
+    greatest[i % 4] = std::max(greatest[i % 4], value);
+  }
+  return numbers ? *std::max_element(greatest.begin(), greatest.end()) : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace
+
+Scaled take_positions(std::span<const float> positions, std::vector<Float4>& to) {
+  if (positions.size() != 3 * to.size()) {
+    throw Error(Element::array, 0,
+                "of positions has " + std::to_string(positions.size()) + " values; " + std::to_string(to.size()) +
+                    " vertices take " + std::to_string(3 * to.size()));
+  }
+  const float greatest = greatest_of(positions);
+  if (!(greatest <= greatest_coordinate)) complain(positions);
+  int exponent = 0;
+  if (greatest > 0) std::frexp(greatest, &exponent);
+  exponent = std::clamp(exponent, -120, 124);
+  const Scaled scaled{std::ldexp(1.0F, -exponent), std::ldexp(1.0F, exponent)};
+  for (std::size_t v = 0; v < to.size(); ++v) {
+    to[v] = Float4{positions[3 * v], positions[3 * v + 1], positions[3 * v + 2], 0} * scaled.scale;
+  }
+  return scaled;
+}
+
+void check_barycentric(const std::array<float, 3>& barycentric) {
+  for (const float weight : barycentric) {
+    if (!std::isfinite(weight)) throw Error(Element::array, 0, "of barycentric coordinates holds what is not finite");
+  }
+}
+
+}  // namespace glark::qas

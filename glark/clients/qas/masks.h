@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The weights of Loop's scheme that depend on the valence.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace glark::qas {
+
+// Of each neighbour of a smooth vertex in one step. Loop, Smooth Subdivision Surfaces Based on Triangles, 1987.
+inline double loop_beta(std::uint32_t valence) {
+  const double n = valence;
+  const double root = 3.0 / 8 + std::cos(2 * std::numbers::pi / n) / 4;
+  return (5.0 / 8 - root * root) / n;
+}
+
+// The tangents at a vertex with creases, of the ring of an open fan: along the crease, and across it into the fan; at a corner the two
+// edges that bound the fan. Weights of the differences to the vertex.
+//
+// Across, these are the left eigenvectors of the step. The formula of Hoppe et al. (1994), which OpenSubdiv has for four triangles and
+// more, belongs to their modified rules: with the plain rule for crease edges, which OpenSubdiv refines by, it is not the limit.
+struct TangentMask {
+  std::uint32_t last;  // of the ring, and the number of triangles
+  bool corner;
+  double theta;
+  double end;  // across, of the first and the last
+
+  double along(std::uint32_t i) const { return i == 0 ? 1 : (i == last && !corner ? -1 : 0); }
+  double inwards(std::uint32_t i) const {
+    if (corner) return i == last ? 1 : 0;
+    return i == 0 || i == last ? end : std::sin(i * theta);
+  }
+};
+
+inline TangentMask tangent_mask(std::uint32_t ring_size, bool corner) {
+  const std::uint32_t last = ring_size - 1;
+  const double theta = std::numbers::pi / last;
+  if (last == 1) return {last, corner, theta, 1};  // eigenvalue 1/4
+  if (last == 2) return {last, corner, theta, 0};  // 3/8
+  const double eigenvalue = 3.0 / 8 + std::cos(theta) / 4;
+  const double inner =
+      3.0 / 8 / std::tan(theta / 2);  // the sum over the inner ones, which weigh 3/8 in the vertex's column
+  const double end =
+      (inner + (eigenvalue - 0.75) * std::sin(theta)) / (8 * (eigenvalue - 0.75) * (eigenvalue - 0.5) - 1);
+  return {last, corner, theta, end};
+}
+
+}  // namespace glark::qas

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The limit step behind its public face.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "glark/clients/qas/butterfly_step.h"
+#include "glark/clients/qas/frame.h"
+#include "glark/clients/qas/limit_step.h"
+#include "glark/clients/qas/quadratic.h"
+#include "glark/clients/qas/split.h"
+
+namespace glark::qas {
+namespace {
+
+const char* name_of(Element element) {
+  switch (element) {
+    case Element::vertex: return "vertex ";
+    case Element::triangle: return "triangle ";
+    case Element::crease: return "crease ";
+    case Element::array: return "array ";
+    case Element::mesh: break;
+  }
+  return "mesh ";
+}
+
+std::string numbered(Element element, std::size_t index) {
+  const bool one_of_many = element != Element::mesh && element != Element::array;
+  return std::string("glark-qas: ") + name_of(element) + (one_of_many ? std::to_string(index) + " " : "");
+}
+
+}  // namespace
+
+Error::Error(Element element, std::size_t index, const std::string& what)
+    : std::invalid_argument(numbered(element, index) + what), element_(element), index_(index) {}
+
+struct Surface::State {
+  Workers workers;
+  std::unique_ptr<LimitStep>
+      subdivision;  // from the coarse mesh to the one that has the patches; none where that is the same
+  std::unique_ptr<LimitStep> step;
+  std::unique_ptr<ButterflyStep> butterfly_subdivision, butterfly;  // in their place
+  std::vector<std::array<std::uint32_t, 2>> corner_vertices;
+  std::vector<std::vector<Float4>> levels;  // the vertices, scaled: of the coarse mesh first
+  std::vector<Float4> shift;                // or the points of a step of the Butterfly
+  std::vector<Vector> positions, normals;
+
+  State(const Mesh& mesh, const Options& options);
+};
+
+Surface::State::State(const Mesh& mesh, const Options& options) : workers(options.threads) {
+  if (options.splits > 1) {
+    throw Error(Element::mesh, 0, "is to be split " + std::to_string(options.splits) + " times; 0 and 1 are possible");
+  }
+  Topology topology = analyse(mesh);
+  std::vector<std::array<std::uint32_t, 2>> ancestors;
+  levels.emplace_back(topology.vertex_count);
+  const bool interpolates = options.scheme == Scheme::modified_butterfly;
+  if (options.splits == 1) {
+    subdivision = std::make_unique<LimitStep>(topology);
+    if (interpolates) butterfly_subdivision = std::make_unique<ButterflyStep>(topology, *subdivision);
+    ancestors = parents(topology);
+    topology = split(topology, subdivision->patches());
+    levels.emplace_back(topology.vertex_count);
+  }
+  step = std::make_unique<LimitStep>(topology);
+  if (interpolates) butterfly = std::make_unique<ButterflyStep>(topology, *step);
+  corner_vertices.reserve(topology.triangles.size());
+  for (const std::uint32_t vertex : topology.triangles) {
+    corner_vertices.push_back(ancestors.empty() ? std::array{vertex, vertex} : ancestors[vertex]);
+  }
+  shift.resize(interpolates ? step->position_count() : topology.vertex_count);
+  positions.resize(step->position_count());
+  normals.resize(step->normal_count());
+}
+
+Surface::Surface(const Mesh& mesh, const Options& options) : state_(std::make_unique<State>(mesh, options)) {}
+Surface::~Surface() = default;
+Surface::Surface(Surface&&) noexcept = default;
+Surface& Surface::operator=(Surface&&) noexcept = default;
+
+void Surface::update(std::span<const float> positions) {
+  State& state = *state_;
+  const Scaled scaled = take_positions(positions, state.levels.front());
+  if (state.butterfly_subdivision) {
+    state.butterfly_subdivision->subdivide(state.workers, state.levels[0].data(), state.levels[1].data());
+  } else if (state.subdivision) {
+    state.subdivision->subdivide(state.workers, state.levels[0].data(), state.levels[1].data());
+  }
+  const LimitStep::Frame frame{state.levels.back().data(), state.shift.data(), state.positions.data(),
+                               state.normals.data(), scaled.unscale};
+  if (state.butterfly) {
+    state.butterfly->run(state.workers, frame, state.shift.data());
+  } else {
+    state.step->run(state.workers, frame);
+  }
+}
+
+std::span<const Vector> Surface::limit_positions() const { return state_->positions; }
+std::span<const Vector> Surface::limit_normals() const { return state_->normals; }
+std::span<const Patch> Surface::patches() const { return state_->step->patches(); }
+std::size_t Surface::corner_count() const { return 3 * patches().size(); }
+std::span<const std::array<std::uint32_t, 2>> Surface::corner_vertices() const { return state_->corner_vertices; }
+
+void Surface::write_corners(std::span<Corner> corners) const {
+  if (corners.size() != corner_count()) {
+    throw Error(Element::array, 0,
+                "of corners has " + std::to_string(corners.size()) + "; " + std::to_string(patches().size()) +
+                    " patches have " + std::to_string(corner_count()));
+  }
+  const auto triple = [](const Vector& vector) { return std::array{vector.x, vector.y, vector.z}; };
+  state_->workers.each(patches().size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const Patch& patch = patches()[p];
+      for (std::size_t i = 0; i < 3; ++i) {
+        corners[3 * p + i] = {triple(state_->positions[patch.positions[i]]),
+                              triple(state_->positions[patch.positions[3 + i]]),
+                              triple(state_->normals[patch.normals[i]]), triple(state_->normals[patch.normals[3 + i]])};
+      }
+    }
+  });
+}
+
+Sample Surface::evaluate(std::size_t patch, std::array<float, 3> barycentric) const {
+  if (patch >= patches().size()) {
+    throw Error(Element::triangle, patch, "is none of the " + std::to_string(patches().size()) + " patches");
+  }
+  check_barycentric(barycentric);
+  std::array<Float4, 6> points, normals;
+  for (std::size_t i = 0; i < 6; ++i) {
+    points[i] = load(state_->positions[patches()[patch].positions[i]]);
+    normals[i] = load(state_->normals[patches()[patch].normals[i]]);
+  }
+  const Float4 position = quadratic(points, barycentric);
+  const Float4 normal = unit_or_z(quadratic(normals, barycentric));
+  return {{position[0], position[1], position[2]}, {normal[0], normal[1], normal[2]}};
+}
+
+}  // namespace glark::qas

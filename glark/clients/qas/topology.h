@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What the limit rules have to know of a triangle mesh: its edges, and for every vertex the fans of triangles between creases.
+#pragma once
+
+#include <glark/qas.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace glark::qas {
+
+inline constexpr std::uint32_t none = 0xFFFFFFFFU;
+
+// Triangles about a vertex that are joined by smooth edges: one normal. The ring has one neighbour more than triangles where it is open.
+struct Sector {
+  std::uint32_t vertex;
+  std::uint32_t first;  // in Topology::rings, counter-clockwise
+  std::uint32_t count;
+  bool closed;  // all around, or but for the one crease of a dart
+};
+
+enum class Rule : std::uint8_t { smooth, crease, corner };
+
+struct Edge {
+  std::array<std::uint32_t, 2> ends;
+  std::uint32_t first_side;  // in Topology::sides
+  std::uint32_t side_count;  // 2 if smooth
+  bool smooth;               // not a boundary, crease or non-manifold edge
+  bool marked;               // sharp, and its two sides do not tell
+};
+
+struct Topology {
+  std::uint32_t vertex_count = 0;
+  std::vector<std::uint32_t> triangles;  // as given, three indices each
+  // Per triangle: the one whose points it has: itself; an earlier one with the same vertices; none if two of them are equal.
+  std::vector<std::uint32_t> same_as;
+  std::vector<Edge> edges;             // in the order of the triangles
+  std::vector<std::uint32_t> sides;    // half-edges 3 * triangle + i, from corner i to corner i + 1
+  std::vector<std::uint32_t> edge_of;  // per half-edge; none in triangles that are another's copy or degenerate
+  std::vector<Sector> sectors;
+  std::vector<std::uint32_t> rings;
+  std::vector<std::uint32_t> sector_of;                         // per corner
+  std::vector<Rule> rules;                                      // per vertex
+  std::vector<std::array<std::uint32_t, 2>> crease_neighbours;  // per vertex; of crease vertices
+
+  std::uint32_t corner(std::uint32_t half_edge) const { return triangles[half_edge]; }
+  std::uint32_t opposite(std::uint32_t half_edge) const { return triangles[before(half_edge)]; }
+  static std::uint32_t after(std::uint32_t half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
+  static std::uint32_t before(std::uint32_t half_edge) { return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1; }
+  // Across a smooth edge; none otherwise.
+  std::uint32_t twin(std::uint32_t half_edge) const {
+    const Edge& edge = edges[edge_of[half_edge]];
+    if (!edge.smooth) return none;
+    return sides[edge.first_side] == half_edge ? sides[edge.first_side + 1] : sides[edge.first_side];
+  }
+};
+
+// Throws Error.
+Topology analyse(const Mesh& mesh);
+
+}  // namespace glark::qas
