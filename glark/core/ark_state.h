@@ -20,6 +20,9 @@ struct ArkState {
   GLuint uniform_level = 0;
   EdgeMeasure measure{.pixels = 8};
   GLuint tag_attribute = 15;
+  GLuint discontinuity_attribute = 14;
+  GLuint scalar_tag_attribute = 13;
+  Displacement displacement;
   PolygonSplit polygon_split = PolygonSplit::triangles;
   bool smooth_interior = false;
   bool tag_array = false;

@@ -88,7 +88,10 @@ std::unique_ptr<Context> Context::create(const gl::Dispatch& gl, std::shared_ptr
     context->supported = gl;
     remove_unsupported(context->supported, context->capabilities);
     context->pipeline = std::make_unique<Pipeline>(*context);
-    context->ark.tag_attribute = static_cast<GLuint>(context->capabilities.max_vertex_attributes - 1);
+    const auto attributes = static_cast<GLuint>(context->capabilities.max_vertex_attributes);
+    context->ark.tag_attribute = attributes - 1;
+    context->ark.discontinuity_attribute = attributes - 2;
+    context->ark.scalar_tag_attribute = attributes - 3;
   }
   context->update_refining();
   return context;
@@ -138,6 +141,7 @@ void Context::read_capabilities() {
   capabilities.parameter_buffer = !es && (capabilities.version >= 46 || has_extension("GL_ARB_indirect_parameters"));
   capabilities.quads_follow_convention =
       !is_compatibility() || get(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
+  capabilities.max_texture_units = get(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
   capabilities.max_vertex_attributes = std::min<GLint>(get(gl, GL_MAX_VERTEX_ATTRIBS), generic_slots);
   capabilities.fog_distance = has_extension("GL_NV_fog_distance");
   capabilities.max_vertex_storage_blocks = get(gl, GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);

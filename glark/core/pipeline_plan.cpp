@@ -11,6 +11,7 @@
 #include "glark/core/pipeline.h"
 #include "glark/core/refine/fixed_function_state.h"
 #include "glark/core/refine/uniform_copy.h"
+#include "glark/core/shape.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -158,6 +159,7 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   key.clamp_colors = context_.is_compatibility() && context_.bindings.clamp_vertex_color;
   key.tagged = tagged;
   key.placed = placed;
+  add_shape(context_, key);
   return key;
 }
 
@@ -253,8 +255,9 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   if (splits_at_centroid(call, plan)) {
     plan.polygons = decomposition_for(call.mode, plan.last_vertex_convention);
   }
-  const bool may_split = plan.polygons || (plan.for_feedback && context_.ark.polygon_split == PolygonSplit::centroid);
-  if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback() && !may_split) {
+  const bool reshapes = displaces(context_) || plan.polygons ||
+                        (plan.for_feedback && context_.ark.polygon_split == PolygonSplit::centroid);
+  if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback() && !reshapes) {
     return Cause::level_zero;
   }
   if (!ensure_pool()) {

@@ -43,8 +43,12 @@ struct DerivedKey {
   bool flat_colors = false;
   bool clamp_colors = false;
   bool tagged = false;
-  bool at_corner = false;  // no refinement: gives the position of each captured corner, for measured depths
-  bool placed = true;      // pieces have a placement (patch); a uniform level of one piece a triangle needs none
+  bool at_corner = false;            // no refinement: gives the position of each captured corner, for measured depths
+  int discontinuity_attribute = -1;  // for Refinement::scalar_tagged_pn: locations; -1 where vertices carry no tags
+  int scalar_tag_attribute = -1;
+  bool displaced = false;
+  int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
+  bool placed = true;             // pieces have a placement (patch); a uniform level of one piece a triangle needs none
   auto operator<=>(const DerivedKey&) const = default;
 };
 
@@ -65,6 +69,9 @@ struct SubroutineTable {
 struct DerivedProgram {
   GLuint name = 0;
   capture::Layout layout;
+  GLint height_map = -1;  // locations of the uniforms of displacement
+  GLint height_channel = -1;
+  GLint height_range = -1;
   GLint first_word = -1;                   // location, in a program that reads the records from the storage block
   std::vector<GLint> location_of;          // application location -> ours, -1 where we have none
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base

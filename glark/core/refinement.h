@@ -14,8 +14,9 @@ inline constexpr unsigned max_supported_level = 11;
 
 enum class Refinement {
   linear_inputs,  // interpolate the vertex attributes, run the vertex stage on every refined vertex (Boubekeur 2007, ch. 7.2.4)
-  linear_outputs,  // run the vertex stage on the corners, interpolate its results
-  pn,              // curved PN triangles (Vlachos et al. 2001)
+  linear_outputs,    // run the vertex stage on the corners, interpolate its results
+  pn,                // curved PN triangles (Vlachos et al. 2001)
+  scalar_tagged_pn,  // the same, shaped by tags of the vertices (Boubekeur 2007, ch. 8)
 };
 
 // Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. The first three are left unless
@@ -47,13 +48,32 @@ struct EdgeMeasure {
   bool operator==(const EdgeMeasure&) const = default;
 };
 
+// The scalar tags of chapter 8 where vertices carry none of their own.
+struct ScalarTags {
+  float sharpness = 0;  // 0 or more
+  float tension = 0;    // -1 to 1
+  float bias = 0;       // -1 to 1
+  bool operator==(const ScalarTags&) const = default;
+};
+
+// Refined positions move along their normals by scale * texel + bias.
+struct Displacement {
+  int unit = -1;         // texture image unit with a two-dimensional texture; -1: none
+  unsigned channel = 0;  // of the texel
+  int coordinate = -1;   // location of the attribute with the texture coordinate; -1: by its role
+  float scale = 1;
+  float bias = 0;
+  bool on() const { return unit >= 0; }
+};
+
 // What the host of the core wants of a context from its start.
 struct ContextOptions {
   bool transparent = false;  // refine a program that does not know of the extension
   unsigned level = 2;        // uniform level of transparent refinement
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
-  EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
+  ScalarTags scalar_tags = {};  // of all vertices
+  EdgeMeasure measure = {};     // on: transparent refinement by measured depths up to max_level
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources

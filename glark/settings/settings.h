@@ -55,6 +55,7 @@ std::optional<std::string_view> find_variable(const char* const* environment, st
 // Of single values; nothing if the text is not one. What would be one, in words, is in needed_*().
 std::optional<unsigned> parse_level(std::string_view text);
 std::optional<core::Refinement> parse_refinement(std::string_view text);
+std::optional<float> parse_tension(std::string_view text);
 std::optional<float> parse_edge_pixels(std::string_view text);
 std::optional<float> parse_curvature(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);

@@ -92,10 +92,11 @@ class Report {
   // What a program gets here.
   void print_offer() const {
     std::printf("  levels     0 to 11 (2048 segments an edge)\n");
-    std::printf("  refinement of unmodified programs: linear, outputs, pn\n");
+    std::printf("  refinement of unmodified programs: linear, outputs, pn, stpn\n");
     std::printf(
-        "  commands   glARKinit glDepthTag1i glDepthTagPointerARK glDrawARP glDrawARPElementsARK glARKParameteriARK\n"
-        "             glRefinementShaderSourceARK glGetRefinementivARK glGetRefinementInfoLogARK\n");
+        "  commands   glARKinit glDepthTag1i glDepthTagPointerARK glDrawARP glDrawARPElementsARK\n"
+        "             glARKParameteriARK glARKParameterfARK glRefinementShaderSourceARK glGetRefinementivARK "
+        "glGetRefinementInfoLogARK\n");
   }
 
   const char* way_;

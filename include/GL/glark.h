@@ -68,6 +68,7 @@ extern "C" {
 #define GL_LINEAR_INPUTS_ARK                     0x6F11
 #define GL_LINEAR_OUTPUTS_ARK                    0x6F12
 #define GL_CURVED_PN_ARK                         0x6F13
+#define GL_SCALAR_TAGGED_PN_ARK                  0x6F30
 #define GL_DEPTH_SOURCE_ARK                      0x6F14
 #define GL_DEPTH_TAG_ARK                         0x6F15
 #define GL_UNIFORM_DEPTH_ARK                     0x6F16
@@ -83,6 +84,14 @@ extern "C" {
 #define GL_MINIMUM_INTERIOR_ARK                  0x6F1C
 #define GL_SMOOTH_INTERIOR_ARK                   0x6F1D
 
+#define GL_DISCONTINUITY_ATTRIBUTE_ARK           0x6F31 /* Delta and crease, of each vertex; GL_MAX_VERTEX_ATTRIBS - 2 */
+#define GL_SCALAR_TAG_ATTRIBUTE_ARK              0x6F32 /* sharpness, tension, bias; GL_MAX_VERTEX_ATTRIBS - 3 */
+#define GL_DISPLACEMENT_UNIT_ARK                 0x6F33 /* a texture image unit, -1: no displacement; -1 */
+#define GL_DISPLACEMENT_CHANNEL_ARK              0x6F34 /* GL_RED, GL_GREEN, GL_BLUE or GL_ALPHA; GL_RED */
+#define GL_DISPLACEMENT_COORDINATE_ARK           0x6F35 /* a generic attribute index, -1: found by its name; -1 */
+#define GL_DISPLACEMENT_SCALE_ARK                0x6F36 /* a number, glARKParameterfARK; 1 */
+#define GL_DISPLACEMENT_BIAS_ARK                 0x6F37 /* a number, glARKParameterfARK; 0 */
+
 /* glGetRefinementivARK. */
 #define GL_REFINEMENT_STATUS_ARK                 0x6F20
 #define GL_REFINEMENT_LOG_LENGTH_ARK             0x6F21
@@ -90,6 +99,7 @@ extern "C" {
 
 typedef void (GLARK_APIENTRY *PFNGLARKINITPROC)(GLuint maxLevel);
 typedef void (GLARK_APIENTRY *PFNGLARKPARAMETERIARKPROC)(GLenum pname, GLint param);
+typedef void (GLARK_APIENTRY *PFNGLARKPARAMETERFARKPROC)(GLenum pname, GLfloat param);
 typedef void (GLARK_APIENTRY *PFNGLDEPTHTAG1IPROC)(GLuint d);
 typedef void (GLARK_APIENTRY *PFNGLDEPTHTAGPOINTERARKPROC)(GLenum type, GLsizei stride, const void *pointer);
 typedef void (GLARK_APIENTRY *PFNGLDRAWARPPROC)(GLenum mode, GLint first, GLsizei count);
@@ -110,7 +120,7 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
 
 /*
  * Sets a parameter of refinement; names and values are listed above.
- *   GL_REFINEMENT_ARK: interpolate the vertex stage's inputs, or its outputs, or curve its inputs as PN triangles.
+ *   GL_REFINEMENT_ARK: interpolate the vertex stage's inputs, or its outputs, or curve its inputs as PN triangles, plain or scalar-tagged.
  *   GL_DEPTH_SOURCE_ARK: depths from the tags of the vertices, or GL_UNIFORM_DEPTH_LEVEL_ARK for every edge, or measured.
  *   GL_EDGE_PIXELS_ARK, GL_EDGE_DEGREES_ARK: the measured depth of an edge is the least whose segments are at most as long on
  *     the screen, or turn the normal by at most as much; of both, the lesser.
@@ -118,10 +128,15 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
  *   GL_POLYGON_SPLIT_ARK: quads and polygons as GL triangulates them, or as a fan about their centroid.
  *   GL_PATTERN_INTERIOR_ARK: fewest triangles, or a softer passage between edges of different depths.
  *   GL_DEPTH_TAG_ATTRIBUTE_ARK: index of the generic attribute that carries the tag; not 0 in the compatibility profile.
+ *   GL_DISCONTINUITY_ATTRIBUTE_ARK, GL_SCALAR_TAG_ATTRIBUTE_ARK: indices of the generic attributes that carry the tags of chapter 8.
+ *   GL_DISPLACEMENT_*_ARK: positions move along their normals by scale * texel + bias, with the GL_TEXTURE_2D of the unit.
  * Errors: GL_INVALID_ENUM for an unknown name, or a value not among those of its name; GL_INVALID_VALUE for a level outside
  * 0 to the pool level (0 before glARKinit), an attribute index out of range, or a measure or budget out of range. The state is then unchanged.
  */
 GLARK_API void GLARK_APIENTRY glARKParameteriARK(GLenum pname, GLint param);
+
+/* As it, for GL_DISPLACEMENT_SCALE_ARK and _BIAS_ARK. Errors: GL_INVALID_ENUM for another name; GL_INVALID_VALUE if not finite. */
+GLARK_API void GLARK_APIENTRY glARKParameterfARK(GLenum pname, GLfloat param);
 
 /*
  * Sets the current depth tag, which the vertices that follow take unless GL_DEPTH_TAG_ARRAY_ARK is enabled: the current

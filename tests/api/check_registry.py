@@ -57,7 +57,7 @@ def specification_api(text):
     tokens = {f"GL_{name}": int(value, 16) for name, value in re.findall(r"^ +(\w+)\s+(0x[0-9A-F]{4})\b", section(text, "New Tokens"), re.M)}
     prototypes = {}
     for result, name, parameters in re.findall(r"^ +(\w+) (\w+)\(([^;]*)\);", section(text, "New Procedures and Functions"), re.M):
-        types = re.sub(r"\b(u?int|sizei|enum|char)\b", r"GL\1", parameters)
+        types = re.sub(r"\b(u?int|sizei|enum|char|float)\b", r"GL\1", parameters)
         prototypes[f"gl{name}"] = normal(f"{result} gl{name}({types})")
     return tokens, prototypes
 

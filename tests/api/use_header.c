@@ -15,6 +15,7 @@
 struct functions {
   PFNGLARKINITPROC ark_init;
   PFNGLARKPARAMETERIARKPROC ark_parameter;
+  PFNGLARKPARAMETERFARKPROC ark_number;
   PFNGLDEPTHTAG1IPROC depth_tag;
   PFNGLDEPTHTAGPOINTERARKPROC depth_tag_pointer;
   PFNGLDRAWARPPROC draw_arp;
@@ -33,15 +34,8 @@ int use(void) { return glARKinit(); }
 /* Initialisation fails to compile where a function and its type differ. */
 extern const struct functions linked;
 const struct functions linked = {
-    glARKinit,
-    glARKParameteriARK,
-    glDepthTag1i,
-    glDepthTagPointerARK,
-    glDrawARP,
-    glDrawARPElementsARK,
-    glRefinementShaderSourceARK,
-    glGetRefinementivARK,
-    glGetRefinementInfoLogARK,
+    glARKinit, glARKParameteriARK,   glARKParameterfARK,          glDepthTag1i,         glDepthTagPointerARK,
+    glDrawARP, glDrawARPElementsARK, glRefinementShaderSourceARK, glGetRefinementivARK, glGetRefinementInfoLogARK,
 };
 
 void use(const GLchar* source);

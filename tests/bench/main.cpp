@@ -71,6 +71,7 @@ std::vector<glark::bench::Case> all_cases() {
   glark::bench::add_qas_cases(cases);
   glark::bench::add_qas_draw_cases(cases);
 #endif
+  glark::bench::add_shape_cases(cases);
   return cases;
 }
 

@@ -52,7 +52,7 @@ TEST(Settings, ANameIsNotTakenForALongerOne) {
 TEST(Settings, AProblemNamesVariableValueAndLimit) {
   EXPECT_EQ(only_problem("GLARK_LEVEL=x"), "GLARK_LEVEL is \"x\"; an integer from 0 to 11 is needed");
   EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=12"), "GLARK_MAX_LEVEL is \"12\"; an integer from 0 to 11 is needed");
-  EXPECT_EQ(only_problem("GLARK_REFINE=cubic"), "GLARK_REFINE is \"cubic\"; linear, outputs or pn is needed");
+  EXPECT_EQ(only_problem("GLARK_REFINE=cubic"), "GLARK_REFINE is \"cubic\"; linear, outputs, pn or stpn is needed");
   EXPECT_EQ(only_problem("GLARK_ENABLE=maybe"), "GLARK_ENABLE is \"maybe\"; 0 or 1 is needed");
   EXPECT_EQ(only_problem("GLARK_LOG=loud"), "GLARK_LOG is \"loud\"; error, warning, info or debug is needed");
   EXPECT_EQ(only_problem("GLARK_CAPTURE=a.png"),
@@ -88,6 +88,15 @@ TEST(Settings, ABudgetNeedsAMeasure) {
   const Parsed parsed = parse_all({"GLARK_BUDGET=50000"});
   ASSERT_EQ(parsed.problems.size(), 1u);
   EXPECT_EQ(parsed.problems[0], "GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
+}
+
+TEST(Settings, Tension) {
+  const Parsed parsed = parse_all({"GLARK_REFINE=stpn", "GLARK_TENSION=-0.5"});
+  EXPECT_EQ(parsed.settings.context.refinement, core::Refinement::scalar_tagged_pn);
+  EXPECT_EQ(parsed.settings.context.scalar_tags.tension, -0.5F);
+  EXPECT_TRUE(parsed.problems.empty());
+  EXPECT_EQ(only_problem("GLARK_TENSION=1.5"), "GLARK_TENSION is \"1.5\"; a number from -1 to 1 is needed");
+  EXPECT_EQ(only_problem("GLARK_TENSION=1"), "GLARK_TENSION has no effect without GLARK_REFINE=stpn");
 }
 
 TEST(ParseMeasures, RejectWhatIsNoMeasure) {

@@ -55,13 +55,19 @@ class Deriver {
     for (const Token& token : refinement_tokens_) {  // macros may use inputs that nothing else mentions
       if (token.kind == TokenKind::directive) collect_identifiers(tokenize(token.text.substr(1)), all_identifiers_);
     }
+    if (request_.coordinate_field >= 0) {  // displacement reads what the stage need not
+      for (const capture::Field& field : request_.layout.fields) {
+        if (field.role == capture::Role::normal) all_identifiers_.insert(field.name);
+      }
+    }
     prefix_ = free_prefix(all_identifiers_);
     return resolve_collisions();
   }
 
   // Names that the contract fixes and that the application may have taken: its variable gets another name, unless the API can see it.
   bool resolve_collisions() {
-    IdentifierSet fixed = {lattice_input, patch_input, records_block, words_member, first_word_uniform};
+    IdentifierSet fixed = {lattice_input,      patch_input,        records_block,          words_member,
+                           first_word_uniform, height_map_uniform, height_channel_uniform, height_range_uniform};
     for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
     for (const std::string& name : application_identifiers_) {
       const bool ours =
@@ -139,6 +145,10 @@ class Deriver {
         return false;
       }
       const BuiltInInput* const built_in = built_in_input(field.name);
+      const auto index = static_cast<int>(&field - request_.layout.fields.data());
+      if (index == request_.discontinuity_field) plan_.discontinuity = input;
+      if (index == request_.scalar_tag_field) plan_.scalar_tags = input;
+      if (index == request_.coordinate_field) plan_.coordinate = input;
       if (!is_mentioned(field.name)) continue;
       input.global = built_in != nullptr ? global_name("@", *built_in) : new_names_(field.name);
       plan_.inputs.push_back(std::move(input));
@@ -157,11 +167,22 @@ class Deriver {
 
   void plan_refinement() {
     plan_.refinement = request_.refinement;
+    plan_.constant_tags = request_.scalar_tags;
     const bool own = !request_.refinement_source.empty();
     // The application's refinement shader places inputs: there is nothing for it to do between outputs.
     if (own && plan_.refinement == core::Refinement::linear_outputs) plan_.refinement = core::Refinement::linear_inputs;
     if (plan_.curved() && (pn_position(plan_) == nullptr || pn_normal(plan_) == nullptr)) {
       plan_.refinement = core::Refinement::linear_inputs;
+    }
+    if (plan_.refinement == core::Refinement::linear_outputs || pn_position(plan_) == nullptr ||
+        pn_normal(plan_) == nullptr) {
+      plan_.coordinate.reset();  // nothing to move, or no direction
+    }
+    if (plan_.displaced() && plan_.refinement == core::Refinement::pn) {  // its bits are those of untagged vertices
+      plan_.refinement = core::Refinement::scalar_tagged_pn;
+      plan_.discontinuity.reset();
+      plan_.scalar_tags.reset();
+      plan_.constant_tags = {};
     }
     if (!own) return;
     NewNames names = new_names_;

@@ -26,6 +26,11 @@ inline constexpr const char* words_member = "glark_words";
 inline constexpr const char* first_word_uniform = "glark_first_word";
 inline constexpr unsigned records_binding = 4;
 
+// Of displacement: a sampler; a vec4 that picks the channel of the texel; a vec2 of scale and bias.
+inline constexpr const char* height_map_uniform = "glark_height_map";
+inline constexpr const char* height_channel_uniform = "glark_height_channel";
+inline constexpr const char* height_range_uniform = "glark_height_range";
+
 // What the surroundings of the vertex stage make of its outputs.
 struct OutputRules {
   bool flat_colors = false;   // glShadeModel(GL_FLAT): built-in colours are flat
@@ -40,6 +45,13 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
+  // For Refinement::scalar_tagged_pn: which fields of the layout are the discontinuities of the normals and the scalar tags, vec3 or
+  // vec4; -1: none, and the constant tags hold.
+  int discontinuity_field = -1;
+  int scalar_tag_field = -1;
+  core::ScalarTags scalar_tags;
+  int coordinate_field =
+      -1;                  // of the texture coordinate for displacement, two floats or more; -1: nothing is displaced
   bool stored = false;     // the record is read from the storage block
   bool at_corner = false;  // runs the stage as it is on one corner a vertex, which the chunks hold; nothing is refined
   bool placed = true;      // false: without the patch input; the piece covers the triangle

@@ -125,6 +125,7 @@ std::string refinement_declarations(const EpiloguePlan& plan) {
 std::string interpolate_function(const EpiloguePlan& plan, TypeSet& mixed_types) {
   std::string text = "void @interpolate() {\n" + fill_by_interpolation(plan, mixed_types);
   if (plan.curved()) text += fill_by_pn(plan, mixed_types);
+  if (plan.displaced()) text += displace(plan, mixed_types);
   return text + "}\n";
 }
 
@@ -155,6 +156,7 @@ std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& appli
   std::string text;
   if (uses_integers(plan) && !version.at_least(330, 300)) text += enable_where_present("GL_ARB_shader_bit_encoding");
   if (plan.stored) text += storage_extensions(version);
+  if (plan.displaced() && !version.at_least(130, 300)) text += enable_where_present("GL_EXT_gpu_shader4");
   if (version.at_least(400, 320)) return text + "#define @precise precise\n";
   const bool words_are_free =
       !application_identifiers.contains("precise") && !application_identifiers.contains("sample");
@@ -180,7 +182,8 @@ MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarat
   if (!plan.at_corner) text += plan.placed ? place_function : cover_function;
   if (plan.has_screen_outputs()) text += screen_function;
   text += mix_functions(mixed_types, true);
-  if (plan.curved()) text += pn_functions();
+  if (plan.displaced()) text += displacement_uniforms(plan);
+  if (plan.curved() || plan.displaced()) text += pn_functions(plan);
   text += functions;
   if (!plan.refinement_source.empty()) text += refinement_declarations(plan);
   epilogue.main = MainText(plan).text();

@@ -6,6 +6,7 @@
 // replaces it); GLSL has no such character, so the application's names cannot hold it.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -47,7 +48,12 @@ struct EpiloguePlan {
   int corner_words = 0;
   int chunk_count = 0;
   std::vector<InputVariable> inputs;
-  std::vector<OutputVariable> outputs;  // linear_outputs: all; otherwise those that are flat
+  std::optional<InputVariable>
+      discontinuity;  // of the normals, and the tags; where vertices carry none, the constants hold
+  std::optional<InputVariable> scalar_tags;
+  core::ScalarTags constant_tags;
+  std::optional<InputVariable> coordinate;  // for displacement
+  std::vector<OutputVariable> outputs;      // linear_outputs: all; otherwise those that are flat
   std::vector<Structure> structures;
   std::vector<bool> resets;  // per unit: has a function that initialises its globals again
   std::size_t main_unit = 0;
@@ -56,7 +62,9 @@ struct EpiloguePlan {
 
   // Some outputs are to vary linearly on the screen.
   bool has_screen_outputs() const;
-  bool curved() const { return refinement == core::Refinement::pn; }
+  bool scalar_tagged() const { return refinement == core::Refinement::scalar_tagged_pn; }
+  bool displaced() const { return coordinate.has_value(); }
+  bool curved() const { return refinement == core::Refinement::pn || scalar_tagged(); }
 };
 
 using TypeSet = std::set<std::string>;
@@ -72,8 +80,16 @@ std::string mix_functions(const TypeSet& types, bool define);
 // epilogue_pn.cpp: the position and the normal on the curved triangle.
 const InputVariable* pn_position(const EpiloguePlan& plan);
 const InputVariable* pn_normal(const EpiloguePlan& plan);
-std::string pn_functions();
+std::string pn_functions(const EpiloguePlan& plan);
 std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types);
+// Declares @c0, @c1 and @c2: the corners with their tags.
+std::string tagged_corners(const EpiloguePlan& plan);
+// The first `rows` components of a vector at a corner; a fourth that it lacks is 1.
+std::string resized(const EpiloguePlan& plan, const InputVariable& input, int corner, int rows);
+
+// epilogue_displacement.cpp: moves the position and turns the normal, after they are filled.
+std::string displacement_uniforms(const EpiloguePlan& plan);
+std::string displace(const EpiloguePlan& plan, TypeSet& mixed_types);
 
 // epilogue_outputs.cpp
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,

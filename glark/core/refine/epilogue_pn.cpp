@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <charconv>
+
 #include "glark/core/refine/epilogue.h"
 
 namespace glark::refine {
@@ -7,6 +10,12 @@ namespace {
 
 constexpr char pn_source[] =
 #include "glark/core/refine/pn.glsl.inc"
+    ;
+constexpr char scalar_tagged_source[] =
+#include "glark/core/refine/scalar_tagged_pn.glsl.inc"
+    ;
+constexpr char displacement_source[] =
+#include "glark/core/refine/displacement.glsl.inc"
     ;
 
 const InputVariable* find_vector(const EpiloguePlan& plan, capture::Role role) {
@@ -34,13 +43,58 @@ std::string with_linear_w(const EpiloguePlan& plan, const InputVariable& input, 
   return "vec4(" + curved + ", @mix(" + w + "))";
 }
 
+// Shortest text that reads back as the same number, always with a point.
+std::string literal(float value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr;
+  const std::string text(digits.data(), end);
+  return text.find('.') == std::string::npos ? text + ".0" : text;
+}
+
+std::string tagged_corner(const EpiloguePlan& plan, int corner) {
+  const InputVariable& position = *pn_position(plan);
+  const core::ScalarTags& constant = plan.constant_tags;
+  const std::string discontinuity =
+      plan.discontinuity ? resized(plan, *plan.discontinuity, corner, 4) : std::string("vec4(0.0, 0.0, 0.0, 1.0)");
+  const std::string tags = plan.scalar_tags ? resized(plan, *plan.scalar_tags, corner, 3)
+                                            : "vec3(" + literal(constant.sharpness) + ", " + literal(constant.tension) +
+                                                  ", " + literal(constant.bias) + ")";
+  const std::string name = "@c" + std::to_string(corner);
+  return "  @StCorner " + name + " = @st_corner(" + resized(plan, position, corner, 4) + ", " +
+         resized(plan, *pn_normal(plan), corner, 3) + ", " + discontinuity + ", " + tags + ");\n";
+}
+
+std::string fill_by_scalar_tagged_pn(const EpiloguePlan& plan, TypeSet& mixed_types) {
+  const InputVariable& position = *pn_position(plan);
+  const InputVariable& normal = *pn_normal(plan);
+  const std::string corners = "(@weights, @c0, @c1, @c2)";
+  const std::string points = "@st_position(@weights, @c0.position.xyz, @c1.position.xyz, @c2.position.xyz)";
+  return tagged_corners(plan) + "  @st_controls(@c0, @c1, @c2);\n  " + position.global + " = " +
+         with_linear_w(plan, position, points, mixed_types) + ";\n  " + normal.global + " = " +
+         with_linear_w(plan, normal, "@st_normal" + corners, mixed_types) + ";\n";
+}
+
 }  // namespace
 
 const InputVariable* pn_position(const EpiloguePlan& plan) { return find_vector(plan, capture::Role::position); }
 const InputVariable* pn_normal(const EpiloguePlan& plan) { return find_vector(plan, capture::Role::normal); }
 
-std::string pn_functions() {
-  Tokens tokens = tokenize(pn_source);
+std::string resized(const EpiloguePlan& plan, const InputVariable& input, int corner, int rows) {
+  static constexpr std::array<const char*, 4> swizzles = {"", "", ".xy", ".xyz"};
+  std::string value = corner_expression(plan, input, 0, corner);
+  if (input.type->rows == rows) return value;
+  return rows == 4 ? "vec4(" + value + ", 1.0)" : value + swizzles.at(static_cast<std::size_t>(rows));
+}
+
+std::string tagged_corners(const EpiloguePlan& plan) {
+  return tagged_corner(plan, 0) + tagged_corner(plan, 1) + tagged_corner(plan, 2);
+}
+
+std::string pn_functions(const EpiloguePlan& plan) {
+  std::string source = pn_source;
+  if (plan.scalar_tagged() || plan.displaced()) source += scalar_tagged_source;
+  if (plan.displaced()) source += displacement_source;
+  Tokens tokens = tokenize(source);
   rename_identifiers(tokens, [](const std::string& name) {
     return name.starts_with("glark_") ? "@" + name.substr(6) : std::string();
   });
@@ -51,6 +105,7 @@ std::string pn_functions() {
 }
 
 std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types) {
+  if (plan.scalar_tagged()) return fill_by_scalar_tagged_pn(plan, mixed_types);
   const InputVariable& position = *pn_position(plan);
   const InputVariable& normal = *pn_normal(plan);
   const bool homogeneous = position.type->rows == 4;

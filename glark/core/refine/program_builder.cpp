@@ -7,6 +7,7 @@
 
 #include "glark/core/refine/geometry_shader.h"
 #include "glark/core/refine/rewrite.h"
+#include "glark/core/refine/shape_fields.h"
 #include "glark/core/refine/subroutines.h"
 #include "glark/core/refine/uniform_copy.h"
 #include "glark/core/report.h"
@@ -82,9 +83,11 @@ void show_originals(const core::Program& program) {
 
 std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
   if (key.at_corner) return "corners";
-  std::string kind = refinement == core::Refinement::pn               ? "pn"
-                     : refinement == core::Refinement::linear_outputs ? "outputs"
-                                                                      : "linear";
+  std::string kind = refinement == core::Refinement::pn                 ? "pn"
+                     : refinement == core::Refinement::scalar_tagged_pn ? "stpn"
+                     : refinement == core::Refinement::linear_outputs   ? "outputs"
+                                                                        : "linear";
+  kind += key.displaced ? "-displaced" : "";
   kind += key.tagged ? "-tagged" : "";
   kind += key.placed ? "-placed" : "";
   kind += key.flat_colors ? "-flat" : "";
@@ -276,7 +279,10 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   request.vertex_sources = vertex_sources(program);
   request.es = traits_.language == capture::Language::es;
   request.context_glsl_version = traits_.glsl_version;
-  request.layout = capture::make_layout(program.fields, key.tagged);
+  std::vector<capture::Field> fields = program.fields;
+  add_shape_fields(fields, key, program.fixed_function, request);
+  request.scalar_tags = traits_.scalar_tags;
+  request.layout = capture::make_layout(std::move(fields), key.tagged);
   request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
   request.at_corner = key.at_corner;
   request.placed = key.placed;
@@ -288,7 +294,9 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   request.extensions = traits_.extensions;
   request.stored = !key.at_corner && request.layout.chunk_count() > most_chunks(key.placed);
   Derivation derivation;
-  if (key.at_corner || !request.stored || can_store_records(program)) {
+  if (request.layout.corner_words > traits_.max_feedback_components) {
+    derivation.error = "its vertex attributes leave no room for scalar tags";
+  } else if (key.at_corner || !request.stored || can_store_records(program)) {
     derivation = derive_vertex_stage(request);
   } else {
     derivation.error = "its vertex attributes leave no room for depth tags and placement";
@@ -310,6 +318,9 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   slot = std::make_shared<core::DerivedProgram>();
   slot->name = name;
   slot->layout = std::move(request.layout);
+  slot->height_map = gl_.GetUniformLocation(name, height_map_uniform);
+  slot->height_channel = gl_.GetUniformLocation(name, height_channel_uniform);
+  slot->height_range = gl_.GetUniformLocation(name, height_range_uniform);
   if (request.stored) {
     slot->first_word = gl_.GetUniformLocation(name, first_word_uniform);
     if (gl_.ShaderStorageBlockBinding != nullptr) {

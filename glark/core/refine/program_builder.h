@@ -23,6 +23,7 @@ struct BuilderTraits {
   GLint max_vertex_storage_blocks = 0;
   std::vector<std::string> extensions;  // of the context: what its preprocessor defines
   core::AttributeRoles roles;           // as the user told them
+  core::ScalarTags scalar_tags;         // of vertices that carry none
   GLuint lattice_location = 0;
   GLuint patch_location = 1;
   GLuint first_chunk_location = 2;

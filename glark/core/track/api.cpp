@@ -4,6 +4,7 @@
 // The commands of GL_ARK_adaptive_refinement (docs/spec). A failed command changes nothing.
 // Based on: Boubekeur 2007, ch. 7.5 ("Low level API extensions").
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -63,6 +64,7 @@ void set_refinement(Context& c, GLenum value) {
     case GL_LINEAR_INPUTS_ARK: c.ark.refinement = Refinement::linear_inputs; break;
     case GL_LINEAR_OUTPUTS_ARK: c.ark.refinement = Refinement::linear_outputs; break;
     case GL_CURVED_PN_ARK: c.ark.refinement = Refinement::pn; break;
+    case GL_SCALAR_TAGGED_PN_ARK: c.ark.refinement = Refinement::scalar_tagged_pn; break;
     default: c.raise(GL_INVALID_ENUM); break;
   }
 }
@@ -88,14 +90,56 @@ void set_measure(Context& c, GLenum name, GLint value) {
   }
 }
 
-void set_tag_attribute(Context& c, GLint index) {
+// False, with the error raised: no generic attribute that can carry tags.
+bool is_attribute(Context& c, GLint index) {
   const GLint lowest = c.is_compatibility() ? 1 : 0;  // attribute 0 is glVertex there
   if (index < lowest || index >= c.capabilities.max_vertex_attributes) {
     c.raise(GL_INVALID_VALUE);
+    return false;
+  }
+  return true;
+}
+
+void set_attribute(Context& c, GLenum name, GLint index) {
+  if (!is_attribute(c, index)) {
     return;
   }
-  c.ark.tag_attribute = static_cast<GLuint>(index);
-  c.pipeline->tag_attribute_changed();
+  switch (name) {
+    case GL_DEPTH_TAG_ATTRIBUTE_ARK:
+      c.ark.tag_attribute = static_cast<GLuint>(index);
+      c.pipeline->tag_attribute_changed();
+      break;
+    case GL_DISCONTINUITY_ATTRIBUTE_ARK: c.ark.discontinuity_attribute = static_cast<GLuint>(index); break;
+    default: c.ark.scalar_tag_attribute = static_cast<GLuint>(index); break;
+  }
+}
+
+void set_displacement(Context& c, GLenum name, GLint value) {
+  Displacement& displacement = c.ark.displacement;
+  const auto channel = static_cast<GLenum>(value);
+  switch (name) {
+    case GL_DISPLACEMENT_UNIT_ARK:
+      if (value < -1 || value >= c.capabilities.max_texture_units) {
+        c.raise(GL_INVALID_VALUE);
+      } else {
+        displacement.unit = value;
+      }
+      break;
+    case GL_DISPLACEMENT_CHANNEL_ARK:
+      if (channel < GL_RED || channel > GL_ALPHA) {
+        c.raise(GL_INVALID_ENUM);
+      } else {
+        displacement.channel = channel - GL_RED;
+      }
+      break;
+    case GL_DISPLACEMENT_COORDINATE_ARK:
+      if (value == -1 || is_attribute(c, value)) {
+        displacement.coordinate = value;
+      }
+      break;
+    case GL_DISPLACEMENT_SCALE_ARK: displacement.scale = static_cast<float>(value); break;
+    default: displacement.bias = static_cast<float>(value); break;
+  }
 }
 
 // The program that a refinement command names. Null: the error is raised.
@@ -178,7 +222,14 @@ void ARKParameteriARK(Context& c, GLenum name, GLint value) {
         c.ark.uniform_level = static_cast<GLuint>(value);
       }
       break;
-    case GL_DEPTH_TAG_ATTRIBUTE_ARK: set_tag_attribute(c, value); break;
+    case GL_DEPTH_TAG_ATTRIBUTE_ARK:
+    case GL_DISCONTINUITY_ATTRIBUTE_ARK:
+    case GL_SCALAR_TAG_ATTRIBUTE_ARK: set_attribute(c, name, value); break;
+    case GL_DISPLACEMENT_UNIT_ARK:
+    case GL_DISPLACEMENT_CHANNEL_ARK:
+    case GL_DISPLACEMENT_COORDINATE_ARK:
+    case GL_DISPLACEMENT_SCALE_ARK:
+    case GL_DISPLACEMENT_BIAS_ARK: set_displacement(c, name, value); break;
     case GL_POLYGON_SPLIT_ARK:
       if (set_choice(c, token == GL_POLYGON_TRIANGLES_ARK || token == GL_POLYGON_CENTROID_ARK,
                      token == GL_POLYGON_TRIANGLES_ARK, first)) {
@@ -193,6 +244,21 @@ void ARKParameteriARK(Context& c, GLenum name, GLint value) {
       break;
     default: c.raise(GL_INVALID_ENUM); break;
   }
+}
+
+void ARKParameterfARK(Context& c, GLenum name, GLfloat value) {
+  if (refuse(c, false)) {
+    return;
+  }
+  if (name != GL_DISPLACEMENT_SCALE_ARK && name != GL_DISPLACEMENT_BIAS_ARK) {
+    c.raise(GL_INVALID_ENUM);
+    return;
+  }
+  if (!std::isfinite(value)) {
+    c.raise(GL_INVALID_VALUE);
+    return;
+  }
+  (name == GL_DISPLACEMENT_SCALE_ARK ? c.ark.displacement.scale : c.ark.displacement.bias) = value;
 }
 
 void DepthTag1i(Context& c, GLuint d) {

@@ -31,6 +31,7 @@ GLint refinement_token(Refinement refinement) {
   switch (refinement) {
     case Refinement::linear_outputs: return GL_LINEAR_OUTPUTS_ARK;
     case Refinement::pn: return GL_CURVED_PN_ARK;
+    case Refinement::scalar_tagged_pn: return GL_SCALAR_TAGGED_PN_ARK;
     default: return GL_LINEAR_INPUTS_ARK;
   }
 }
@@ -44,7 +45,7 @@ GLint depth_source_token(DepthSource source) {
 }
 
 // The value of a state of the extension; empty for any other name.
-std::optional<GLint> extension_state(const Context& c, GLenum name) {
+std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
   if (!c.capabilities.refinable) {
     return std::nullopt;
   }
@@ -59,6 +60,13 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
     case GL_DEPTH_TAG_ARRAY_STRIDE_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
     case GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING);
     case GL_DEPTH_TAG_ATTRIBUTE_ARK: return static_cast<GLint>(ark.tag_attribute);
+    case GL_DISCONTINUITY_ATTRIBUTE_ARK: return static_cast<GLint>(ark.discontinuity_attribute);
+    case GL_SCALAR_TAG_ATTRIBUTE_ARK: return static_cast<GLint>(ark.scalar_tag_attribute);
+    case GL_DISPLACEMENT_UNIT_ARK: return ark.displacement.unit;
+    case GL_DISPLACEMENT_CHANNEL_ARK: return static_cast<GLint>(GL_RED + ark.displacement.channel);
+    case GL_DISPLACEMENT_COORDINATE_ARK: return ark.displacement.coordinate;
+    case GL_DISPLACEMENT_SCALE_ARK: return ark.displacement.scale;
+    case GL_DISPLACEMENT_BIAS_ARK: return ark.displacement.bias;
     case GL_REFINEMENT_ARK: return refinement_token(ark.refinement);
     case GL_DEPTH_SOURCE_ARK: return depth_source_token(ark.depth_source);
     case GL_EDGE_PIXELS_ARK: return static_cast<GLint>(ark.measure.pixels);
@@ -75,15 +83,16 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
 // Writes our state, or leaves the query to GL. True if it was ours.
 template <typename Value>
 bool answer(Context& c, GLenum name, Value* data) {
-  const std::optional<GLint> value = name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_TRIANGLE_BUDGET_ARK)
-                                         ? extension_state(c, name)
-                                         : std::nullopt;
+  constexpr GLenum last_name = 0x6F3F;  // of the block of tokens
+  const std::optional<GLdouble> value = name >= GL_ARK && name <= last_name ? extension_state(c, name) : std::nullopt;
   if (!value.has_value()) {
     return false;
   }
   if (!track::inside_begin(c) && data != nullptr) {
     if constexpr (std::is_same_v<Value, GLboolean>) {
       *data = *value != 0 ? GL_TRUE : GL_FALSE;
+    } else if constexpr (std::is_integral_v<Value>) {
+      *data = static_cast<Value>(std::clamp(std::round(*value), -2147483648.0, 2147483647.0));
     } else {
       *data = static_cast<Value>(*value);
     }

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Scalar-tagged PN triangles: one coarse mesh of 72 triangles, a turned spindle with four rings that are meant to be sharp. From the
+// left: as it is; curved PN triangles, which round the rings off; with the tags that glark/pn.h derives from the hard edges; with
+// their bias changed; and with their tension. What changes from one to the next are numbers at the vertices.
+//
+//   scalar_tags OUT.png
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/osmesa.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image_write.h>
+
+#include <GL/glark.h>
+#include <glark/pn.h>
+
+namespace {
+
+constexpr int width = 1200;
+constexpr int height = 480;
+constexpr int level = 4;
+constexpr unsigned sides = 6;
+
+// The coarse mesh: rings of vertices of these radii and heights, and the two ends of the axis.
+struct Ring {
+  float radius, z;
+};
+constexpr std::array<Ring, 6> rings = {
+    {{0.35F, -1.0F}, {0.55F, -0.75F}, {0.3F, -0.3F}, {0.3F, 0.3F}, {0.55F, 0.75F}, {0.35F, 1.0F}}};
+constexpr std::array<unsigned, 4> sharp_rings = {0, 1, 4, 5};
+
+struct Spindle {
+  std::vector<float> positions;
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> creases;  // pairs of vertices
+};
+
+Spindle make_spindle() {
+  Spindle spindle;
+  for (const Ring& ring : rings) {
+    for (unsigned i = 0; i < sides; ++i) {
+      const double turn = 2 * M_PI * i / sides;
+      spindle.positions.insert(spindle.positions.end(), {ring.radius * static_cast<float>(std::cos(turn)),
+                                                         ring.radius * static_cast<float>(std::sin(turn)), ring.z});
+    }
+  }
+  const std::uint32_t bottom = rings.size() * sides;
+  spindle.positions.insert(spindle.positions.end(), {0, 0, rings.front().z, 0, 0, rings.back().z});
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t next = (i + 1) % sides;
+    for (std::uint32_t ring = 0; ring + 1 < rings.size(); ++ring) {
+      const std::uint32_t low = ring * sides;
+      const std::uint32_t high = low + sides;
+      spindle.triangles.insert(spindle.triangles.end(),
+                               {low + i, low + next, high + next, low + i, high + next, high + i});
+    }
+    const std::uint32_t last = bottom - sides;
+    spindle.triangles.insert(spindle.triangles.end(), {bottom, next, i, bottom + 1, last + i, last + next});
+    for (const unsigned ring : sharp_rings)
+      spindle.creases.insert(spindle.creases.end(), {ring * sides + i, ring * sides + next});
+  }
+  return spindle;
+}
+
+// Positions and normals as for any program; the tags in the two attributes of the extension.
+void draw(const glark::pn::TaggedMesh& mesh) {
+  GLint discontinuity = 0;
+  GLint tags = 0;
+  glGetIntegerv(GL_DISCONTINUITY_ATTRIBUTE_ARK, &discontinuity);
+  glGetIntegerv(GL_SCALAR_TAG_ATTRIBUTE_ARK, &tags);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(3, GL_FLOAT, 0, mesh.positions.data());
+  glEnableClientState(GL_NORMAL_ARRAY);
+  glNormalPointer(GL_FLOAT, 0, mesh.normals.data());
+  glEnableVertexAttribArray(static_cast<GLuint>(discontinuity));
+  glVertexAttribPointer(static_cast<GLuint>(discontinuity), 4, GL_FLOAT, GL_FALSE, 0, mesh.discontinuities.data());
+  glEnableVertexAttribArray(static_cast<GLuint>(tags));
+  glVertexAttribPointer(static_cast<GLuint>(tags), 3, GL_FLOAT, GL_FALSE, 0, mesh.tags.data());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.triangles.size()), GL_UNSIGNED_INT, mesh.triangles.data());
+}
+
+void place(int column) {
+  glViewport(column * width / 5, 0, width / 5, height);
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glFrustum(-0.25, 0.25, -0.5, 0.5, 1.5, 10);
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
+  glTranslatef(0, 0, -4.4F);
+  glRotatef(-62, 1, 0, 0);
+}
+
+void light() {
+  constexpr float direction[4] = {-0.5F, -0.8F, 0.6F, 0};
+  constexpr float bronze[4] = {0.8F, 0.55F, 0.3F, 1};
+  constexpr float sky[4] = {0.4F, 0.4F, 0.4F, 1};
+  constexpr float shine[4] = {0.6F, 0.6F, 0.6F, 1};
+  glEnable(GL_LIGHTING);
+  glEnable(GL_LIGHT0);
+  glEnable(GL_NORMALIZE);
+  glLightfv(GL_LIGHT0, GL_POSITION, direction);
+  glLightModelfv(GL_LIGHT_MODEL_AMBIENT, sky);
+  glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, bronze);
+  glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, shine);
+  glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 30);
+}
+
+void draw_all() {
+  const Spindle spindle = make_spindle();
+  const glark::pn::Mesh mesh{spindle.positions, spindle.triangles, {}, spindle.creases};
+  glark::pn::Options only_named;
+  only_named.crease_degrees = 180;
+  glark::pn::Options biased = only_named;
+  biased.bias = -1;
+  glark::pn::Options tense = only_named;
+  tense.tension = 1;
+
+  glARKinit(level);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
+  const glark::pn::TaggedMesh smooth =
+      derive_tags({spindle.positions, spindle.triangles}, only_named);  // nothing is sharp
+  place(0);
+  draw(smooth);
+  glEnable(GL_ARK);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
+  place(1);
+  draw(smooth);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_SCALAR_TAGGED_PN_ARK);
+  int column = 2;
+  for (const glark::pn::Options& options : {only_named, biased, tense}) {
+    place(column++);
+    draw(derive_tags(mesh, options));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: %s OUT.png\n", argv[0]);
+    return 2;
+  }
+  std::vector<unsigned char> pixels(4UL * width * height);
+  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
+  if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE) {
+    return 1;
+  }
+  glEnable(GL_DEPTH_TEST);
+  glClearColor(1, 1, 1, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  place(0);
+  light();
+  draw_all();
+  glFinish();
+  stbi_flip_vertically_on_write(1);
+  const int written = stbi_write_png(argv[1], width, height, 4, pixels.data(), 4 * width);
+  OSMesaDestroyContext(context);
+  return written != 0 ? 0 : 1;
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The points of a mesh, whatever vertices stand for them, its edges, and the sectors into which creases cut the triangles about a point.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "glark/clients/pn/vector.h"
+#include "glark/pn.h"
+
+namespace glark::pn {
+
+// Edges of one triangle or more between two points, a < b.
+struct Edge {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint32_t first = 0;  // of its sides
+  std::uint32_t count = 0;
+  bool crease = false;
+};
+
+// An edge as one triangle has it: from its corner k to the next.
+struct Side {
+  std::uint32_t triangle = 0;
+  std::uint32_t k = 0;
+};
+
+class SurfacePoints {
+ public:
+  // Errors: those of derive_tags for the arrays of the mesh.
+  SurfacePoints(const Mesh& mesh, double crease_degrees);
+
+  std::uint32_t count() const { return point_count_; }
+  std::uint32_t point_of(std::uint32_t vertex) const { return point_of_[vertex]; }
+  std::uint32_t point_at(std::uint32_t corner) const { return point_of_[mesh_.triangles[corner]]; }
+  bool degenerate(std::uint32_t triangle) const { return degenerate_[triangle]; }
+  const std::vector<Edge>& edges() const { return edges_; }
+  const std::vector<Side>& sides() const { return sides_; }
+  // Of the corner of a triangle, 3 t + k: the same number for all that no crease separates at their point.
+  std::uint32_t sector(std::uint32_t corner) const { return sector_[corner]; }
+  // Of unit length; (0, 0, 1) where nothing says more.
+  const Vector& normal(std::uint32_t sector) const { return normals_[sector]; }
+  // The sectors at each point, in ascending order.
+  const std::vector<std::vector<std::uint32_t>>& sectors() const { return sectors_; }
+
+ private:
+  void weld();
+  void find_edges();
+  void mark_creases(double crease_degrees);
+  void name_creases();
+  void find_sectors();
+  void find_normals();
+  std::uint32_t corner_of(const Side& side, std::uint32_t point) const;
+  Vector position(std::uint32_t vertex) const;
+  Vector given_normal(std::uint32_t vertex) const;  // zero where there is none
+  bool normals_differ(const Edge& edge) const;
+  std::uint32_t root(std::uint32_t corner);
+  const Edge* find(std::uint32_t a, std::uint32_t b) const;
+
+  const Mesh& mesh_;
+  std::uint32_t point_count_ = 0;
+  std::vector<std::uint32_t> point_of_;
+  std::vector<bool> degenerate_;
+  std::vector<Vector> planes_;  // twice the area long
+  std::vector<Edge> edges_;     // sorted by their points
+  std::vector<Side> sides_;
+  std::vector<std::uint32_t> sector_;
+  std::vector<Vector> normals_;
+  std::vector<std::vector<std::uint32_t>> sectors_;
+};
+
+}  // namespace glark::pn

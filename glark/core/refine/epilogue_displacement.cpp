@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/refine/epilogue.h"
+
+namespace glark::refine {
+namespace {
+
+// GLSL before 1.30 knows the size of a texture by an extension alone; without it, slopes are those of 256 texels a side.
+std::string texel_functions(const GlslVersion& version) {
+  const bool sized = version.at_least(130, 300);
+  const std::string map = height_map_uniform;
+  const std::string range = height_range_uniform;
+  const std::string lookup = (sized ? "textureLod(" : "texture2DLod(") + map + ", coordinate, 0.0)";
+  const std::string texel = "float @texel(vec2 coordinate) {\n  @precise float texel = " + range + ".x * dot(" +
+                            lookup + ", " + height_channel_uniform + ") + " + range + ".y;\n  return texel;\n}\n";
+  const std::string size = "vec2 @texel_size() { return 1.0 / vec2(";
+  if (sized) return texel + size + "textureSize(" + map + ", 0)); }\n";
+  return texel + "#ifdef GL_EXT_gpu_shader4\n" + size + "textureSize2D(" + map + ", 0)); }\n#else\n" +
+         "vec2 @texel_size() { return vec2(0.00390625); }\n#endif\n";
+}
+
+}  // namespace
+
+std::string displacement_uniforms(const EpiloguePlan& plan) {
+  const std::string precision = plan.version.es ? "highp " : "";
+  return "uniform " + precision + "sampler2D " + height_map_uniform + ";\nuniform vec4 " + height_channel_uniform +
+         ";\nuniform vec2 " + height_range_uniform + ";\n" + texel_functions(plan.version);
+}
+
+std::string displace(const EpiloguePlan& plan, TypeSet& mixed_types) {
+  const InputVariable& position = *pn_position(plan);
+  const InputVariable& normal = *pn_normal(plan);
+  mixed_types.insert("vec2");
+  std::string text = plan.curved() ? std::string() : tagged_corners(plan);
+  for (int corner = 0; corner < 3; ++corner) {
+    text += "  vec2 @t" + std::to_string(corner) + " = " + resized(plan, *plan.coordinate, corner, 2) + ";\n";
+  }
+  const std::string p = position.global + (position.type->rows == 4 ? ".xyz" : "");
+  const std::string n = normal.global + (normal.type->rows == 4 ? ".xyz" : "");
+  const std::string slopes = plan.curved() ? "@curved_slopes" : "@linear_slopes";
+  return text + "  vec2 @t = @mix(@t0, @t1, @t2);\n  " +                //
+         p + " = @displaced_position(" + p + ", " + n + ", @t);\n  " +  //
+         n + " = @displaced_normal(" + slopes + "(@weights, @c0, @c1, @c2), " + n + ", @t, @t1 - @t0, @t2 - @t0);\n";
+}
+
+}  // namespace glark::refine
