@@ -121,7 +121,7 @@ bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& reque
 
 Pipeline::Records Pipeline::records_of(const Plan& plan, const capture::CoarseTriangles& captured) {
   if (plan.polygons) {
-    const depth::SplitRequest request{plan.layout, captured, *plan.polygons, pool_.max_level()};
+    const depth::SplitRequest request{plan.layout, captured, *plan.polygons, pool_.max_level(), depth_steps(plan)};
     if (ready_to_split(plan, request)) {
       return {centroids_.split(request, capture_.count_buffer()), &centroids_.count_command(), true};
     }

@@ -44,6 +44,7 @@ struct DerivedKey {
   bool clamp_colors = false;
   bool tagged = false;
   bool at_corner = false;  // no refinement: gives the position of each captured corner, for measured depths
+  bool morphing = false;   // vertices move between levels
   bool placed = true;      // pieces have a placement (patch); a uniform level of one piece a triangle needs none
   auto operator<=>(const DerivedKey&) const = default;
 };

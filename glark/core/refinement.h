@@ -54,6 +54,7 @@ struct ContextOptions {
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
   EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
+  bool geomorph = false;     // refined vertices move between the levels of measured depths
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources

@@ -16,7 +16,7 @@ constexpr char split_source[] =
 
 constexpr const char* uniform_names[] = {"record_offset", "corner_words", "tag_offset",    "first_integer",
                                          "pool_level",    "sides",        "polygon_bound", "count_on_gpu",
-                                         "centroids",     "is_fan"};
+                                         "centroids",     "is_fan",       "depth_steps"};
 constexpr std::uint32_t group_size = 64;
 constexpr std::uint32_t most_groups = 65535;  // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT
 constexpr GLsizeiptr chunk_overrun = 16;      // the last vec4 chunk of the last record may read past its end
@@ -83,7 +83,8 @@ void CentroidSplit::set_uniforms(const Pass& pass, const SplitRequest& request) 
                           static_cast<GLint>(request.polygons()),
                           request.triangles.count_on_gpu ? 1 : 0,
                           static_cast<GLint>(record_words(request)),
-                          request.decomposition.fan ? 1 : 0};
+                          request.decomposition.fan ? 1 : 0,
+                          request.depth_steps};
   for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
     if (pass.uniform[i] >= 0) {
       gl_.Uniform1i(pass.uniform[i], values[i]);

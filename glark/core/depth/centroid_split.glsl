@@ -17,6 +17,7 @@ uniform int corner_words;
 uniform int tag_offset;     // in a corner; < 0: there are no tags
 uniform int first_integer;  // words from here to the tag are integers, the same at all vertices of a polygon
 uniform int pool_level;
+uniform int depth_steps;    // to a level, as edge_steps.glsl has it; depths of edges and faces are in steps
 uniform int sides;          // of every polygon
 uniform int polygon_bound;
 uniform int count_on_gpu;
@@ -40,7 +41,7 @@ int vertex_at(int polygon, int vertex) {
 
 int tag_at(int vertex_word) {
   float tag = uintBitsToFloat(captured[vertex_word + tag_offset]);
-  return tag > 0.0 ? int(min(floor(tag + 0.5), float(pool_level))) : 0;
+  return tag > 0.0 ? int(min(floor(tag * float(depth_steps) + 0.5), float(pool_level * depth_steps))) : 0;
 }
 
 int next(int vertex) { return vertex + 1 < sides ? vertex + 1 : 0; }
@@ -73,7 +74,7 @@ void main() {
   for (int polygon = int(gl_GlobalInvocationID.x); polygon < polygon_count(); polygon += stride) {
     uint value;
     if (word == tag_offset) {
-      value = floatBitsToUint(float(face_depth(polygon)));
+      value = floatBitsToUint(float(face_depth(polygon)) / float(depth_steps));
     } else if (word >= first_integer) {
       value = captured[vertex_at(polygon, 0) + word];
     } else {
@@ -105,7 +106,7 @@ void main() {
     }
     // In the place of the tags, the depths of edges 0, 1 and 2; the centroid has that of both inner edges.
     if (tag_offset >= 0) {
-      split[to + tag_offset] = floatBitsToUint(float(edge_depth(polygon, edge)));
+      split[to + tag_offset] = floatBitsToUint(float(edge_depth(polygon, edge)) / float(depth_steps));
       split[to + corner_words + tag_offset] = split[middle + tag_offset];
     }
   }

@@ -21,6 +21,7 @@ struct SplitRequest {
   capture::CoarseTriangles triangles;  // of quads, or of one polygon and then an exact count
   Decomposition decomposition;
   unsigned pool_level = 0;
+  int depth_steps = 1;  // to a level
 
   std::uint32_t polygons() const { return decomposition.fan ? 1 : triangles.count / 2; }
   std::uint32_t sides() const { return decomposition.fan ? triangles.count + 2 : 4; }
@@ -43,7 +44,7 @@ class CentroidSplit {
   void release();
 
  private:
-  static constexpr std::size_t uniform_count = 10;
+  static constexpr std::size_t uniform_count = 11;
   struct Pass {
     GLuint program = 0;
     std::array<GLint, uniform_count> uniform{};

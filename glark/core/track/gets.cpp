@@ -68,6 +68,7 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
     case GL_POLYGON_SPLIT_ARK:
       return ark.polygon_split == PolygonSplit::centroid ? GL_POLYGON_CENTROID_ARK : GL_POLYGON_TRIANGLES_ARK;
     case GL_PATTERN_INTERIOR_ARK: return ark.smooth_interior ? GL_SMOOTH_INTERIOR_ARK : GL_MINIMUM_INTERIOR_ARK;
+    case GL_GEOMORPH_ARK: return ark.geomorph ? GL_TRUE : GL_FALSE;
     default: return std::nullopt;
   }
 }
@@ -75,9 +76,10 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
 // Writes our state, or leaves the query to GL. True if it was ours.
 template <typename Value>
 bool answer(Context& c, GLenum name, Value* data) {
-  const std::optional<GLint> value = name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_TRIANGLE_BUDGET_ARK)
-                                         ? extension_state(c, name)
-                                         : std::nullopt;
+  const std::optional<GLint> value =
+      name == GL_ARK || name == GL_GEOMORPH_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_TRIANGLE_BUDGET_ARK)
+          ? extension_state(c, name)
+          : std::nullopt;
   if (!value.has_value()) {
     return false;
   }
