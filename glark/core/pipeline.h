@@ -86,6 +86,7 @@ class Pipeline {
     const PipelineObject* pipeline = nullptr;  // the application's, if its stages are separate programs
     const capture::Layout* layout = nullptr;
     std::optional<depth::Decomposition> polygons;  // to be split at their centroids
+    PolygonSides polygon_sides = {};               // of several GL_POLYGONs
     // Measured depths change with the camera: what is captured is kept, not how it was sorted.
     bool keeps_bins() const { return adaptive && !measured; }
     bool for_feedback = false;  // what will be drawn is not known yet

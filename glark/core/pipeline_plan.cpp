@@ -268,8 +268,11 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   plan.last_vertex_convention = captures_last_vertex(call.mode);
   if (splits_at_centroid(call, plan)) {
     plan.polygons = decomposition_for(call.mode, plan.last_vertex_convention);
+    if (call.polygon_sides != nullptr) {
+      plan.polygon_sides = *call.polygon_sides;
+    }
   }
-  const bool may_split = plan.polygons || (plan.for_feedback && context_.ark.polygon_split == PolygonSplit::centroid);
+  const bool may_split = plan.polygons || (plan.for_feedback && context_.splits_polygons());
   if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback() && !may_split) {
     return Cause::level_zero;
   }

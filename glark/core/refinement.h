@@ -55,6 +55,7 @@ struct ContextOptions {
   Refinement refinement = Refinement::linear_inputs;
   EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
   bool geomorph = false;     // refined vertices move between the levels of measured depths
+  bool centroids = false;    // quads and polygons become fans about their centroids
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources

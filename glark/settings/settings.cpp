@@ -70,6 +70,8 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
   limit_level(parsed);
   if (settings.context.measure.budget > 0 && !settings.context.measure.on())
     parsed.problems.emplace_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
+  if (settings.context.geomorph && !settings.context.measure.on())
+    parsed.problems.emplace_back("GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
   settings.context.transparent = settings.context.transparent && !settings.leave_alone;
   settings.context.read_counts = !settings.statistics_file.empty();
   if (settings.everything) {
