@@ -264,7 +264,7 @@ bool list_end(Context& c) {
                     .triangles = triangles_of(c.list.begun_mode, vertices),
                     .exact = !restarts && !parts,
                     .sets_tags = c.immediate.tags_set || !c.list.vertex_lists.empty(),
-                    .whole_polygons = true,
+                    .whole_polygons = !restarts && !parts,
                     .vertex_lists = std::move(c.list.vertex_lists)});
   execute_last(c);
   open_segment(c, c.list.mode);
