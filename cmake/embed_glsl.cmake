@@ -19,4 +19,5 @@ set(GLARK_GLSL_HEADERS
   ${PROJECT_SOURCE_DIR}/glark/core/pattern/pieces.glsl.h
   ${PROJECT_SOURCE_DIR}/glark/core/pattern/expand.glsl.h
   ${PROJECT_SOURCE_DIR}/glark/core/depth/edge_depth.glsl
+  ${PROJECT_SOURCE_DIR}/glark/core/depth/edge_steps.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/depth/measured_edge.glsl)

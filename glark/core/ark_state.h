@@ -25,6 +25,7 @@ struct ArkState {
   Displacement displacement;
   PolygonSplit polygon_split = PolygonSplit::triangles;
   bool smooth_interior = false;
+  bool geomorph = false;
   bool tag_array = false;
 };
 

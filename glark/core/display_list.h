@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "glark/core/current_values.h"
+#include "glark/core/draw_call.h"
 #include "glark/gl/types.h"
 
 namespace glark::core {
@@ -67,6 +68,7 @@ struct ListSegment {
   bool exact = true;                          // `triangles` is the count, not a bound
   bool sets_tags = false;                     // glDepthTag1i was called inside
   bool whole_polygons = false;                // as in DrawCall
+  PolygonSides polygon_sides = {};            // if not empty, as in DrawCall
   std::vector<VertexList> vertex_lists = {};  // `vertices` are without theirs
   std::uint64_t identity = 0;                 // never another segment's
   SegmentEffects effects = {};

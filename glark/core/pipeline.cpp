@@ -57,7 +57,7 @@ Pipeline::Pipeline(Context& context)
 
 bool Pipeline::build_pool(unsigned max_level) {
   const Quiet quiet = context_.quiet();
-  if (!pool_.build(gl_, max_level)) {
+  if (!pool_.build(gl_, max_level, geomorphs())) {
     return false;
   }
   ++pools_built_;
@@ -65,16 +65,18 @@ bool Pipeline::build_pool(unsigned max_level) {
   return true;
 }
 
+int Pipeline::depth_steps(const Plan& plan) { return plan.morphing ? pattern::morph_steps : 1; }
+
 bool Pipeline::takes_in_order(const Plan& plan, const capture::CoarseTriangles& triangles) const {
-  return !context_.ark.smooth_interior && !plan.derived->stored() &&
+  return (plan.morphing || !context_.ark.smooth_interior) && !plan.derived->stored() &&
          ordered_.takes(*plan.layout, triangles, plan.deepest);
 }
 
 depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
   const Bindings& b = context_.bindings;
   counted_on_gpu_ = true;
-  const depth::MeasureRequest measured{plan.layout, records.triangles, plan.corner_program, plan.normal_offset,
-                                       pool_.max_level()};
+  const depth::MeasureRequest measured{plan.layout,        records.triangles, plan.corner_program,
+                                       plan.normal_offset, pool_.max_level(), depth_steps(plan)};
   depth::EdgeEnds ends;
   if (plan.measured) {
     ends = measure_.find_ends(measured, measure(), bins_.work_buffer(), b);
@@ -85,8 +87,10 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
   if (takes_in_order(plan, records.triangles)) {
     bins = ordered_.sort({measured, ends, bins_.work_buffer(), records.tags_are_edge_depths}, b);
   } else {
-    depth::BinRequest request{
-        plan.layout, records.triangles, 0, context_.ark.smooth_interior, records.tags_are_edge_depths, {}};
+    const pattern::Interior interior = plan.morphing                  ? pattern::Interior::morphing
+                                       : context_.ark.smooth_interior ? pattern::Interior::smooth
+                                                                      : pattern::Interior::minimum;
+    depth::BinRequest request{plan.layout, records.triangles, 0, interior, records.tags_are_edge_depths, {}};
     if (plan.measured) {
       request.measured = measure_.measure(measured, b);
     }

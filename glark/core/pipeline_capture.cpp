@@ -130,7 +130,8 @@ bool Pipeline::make_key(const DrawCall& call, const Plan& plan) {
   key_.clear();
   key_.add(plan.capture_program,
            plan.last_vertex_convention ? GL_LAST_VERTEX_CONVENTION : context_.bindings.provoking_vertex);
-  key_.add(plan.keeps_bins() ? 1 : 0, (context_.ark.smooth_interior ? 1U : 0U) | (plan.polygons ? 2U : 0U));
+  key_.add(plan.keeps_bins() ? 1 : 0,
+           (context_.ark.smooth_interior ? 1U : 0U) | (plan.polygons ? 2U : 0U) | (plan.morphing ? 4U : 0U));
   key_.add(plan.keeps_bins() ? pools_built_ : 0);
   return call.segment != nullptr ? add_segment_inputs(plan, *call.segment) : add_array_inputs(plan, *call.arrays);
 }

@@ -17,14 +17,15 @@
 namespace glark::core {
 
 bool Pipeline::ensure_pool() {
-  if (pool_.built()) {
+  if (pool_.built() && pool_.nested() == geomorphs()) {
     return true;
   }
   if (pool_failed_) {
     return false;
   }
   ErrorScope errors(context_);
-  pool_failed_ = !build_pool(std::max(context_.options.max_level, context_.options.level));
+  pool_failed_ =
+      !build_pool(pool_.built() ? pool_.max_level() : std::max(context_.options.max_level, context_.options.level));
   return !pool_failed_;
 }
 
@@ -163,6 +164,10 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   return key;
 }
 
+bool Pipeline::geomorphs() const {
+  return context_.options.transparent ? context_.options.geomorph : context_.ark.geomorph;
+}
+
 EdgeMeasure Pipeline::measure() const {
   if (context_.options.transparent) {
     return context_.options.measure;
@@ -194,6 +199,16 @@ unsigned Pipeline::current_tag() const {
   return static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(highest)));
 }
 
+bool Pipeline::current_tag_is_whole() const {
+  const CurrentValue* value = context_.current_values.find(static_cast<int>(context_.ark.tag_attribute));
+  if (value != nullptr && value->again == set_tag) {
+    return true;
+  }
+  GLfloat current[4] = {0, 0, 0, 0};
+  gl_.GetVertexAttribfv(context_.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
+  return std::floor(current[0]) == current[0];
+}
+
 void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
   if (can_measure(*plan.program)) {
     plan.adaptive = plan.measured = true;
@@ -210,8 +225,9 @@ void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
     plan.level = ark.uniform_level;
     return;
   }
-  plan.adaptive =
-      call.tags_vary || feedback_tagged() || context_.attribute_source(static_cast<int>(ark.tag_attribute)).enabled;
+  plan.adaptive = call.tags_vary || feedback_tagged() ||
+                  context_.attribute_source(static_cast<int>(ark.tag_attribute)).enabled ||
+                  (ark.geomorph && !current_tag_is_whole());
   if (!plan.adaptive) {
     plan.level = current_tag();
   }
@@ -254,9 +270,12 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   plan.last_vertex_convention = captures_last_vertex(call.mode);
   if (splits_at_centroid(call, plan)) {
     plan.polygons = decomposition_for(call.mode, plan.last_vertex_convention);
+    if (call.polygon_sides != nullptr) {
+      plan.polygon_sides = *call.polygon_sides;
+    }
   }
-  const bool reshapes = displaces(context_) || plan.polygons ||
-                        (plan.for_feedback && context_.ark.polygon_split == PolygonSplit::centroid);
+  const bool reshapes =
+      displaces(context_) || plan.polygons || (plan.for_feedback && context_.splits_polygons());
   if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback() && !reshapes) {
     return Cause::level_zero;
   }
@@ -264,6 +283,7 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     return Cause::out_of_memory;
   }
   // What is split has nothing that depends on the provoking corner, and may be captured among triangles.
+  plan.morphing = plan.adaptive && geomorphs();
   plan.placed = plan.adaptive || plan.level > static_cast<unsigned>(pattern::deepest_uniform);
   return find_derived(call, plan);
 }
@@ -282,7 +302,9 @@ std::shared_ptr<DerivedProgram> Pipeline::derived_program(const Plan& plan, cons
 
 Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   const bool tagged = plan.adaptive && !plan.measured;
-  plan.derived = derived_program(plan, key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed));
+  DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed);
+  key.morphing = plan.morphing;
+  plan.derived = derived_program(plan, key);
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
@@ -378,7 +400,9 @@ std::shared_ptr<DerivedProgram> Pipeline::derived_for(Program& program, Program*
   context_.mirror_from_now_on();
   const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
   const bool placed = tagged || can_measure(program);
-  return builder_.derive(program, owner, key_of(GL_TRIANGLES, tagged, placed));
+  DerivedKey key = key_of(GL_TRIANGLES, tagged, placed);
+  key.morphing = placed && geomorphs();
+  return builder_.derive(program, owner, key);
 }
 
 Program* Pipeline::program_for_refinement(GLuint name) {

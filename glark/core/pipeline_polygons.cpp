@@ -26,10 +26,10 @@ bool gives_centroids(const Program& program) {
 }  // namespace
 
 bool Pipeline::splits_at_centroid(const DrawCall& call, const Plan& plan) const {
-  return !context_.options.transparent && context_.ark.polygon_split == PolygonSplit::centroid && !plan.measured &&
-         context_.is_compatibility() && depth::is_polygon_mode(call.mode) && call.whole_polygons &&
-         (call.exact || call.mode != GL_POLYGON) && context_.bindings.shade_model != GL_FLAT &&
-         gives_centroids(*plan.program);
+  const bool told_apart =
+      call.polygon_sides != nullptr || (call.whole_polygons && (call.exact || call.mode != GL_POLYGON));
+  return context_.splits_polygons() && depth::is_polygon_mode(call.mode) && told_apart &&
+         context_.bindings.shade_model != GL_FLAT && gives_centroids(*plan.program);
 }
 
 // Draws vertices that are numbered, and returns the numbers in the order of the corners that GL makes of them. Empty if GL
@@ -102,12 +102,12 @@ std::optional<depth::Decomposition> Pipeline::decomposition_for(GLenum mode, boo
 }
 
 bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& request) {
-  if (centroids_.has_room(request) &&
-      (!plan.adaptive || bins_.has_room(*plan.layout, request.records(), plan.deepest))) {
+  const std::uint32_t records = request.records();
+  if (centroids_.has_room(request) && (!plan.adaptive || has_adaptive_room(plan, records))) {
     return true;
   }
   ErrorScope errors(context_);
-  if (centroids_.reserve(request) && (!plan.adaptive || bins_.reserve(*plan.layout, request.records(), plan.deepest))) {
+  if (centroids_.reserve(request) && (!plan.adaptive || ensure_bins(plan, records))) {
     return true;
   }
   if (!split_failed_) {
@@ -121,7 +121,8 @@ bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& reque
 
 Pipeline::Records Pipeline::records_of(const Plan& plan, const capture::CoarseTriangles& captured) {
   if (plan.polygons) {
-    const depth::SplitRequest request{plan.layout, captured, *plan.polygons, pool_.max_level()};
+    const depth::SplitRequest request{plan.layout,       captured,          *plan.polygons,
+                                      pool_.max_level(), depth_steps(plan), plan.polygon_sides};
     if (ready_to_split(plan, request)) {
       return {centroids_.split(request, capture_.count_buffer()), &centroids_.count_command(), true};
     }

@@ -72,6 +72,8 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
     parsed.problems.emplace_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
   if (settings.context.scalar_tags.tension != 0 && settings.context.refinement != core::Refinement::scalar_tagged_pn)
     parsed.problems.emplace_back("GLARK_TENSION has no effect without GLARK_REFINE=stpn");
+  if (settings.context.geomorph && !settings.context.measure.on())
+    parsed.problems.emplace_back("GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
   settings.context.transparent = settings.context.transparent && !settings.leave_alone;
   settings.context.read_counts = !settings.statistics_file.empty();
   if (settings.everything) {

@@ -59,6 +59,7 @@ std::optional<float> parse_tension(std::string_view text);
 std::optional<float> parse_edge_pixels(std::string_view text);
 std::optional<float> parse_curvature(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);
+std::optional<bool> parse_polygons(std::string_view text);  // whether at their centroids
 std::optional<core::LogLevel> parse_log_level(std::string_view text);
 std::optional<bool> parse_switch(std::string_view text);
 // A comma separates requests only where a frame number follows it.

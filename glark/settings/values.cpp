@@ -102,6 +102,12 @@ std::optional<unsigned> parse_budget(std::string_view text) {
   return triangles && *triangles <= 1000000000 ? triangles : std::nullopt;
 }
 
+std::optional<bool> parse_polygons(std::string_view text) {
+  if (text == "triangles") return false;
+  if (text == "centroid") return true;
+  return std::nullopt;
+}
+
 std::optional<core::LogLevel> parse_log_level(std::string_view text) {
   if (text == "error") return core::LogLevel::error;
   if (text == "warning") return core::LogLevel::warning;

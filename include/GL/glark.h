@@ -77,6 +77,7 @@ extern "C" {
 #define GL_EDGE_PIXELS_ARK                       0x6F24 /* 0: no measure; 8 */
 #define GL_EDGE_DEGREES_ARK                      0x6F25 /* 0 to 180, 0: no measure; 0 */
 #define GL_TRIANGLE_BUDGET_ARK                   0x6F26 /* 0: none; 0 */
+#define GL_GEOMORPH_ARK                          0x6F2F /* GL_FALSE, GL_TRUE */
 #define GL_POLYGON_SPLIT_ARK                     0x6F18
 #define GL_POLYGON_TRIANGLES_ARK                 0x6F19
 #define GL_POLYGON_CENTROID_ARK                  0x6F1A
@@ -125,6 +126,7 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
  *   GL_EDGE_PIXELS_ARK, GL_EDGE_DEGREES_ARK: the measured depth of an edge is the least whose segments are at most as long on
  *     the screen, or turn the normal by at most as much; of both, the lesser.
  *   GL_TRIANGLE_BUDGET_ARK: refined triangles a frame, which measured depths give way to.
+ *   GL_GEOMORPH_ARK: depths between two levels move refined vertices from the coarser to the finer surface, so that none pops.
  *   GL_POLYGON_SPLIT_ARK: quads and polygons as GL triangulates them, or as a fan about their centroid.
  *   GL_PATTERN_INTERIOR_ARK: fewest triangles, or a softer passage between edges of different depths.
  *   GL_DEPTH_TAG_ATTRIBUTE_ARK: index of the generic attribute that carries the tag; not 0 in the compatibility profile.
@@ -150,7 +152,7 @@ GLARK_API void GLARK_APIENTRY glDepthTag1i(GLuint d);
 /*
  * Sets the array of depth tags, one scalar per vertex: the array of generic attribute GL_DEPTH_TAG_ATTRIBUTE_ARK.
  *   type: GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT or GL_FLOAT. Values are depths, not normalised; a float is
- *     rounded to the nearest integer; every tag is clamped to 0 .. pool level.
+ *     rounded to the nearest integer, with GL_GEOMORPH_ARK to the nearest 1/64; every tag is clamped to 0 .. pool level.
  *   stride: bytes from one tag to the next; 0 if tightly packed.
  *   pointer: byte offset into the buffer bound to GL_ARRAY_BUFFER; or client memory, which the caller owns and keeps until
  *     the draws that read it return.

@@ -27,5 +27,6 @@ void add_adaptive_cases(std::vector<Case>& cases);
 void add_qas_cases(std::vector<Case>& cases);  // where glark-qas is built
 void add_qas_draw_cases(std::vector<Case>& cases);
 void add_shape_cases(std::vector<Case>& cases);
+void add_figure_cases(std::vector<Case>& cases);
 
 }  // namespace glark::bench

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/bench/case.h"
+#include "tests/bench/model.h"
 #include "tests/bench/offscreen.h"
 
 namespace {
@@ -22,6 +23,8 @@ capture and binning, calls that are passed through, and subdivision surfaces (QA
   --quick        fewer rounds
   --thorough     more rounds
   --json FILE    also writes the figures to FILE
+  --csv FILE     the same as lines of measure,quantity,value
+  --models DIR   PLY files (decompressed) for the figures that are about models
   --help         this text
 
 Exit status: 0 measured, whatever the figures say; 1 something could not be measured; 2 wrong usage.
@@ -30,6 +33,7 @@ Exit status: 0 measured, whatever the figures say; 1 something could not be meas
 struct Options {
   std::string filter;
   std::string json;
+  std::string csv;
   bool list = false;
   bool help = false;
   glark::bench::Effort effort;
@@ -43,6 +47,10 @@ bool parse(int argc, char** argv, Options& options) {
       options.filter = argv[++i];
     } else if (word == "--json" && has_value) {
       options.json = argv[++i];
+    } else if (word == "--csv" && has_value) {
+      options.csv = argv[++i];
+    } else if (word == "--models" && has_value) {
+      glark::bench::models_folder = argv[++i];
     } else if (word == "--list") {
       options.list = true;
     } else if (word == "--help") {
@@ -72,6 +80,7 @@ std::vector<glark::bench::Case> all_cases() {
   glark::bench::add_qas_draw_cases(cases);
 #endif
   glark::bench::add_shape_cases(cases);
+  glark::bench::add_figure_cases(cases);
   return cases;
 }
 
@@ -99,6 +108,10 @@ int measure(const std::vector<glark::bench::Case>& cases, const Options& options
   std::cout << glark::bench::machine() << "\n\n" << report.table() << std::flush;
   if (!options.json.empty() && !report.write_json(options.json)) {
     std::cerr << "glark-bench: cannot write " << options.json << '\n';
+    return 1;
+  }
+  if (!options.csv.empty() && !report.write_csv(options.csv)) {
+    std::cerr << "glark-bench: cannot write " << options.csv << '\n';
     return 1;
   }
   return report.has_errors() ? 1 : 0;

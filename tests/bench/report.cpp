@@ -90,6 +90,16 @@ std::string Report::table() const {
   return text;
 }
 
+bool Report::write_csv(const std::string& path) const {
+  std::ofstream file(path);
+  file << "measure,quantity,value\n";
+  for (const Row& row : rows_) {
+    file << row.measure << ",measured," << row.measured << '\n';
+    for (const auto& [quantity, value] : row.detail) file << row.measure << ',' << quantity << ',' << value << '\n';
+  }
+  return static_cast<bool>(file.flush());
+}
+
 bool Report::write_json(const std::string& path) const {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const Row& row : rows_) {

@@ -36,6 +36,7 @@ class Report {
   std::string table() const;
   // False if the file cannot be written.
   bool write_json(const std::string& path) const;
+  bool write_csv(const std::string& path) const;
 
  private:
   std::vector<Row> rows_;

@@ -205,7 +205,7 @@ TEST_P(CentroidScene, VertexNumbersStayTriangles) {
   expect_triangles(shape.triangles, [&] { glDrawArrays(shape.mode, 0, static_cast<GLsizei>(shape.vertices.size())); });
 }
 
-TEST_P(CentroidScene, InstancesOfQuadsAreSplitButNotOfPolygons) {
+TEST_P(CentroidScene, InstancesAreSplit) {
   glUseProgram(
       link_program({.vertex = "#version 140\n#extension GL_ARB_compatibility : enable\nout vec4 tint;\n"
                               "void main() { gl_Position = vec4(0.5 * gl_Vertex.xy + vec2(float(gl_InstanceID) - 0.5), "
@@ -215,21 +215,40 @@ TEST_P(CentroidScene, InstancesOfQuadsAreSplitButNotOfPolygons) {
   make_buffer(GL_ARRAY_BUFFER, shape.vertices);
   point_conventional_arrays(nullptr);
   const auto count = static_cast<GLsizei>(shape.vertices.size());
-  const bool split = shape.mode != GL_POLYGON;
-  expect_triangles(2 * (split ? GetParam().sides : shape.triangles),
-                   [=] { glDrawArraysInstanced(shape.mode, 0, count, 2); });
+  expect_triangles(2 * GetParam().sides, [=] { glDrawArraysInstanced(shape.mode, 0, count, 2); });
   expect_triangles(GetParam().sides, [=] { glDrawArraysInstanced(shape.mode, 0, count, 1); });
 }
 
-TEST_P(CentroidScene, MultiDrawsOfQuadsAreSplitButNotOfPolygons) {
+TEST_P(CentroidScene, MultiDrawsAreSplit) {
   const ModeShape& shape = GetParam().shape;
   point_conventional_arrays(shape.vertices.data());
   const GLint first[] = {0, 2};
   const GLsizei count[] = {static_cast<GLsizei>(shape.vertices.size()), 4};
-  const bool split = shape.mode != GL_POLYGON;
-  expect_triangles(split ? GetParam().sides + 4 : shape.triangles + 2,
-                   [=] { glMultiDrawArrays(shape.mode, first, count, 2); });
+  expect_triangles(GetParam().sides + 4, [=] { glMultiDrawArrays(shape.mode, first, count, 2); });
   expect_triangles(GetParam().sides, [=] { glMultiDrawArrays(shape.mode, first, count, 1); });
+}
+
+TEST_P(CentroidScene, MultiDrawsInAList) {
+  const ModeShape& shape = GetParam().shape;
+  glARKinit(2);
+  point_conventional_arrays(shape.vertices.data());
+  const GLint first[] = {0, 2};
+  const GLsizei count[] = {static_cast<GLsizei>(shape.vertices.size()), 4};
+  const GLuint list = glGenLists(1);
+  glNewList(list, GL_COMPILE);
+  glMultiDrawArrays(shape.mode, first, count, 2);
+  glEndList();
+  expect_split(GetParam().sides + 4, [=] { glCallList(list); });
+}
+
+TEST_P(CentroidScene, IndirectDraws) {
+  const ModeShape& shape = GetParam().shape;
+  make_buffer(GL_ARRAY_BUFFER, shape.vertices);
+  point_conventional_arrays(nullptr);
+  const auto count = static_cast<GLuint>(shape.vertices.size());
+  make_buffer(GL_DRAW_INDIRECT_BUFFER, std::vector<GLuint>{count, 1, 0, 0, 4, 1, 2, 0});
+  expect_triangles(GetParam().sides, [&] { glDrawArraysIndirect(shape.mode, nullptr); });
+  expect_triangles(GetParam().sides + 4, [&] { glMultiDrawArraysIndirect(shape.mode, nullptr, 2, 0); });
 }
 
 TEST_P(CentroidDraws, TrianglesAndRectanglesStay) {

@@ -285,5 +285,21 @@ TEST(SourceHash, IsTheSameInEveryVersion) {
   EXPECT_EQ(hash_text(source_hash({{GL_VERTEX_SHADER, text}})), "d1098884e0dc9531");
 }
 
+// Two triangles of a quad, or four about its centre, by four each.
+TEST_F(Exemptions, QuadsAreSplitAtTheirCentresOnRequest) {
+  for (const bool centroids : {false, true}) {
+    start({.centroids = centroids});
+    test_depth();
+    const std::uint64_t before = statistics().refined_triangles;
+    hook::Begin(*context_, GL_QUADS);
+    for (const auto& [x, y] : {std::pair(-1.0F, -1.0F), {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
+      real.Vertex2f(x, y);
+      ++context_->immediate_vertices;
+    }
+    hook::End(*context_);
+    EXPECT_EQ(statistics().refined_triangles - before, centroids ? 16U : 8U);
+  }
+}
+
 }  // namespace
 }  // namespace glark::core

@@ -14,7 +14,11 @@ namespace glark::pattern {
 namespace {
 
 using testing::assemble;
+using testing::Assembly;
 using testing::defect_of;
+using testing::Point;
+using testing::Triangle;
+using testing::whole;
 
 const Pool& deepest_pool() {
   static const Pool pool = build_pool(11);
@@ -117,6 +121,42 @@ TEST_F(Damage, MovedVertex) {
 TEST_F(Damage, SkirtOfAnotherDepth) {
   instances[2].piece = skirt_piece(2, 4);
   EXPECT_NE(defect(), "");
+}
+
+// The point in the middle stands apart by a unit of the lattice from piece to piece; the vertex stage puts it in one place.
+Assembly with_one_centre(Assembly assembly) {
+  for (Triangle& triangle : assembly.triangles) {
+    for (Point& point : triangle) {
+      const std::int64_t third = whole / 3;
+      if (std::abs(point.u - third) < 64 && std::abs(point.v - third) < 64) point = {third, third};
+    }
+  }
+  return assembly;
+}
+
+TEST(NestedTriples, EveryShallowTripleConforms) {
+  for (int level = 0; level <= 6; ++level) {
+    Pool pool = build_pool(static_cast<unsigned>(level), true);
+    for (int e0 = 0; e0 <= level; ++e0) {
+      for (int e1 = 0; e1 <= level; ++e1) {
+        for (int e2 = 0; e2 <= level; ++e2) {
+          if (e0 != level && e1 != level && e2 != level) continue;
+          const Assembly assembly = assemble(pool, expand(e0, e1, e2, Interior::morphing));
+          EXPECT_EQ(defect_of(with_one_centre(assembly), {e0, e1, e2}), "") << e0 << ' ' << e1 << ' ' << e2;
+          EXPECT_LE(expand(e0, e1, e2, Interior::morphing).size(), 4U);
+        }
+      }
+    }
+  }
+}
+
+TEST(NestedTriples, DeepTriplesConform) {
+  const Pool pool = build_pool(11, true);
+  for (std::array<int, 3> e :
+       {std::array{7, 7, 7}, {7, 8, 11}, {9, 9, 9}, {2, 11, 11}, {6, 6, 11}, {0, 11, 3}, {8, 7, 7}}) {
+    const Assembly assembly = assemble(pool, expand(e[0], e[1], e[2], Interior::morphing));
+    EXPECT_EQ(defect_of(with_one_centre(assembly), e), "") << e[0] << ' ' << e[1] << ' ' << e[2];
+  }
 }
 
 }  // namespace

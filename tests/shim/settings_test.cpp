@@ -99,6 +99,20 @@ TEST(Settings, Tension) {
   EXPECT_EQ(only_problem("GLARK_TENSION=1"), "GLARK_TENSION has no effect without GLARK_REFINE=stpn");
 }
 
+TEST(Settings, GeomorphingNeedsAMeasure) {
+  EXPECT_EQ(only_problem("GLARK_GEOMORPH=1"),
+            "GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
+  const Parsed parsed = parse_all({"GLARK_GEOMORPH=1", "GLARK_CURVATURE=5"});
+  EXPECT_TRUE(parsed.problems.empty());
+  EXPECT_TRUE(parsed.settings.context.geomorph);
+}
+
+TEST(Settings, PolygonsAreSplitInOneOfTwoWays) {
+  EXPECT_TRUE(parse_all({"GLARK_POLYGONS=centroid"}).settings.context.centroids);
+  EXPECT_FALSE(parse_all({"GLARK_POLYGONS=triangles"}).settings.context.centroids);
+  EXPECT_EQ(only_problem("GLARK_POLYGONS=fan"), "GLARK_POLYGONS is \"fan\"; triangles or centroid is needed");
+}
+
 TEST(ParseMeasures, RejectWhatIsNoMeasure) {
   for (const char* text : {"", "-1", "0.1", "10001", "1e2", "8px", "nan", "inf", " 8", "0x8", "8,5"})
     EXPECT_FALSE(parse_edge_pixels(text)) << text;

@@ -25,9 +25,9 @@ constexpr GLuint group_size = 64;
 constexpr GLuint most_groups = 65535;  // in one dimension, guaranteed; more go to the second
 constexpr GLsizeiptr deep_reserve_bytes = GLsizeiptr{32} << 20;
 
-constexpr const char* uniform_names[] = {"record_offset",     "corner_words",         "tag_offset",   "uniform_tag",
-                                         "triangle_bound",    "count_on_gpu",         "pool_level",   "smooth_interior",
-                                         "instance_capacity", "tags_are_edge_depths", "packed_depths"};
+constexpr const char* uniform_names[] = {"record_offset",     "corner_words",         "tag_offset",  "uniform_tag",
+                                         "triangle_bound",    "count_on_gpu",         "pool_level",  "interior",
+                                         "instance_capacity", "tags_are_edge_depths", "packed_bits", "depth_steps"};
 
 }  // namespace
 
@@ -104,6 +104,7 @@ bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, u
 void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
   const bool measured = request.measured.buffer != 0;
   const GLintptr offset = measured ? request.measured.offset : request.triangles.offset;
+  const int steps = request.interior == pattern::Interior::morphing ? pattern::morph_steps : 1;
   const GLint values[] = {static_cast<GLint>(offset / 4),
                           request.layout->corner_words,
                           request.layout->tag_offset,
@@ -111,10 +112,11 @@ void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
                           static_cast<GLint>(request.triangles.count),
                           request.triangles.count_on_gpu ? 1 : 0,
                           static_cast<GLint>(pool_level_),
-                          request.smooth_interior ? 1 : 0,
+                          static_cast<GLint>(request.interior),
                           static_cast<GLint>(capacity_),
                           request.tags_are_edge_depths ? 1 : 0,
-                          measured ? 1 : 0};
+                          measured ? request.measured.bits : 0,
+                          steps};
   for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
     if (pass.uniform[i] >= 0) {
       gl_.Uniform1i(pass.uniform[i], values[i]);

@@ -34,9 +34,9 @@ uniform int uniform_tag;
 uniform int triangle_bound;
 uniform int count_on_gpu;
 uniform int pool_level;
-uniform int smooth_interior;
+uniform int interior;  // pattern::Interior
 uniform int tags_are_edge_depths;  // corner k holds the depth of edge k
-uniform int packed_depths;         // records holds a word for each triangle: 4 bits for each edge, edge 0 in the lowest
+uniform int packed_bits;           // > 0: records holds a word for each triangle, so many bits for each edge, edge 0 in the lowest
 uniform int instance_capacity;
 
 #if GLARK_PASS == 1
@@ -68,14 +68,16 @@ void main() {
 
 #else
 
+#include "glark/core/depth/edge_steps.glsl"
+
 int triangle;
+ivec3 edge_steps;
 
 int tag_of(int corner) {
   if (tag_offset < 0) {
-    return uniform_tag;
+    return uniform_tag * depth_steps;
   }
-  float tag = uintBitsToFloat(records[record_offset + (3 * triangle + corner) * corner_words + tag_offset]);
-  return int(clamp(floor(tag + 0.5), 0.0, float(pool_level)));
+  return steps_of(uintBitsToFloat(records[record_offset + (3 * triangle + corner) * corner_words + tag_offset]));
 }
 
 void emit_instance(int piece, float ou, float ov, float s, float r) {
@@ -90,10 +92,10 @@ void emit_instance(int piece, float ou, float ov, float s, float r) {
     instances[3 * slot + corner] = uint(3 * triangle + corner);
   }
   int to = 3 * instance_capacity + 4 * slot;
-  instances[to] = floatBitsToUint(ou);
-  instances[to + 1] = floatBitsToUint(ov);
-  instances[to + 2] = floatBitsToUint(s);
-  instances[to + 3] = floatBitsToUint(r);
+  uvec4 words = floatBitsToUint(placement_of(vec4(ou, ov, s, r), edge_steps));
+  for (int i = 0; i < 4; ++i) {
+    instances[to + i] = words[i];
+  }
 #endif
 }
 
@@ -109,20 +111,16 @@ void main() {
   if (triangle >= bound) {
     return;
   }
-  if (packed_depths != 0) {
-    int depths = int(records[record_offset + triangle]);
-    expand_pattern(depths & 15, (depths >> 4) & 15, (depths >> 8) & 15, smooth_interior);
-    return;
+  if (packed_bits > 0) {
+    uint word = records[record_offset + triangle];
+    uint mask = (1u << packed_bits) - 1u;
+    edge_steps = ivec3(word & mask, (word >> packed_bits) & mask, (word >> (2 * packed_bits)) & mask);
+  } else {
+    ivec3 tags = ivec3(tag_of(0), tag_of(1), tag_of(2));
+    // Erratum 1: the mean of two tags may lie between two steps; any rule of the two ends alone keeps edges together.
+    edge_steps = tags_are_edge_depths != 0 ? tags : (tags + tags.yzx) >> 1;
   }
-  int a = tag_of(0);
-  int b = tag_of(1);
-  int c = tag_of(2);
-  if (tags_are_edge_depths != 0) {
-    expand_pattern(a, b, c, smooth_interior);
-    return;
-  }
-  // Erratum 1: the mean of two tags may be a half; any rule of the two ends alone keeps edges together.
-  expand_pattern((a + b) >> 1, (b + c) >> 1, (c + a) >> 1, smooth_interior);
+  expand_pattern(depth_of(edge_steps.x), depth_of(edge_steps.y), depth_of(edge_steps.z), interior);
 }
 
 #endif

@@ -24,7 +24,7 @@ struct BinRequest {
   const capture::Layout* layout = nullptr;
   capture::CoarseTriangles triangles;
   unsigned uniform_tag = 0;  // where the layout holds no tags
-  bool smooth_interior = false;
+  pattern::Interior interior = pattern::Interior::minimum;
   bool tags_are_edge_depths = false;  // of edges 0, 1, 2, in the place of the tags of corners 0, 1, 2
   MeasuredDepths measured;            // if there are any, instead of tags
 };
@@ -54,7 +54,7 @@ class BinStage {
  private:
   struct Pass {
     GLuint program = 0;
-    std::array<GLint, 11> uniform{};
+    std::array<GLint, 12> uniform{};
   };
 
   Pass compile(int pass) const;

@@ -11,48 +11,78 @@ layout(std430, binding = 0) readonly buffer Captured { uint captured[]; };
 layout(std430, binding = 1) buffer Split { uint split[]; };  // records, then one corner for each centroid
 layout(std430, binding = 2) readonly buffer CapturedCount { uint captured_count[]; };
 layout(std430, binding = 3) writeonly buffer SplitCount { uint split_count[]; };
+// Two words for each polygon, and two more: its first captured triangle, and its first record.
+layout(std430, binding = 4) readonly buffer Table { uint table[]; };
 
 uniform int record_offset;  // of the captured triangles, in words
 uniform int corner_words;
 uniform int tag_offset;     // in a corner; < 0: there are no tags
 uniform int first_integer;  // words from here to the tag are integers, the same at all vertices of a polygon
 uniform int pool_level;
-uniform int sides;          // of every polygon
+uniform int depth_steps;    // to a level, as edge_steps.glsl has it; depths of edges and faces are in steps
+uniform int equal_sides;    // of every polygon; 0: the table says how many
 uniform int polygon_bound;
 uniform int count_on_gpu;
 uniform int centroids;      // first word of the centroids
 uniform int is_fan;
 uniform int corners[4];     // depth::Decomposition
 
-int polygon_count() {
-  return count_on_gpu != 0 ? min(polygon_bound, int(captured_count[1]) / (sides - 2)) : polygon_bound;
+// The number of the polygons that end by the entry `limit` in one of the table's columns.
+int polygons_until(int column, int limit) {
+  int from = 0;
+  int to = polygon_bound;
+  while (from < to) {
+    int middle = (from + to + 1) / 2;
+    if (int(table[2 * middle + column]) <= limit) {
+      from = middle;
+    } else {
+      to = middle - 1;
+    }
+  }
+  return from;
 }
+
+int sides_of(int polygon) {
+  return equal_sides > 0 ? equal_sides : int(table[2 * polygon + 2] - table[2 * polygon]) + 2;
+}
+
+int polygon_count() {
+  if (count_on_gpu == 0) {
+    return polygon_bound;
+  }
+  int triangles = int(captured_count[1]);
+  return equal_sides > 0 ? min(polygon_bound, triangles / (equal_sides - 2)) : polygons_until(0, triangles);
+}
+
+int first_record(int polygon) { return equal_sides > 0 ? polygon * equal_sides : int(table[2 * polygon + 1]); }
 
 // First word of a vertex, in the order of the boundary.
 int vertex_at(int polygon, int vertex) {
   int corner = 6 * polygon + corners[vertex & 3];
   if (is_fan != 0) {
-    int triangle = clamp(vertex - 1, 0, sides - 3);
-    corner = 3 * triangle + corners[vertex == 0 ? 0 : vertex - triangle];
+    int triangle = clamp(vertex - 1, 0, sides_of(polygon) - 3);
+    int first = equal_sides > 0 ? polygon * (equal_sides - 2) : int(table[2 * polygon]);
+    corner = 3 * (first + triangle) + corners[vertex == 0 ? 0 : vertex - triangle];
   }
   return record_offset + corner * corner_words;
 }
 
 int tag_at(int vertex_word) {
   float tag = uintBitsToFloat(captured[vertex_word + tag_offset]);
-  return tag > 0.0 ? int(min(floor(tag + 0.5), float(pool_level))) : 0;
+  return tag > 0.0 ? int(min(floor(tag * float(depth_steps) + 0.5), float(pool_level * depth_steps))) : 0;
 }
 
-int next(int vertex) { return vertex + 1 < sides ? vertex + 1 : 0; }
+int next(int polygon, int vertex) { return vertex + 1 < sides_of(polygon) ? vertex + 1 : 0; }
 
 int edge_depth(int polygon, int edge) {
-  return (tag_at(vertex_at(polygon, edge)) + tag_at(vertex_at(polygon, next(edge)))) >> 1;
+  return (tag_at(vertex_at(polygon, edge)) + tag_at(vertex_at(polygon, next(polygon, edge)))) >> 1;
 }
 
 #if GLARK_PASS == 0
 
 int face_depth(int polygon) {
   int sum = 0;
+  int sides = sides_of(polygon);
   for (int edge = 0; edge < sides; ++edge) {
     sum += edge_depth(polygon, edge);
   }
@@ -61,6 +91,7 @@ int face_depth(int polygon) {
 
 float mean(int polygon, int word) {
   precise float sum = uintBitsToFloat(captured[vertex_at(polygon, 0) + word]);
+  int sides = sides_of(polygon);
   for (int vertex = 1; vertex < sides; ++vertex) {
     sum += uintBitsToFloat(captured[vertex_at(polygon, vertex) + word]);
   }
@@ -73,7 +104,7 @@ void main() {
   for (int polygon = int(gl_GlobalInvocationID.x); polygon < polygon_count(); polygon += stride) {
     uint value;
     if (word == tag_offset) {
-      value = floatBitsToUint(float(face_depth(polygon)));
+      value = floatBitsToUint(float(face_depth(polygon)) / float(depth_steps));
     } else if (word >= first_integer) {
       value = captured[vertex_at(polygon, 0) + word];
     } else {
@@ -86,16 +117,16 @@ void main() {
 #else
 
 void main() {
-  int records = polygon_count() * sides;
+  int records = first_record(polygon_count());
   if (gl_GlobalInvocationID.x == 0u && count_on_gpu != 0) {
     split_count[1] = uint(records);
   }
   int stride = int(gl_NumWorkGroups.x) * 64;
   for (int record = int(gl_GlobalInvocationID.x); record < records; record += stride) {
-    int polygon = record / sides;
-    int edge = record - polygon * sides;
+    int polygon = equal_sides > 0 ? record / equal_sides : polygons_until(1, record);
+    int edge = record - first_record(polygon);
     int first = vertex_at(polygon, edge);
-    int second = vertex_at(polygon, next(edge));
+    int second = vertex_at(polygon, next(polygon, edge));
     int middle = centroids + polygon * corner_words;
     int to = 3 * record * corner_words;
     for (int word = 0; word < corner_words; ++word) {
@@ -105,7 +136,7 @@ void main() {
     }
     // In the place of the tags, the depths of edges 0, 1 and 2; the centroid has that of both inner edges.
     if (tag_offset >= 0) {
-      split[to + tag_offset] = floatBitsToUint(float(edge_depth(polygon, edge)));
+      split[to + tag_offset] = floatBitsToUint(float(edge_depth(polygon, edge)) / float(depth_steps));
       split[to + corner_words + tag_offset] = split[middle + tag_offset];
     }
   }

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <span>
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
@@ -21,10 +23,18 @@ struct SplitRequest {
   capture::CoarseTriangles triangles;  // of quads, or of one polygon and then an exact count
   Decomposition decomposition;
   unsigned pool_level = 0;
+  int depth_steps = 1;  // to a level
+  std::span<const std::uint32_t> sides =
+      {};  // of each polygon, where there are several fans; then no count need be exact
 
-  std::uint32_t polygons() const { return decomposition.fan ? 1 : triangles.count / 2; }
-  std::uint32_t sides() const { return decomposition.fan ? triangles.count + 2 : 4; }
-  std::uint32_t records() const { return polygons() * sides(); }
+  std::uint32_t polygons() const {
+    return !sides.empty() ? static_cast<std::uint32_t>(sides.size()) : decomposition.fan ? 1 : triangles.count / 2;
+  }
+  // Of every polygon; 0: they differ.
+  std::uint32_t equal_sides() const { return !sides.empty() ? 0 : decomposition.fan ? triangles.count + 2 : 4; }
+  std::uint32_t records() const {
+    return sides.empty() ? polygons() * equal_sides() : std::accumulate(sides.begin(), sides.end(), 0U);
+  }
 };
 
 class CentroidSplit {
@@ -34,7 +44,7 @@ class CentroidSplit {
   bool has_room(const SplitRequest& request) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
   bool reserve(const SplitRequest& request);
-  // Changes the program and the storage buffer bindings 0 to 3, which the caller restores. The records are valid until the next
+  // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. The records are valid until the next
   // split. `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
   capture::CoarseTriangles split(const SplitRequest& request, GLuint captured_count);
 
@@ -43,7 +53,7 @@ class CentroidSplit {
   void release();
 
  private:
-  static constexpr std::size_t uniform_count = 10;
+  static constexpr std::size_t uniform_count = 11;
   struct Pass {
     GLuint program = 0;
     std::array<GLint, uniform_count> uniform{};
@@ -52,12 +62,14 @@ class CentroidSplit {
 
   Pass compile(int pass) const;
   bool prepare();
+  void write_table(const SplitRequest& request);
   void set_uniforms(const Pass& pass, const SplitRequest& request) const;
 
   const gl::Dispatch& gl_;
   std::array<Pass, 2> passes_{};
   core::GpuBuffer records_;  // and the centroids
   core::GpuBuffer count_command_;
+  core::GpuBuffer table_;  // of polygons that differ
   GLint64 largest_block_ = 0;
 };
 

@@ -5,7 +5,8 @@
 //
 // Watertight: every expression gives the same bits when the ends change places, in whatever program this is included: sums and
 // products of `precise` values only, no division, no root and no function that a compiler may approximate in its own way.
-// The includer declares, before the #include, the table that measure.glsl makes:
+// Between two levels, a step is as far from one limit to the next as the level is between them. The includer has edge_steps.glsl, and
+// declares, before the #include, the table that measure.glsl makes:
 //   float pixel_limit(int depth)   square of the length that 2^depth segments may cover, in pixels
 //   float cosine_limit(int depth)  c |c|, c the cosine of the angle that 2^depth segments may cover
 
@@ -27,10 +28,22 @@ float glark_dot(vec3 a, vec3 b) {
   return sum;
 }
 
+// The limit of a depth in steps, for 1 step and more.
+float glark_limit_between(float coarse, float fine, int step) {
+  precise float limit = coarse + (fine - coarse) * (float(step) / float(depth_steps));
+  return limit;
+}
+
+// Whether one of the sizes that count, squared and in their units, is no longer than the limit.
+bool glark_fits(bvec2 counts, vec2 sizes, vec2 units, float limit) {
+  precise vec2 longest = limit * units;
+  return (counts.x && !(sizes.x > longest.x)) || (counts.y && !(sizes.y > longest.y));
+}
+
 // Ends in clip coordinates; half_size: of the viewport, in pixels. Where both ends lie in front of the eye, the length is that on
 // the screen, or three times the length as an angle where that is less: far outside the screen, for inside of it is never less.
 // With an end behind the eye there is no length on the screen, and the angle alone counts. The eye is the origin of (x, y, w).
-int glark_depth_on_screen(vec4 end_a, vec4 end_b, vec2 half_size, int deepest) {
+int glark_steps_on_screen(vec4 end_a, vec4 end_b, vec2 half_size, int deepest) {
   float eye_distance = max(half_size.x, half_size.y);  // of the screen, in pixels, for a view of 90 degrees
   precise vec3 a = end_a.xyw * vec3(half_size, eye_distance);
   precise vec3 b = end_b.xyw * vec3(half_size, eye_distance);
@@ -50,29 +63,58 @@ int glark_depth_on_screen(vec4 end_a, vec4 end_b, vec2 half_size, int deepest) {
   precise float angle_unit = within ? glark_square(across) : min(glark_square(a), glark_square(b));
   bool in_front = a.z > 0.0 && b.z > 0.0;
   precise float tolerant_angle = in_front ? 9.0 * angle : angle;
+  bvec2 counts = bvec2(true, in_front);
+  vec2 sizes = vec2(tolerant_angle, screen_length);
+  vec2 units = vec2(angle_unit, screen_unit);
   int depth = 0;
-  for (; depth < deepest; ++depth) {
-    precise float longest_angle = pixel_limit(depth) * angle_unit;
-    precise float longest = pixel_limit(depth) * screen_unit;
-    if (!(tolerant_angle > longest_angle) || (in_front && !(screen_length > longest))) {
-      break;
+  while (depth < deepest && !glark_fits(counts, sizes, units, pixel_limit(depth))) {
+    ++depth;
+  }
+  if (depth_steps == 1 || depth == 0) {
+    return depth * depth_steps;
+  }
+  int too_few = 0;
+  int steps = depth_steps;
+  while (steps - too_few > 1) {
+    int middle = (steps + too_few) / 2;
+    float limit = glark_limit_between(pixel_limit(depth - 1), pixel_limit(depth), middle);
+    if (glark_fits(counts, sizes, units, limit)) {
+      steps = middle;
+    } else {
+      too_few = middle;
     }
   }
-  return depth;
+  return (depth - 1) * depth_steps + steps;
 }
 
-int glark_depth_of_turn(vec3 normal_a, vec3 normal_b, int deepest) {
+bool glark_turns_more(float signed_square, float unit, float limit) {
+  precise float least = limit * unit;
+  return signed_square < least;
+}
+
+int glark_steps_of_turn(vec3 normal_a, vec3 normal_b, int deepest) {
   precise vec3 a = normal_a * glark_scale_of(glark_largest(normal_a));
   precise vec3 b = normal_b * glark_scale_of(glark_largest(normal_b));
   precise float cosine = glark_dot(a, b);
   precise float signed_square = cosine * abs(cosine);
   precise float unit = glark_square(a) * glark_square(b);
   int depth = 0;
-  for (; depth < deepest; ++depth) {
-    precise float least = cosine_limit(depth) * unit;
-    if (!(signed_square < least)) {
-      break;
+  while (depth < deepest && glark_turns_more(signed_square, unit, cosine_limit(depth))) {
+    ++depth;
+  }
+  if (depth_steps == 1 || depth == 0) {
+    return depth * depth_steps;
+  }
+  int too_few = 0;
+  int steps = depth_steps;
+  while (steps - too_few > 1) {
+    int middle = (steps + too_few) / 2;
+    float limit = glark_limit_between(cosine_limit(depth - 1), cosine_limit(depth), middle);
+    if (glark_turns_more(signed_square, unit, limit)) {
+      too_few = middle;
+    } else {
+      steps = middle;
     }
   }
-  return depth;
+  return (depth - 1) * depth_steps + steps;
 }

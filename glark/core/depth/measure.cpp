@@ -14,8 +14,9 @@ constexpr char measure_source[] =
 #include "glark/core/depth/measure.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {"record_offset",  "corner_words", "normal_offset", "first_depth",
-                                         "triangle_bound", "pool_level",   "on_screen"};
+constexpr const char* uniform_names[] = {"record_offset", "corner_words",   "normal_offset",
+                                         "first_depth",   "triangle_bound", "pool_level",
+                                         "on_screen",     "packed_bits",    "depth_steps"};
 constexpr int depths = static_cast<int>(core::max_supported_level) + 1;
 constexpr GLsizeiptr limit_bytes = 4 * (1 + 2 * depths);
 constexpr GLsizeiptr bytes_a_triangle = 3 * 16 + 4;
@@ -140,7 +141,7 @@ EdgeEnds MeasureStage::find_ends(const MeasureRequest& request, const core::Edge
 }
 
 MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::Bindings& bindings) {
-  const MeasuredDepths result{ends_.name(), first_depth(ends_)};
+  const MeasuredDepths result{ends_.name(), first_depth(ends_), request.depth_steps == 1 ? 4 : 10};
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, ends_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, limits_.name());
@@ -151,7 +152,9 @@ MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::
                           static_cast<GLint>(result.offset / 4),
                           static_cast<GLint>(request.triangles.count),
                           static_cast<GLint>(request.pool_level),
-                          request.corner_program != 0 ? 1 : 0};
+                          request.corner_program != 0 ? 1 : 0,
+                          result.bits,
+                          request.depth_steps};
   for (std::size_t i = 0; i < depth_pass_.uniform.size(); ++i) {
     gl_.Uniform1i(depth_pass_.uniform[i], values[i]);
   }

@@ -61,11 +61,13 @@ uniform int first_depth;    // word of `ends`
 uniform int triangle_bound;
 uniform int pool_level;
 uniform int on_screen;
+uniform int packed_bits;
 uniform vec2 half_size;
 
 float pixel_limit(int depth) { return limits[1 + depth]; }
 float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
 
+#include "glark/core/depth/edge_steps.glsl"
 #include "glark/core/depth/edge_depth.glsl"
 #include "glark/core/depth/measured_edge.glsl"
 
@@ -76,7 +78,8 @@ void main() {
   }
   int depths = 0;
   for (int edge = 0; edge < 3; ++edge) {
-    depths |= measured_depth(3 * triangle + edge, 3 * triangle + (edge == 2 ? 0 : edge + 1)) << (4 * edge);
+    int steps = measured_steps(3 * triangle + edge, 3 * triangle + (edge == 2 ? 0 : edge + 1));
+    depths |= steps << (packed_bits * edge);
   }
   ends[first_depth + triangle] = uint(depths);
 }

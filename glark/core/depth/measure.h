@@ -24,6 +24,7 @@ struct MeasureRequest {
   GLuint corner_program = 0;  // gives gl_Position of one captured corner; 0: the screen does not count
   int normal_offset = -1;     // of the normal in a captured corner; -1: normals do not count
   unsigned pool_level = 0;
+  int depth_steps = 1;  // to a level: 1, or pattern::morph_steps
 };
 
 class MeasureStage {
@@ -53,7 +54,7 @@ class MeasureStage {
   };
   struct DepthPass {
     GLuint program = 0;
-    std::array<GLint, 7> uniform{};
+    std::array<GLint, 9> uniform{};
     GLint half_size = -1;
   };
 

@@ -14,10 +14,12 @@ struct EdgeEnds {
   GLuint limits = 0;
 };
 
-// A word for each coarse triangle: 4 bits for the depth of each edge, edge 0 in the lowest.
+// A word for each coarse triangle: some bits for the depth of each edge, edge 0 in the lowest; whole levels in 4 bits, or steps of
+// pattern::morph_steps to a level in 10.
 struct MeasuredDepths {
   GLuint buffer = 0;  // 0: none
   GLintptr offset = 0;
+  int bits = 4;
 };
 
 }  // namespace glark::depth

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The measured depth between two captured corners, for measure.glsl and ordered.glsl, which declare `records`, `ends` and the
+// The measured depth, in steps, between two captured corners, for measure.glsl and ordered.glsl, which declare `records`, `ends` and the
 // uniforms.
 
 vec4 position_of(int corner) {
@@ -13,13 +13,13 @@ vec3 normal_of(int corner) {
   return uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2]));
 }
 
-int measured_depth(int a, int b) {
-  int depth = pool_level;
+int measured_steps(int a, int b) {
+  int steps = pool_level * depth_steps;
   if (on_screen != 0) {
-    depth = glark_depth_on_screen(position_of(a), position_of(b), half_size, depth);
+    steps = glark_steps_on_screen(position_of(a), position_of(b), half_size, pool_level);
   }
   if (normal_offset >= 0) {
-    depth = glark_depth_of_turn(normal_of(a), normal_of(b), depth);
+    steps = min(steps, glark_steps_of_turn(normal_of(a), normal_of(b), depth_of(steps)));
   }
-  return depth;
+  return steps;
 }

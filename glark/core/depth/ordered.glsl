@@ -32,6 +32,7 @@ uniform vec2 half_size;
 float pixel_limit(int depth) { return limits[1 + depth]; }
 float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
 
+#include "glark/core/depth/edge_steps.glsl"
 #include "glark/core/depth/edge_depth.glsl"
 #include "glark/core/depth/measured_edge.glsl"
 
@@ -39,13 +40,14 @@ shared uint instance_count[GLARK_GROUP];
 shared uint refined_triangles;
 
 int emitted = 0;
+ivec3 edge_steps;
 int emitted_piece[GLARK_INSTANCES];
 vec4 emitted_patch[GLARK_INSTANCES];
 
 void emit_instance(int piece, float ou, float ov, float s, float r) {
   if (emitted < GLARK_INSTANCES) {
     emitted_piece[emitted] = piece;
-    emitted_patch[emitted] = vec4(ou, ov, s, r);
+    emitted_patch[emitted] = placement_of(vec4(ou, ov, s, r), edge_steps);
     ++emitted;
   }
 }
@@ -54,22 +56,21 @@ void emit_instance(int piece, float ou, float ov, float s, float r) {
 #include "glark/core/pattern/expand.glsl.h"
 
 int tag_of(int corner) {
-  float tag = uintBitsToFloat(records[record_offset + corner * corner_words + tag_offset]);
-  return int(clamp(floor(tag + 0.5), 0.0, float(pool_level)));
+  return steps_of(uintBitsToFloat(records[record_offset + corner * corner_words + tag_offset]));
 }
 
 void expand(int triangle) {
-  int depth[3];
   for (int edge = 0; edge < 3; ++edge) {
     int from = 3 * triangle + edge;
     int to = 3 * triangle + (edge == 2 ? 0 : edge + 1);
     if (tag_offset < 0) {
-      depth[edge] = measured_depth(from, to);
+      edge_steps[edge] = measured_steps(from, to);
     } else {
-      depth[edge] = tags_are_edge_depths != 0 ? tag_of(from) : (tag_of(from) + tag_of(to)) >> 1;
+      edge_steps[edge] = tags_are_edge_depths != 0 ? tag_of(from) : (tag_of(from) + tag_of(to)) >> 1;
     }
   }
-  expand_pattern(depth[0], depth[1], depth[2], 0);
+  expand_pattern(depth_of(edge_steps.x), depth_of(edge_steps.y), depth_of(edge_steps.z),
+                 depth_steps == 1 ? 0 : morphing_interior);
 }
 
 void write_instance(int triangle, int slot, int piece, vec4 placement) {

@@ -58,6 +58,9 @@ class BorderBlock {
     return row;
   }
 
+  // A third of everything, as nearly as the lattice can: the vertex stage puts it in the same place whatever the rotation.
+  Chain append_centre() { return {append(lattice_vertex(lattice_one / 3 + 1, lattice_one / 3 + 1))}; }
+
   template <class MakeTriangles>
   void add_piece(int number, MakeTriangles make_triangles) {
     std::size_t first = pool_.indices.size();
@@ -130,6 +133,37 @@ void append_smooth_skirts(BorderBlock& block, int m, int max_level) {
   }
 }
 
+// Triangles between an edge and a row of points beside it, such that halving every segment of the edge halves triangles, and
+// that moving each row to the next shallower one makes of these triangles those of that row (docs/architecture.md, Geomorphing).
+void append_nested(const Chain& edge, const Chain& row, int segments_at_row, std::vector<std::uint16_t>& indices) {
+  const int segments = static_cast<int>(edge.size()) - 1;
+  const auto apex = [&](int segment) {
+    const int at_row = segment * segments_at_row / segments;
+    return static_cast<std::size_t>(std::clamp(at_row - 1, 0, static_cast<int>(row.size()) - 1));
+  };
+  for (int k = 0; k < segments; ++k) {
+    const auto from = static_cast<std::size_t>(k);
+    if (k > 0 && apex(k) != apex(k - 1)) indices.insert(indices.end(), {edge[from], row[apex(k)], row[apex(k - 1)]});
+    indices.insert(indices.end(), {edge[from], edge[from + 1], row[apex(k)]});
+  }
+}
+
+void append_nested_skirts(BorderBlock& block, int max_level) {
+  for (int m = shallowest_interior; m <= std::min(max_level, tile_level); ++m) {
+    for (int d = m; d <= max_level; ++d) {
+      block.add_piece(skirt_piece(m, d), [&](auto /*vertices*/, auto& indices) {
+        append_nested(block.edge_chain(0, d), block.inner_row(m), 1 << m, indices);
+      });
+    }
+  }
+  const Chain centre = block.append_centre();
+  for (int d = 0; d <= max_level; ++d) {
+    block.add_piece(centre_skirt_piece(d), [&](auto /*vertices*/, auto& indices) {
+      append_nested(block.edge_chain(0, d), centre, 1, indices);
+    });
+  }
+}
+
 void append_fans(BorderBlock& block, int max_level) {
   for (int b = 0; b <= max_level; ++b) {
     for (int c = 0; c <= max_level; ++c) {
@@ -146,7 +180,8 @@ void append_fans(BorderBlock& block, int max_level) {
 void append_border_pieces(Pool& pool) {
   BorderBlock block(pool);
   int max_level = static_cast<int>(pool.max_level);
-  for (int m = shallowest_interior; m <= std::min(max_level, tile_level); ++m) {
+  if (pool.nested) append_nested_skirts(block, max_level);
+  for (int m = shallowest_interior; m <= std::min(max_level, tile_level) && !pool.nested; ++m) {
     append_skirts(block, m, max_level);
     append_smooth_skirts(block, m, max_level);
   }

@@ -7,7 +7,7 @@
 //   GLARK_EMIT(piece, ou, ov, s, r)  takes one instance: int piece; float ou, ov, s, r (docs/architecture.md, *patch*)
 //   GLARK_SINK_PARAMETER             C++: "Sink& sink," for GLARK_EMIT to use; GLSL: leave undefined
 //   GLARK_SINK_ARGUMENT              C++: "sink,"; GLSL: leave undefined
-// and calls expand_pattern(GLARK_SINK_ARGUMENT e0, e1, e2, smooth_interior). C++ code includes expand.h instead.
+// and calls expand_pattern(GLARK_SINK_ARGUMENT e0, e1, e2, interior). C++ code includes expand.h instead.
 //
 // Based on: Boubekeur 2007, ch. 7.2.3, Algorithm 5 (interior at the minimum depth, the border split). Where that keeps
 // one pattern for every triple, the border is cut at the corners here, so that 278 pieces make all 1728 triples: the
@@ -28,54 +28,67 @@ namespace glark::pattern {
 #endif
 #endif
 
+// How the interior is chosen: pattern::Interior, for GLSL.
+const int smooth_interior = 1;
+const int morphing_interior = 2;
+
 GLARK_SHARED_FUNCTION int lesser(int a, int b) { return a < b ? a : b; }
 GLARK_SHARED_FUNCTION int greater(int a, int b) { return a < b ? b : a; }
 
 // A smooth interior is at level 2 although an edge has depth 0, when another edge is much deeper.
-GLARK_SHARED_FUNCTION bool lifts_interior(int least, int most, int smooth_interior) {
-  return smooth_interior != 0 && least == 0 && most >= smooth_difference;
+GLARK_SHARED_FUNCTION bool lifts_interior(int least, int most, int interior) {
+  return interior == smooth_interior && least == 0 && most >= smooth_difference;
 }
 
-GLARK_SHARED_FUNCTION int skirt_of(int level, int d, int smooth_interior) {
-  return smooth_interior != 0 && d >= level + smooth_difference ? smooth_skirt_piece(level, d) : skirt_piece(level, d);
+GLARK_SHARED_FUNCTION int skirt_of(int level, int d, int interior) {
+  return interior == smooth_interior && d >= level + smooth_difference ? smooth_skirt_piece(level, d)
+                                                                       : skirt_piece(level, d);
 }
 
 // One tile: all depths equal and at most 8, or the least 0 or 2..6. GLARK_EMIT stands here twice only: processors that run both
 // sides of a branch pay for each place.
-GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int d2, int smooth_interior, float ou,
-                                       float ov, float s) {
+GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int d2, int interior, float ou, float ov,
+                                       float s) {
   int least = lesser(d0, lesser(d1, d2));
   int most = greater(d0, greater(d1, d2));
-  bool regular = least == most;
-  bool skirted = !regular && (least >= shallowest_interior || lifts_interior(least, most, smooth_interior));
+  // The skirts cut the corners otherwise than a regular pattern: while morphing they are there for equal depths, too.
+  bool regular = least == most && (interior != morphing_interior || least == 0);
+  bool skirted = !regular && (least >= shallowest_interior || lifts_interior(least, most, interior));
+  bool centred = !regular && !skirted && interior == morphing_interior;
   int level = greater(least, shallowest_interior);
   int short_edge = d0 == 0 ? 0 : d1 == 0 ? 1 : 2;  // of a fan
   int fan = short_edge == 0 ? fan_piece(d1, d2) : short_edge == 1 ? fan_piece(d2, d0) : fan_piece(d0, d1);
-  bool fanned = !regular && !skirted;
-  GLARK_EMIT(regular ? uniform_piece(least) : skirted ? interior_piece(level) : fan, ou, ov, s,
-             fanned ? float(short_edge) : 0.0f);
-  for (int edge = 0; edge < 3 && skirted; ++edge) {
+  bool fanned = !regular && !skirted && !centred;
+  int first = centred ? centre_skirt_piece(d0) : fan;
+  GLARK_EMIT(regular   ? uniform_piece(least)
+             : skirted ? interior_piece(level)
+                       : first,
+             ou, ov, s, fanned ? float(short_edge) : 0.0f);
+  for (int edge = centred ? 1 : 0; edge < 3 && (skirted || centred); ++edge) {
     int d = edge == 0 ? d0 : edge == 1 ? d1 : d2;
-    GLARK_EMIT(skirt_of(level, d, smooth_interior), ou, ov, s, float(edge));
+    GLARK_EMIT(centred ? centre_skirt_piece(d) : skirt_of(level, d, interior), ou, ov, s, float(edge));
   }
 }
 
 // How often the whole triangle is halved into tiles (4^halvings of them), so that a tile needs no piece that does not
 // exist. Least depth 1 has neither a fan nor an interior: four tiles of least depth 0, of which the smooth interior
 // lifts the steep ones (better angles than one lifted interior: 10.9 degrees instead of 4.7 for depths 1, 1, 4).
-GLARK_SHARED_FUNCTION int tile_halvings(int least, int most) {
+GLARK_SHARED_FUNCTION int tile_halvings(int least, int most, int interior) {
+  if (interior == morphing_interior && least <= tile_level) return 0;
   if (least == most) return greater(least - deepest_uniform, 0);
   return least == 1 ? 1 : greater(least - tile_level, 0);
 }
 
 // Emits the instances of the pattern with 2^e0, 2^e1 and 2^e2 segments on edges 0, 1 and 2; depths are 0..11.
-// smooth_interior 0: the interior is at the least depth; 1: wider transitions where depths differ by 3 or more.
-GLARK_EXPAND_FUNCTION void expand_pattern(GLARK_SINK_PARAMETER int e0, int e1, int e2, int smooth_interior) {
+// interior 0: at the least depth; 1: wider transitions where depths differ by 3 or more; 2: pattern::Interior::morphing. Of
+// that, patterns whose least depth is above tile_level are as with 0, and a tile has no centre.
+GLARK_EXPAND_FUNCTION void expand_pattern(GLARK_SINK_PARAMETER int e0, int e1, int e2, int interior) {
   int least = lesser(e0, lesser(e1, e2));
   int most = greater(e0, greater(e1, e2));
-  int halvings = tile_halvings(least, most);
+  int halvings = tile_halvings(least, most, interior);
   int tiles = 1 << halvings;
   float s = 1.0f / float(tiles);
+  int tile_interior = interior == morphing_interior && least > tile_level ? 0 : interior;
   int inner = least - halvings;  // depth of the edges between tiles
   for (int j = 0; j < tiles; ++j) {
     for (int i = 0; i + j < tiles; ++i) {
@@ -83,7 +96,7 @@ GLARK_EXPAND_FUNCTION void expand_pattern(GLARK_SINK_PARAMETER int e0, int e1, i
       float ou = float(i) * s;
       float ov = float(j) * s;
       expand_tile(GLARK_SINK_ARGUMENT j == 0 ? e0 - halvings : inner, last ? e1 - halvings : inner,
-                  i == 0 ? e2 - halvings : inner, smooth_interior, ou, ov, s);
+                  i == 0 ? e2 - halvings : inner, tile_interior, ou, ov, s);
       // The upside-down tile to the right meets no edge of the whole: its three edges are inner ones.
       if (!last) GLARK_EMIT(uniform_piece(inner), ou + s, ov + s, -s, 0.0f);
     }

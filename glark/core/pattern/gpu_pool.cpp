@@ -49,8 +49,8 @@ unsigned GpuPool::first_tile(unsigned level) {
   return first;
 }
 
-bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level) {
-  Pool pool = build_pool(max_level);
+bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level, bool nested) {
+  Pool pool = build_pool(max_level, nested);
   point_into_pool(pool);
   const std::vector<Patch> tiles = uniform_tiles(max_level);
   GpuPool fresh;
@@ -65,6 +65,7 @@ bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level) {
   }
   fresh.pieces_ = pool.pieces;
   fresh.max_level_ = max_level;
+  fresh.nested_ = nested;
   release(gl);
   *this = fresh;
   return true;

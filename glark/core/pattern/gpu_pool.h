@@ -13,11 +13,12 @@ namespace glark::pattern {
 class GpuPool {
  public:
   // Builds the pool of `max_level` and uploads it. False without memory: the old pool is kept. Wrap in an ErrorScope.
-  bool build(const gl::Dispatch& gl, unsigned max_level);
+  bool build(const gl::Dispatch& gl, unsigned max_level, bool nested);
   void release(const gl::Dispatch& gl);
 
   bool built() const { return vertices_.name() != 0; }
   unsigned max_level() const { return max_level_; }
+  bool nested() const { return nested_; }
   GLuint vertices() const { return vertices_.name(); }  // LatticeVertex
   GLuint indices() const { return indices_.name(); }    // uint16
   GLuint patches() const { return patches_.name(); }    // vec4: the tiles of uniform levels, see first_tile()
@@ -32,6 +33,7 @@ class GpuPool {
 
  private:
   unsigned max_level_ = 0;
+  bool nested_ = false;
   core::GpuBuffer vertices_;
   core::GpuBuffer indices_;
   core::GpuBuffer patches_;

@@ -17,6 +17,7 @@ const int deepest_uniform = 8;      // deeper uniform patterns are tiles of unif
 const int tile_level = 6;           // deepest interior; deeper patterns are tiles whose inner edges have this depth
 const int shallowest_interior = 2;  // uniform(1) has no triangle that keeps clear of the border
 const int smooth_difference = 3;    // from this many levels on, a smooth interior puts a row between edge and interior
+const int morph_steps = 64;         // of a level, where refined vertices morph between levels
 const int lattice_one = 32768;      // the lattice coordinate (16-bit, unsigned) that stands for a barycentric of 1
 
 const int first_uniform = 0;
@@ -42,6 +43,9 @@ GLARK_SHARED_FUNCTION int skirt_piece(int m, int d) {
 GLARK_SHARED_FUNCTION int smooth_skirt_piece(int m, int d) {
   return first_smooth_skirt + (m - shallowest_interior) * (deepest_level + 1) + d;
 }
+
+// d = 0..11: from 2^d segments on edge 0 to the point in the middle. Of a nested pool, which has no smooth skirts.
+GLARK_SHARED_FUNCTION int centre_skirt_piece(int d) { return first_smooth_skirt + d; }
 
 // b, c = 0..11: 1 segment on edge 0, 2^b on edge 1, 2^c on edge 2.
 GLARK_SHARED_FUNCTION int fan_piece(int b, int c) { return first_fan + b * (deepest_level + 1) + c; }

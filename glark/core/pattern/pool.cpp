@@ -43,13 +43,14 @@ void append_uniform(Pool& pool, int m) {
 
 }  // namespace
 
-Pool build_pool(unsigned max_level) {
+Pool build_pool(unsigned max_level, bool nested) {
   if (max_level > static_cast<unsigned>(deepest_level)) {
     throw std::invalid_argument("glark: pool level " + std::to_string(max_level) + " exceeds " +
                                 std::to_string(deepest_level) + "; ask for a lower maximum level");
   }
   Pool pool{};
   pool.max_level = max_level;
+  pool.nested = nested;
   append_border_pieces(pool);
   for (int m = 0; m <= std::min(static_cast<int>(max_level), deepest_uniform); ++m) append_uniform(pool, m);
   return pool;

@@ -31,9 +31,10 @@ struct Piece {
 using PieceTable = std::array<Piece, piece_count>;
 static_assert(sizeof(PieceTable) <= 4000, "Boubekeur 2007, ch. 7: less than 4 kB on the CPU");
 
-// A pool of level L draws every triple of depths 0..L, with either interior.
+// A pool of level L draws every triple of depths 0..L, with either interior; a nested one with Interior::morphing alone.
 struct Pool {
   unsigned max_level;
+  bool nested;
   std::vector<LatticeVertex> vertices;
   std::vector<std::uint16_t> indices;  // counter-clockwise triangles in (u, v), relative to Piece::base_vertex
   PieceTable pieces;                   // by piece number (pieces.glsl.h)
@@ -44,6 +45,7 @@ struct Pool {
 };
 
 // Throws std::invalid_argument for a level above deepest_level.
-Pool build_pool(unsigned max_level);
+// `nested`: for vertices that move between levels, each skirt has the triangles of the next shallower one, halved at their edges.
+Pool build_pool(unsigned max_level, bool nested = false);
 
 }  // namespace glark::pattern

@@ -41,6 +41,9 @@ class Deriver {
   }
 
  private:
+  // A compiler turns each index that is no constant into a choice among all elements, and here for three corners: minutes.
+  static constexpr int most_indexed_words = 48;
+
   bool read() {
     if (!read_units(request_.vertex_sources, request_.es, request_.extensions, units_, error_)) return false;
     plan_.main_unit = find_main_unit(units_);
@@ -115,11 +118,10 @@ class Deriver {
     }
     plan_refinement();
     plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.outputs);
+    plan_morphing();
     if (plan_.refinement != core::Refinement::linear_outputs) {
       std::erase_if(plan_.outputs, [&](const OutputVariable& output) { return !is_flat(output, plan_.structures); });
     }
-    // A compiler turns each index that is no constant into a choice among all elements, and here for three corners: minutes.
-    constexpr int most_indexed_words = 48;
     int indexed_words = 0;
     for (const OutputVariable& output : plan_.outputs) {
       indexed_words += output.indexed_words;
@@ -133,6 +135,16 @@ class Deriver {
     }
     plan_resets();
     return true;
+  }
+
+  // Outputs that are linear in between do not move; what cannot be saved keeps its own value.
+  void plan_morphing() {
+    plan_.morphing = request_.morphing;
+    if (!plan_.morphing || plan_.refinement == core::Refinement::linear_outputs) return;
+    plan_.morphed = plan_.outputs;
+    std::erase_if(plan_.morphed, [&](const OutputVariable& output) {
+      return is_flat(output, plan_.structures) || !output.problem.empty() || output.indexed_words > most_indexed_words;
+    });
   }
 
   bool plan_inputs() {
@@ -200,7 +212,8 @@ class Deriver {
 
   // Globals keep their values from one run of main to the next, and those initialised from inputs precede the inputs' values.
   void plan_resets() {
-    const bool runs_again = !plan_.outputs.empty() || plan_.refinement == core::Refinement::linear_outputs;
+    const bool runs_again =
+        !plan_.outputs.empty() || !plan_.morphed.empty() || plan_.refinement == core::Refinement::linear_outputs;
     IdentifierSet varying;
     for (const VertexUnit& unit : units_) {
       for (const Declaration& declaration : unit.interface.declarations) {

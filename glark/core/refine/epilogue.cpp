@@ -27,9 +27,12 @@ class MainText {
     }
     const bool flat = !plan_.outputs.empty();
     if (flat) main += fill_from_corner(plan_, plan_.provoking_corner) + run() + for_output_units("save0");
-    main += "  @interpolate();\n";
-    if (!plan_.refinement_source.empty()) main += "  @fill_corners();\n  @refine();\n";
-    return main + run() + (flat ? for_output_units("finish") : "") + "}\n";
+    std::string evaluate = "  @interpolate();\n";
+    if (!plan_.refinement_source.empty()) evaluate += "  @fill_corners();\n  @refine();\n";
+    evaluate += run();
+    const std::string end = (flat ? for_output_units("finish") : "") + "}\n";
+    if (!plan_.morphing) return main + evaluate + end;
+    return "void @evaluate() {\n" + evaluate + "}\n" + main + run_between_parents(plan_) + end;
   }
 
  private:
@@ -66,6 +69,7 @@ std::string prototypes_of_other_units(const EpiloguePlan& plan) {
     if (unit == plan.main_unit) continue;
     const std::string suffix = "_" + std::to_string(unit) + "();\n";
     if (plan.resets[unit]) text += "void @reset" + suffix;
+    text += prototypes_of_morphed_unit(plan, unit);
     if (!unit_has_outputs(plan, unit)) continue;
     const int slots = plan.refinement == core::Refinement::linear_outputs ? 3 : 1;
     for (int slot = 0; slot < slots; ++slot) text += "void @save" + std::to_string(slot) + suffix;
@@ -168,20 +172,24 @@ std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& appli
 
 MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarations_of_inputs) {
   TypeSet mixed_types;
+  TypeSet added_types;
   std::string functions = output_functions(plan, plan.main_unit, mixed_types);
+  functions += morph_functions(plan, plan.main_unit, added_types);
   if (plan.refinement != core::Refinement::linear_outputs && !plan.at_corner)
     functions += interpolate_function(plan, mixed_types);
   for (std::size_t unit = 0; unit < plan.resets.size(); ++unit) {
-    if (unit != plan.main_unit) output_functions(plan, unit, mixed_types);  // for the types that it mixes
+    if (unit == plan.main_unit) continue;
+    output_functions(plan, unit, mixed_types);  // for the types that it mixes
+    morph_functions(plan, unit, added_types);
   }
   MainEpilogue epilogue;
   std::string& text = epilogue.declarations;
   text = "\n";
   if (plan.version.es) text += "precision highp float;\nprecision highp int;\n";
   text += chunk_declarations(plan) + declarations_of_inputs + prototypes_of_other_units(plan);
-  if (!plan.at_corner) text += plan.placed ? place_function : cover_function;
+  if (!plan.at_corner) text += plan.morphing ? morph_place_function() : plan.placed ? place_function : cover_function;
   if (plan.has_screen_outputs()) text += screen_function;
-  text += mix_functions(mixed_types, true);
+  text += mix_functions(mixed_types, true) + add_functions(added_types, true);
   if (plan.displaced()) text += displacement_uniforms(plan);
   if (plan.curved() || plan.displaced()) text += pn_functions(plan);
   text += functions;
@@ -191,10 +199,11 @@ MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarat
 }
 
 std::string unit_epilogue(const EpiloguePlan& plan, std::size_t unit) {
-  if (!unit_has_outputs(plan, unit)) return {};
+  if (!unit_has_outputs(plan, unit) && !unit_has_morphed_outputs(plan, unit)) return {};
   TypeSet mixed_types;
-  const std::string functions = output_functions(plan, unit, mixed_types);
-  return "\n" + mix_functions(mixed_types, false) + functions;
+  TypeSet added_types;
+  const std::string functions = output_functions(plan, unit, mixed_types) + morph_functions(plan, unit, added_types);
+  return "\n" + mix_functions(mixed_types, false) + add_functions(added_types, false) + functions;
 }
 
 }  // namespace glark::refine

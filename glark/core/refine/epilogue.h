@@ -53,7 +53,9 @@ struct EpiloguePlan {
   std::optional<InputVariable> scalar_tags;
   core::ScalarTags constant_tags;
   std::optional<InputVariable> coordinate;  // for displacement
-  std::vector<OutputVariable> outputs;      // linear_outputs: all; otherwise those that are flat
+  std::vector<OutputVariable> outputs;  // linear_outputs: all; otherwise those that are flat
+  bool morphing = false;                // the placement holds edge depths; vertices move between levels
+  std::vector<OutputVariable> morphed;  // outputs that are mixed with those at the neighbours of the level below
   std::vector<Structure> structures;
   std::vector<bool> resets;  // per unit: has a function that initialises its globals again
   std::size_t main_unit = 0;
@@ -99,6 +101,16 @@ bool is_flat(const OutputVariable& output, const std::vector<Structure>& structu
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types);
 bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit);
 bool unit_has_screen_outputs(const EpiloguePlan& plan, std::size_t unit);
+
+// Functions "@begin_<unit>", "@gather_<unit>" and "@settle_<unit>": see add_functions().
+std::string morph_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& added_types);
+
+// epilogue_morph.cpp
+std::string morph_place_function();
+std::string run_between_parents(const EpiloguePlan& plan);
+std::string prototypes_of_morphed_unit(const EpiloguePlan& plan, std::size_t unit);
+std::string add_functions(const TypeSet& types, bool define);
+bool unit_has_morphed_outputs(const EpiloguePlan& plan, std::size_t unit);
 
 // epilogue.cpp
 // Directives that must follow #version.

@@ -191,7 +191,33 @@ class Statements {
     return for_elements(sizes, 0, paths, [&](const Paths& element) { return interpolate_element(type, element); });
   }
 
+  // paths[0] += share * paths[1], or paths[0] = 0 for one path, or paths[1] = paths[0]; of what is made of floating-point numbers.
+  enum class Portion { clear, add, take };
+  std::string portion(Portion kind, const std::string& type, const std::vector<std::string>& sizes,
+                      const Paths& paths) {
+    return for_elements(sizes, 0, paths, [&](const Paths& element) { return portion_of_element(kind, type, element); });
+  }
+
  private:
+  std::string portion_of_element(Portion kind, const std::string& type, const Paths& paths) {
+    const NumericType* const numeric = numeric_type(std::string_view(type));
+    if (numeric != nullptr && numeric->interpolates()) {
+      mixed_types_.insert(std::string(numeric->name));
+      if (kind == Portion::clear) return "  " + paths[0] + " = " + type + "(0.0);\n";
+      if (kind == Portion::take) return "  " + paths[1] + " = " + paths[0] + ";\n";
+      return "  " + paths[0] + " = @add(" + paths[0] + ", " + paths[1] + ", share);\n";
+    }
+    const Structure* const structure = find_structure(plan_.structures, type);
+    if (structure == nullptr) return {};
+    std::string text;
+    for (const Variable& member : structure->members) {
+      Paths members = paths;
+      for (std::string& path : members) path += "." + member.name;
+      text += portion(kind, member.type, member.sizes, members);
+    }
+    return text;
+  }
+
   template <typename Leaf>
   std::string for_elements(const std::vector<std::string>& sizes, std::size_t dimension, const Paths& paths,
                            const Leaf& leaf) {
@@ -275,6 +301,29 @@ bool EpiloguePlan::has_screen_outputs() const {
     if (unit_has_screen_outputs(*this, unit)) return true;
   }
   return false;
+}
+
+std::string morph_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& added_types) {
+  if (!unit_has_morphed_outputs(plan, unit)) return {};
+  using Portion = Statements::Portion;
+  Statements statements(plan, added_types);
+  std::string variables;
+  std::string begin;
+  std::string gather;
+  std::string settle;
+  for (std::size_t i = 0; i < plan.morphed.size(); ++i) {
+    const OutputVariable& output = plan.morphed[i];
+    if (output.unit != unit) continue;
+    const std::string sum = "@sum_" + std::to_string(i);
+    const std::string value = output.clamped ? "clamp(" + output.path + ", 0.0, 1.0)" : output.path;
+    variables += declaration(output, sum);
+    begin += statements.portion(Portion::clear, output.type, output.sizes, {sum});
+    gather += statements.portion(Portion::add, output.type, output.sizes, {sum, value});
+    settle += statements.portion(Portion::take, output.type, output.sizes, {sum, output.path});
+  }
+  const std::string suffix = "_" + std::to_string(unit);
+  return variables + "void @begin" + suffix + "() {\n" + begin + "}\nvoid @gather" + suffix + "(float share) {\n" +
+         gather + "}\nvoid @settle" + suffix + "() {\n" + settle + "}\n";
 }
 
 // With linear_outputs there are three slots, one per corner; otherwise slot 0 holds the provoking corner's flat outputs.

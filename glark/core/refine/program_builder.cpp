@@ -90,6 +90,7 @@ std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
   kind += key.displaced ? "-displaced" : "";
   kind += key.tagged ? "-tagged" : "";
   kind += key.placed ? "-placed" : "";
+  kind += key.morphing ? "-morphing" : "";
   kind += key.flat_colors ? "-flat" : "";
   kind += key.provoking_corner == 0 ? "-first" : "";
   kind += key.clamp_colors ? "" : "-unclamped";
@@ -286,6 +287,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
   request.at_corner = key.at_corner;
   request.placed = key.placed;
+  request.morphing = key.morphing;
   request.provoking_corner = key.provoking_corner;
   request.outputs = {key.flat_colors, key.clamp_colors, words_of_positions(geometry_sources(program))};
   if (!key.at_corner) {

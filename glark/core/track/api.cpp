@@ -242,6 +242,11 @@ void ARKParameteriARK(Context& c, GLenum name, GLint value) {
         c.ark.smooth_interior = !first;
       }
       break;
+    case GL_GEOMORPH_ARK:
+      if (set_choice(c, value == GL_FALSE || value == GL_TRUE, value == GL_TRUE, first)) {
+        c.ark.geomorph = first;
+      }
+      break;
     default: c.raise(GL_INVALID_ENUM); break;
   }
 }

@@ -35,6 +35,42 @@ bool is_index_type(GLenum type) {
   return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
 }
 
+// The polygons of several commands or instances, where they may be split at their centroids.
+class Polygons {
+ public:
+  Polygons(const Context& context, GLenum mode)
+      : wanted_(mode == GL_POLYGON && context.splits_polygons()), in_list_(context.list.cutting) {}
+  void add(GLsizei vertices, GLsizei instances = 1) {
+    if (wanted_ && vertices >= 3) {
+      sides_.insert(sides_.end(), static_cast<std::size_t>(instances), static_cast<std::uint32_t>(vertices));
+    }
+    // Mesa 22 makes a triangle of a polygon of two vertices in a list.
+    wanted_ = wanted_ && !(in_list_ && vertices > 0 && vertices < 3);
+  }
+  const PolygonSides* sides() const { return sides_.empty() || !wanted_ ? nullptr : &sides_; }
+
+ private:
+  bool wanted_;
+  bool in_list_;
+  PolygonSides sides_;
+};
+
+Polygons polygons_of(const Context& context, const ArrayDraw& draw_of) {
+  Polygons polygons(context, draw_of.mode);
+  if (draw_of.instances > 1) {
+    polygons.add(draw_of.count, draw_of.instances);
+  }
+  return polygons;
+}
+
+Polygons polygons_of(const Context& context, GLenum mode, const GLsizei* count, GLsizei draws) {
+  Polygons polygons(context, mode);
+  for (GLsizei i = 0; i < draws; ++i) {
+    polygons.add(count[i]);
+  }
+  return polygons;
+}
+
 // One array draw; `issue` is the application's own call.
 void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
   if (draw_of.first < 0 || draw_of.count < 0 || draw_of.instances < 0) {
@@ -43,9 +79,11 @@ void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
   }
   const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) *
                                   static_cast<std::uint64_t>(draw_of.instances);
+  const Polygons polygons = polygons_of(context, draw_of);
   draw(context, {.mode = draw_of.mode,
                  .triangles = triangles,
                  .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
+                 .polygon_sides = polygons.sides(),
                  .arrays = &draw_of,
                  .issue = issue});
 }
@@ -58,10 +96,13 @@ void draw_elements(Context& context, const ArrayDraw& draw_of, Issue issue) {
   context.refresh_bindings();
   const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) *
                                   static_cast<std::uint64_t>(draw_of.instances);
+  const bool exact = !restarts(context);
+  const Polygons polygons = exact ? polygons_of(context, draw_of) : Polygons(context, GL_TRIANGLES);
   draw(context, {.mode = draw_of.mode,
                  .triangles = triangles,
-                 .exact = !restarts(context),
+                 .exact = exact,
                  .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
+                 .polygon_sides = polygons.sides(),
                  .arrays = &draw_of,
                  .issue = issue});
 }
@@ -88,6 +129,7 @@ void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, 
   draw(context, {.mode = mode,
                  .triangles = triangles_of(mode, *vertices) * static_cast<std::uint64_t>(instances),
                  .exact = false,
+                 .whole_polygons = mode != GL_POLYGON,
                  .issue = issue});
 }
 
@@ -187,29 +229,37 @@ void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsize
 }
 
 void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
+  const track::Polygons polygons = track::polygons_of(c, mode, count, draws);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
+                  .polygon_sides = polygons.sides(),
                   .issue = [&] { c.gl.MultiDrawArrays(mode, first, count, draws); }});
 }
 
 void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                        GLsizei draws) {
   c.refresh_bindings();
+  const bool exact = !track::restarts(c);
+  const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
-                  .exact = !track::restarts(c),
+                  .exact = exact,
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
+                  .polygon_sides = polygons.sides(),
                   .issue = [&] { c.gl.MultiDrawElements(mode, count, type, indices, draws); }});
 }
 
 void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                                  GLsizei draws, const GLint* base_vertex) {
   c.refresh_bindings();
+  const bool exact = !track::restarts(c);
+  const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
-                  .exact = !track::restarts(c),
+                  .exact = exact,
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
+                  .polygon_sides = polygons.sides(),
                   .issue = [&] { c.gl.MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); }});
 }
 

@@ -76,6 +76,7 @@ std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
     case GL_POLYGON_SPLIT_ARK:
       return ark.polygon_split == PolygonSplit::centroid ? GL_POLYGON_CENTROID_ARK : GL_POLYGON_TRIANGLES_ARK;
     case GL_PATTERN_INTERIOR_ARK: return ark.smooth_interior ? GL_SMOOTH_INTERIOR_ARK : GL_MINIMUM_INTERIOR_ARK;
+    case GL_GEOMORPH_ARK: return ark.geomorph ? GL_TRUE : GL_FALSE;
     default: return std::nullopt;
   }
 }

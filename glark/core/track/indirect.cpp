@@ -77,9 +77,13 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
       read_commands(c, call.indirect, call.draws, call.stride != 0 ? call.stride : call.command_bytes);
   std::uint64_t triangles = 0;
   std::uint64_t primitives = 0;
+  PolygonSides sides;
   for (const Counts& command : commands) {
     triangles += triangles_of(call.mode, command.vertices) * command.instances;
     primitives += command.instances;
+    if (call.mode == GL_POLYGON && c.splits_polygons() && command.vertices >= 3) {
+      sides.insert(sides.end(), command.instances, command.vertices);
+    }
   }
   if (commands.empty()) {
     c.pipeline->count_passed(Cause::indirect_unbounded);
@@ -88,10 +92,12 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
   }
   c.refresh_bindings();
   const bool restarts = c.bindings.primitive_restart || c.bindings.primitive_restart_fixed;
+  const bool may_restart = restarts && call.command_bytes != arrays_command_bytes;
   track::draw(c, {.mode = call.mode,
                   .triangles = triangles,
-                  .exact = call.exact && (call.command_bytes == arrays_command_bytes || !restarts),
+                  .exact = call.exact && !may_restart,
                   .whole_polygons = tells_polygons_apart(call.mode, primitives),
+                  .polygon_sides = may_restart || sides.empty() ? nullptr : &sides,
                   .issue = issue});
 }
 

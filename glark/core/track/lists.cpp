@@ -215,7 +215,8 @@ void record_draw(Context& c, const DrawCall& call) {
                     .triangles = call.triangles,
                     .exact = call.exact,
                     .sets_tags = call.tags_vary || tag_array != 0,
-                    .whole_polygons = call.whole_polygons});
+                    .whole_polygons = call.whole_polygons,
+                    .polygon_sides = call.polygon_sides != nullptr ? *call.polygon_sides : PolygonSides()});
   execute_last(c);
   open_segment(c, c.list.mode);
 }
@@ -263,7 +264,7 @@ bool list_end(Context& c) {
                     .triangles = triangles_of(c.list.begun_mode, vertices),
                     .exact = !restarts && !parts,
                     .sets_tags = c.immediate.tags_set || !c.list.vertex_lists.empty(),
-                    .whole_polygons = true,
+                    .whole_polygons = !restarts && !parts,
                     .vertex_lists = std::move(c.list.vertex_lists)});
   execute_last(c);
   open_segment(c, c.list.mode);

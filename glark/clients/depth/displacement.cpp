@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "glark/clients/depth/vector.h"
+
+namespace glark::tagging {
+namespace {
+
+constexpr int fewest_samples = 8;  // on an edge
+constexpr int most_samples = 128;
+
+struct Point {
+  float u, v;
+};
+
+// Texels are at the middles of cells, as in a texture.
+float height_at(const HeightMap& map, float u, float v) {
+  const auto wrapped = [](float t, std::uint32_t size) {
+    const float scaled = (t - std::floor(t)) * static_cast<float>(size) - 0.5F;
+    return scaled < 0 ? scaled + static_cast<float>(size) : scaled;
+  };
+  const float x = wrapped(u, map.width);
+  const float y = wrapped(v, map.height);
+  const std::uint32_t column = std::min(static_cast<std::uint32_t>(x), map.width - 1);
+  const std::uint32_t row = std::min(static_cast<std::uint32_t>(y), map.height - 1);
+  const auto texel = [&](std::uint32_t i, std::uint32_t j) {
+    return map.heights[std::size_t{j % map.height} * map.width + i % map.width];
+  };
+  const float right = x - static_cast<float>(column);
+  const float up = y - static_cast<float>(row);
+  return (1 - up) * ((1 - right) * texel(column, row) + right * texel(column + 1, row)) +
+         up * ((1 - right) * texel(column, row + 1) + right * texel(column + 1, row + 1));
+}
+
+// The mean square of what linear interpolation between the corners misses; a sample for every texel along the longest side.
+double missed(const HeightMap& map, const Point corner[3]) {
+  float texels = 0;
+  float height[3];
+  for (int k = 0; k < 3; ++k) {
+    const Point& next = corner[(k + 1) % 3];
+    texels = std::max({texels, std::abs(next.u - corner[k].u) * static_cast<float>(map.width),
+                       std::abs(next.v - corner[k].v) * static_cast<float>(map.height)});
+    height[k] = height_at(map, corner[k].u, corner[k].v);
+  }
+  const int n =
+      static_cast<int>(std::clamp(texels, static_cast<float>(fewest_samples), static_cast<float>(most_samples)));
+  double sum = 0;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i + j <= n; ++i) {
+      const float b = static_cast<float>(i) / static_cast<float>(n);
+      const float c = static_cast<float>(j) / static_cast<float>(n);
+      const float a = 1 - b - c;
+      const float height_there = height_at(map, a * corner[0].u + b * corner[1].u + c * corner[2].u,
+                                           a * corner[0].v + b * corner[1].v + c * corner[2].v);
+      const double difference = height_there - (a * height[0] + b * height[1] + c * height[2]);
+      sum += difference * difference;
+    }
+  }
+  return sum / (0.5 * (n + 1) * (n + 2));
+}
+
+}  // namespace
+
+void Tagger::by_displacement(std::span<const float> coordinates, const HeightMap& map, float tolerance,
+                             std::span<float> tags) {
+  check_target(tags);
+  if (coordinates.size() != 2 * vertices_) {
+    throw Error("glark: the array of texture coordinates has " + std::to_string(coordinates.size()) + " floats; " +
+                std::to_string(vertices_) + " vertices need " + std::to_string(2 * vertices_));
+  }
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (!std::isfinite(coordinates[i])) {
+      throw Error("glark: the texture coordinate of vertex " + std::to_string(i / 2) + " is not a finite number");
+    }
+  }
+  if (map.width == 0 || map.height == 0 || map.heights.size() != std::size_t{map.width} * map.height) {
+    throw Error("glark: a height map of " + std::to_string(map.width) + " by " + std::to_string(map.height) +
+                " needs as many heights, above 0; there are " + std::to_string(map.heights.size()));
+  }
+  const auto bad = std::find_if(map.heights.begin(), map.heights.end(), [](float h) { return !std::isfinite(h); });
+  if (bad != map.heights.end()) {
+    throw Error("glark: height " + std::to_string(bad - map.heights.begin()) + " of the map is not a finite number");
+  }
+  if (!(tolerance > 0)) throw Error("glark: the tolerance " + std::to_string(tolerance) + " is not above 0");
+  // The mean over the triangles about a vertex, by their area in the map; longest_ holds sums.
+  std::fill(longest_.begin(), longest_.end(), 0.0F);
+  std::fill(areas_.begin(), areas_.end(), 0.0F);
+  for (std::size_t i = 0; i < triangles_.size(); i += 3) {
+    Point corner[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      corner[k] = {coordinates[2 * triangles_[i + k]], coordinates[2 * triangles_[i + k] + 1]};
+    }
+    const float area = 0.5F * std::abs((corner[1].u - corner[0].u) * (corner[2].v - corner[0].v) -
+                                       (corner[1].v - corner[0].v) * (corner[2].u - corner[0].u));
+    const auto variance = static_cast<float>(missed(map, corner));
+    for (std::size_t k = 0; k < 3; ++k) {
+      longest_[triangles_[i + k]] += area * variance;
+      areas_[triangles_[i + k]] += area;
+    }
+  }
+  for (std::size_t vertex = 0; vertex < vertices_; ++vertex) {
+    const float deviation = areas_[vertex] > 0 ? std::sqrt(longest_[vertex] / areas_[vertex]) : 0.0F;
+    tags[vertex] = limited(std::log2(std::max(deviation / tolerance, 1.0F)));
+  }
+}
+
+}  // namespace glark::tagging

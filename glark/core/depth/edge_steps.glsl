@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Depths in steps: whole levels, or morph_steps to a level where refined vertices move between levels. The includer has
+// pieces.glsl.h, and `pool_level`.
+
+uniform int depth_steps;  // to a level
+
+// What is not a number is 0.
+int steps_of(float tag) {
+  return tag > 0.0 ? int(min(floor(tag * float(depth_steps) + 0.5), float(pool_level * depth_steps))) : 0;
+}
+
+int depth_of(int steps) { return (steps + depth_steps - 1) / depth_steps; }
+
+// The placement of a piece; with the steps of the three edges in it where vertices move (docs/architecture.md, Geomorphing).
+vec4 placement_of(vec4 placed, ivec3 steps) {
+  if (depth_steps == 1) {
+    return placed;
+  }
+  vec3 added = vec3(steps);
+  return vec4(64.0 * placed.xy + 128.0 * added.xy, placed.z, placed.w + 4.0 * added.z);
+}

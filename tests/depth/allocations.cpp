@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "tests/depth/allocations.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<int> count = 0;
+
+}  // namespace
+
+// In a file of its own: where a compiler sees the replacements at the place of a call, it takes them for mistakes.
+void* operator new(std::size_t size) {
+  ++count;
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
+
+namespace glark::tagging::testing {
+
+int allocations() { return count; }
+
+}  // namespace glark::tagging::testing

@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace glark::tagging::testing {
+
+// How often `new` was called since the program began.
+int allocations();
+
+}  // namespace glark::tagging::testing
