@@ -167,7 +167,7 @@ void look(int left) {
   glFrustum(-0.42, 0.42, -0.42, 0.42, 1, 20);
   glMatrixMode(GL_MODELVIEW);
   glLoadIdentity();
-  glTranslatef(0, 0, -5);
+  glTranslatef(0, 0, -5.6F);
   glRotatef(35, 1, 0, 0);
   glRotatef(-45, 0, 1, 0);
 }

@@ -29,4 +29,12 @@ struct ArkState {
   bool tag_array = false;
 };
 
+// What an application that knows of the extension says counts, and otherwise what the user says.
+inline bool splits_polygons(const ContextOptions& options, const ArkState& ark) {
+  return options.transparent ? options.centroids : ark.polygon_split == PolygonSplit::centroid;
+}
+inline bool geomorphs(const ContextOptions& options, const ArkState& ark) {
+  return options.transparent ? options.geomorph : ark.geomorph;
+}
+
 }  // namespace glark::core

@@ -164,10 +164,6 @@ class Context {
   std::uint64_t next_stamp() { return ++stamp_; }
   // Records an error of ours for glGetError; the first stays, as in GL.
   void raise(GLenum error);
-  bool splits_polygons() const {
-    return is_compatibility() &&
-           (options.transparent ? options.centroids : ark.polygon_split == PolygonSplit::centroid);
-  }
   bool is_compatibility() const { return capabilities.api == Capabilities::Api::compatibility; }
 
   std::shared_ptr<ShareGroup> share;

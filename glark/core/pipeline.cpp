@@ -57,15 +57,13 @@ Pipeline::Pipeline(Context& context)
 
 bool Pipeline::build_pool(unsigned max_level) {
   const Quiet quiet = context_.quiet();
-  if (!pool_.build(gl_, max_level, geomorphs())) {
+  if (!pool_.build(gl_, max_level, geomorphs(context_.options, context_.ark))) {
     return false;
   }
   ++pools_built_;
   bins_ready_ = false;
   return true;
 }
-
-int Pipeline::depth_steps(const Plan& plan) { return plan.morphing ? pattern::morph_steps : 1; }
 
 bool Pipeline::takes_in_order(const Plan& plan, const capture::CoarseTriangles& triangles) const {
   return (plan.morphing || !context_.ark.smooth_interior) && !plan.derived->stored() &&
@@ -76,7 +74,7 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
   const Bindings& b = context_.bindings;
   counted_on_gpu_ = true;
   const depth::MeasureRequest measured{plan.layout,        records.triangles, plan.corner_program,
-                                       plan.normal_offset, pool_.max_level(), depth_steps(plan)};
+                                       plan.normal_offset, pool_.max_level(), plan.depth_steps()};
   depth::EdgeEnds ends;
   if (plan.measured) {
     ends = measure_.find_ends(measured, measure(), bins_.work_buffer(), b);

@@ -92,6 +92,7 @@ class Pipeline {
     bool for_feedback = false;  // what will be drawn is not known yet
     bool adaptive = false;
     bool morphing = false;  // adaptive, and vertices move between levels
+    int depth_steps() const { return morphing ? pattern::morph_steps : 1; }
     bool measured = false;  // adaptive, by the ends of the edges
     std::shared_ptr<DerivedProgram> corners;
     GLuint corner_program = 0;            // for a measure on the screen
@@ -124,7 +125,6 @@ class Pipeline {
   Program* fixed_function_program(Program* fragment);
   void discard_fixed_function(GLuint fragment, Program& program);
   unsigned current_tag() const;
-  bool current_tag_is_whole() const;
   void plan_depth(const DrawCall& call, Plan& plan) const;
   EdgeMeasure measure() const;  // off: depths come from elsewhere
   bool can_measure(const Program& program) const;
@@ -134,7 +134,6 @@ class Pipeline {
   std::optional<depth::Decomposition> decomposition_for(GLenum mode, bool last_vertex_convention);
   std::vector<float> probe(GLenum mode, bool last_vertex_convention);
   bool ready_to_split(const Plan& plan, const depth::SplitRequest& request);
-  bool geomorphs() const;
   DerivedKey key_of(GLenum mode, bool tagged, bool placed) const;
   void read_uncounted();
   void read_counts();
@@ -163,7 +162,6 @@ class Pipeline {
     bool tags_are_edge_depths = false;
   };
   Records records_of(const Plan& plan, const capture::CoarseTriangles& captured);
-  static int depth_steps(const Plan& plan);
   bool takes_in_order(const Plan& plan, const capture::CoarseTriangles& triangles) const;
   depth::BinnedInstances sort(const Plan& plan, const Records& records);
   depth::BinnedInstances binned(const Plan& plan, const Records& records, const Keeping& keeping);

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Before a draw: whether it can be refined, by which program, to which depth, and with room for its triangles.
+// Before a draw: whether it can be refined, by which program, and with room for its triangles.
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <string>
 
 #include "glark/core/context.h"
@@ -17,7 +15,7 @@
 namespace glark::core {
 
 bool Pipeline::ensure_pool() {
-  if (pool_.built() && pool_.nested() == geomorphs()) {
+  if (pool_.built() && pool_.nested() == geomorphs(context_.options, context_.ark)) {
     return true;
   }
   if (pool_failed_) {
@@ -164,91 +162,6 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   return key;
 }
 
-bool Pipeline::geomorphs() const {
-  return context_.options.transparent ? context_.options.geomorph : context_.ark.geomorph;
-}
-
-EdgeMeasure Pipeline::measure() const {
-  if (context_.options.transparent) {
-    return context_.options.measure;
-  }
-  return context_.ark.depth_source == DepthSource::measured ? context_.ark.measure : EdgeMeasure{};
-}
-
-// Behind a geometry shader, the vertex stage need not know where on the screen its vertices go.
-bool Pipeline::can_measure(const Program& program) const {
-  const EdgeMeasure wanted = measure();
-  if (!context_.subroutines.empty()) {
-    return false;  // the choice would have to be made for the program of the corners, too
-  }
-  return (wanted.pixels > 0 && !program.has_stage(GL_GEOMETRY_SHADER)) ||
-         (wanted.degrees > 0 && capture::normal_offset(program.fields) >= 0);
-}
-
-unsigned Pipeline::current_tag() const {
-  const auto highest = static_cast<unsigned>(context_.ark.pool_level);
-  const CurrentValue* value = context_.current_values.find(static_cast<int>(context_.ark.tag_attribute));
-  if (value != nullptr && value->again == set_tag) {
-    GLuint tag = 0;
-    std::memcpy(&tag, value->components.data(), sizeof(tag));
-    return std::min(tag, highest);
-  }
-  GLfloat current[4] = {0, 0, 0, 0};
-  gl_.GetVertexAttribfv(context_.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
-  const float tag = std::isnan(current[0]) ? 0.0F : current[0];
-  return static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(highest)));
-}
-
-bool Pipeline::current_tag_is_whole() const {
-  const CurrentValue* value = context_.current_values.find(static_cast<int>(context_.ark.tag_attribute));
-  if (value != nullptr && value->again == set_tag) {
-    return true;
-  }
-  GLfloat current[4] = {0, 0, 0, 0};
-  gl_.GetVertexAttribfv(context_.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
-  return std::floor(current[0]) == current[0];
-}
-
-void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
-  if (can_measure(*plan.program)) {
-    plan.adaptive = plan.measured = true;
-    plan.deepest = context_.options.transparent ? context_.options.max_level
-                                                : static_cast<unsigned>(std::max(context_.ark.pool_level, 0));
-    return;
-  }
-  if (context_.options.transparent) {
-    plan.level = context_.options.level;
-    return;
-  }
-  const ArkState& ark = context_.ark;
-  if (ark.depth_source != DepthSource::tag) {
-    plan.level = ark.uniform_level;
-    return;
-  }
-  plan.adaptive = call.tags_vary || feedback_tagged() ||
-                  context_.attribute_source(static_cast<int>(ark.tag_attribute)).enabled ||
-                  (ark.geomorph && !current_tag_is_whole());
-  if (!plan.adaptive) {
-    plan.level = current_tag();
-  }
-  plan.deepest = static_cast<unsigned>(ark.pool_level);
-}
-
-Cause Pipeline::plan_measure(Plan& plan) {
-  const EdgeMeasure wanted = measure();
-  if (wanted.degrees > 0) {
-    plan.normal_offset = capture::normal_offset(plan.layout->fields);
-  }
-  if (wanted.pixels > 0 && !plan.program->has_stage(GL_GEOMETRY_SHADER)) {
-    plan.corners = derived_program(plan, DerivedKey{.at_corner = true});
-    if (plan.corners == nullptr) {
-      return Cause::program_not_derived;
-    }
-    plan.corner_program = plan.corners->name;
-  }
-  return Cause::count_;
-}
-
 Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   context_.refresh_bindings();
   if (const Cause cause = check_state(call); cause != Cause::count_) {
@@ -275,7 +188,7 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     }
   }
   const bool reshapes =
-      displaces(context_) || plan.polygons || (plan.for_feedback && context_.splits_polygons());
+      displaces(context_) || plan.polygons || (plan.for_feedback && splits_polygons(context_.options, context_.ark));
   if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback() && !reshapes) {
     return Cause::level_zero;
   }
@@ -283,7 +196,7 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     return Cause::out_of_memory;
   }
   // What is split has nothing that depends on the provoking corner, and may be captured among triangles.
-  plan.morphing = plan.adaptive && geomorphs();
+  plan.morphing = plan.adaptive && geomorphs(context_.options, context_.ark);
   plan.placed = plan.adaptive || plan.level > static_cast<unsigned>(pattern::deepest_uniform);
   return find_derived(call, plan);
 }
@@ -401,7 +314,7 @@ std::shared_ptr<DerivedProgram> Pipeline::derived_for(Program& program, Program*
   const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
   const bool placed = tagged || can_measure(program);
   DerivedKey key = key_of(GL_TRIANGLES, tagged, placed);
-  key.morphing = placed && geomorphs();
+  key.morphing = placed && geomorphs(context_.options, context_.ark);
   return builder_.derive(program, owner, key);
 }
 

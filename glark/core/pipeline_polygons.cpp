@@ -28,8 +28,9 @@ bool gives_centroids(const Program& program) {
 bool Pipeline::splits_at_centroid(const DrawCall& call, const Plan& plan) const {
   const bool told_apart =
       call.polygon_sides != nullptr || (call.whole_polygons && (call.exact || call.mode != GL_POLYGON));
-  return context_.splits_polygons() && depth::is_polygon_mode(call.mode) && told_apart &&
-         context_.bindings.shade_model != GL_FLAT && gives_centroids(*plan.program);
+  return splits_polygons(context_.options, context_.ark) && context_.is_compatibility() &&
+         depth::is_polygon_mode(call.mode) && told_apart && context_.bindings.shade_model != GL_FLAT &&
+         gives_centroids(*plan.program);
 }
 
 // Draws vertices that are numbered, and returns the numbers in the order of the corners that GL makes of them. Empty if GL
@@ -121,8 +122,8 @@ bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& reque
 
 Pipeline::Records Pipeline::records_of(const Plan& plan, const capture::CoarseTriangles& captured) {
   if (plan.polygons) {
-    const depth::SplitRequest request{plan.layout,       captured,          *plan.polygons,
-                                      pool_.max_level(), depth_steps(plan), plan.polygon_sides};
+    const depth::SplitRequest request{plan.layout,       captured,           *plan.polygons,
+                                      pool_.max_level(), plan.depth_steps(), plan.polygon_sides};
     if (ready_to_split(plan, request)) {
       return {centroids_.split(request, capture_.count_buffer()), &centroids_.count_command(), true};
     }

@@ -123,7 +123,7 @@ class Surface {
   std::span<const std::array<std::uint32_t, 2>> corner_vertices() const;
 
   // The patch at barycentric coordinates (w, u, v), 0 to 1 with the sum 1, that belong to corners 0, 1, 2: what the refinement
-  // shader computes. Errors: Error if there is no such patch, or the coordinates are not finite.
+  // shader computes. Errors: Error if there is no such patch, or the coordinates are no such.
   Sample evaluate(std::size_t patch, std::array<float, 3> barycentric) const;
 
  private:

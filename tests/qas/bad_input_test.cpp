@@ -181,6 +181,9 @@ TEST(BadArguments, WriteNothing) {
   expect_error(Element::array, 0, "has 4; 1 patches have 3", [&] { surface.write_corners(corners); });
   EXPECT_EQ(corners[0].position[0], 7);
   expect_error(Element::triangle, 1, "none of the 1", [&] { static_cast<void>(surface.evaluate(1, {1, 0, 0})); });
+  for (const std::array<float, 3> wrong :
+       {std::array<float, 3>{1, 1, 0}, {-1, 1, 1}, {std::nanf(""), 0, 1}, {1e30F, 0, 0}})
+    expect_error(Element::array, 0, "of sum 1", [&] { static_cast<void>(surface.evaluate(0, wrong)); });
   expect_error(Element::mesh, 0, "2 times", [&] { Surface twice(triangle.view(), {.splits = 2}); });
 }
 

@@ -49,51 +49,66 @@ ButterflyStep::ButterflyStep(const Topology& topology, const LimitStep& numberin
     normals_[i].last = i + 1 < normals_.size() ? normals_[i + 1].first : tangent_terms_.size();
 }
 
+void ButterflyStep::add_term(std::uint32_t vertex, double weight) {
+  terms_.push_back({vertex, static_cast<float>(weight)});
+}
+
 void ButterflyStep::add_edge(const Topology& topology, std::uint32_t e) {
   const Edge& edge = topology.edges[e];
-  const auto term = [&](std::uint32_t vertex, double weight) {
-    terms_.push_back({vertex, static_cast<float>(weight)});
-  };
-  if (!edge.smooth) {  // four points along the crease; where it ends, the far end mirrored
-    for (std::size_t i = 0; i < 2; ++i) {
-      const std::uint32_t a = edge.ends[i], b = edge.ends[1 - i];
+  if (!edge.smooth) {
+    add_crease(topology, edge);
+    return;
+  }
+  const std::array<std::uint32_t, 2> sides = {topology.sides[edge.first_side], topology.sides[edge.first_side + 1]};
+  const bool first = extraordinary(fan_of(topology, sides[0])), second = extraordinary(fan_of(topology, sides[1]));
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!first && !second) {
+      add_wing(topology, sides[i]);
+    } else if (i == 0 ? first : second) {
+      add_spokes(topology, sides[i], first && second ? 0.5 : 1);
+    }
+  }
+}
+
+// Four points along the crease; where it ends, the far end mirrored.
+void ButterflyStep::add_crease(const Topology& topology, const Edge& edge) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::uint32_t a = edge.ends[i], b = edge.ends[1 - i];
+    if (topology.rules[a] == Rule::crease) {
       const auto& along = topology.crease_neighbours[a];
-      const bool goes_on = topology.rules[a] == Rule::crease;
-      term(a, 9.0 / 16 - (goes_on ? 0 : 2.0 / 16));
-      goes_on ? term(along[0] == b ? along[1] : along[0], -1.0 / 16) : term(b, 1.0 / 16);
+      add_term(a, 9.0 / 16);
+      add_term(along[0] == b ? along[1] : along[0], -1.0 / 16);
+    } else {
+      add_term(a, 7.0 / 16);
+      add_term(b, 1.0 / 16);
     }
-    return;
   }
-  const std::uint32_t left = topology.sides[edge.first_side], right = topology.sides[edge.first_side + 1];
-  const std::array<std::uint32_t, 2> sides = {left, right};
-  const bool first = extraordinary(fan_of(topology, left)), second = extraordinary(fan_of(topology, right));
-  if (first || second) {
-    for (const std::uint32_t half_edge : sides) {
-      const Sector* const fan = fan_of(topology, half_edge);
-      if (!extraordinary(fan)) continue;
-      const double share = first && second ? 0.5 : 1;
-      const auto ring = topology.rings.begin() + fan->first;
-      const auto start = std::find(ring, ring + fan->count, topology.corner(Topology::after(half_edge))) - ring;
-      term(fan->vertex, 0.75 * share);
-      for (std::uint32_t i = 0; i < fan->count; ++i)
-        term(ring[static_cast<std::ptrdiff_t>((static_cast<std::uint32_t>(start) + i) % fan->count)],
-             share * spoke_weight(i, fan->count));
+}
+
+// The rule of the extraordinary vertex that a half-edge leaves.
+void ButterflyStep::add_spokes(const Topology& topology, std::uint32_t half_edge, double share) {
+  const Sector& fan = *fan_of(topology, half_edge);
+  const auto ring = topology.rings.begin() + fan.first;
+  const auto start =
+      static_cast<std::uint32_t>(std::find(ring, ring + fan.count, topology.corner(Topology::after(half_edge))) - ring);
+  add_term(fan.vertex, 0.75 * share);
+  for (std::uint32_t i = 0; i < fan.count; ++i)
+    add_term(ring[static_cast<std::ptrdiff_t>((start + i) % fan.count)], share * spoke_weight(i, fan.count));
+}
+
+// One side of the regular stencil, with the end that the half-edge leaves.
+void ButterflyStep::add_wing(const Topology& topology, std::uint32_t half_edge) {
+  add_term(topology.corner(half_edge), 0.5);
+  add_term(topology.opposite(half_edge), 1.0 / 8);
+  for (const std::uint32_t beside : {Topology::after(half_edge), Topology::before(half_edge)}) {
+    const std::uint32_t twin = topology.twin(beside);
+    if (twin != none) {
+      add_term(topology.opposite(twin), -1.0 / 16);
+      continue;
     }
-    return;
-  }
-  for (const std::uint32_t half_edge : sides) {
-    term(topology.corner(half_edge), 0.5);
-    term(topology.opposite(half_edge), 1.0 / 8);
-    for (const std::uint32_t beside : {Topology::after(half_edge), Topology::before(half_edge)}) {
-      const std::uint32_t twin = topology.twin(beside);
-      if (twin != none) {
-        term(topology.opposite(twin), -1.0 / 16);
-      } else {
-        term(topology.corner(beside), -1.0 / 16);
-        term(topology.corner(Topology::after(beside)), -1.0 / 16);
-        term(topology.opposite(beside), 1.0 / 16);
-      }
-    }
+    add_term(topology.corner(beside), -1.0 / 16);
+    add_term(topology.corner(Topology::after(beside)), -1.0 / 16);
+    add_term(topology.opposite(beside), 1.0 / 16);
   }
 }
 

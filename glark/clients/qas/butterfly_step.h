@@ -41,7 +41,11 @@ class ButterflyStep {
     std::uint32_t coarse;     // a half-edge's triangle, for its normal where there is no other
   };
 
+  void add_term(std::uint32_t vertex, double weight);
   void add_edge(const Topology& topology, std::uint32_t edge);
+  void add_crease(const Topology& topology, const Edge& edge);
+  void add_spokes(const Topology& topology, std::uint32_t half_edge, double share);
+  void add_wing(const Topology& topology, std::uint32_t half_edge);
   void add_vertex_normal(const Topology& topology, std::uint32_t sector);
   void add_edge_normals(const Topology& topology, std::uint32_t edge);
   void add_smooth_edge_normal(const Topology& topology, std::uint32_t edge);

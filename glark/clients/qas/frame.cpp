@@ -14,6 +14,7 @@ namespace glark::qas {
 namespace {
 
 constexpr float greatest_coordinate = 1e37F;
+constexpr float barycentric_tolerance = 1e-3F;
 
 [[noreturn]] void complain(std::span<const float> positions) {
   const auto wrong =
@@ -57,9 +58,13 @@ Scaled take_positions(std::span<const float> positions, std::vector<Float4>& to)
 }
 
 void check_barycentric(const std::array<float, 3>& barycentric) {
-  for (const float weight : barycentric) {
-    if (!std::isfinite(weight)) throw Error(Element::array, 0, "of barycentric coordinates holds what is not finite");
-  }
+  const auto [w, u, v] = barycentric;
+  const bool inside =
+      std::min({w, u, v}) >= -barycentric_tolerance && std::fabs(w + u + v - 1) <= barycentric_tolerance;
+  if (std::isfinite(w + u + v) && inside) return;
+  throw Error(Element::array, 0,
+              "of barycentric coordinates (" + std::to_string(w) + ", " + std::to_string(u) + ", " + std::to_string(v) +
+                  ") is not of a point of the triangle: 0 to 1, of sum 1");
 }
 
 }  // namespace glark::qas

@@ -21,7 +21,7 @@ struct Scaled {
 // Throws Error, before anything is written.
 Scaled take_positions(std::span<const float> positions, std::vector<Float4>& to);
 
-// Throws Error where one is not finite.
+// Throws Error unless they are of a point of the triangle.
 void check_barycentric(const std::array<float, 3>& barycentric);
 
 }  // namespace glark::qas

@@ -39,7 +39,7 @@ bool is_index_type(GLenum type) {
 class Polygons {
  public:
   Polygons(const Context& context, GLenum mode)
-      : wanted_(mode == GL_POLYGON && context.splits_polygons()), in_list_(context.list.cutting) {}
+      : wanted_(mode == GL_POLYGON && splits_polygons(context.options, context.ark)), in_list_(context.list.cutting) {}
   void add(GLsizei vertices, GLsizei instances = 1) {
     if (wanted_ && vertices >= 3) {
       sides_.insert(sides_.end(), static_cast<std::size_t>(instances), static_cast<std::uint32_t>(vertices));

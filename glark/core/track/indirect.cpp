@@ -81,7 +81,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
   for (const Counts& command : commands) {
     triangles += triangles_of(call.mode, command.vertices) * command.instances;
     primitives += command.instances;
-    if (call.mode == GL_POLYGON && c.splits_polygons() && command.vertices >= 3) {
+    if (call.mode == GL_POLYGON && splits_polygons(c.options, c.ark) && command.vertices >= 3) {
       sides.insert(sides.end(), command.instances, command.vertices);
     }
   }
