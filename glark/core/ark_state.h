@@ -22,6 +22,7 @@ struct ArkState {
   GLuint tag_attribute = 15;
   PolygonSplit polygon_split = PolygonSplit::triangles;
   bool smooth_interior = false;
+  bool weld = false;
   bool tag_array = false;
 };
 

@@ -28,6 +28,7 @@
 #include "glark/core/refine/program_builder.h"
 #include "glark/core/report.h"
 #include "glark/core/submit/submit.h"
+#include "glark/core/weld/weld.h"
 
 namespace glark::core {
 
@@ -92,9 +93,10 @@ class Pipeline {
     bool adaptive = false;
     bool measured = false;  // adaptive, by the ends of the edges
     std::shared_ptr<DerivedProgram> corners;
-    GLuint corner_program = 0;            // for a measure on the screen
-    int normal_offset = -1;               // for a measure of the normals
-    bool placed = false;                  // the derived program takes a placement of the piece
+    GLuint corner_program = 0;  // for a measure on the screen
+    int normal_offset = -1;     // for a measure of the normals
+    bool welded = false;        // by position: edges, if the layout has room for them, and tags, if it has any
+    bool placed = false;        // the derived program takes a placement of the piece
     bool last_vertex_convention = false;  // while capturing
     unsigned level = 0;                   // uniform level
     unsigned deepest = 0;                 // that an adaptive draw can reach
@@ -139,6 +141,9 @@ class Pipeline {
   // To what our captures have added to the application's queries.
   void add_surplus(std::int64_t triangles);
   bool ensure_pool();
+  bool wants_weld() const;
+  void plan_weld(Plan& plan, DerivedKey key);
+  void weld(const Plan& plan, const capture::CoarseTriangles& triangles, const GpuBuffer& count, bool split);
   bool has_adaptive_room(const Plan& plan, std::uint64_t triangles) const;
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
@@ -181,6 +186,7 @@ class Pipeline {
   capture::CaptureStage capture_;
   DrawCache kept_;
   DrawKey key_;  // scratch
+  weld::WeldStage weld_;
   depth::CentroidSplit centroids_;
   depth::MeasureStage measure_;
   depth::BinStage bins_;
@@ -209,6 +215,7 @@ class Pipeline {
   bool uncounted_capture_ = false;  // a uniform draw whose number of triangles the query holds
   unsigned uncounted_level_ = 0;
   bool split_failed_ = false;
+  bool storage_changed_ = false;  // by a weld, since it was restored
 };
 
 // The attributes that a capture of `layout` reads, by AttributeSlot; no_slot for one that is not followed.

@@ -157,6 +157,7 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   key.flat_colors = context_.is_compatibility() && context_.bindings.shade_model == GL_FLAT;
   key.clamp_colors = context_.is_compatibility() && context_.bindings.clamp_vertex_color;
   key.tagged = tagged;
+  key.welded = wants_weld() && key.refinement == Refinement::pn;
   key.placed = placed;
   return key;
 }
@@ -279,7 +280,9 @@ std::shared_ptr<DerivedProgram> Pipeline::derived_program(const Plan& plan, cons
 
 Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   const bool tagged = plan.adaptive && !plan.measured;
-  plan.derived = derived_program(plan, key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed));
+  const DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed);
+  plan.derived = derived_program(plan, key);
+  plan_weld(plan, key);
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
@@ -333,14 +336,16 @@ Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
   if (!capture_.can_reserve(*plan.layout, triangles)) {
     return Cause::out_of_memory;
   }
-  if (capture_.has_room(*plan.layout, triangles) && (!plan.adaptive || has_adaptive_room(plan, triangles))) {
+  const auto count = static_cast<std::uint32_t>(triangles);
+  if (capture_.has_room(*plan.layout, triangles) && (!plan.welded || weld_.has_room(count)) &&
+      (!plan.adaptive || has_adaptive_room(plan, triangles))) {
     return Cause::count_;
   }
   ErrorScope errors(context_);
-  if (!capture_.reserve(*plan.layout, triangles)) {
+  if (!capture_.reserve(*plan.layout, triangles) || (plan.welded && !weld_.reserve(count))) {
     return Cause::out_of_memory;
   }
-  if (plan.adaptive && !ensure_bins(plan, static_cast<std::uint32_t>(triangles))) {
+  if (plan.adaptive && !ensure_bins(plan, count)) {
     return Cause::out_of_memory;
   }
   return Cause::count_;

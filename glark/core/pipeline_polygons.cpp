@@ -102,12 +102,13 @@ std::optional<depth::Decomposition> Pipeline::decomposition_for(GLenum mode, boo
 }
 
 bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& request) {
-  if (centroids_.has_room(request) &&
+  if (centroids_.has_room(request) && (!plan.welded || weld_.has_room(request.records())) &&
       (!plan.adaptive || bins_.has_room(*plan.layout, request.records(), plan.deepest))) {
     return true;
   }
   ErrorScope errors(context_);
-  if (centroids_.reserve(request) && (!plan.adaptive || bins_.reserve(*plan.layout, request.records(), plan.deepest))) {
+  if (centroids_.reserve(request) && (!plan.welded || weld_.reserve(request.records())) &&
+      (!plan.adaptive || bins_.reserve(*plan.layout, request.records(), plan.deepest))) {
     return true;
   }
   if (!split_failed_) {
@@ -123,8 +124,11 @@ Pipeline::Records Pipeline::records_of(const Plan& plan, const capture::CoarseTr
   if (plan.polygons) {
     const depth::SplitRequest request{plan.layout, captured, *plan.polygons, pool_.max_level()};
     if (ready_to_split(plan, request)) {
-      return {centroids_.split(request, capture_.count_buffer()), &centroids_.count_command(), true};
+      const Records records{centroids_.split(request, capture_.count_buffer()), &centroids_.count_command(), true};
+      weld(plan, records.triangles, *records.count_command, true);
+      return records;
     }
+    weld(plan, captured, capture_.count_command(), true);
   }
   return {captured, &capture_.count_command()};
 }

@@ -44,6 +44,14 @@ constexpr std::array settings_table{
     Setting{"refine", "GLARK_REFINE", Kind::value, "KIND", "linear, outputs or pn",
             "linear (vertex stage on every refined vertex), outputs (interpolate its results) or pn (curved)",
             [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
+    Setting{"no-weld", "GLARK_NO_WELD", Kind::toggle, "", switch_needed,
+            "Curve each triangle by its own normals alone: where they jump from one to the next, pn may crack there",
+            [](Settings& s, std::string_view text) {
+              bool off = false;
+              const bool valid = assign(parse_switch(text), off);
+              s.context.weld = !off;
+              return valid;
+            }},
     Setting{"edge-pixels", "GLARK_EDGE_PIXELS", Kind::value, "P", "a number from 0.5 to 10000, or 0 for none,",
             "Each edge as deep as its length on the screen wants: the longest segment, in pixels; instead of --level",
             [](Settings& s, std::string_view text) { return assign(parse_edge_pixels(text), s.context.measure.pixels); }},

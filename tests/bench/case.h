@@ -24,5 +24,6 @@ void add_capture_cases(std::vector<Case>& cases);
 void add_call_cases(std::vector<Case>& cases);
 void add_scene_cases(std::vector<Case>& cases);
 void add_adaptive_cases(std::vector<Case>& cases);
+void add_weld_cases(std::vector<Case>& cases);
 
 }  // namespace glark::bench

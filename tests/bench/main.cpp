@@ -67,6 +67,7 @@ std::vector<glark::bench::Case> all_cases() {
   glark::bench::add_call_cases(cases);
   glark::bench::add_scene_cases(cases);
   glark::bench::add_adaptive_cases(cases);
+  glark::bench::add_weld_cases(cases);
   return cases;
 }
 

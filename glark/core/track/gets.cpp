@@ -64,6 +64,7 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
     case GL_EDGE_PIXELS_ARK: return static_cast<GLint>(ark.measure.pixels);
     case GL_EDGE_DEGREES_ARK: return static_cast<GLint>(ark.measure.degrees);
     case GL_TRIANGLE_BUDGET_ARK: return static_cast<GLint>(ark.measure.budget);
+    case GL_WELD_ARK: return ark.weld ? 1 : 0;
     case GL_UNIFORM_DEPTH_LEVEL_ARK: return static_cast<GLint>(ark.uniform_level);
     case GL_POLYGON_SPLIT_ARK:
       return ark.polygon_split == PolygonSplit::centroid ? GL_POLYGON_CENTROID_ARK : GL_POLYGON_TRIANGLES_ARK;
@@ -75,7 +76,7 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
 // Writes our state, or leaves the query to GL. True if it was ours.
 template <typename Value>
 bool answer(Context& c, GLenum name, Value* data) {
-  const std::optional<GLint> value = name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_TRIANGLE_BUDGET_ARK)
+  const std::optional<GLint> value = name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_WELD_ARK)
                                          ? extension_state(c, name)
                                          : std::nullopt;
   if (!value.has_value()) {

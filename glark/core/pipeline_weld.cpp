@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Which draws are welded by position, and what keeps their vertices apart.
+#include <vector>
+
+#include "glark/core/context.h"
+#include "glark/core/pipeline.h"
+
+namespace glark::core {
+namespace {
+
+// Instances have the same vertices, each in a place of its own.
+std::vector<GLint> instance_words(Context& context, const capture::Layout& layout) {
+  std::vector<GLint> words;
+  const auto add = [&](int offset, int count) {
+    for (int word = 0; word < count; ++word) {
+      words.push_back(offset + word);
+    }
+  };
+  const auto advances = [&](int location) { return context.attribute_source(location).divisor != 0; };
+  for (const capture::Field& field : layout.fields) {
+    if (field.name == "gl_InstanceID" || field.name == "gl_DrawID" ||
+        (field.location >= 0 && advances(field.location))) {
+      add(field.offset, field.words);
+    }
+  }
+  if (layout.tagged && advances(static_cast<int>(context.ark.tag_attribute))) {
+    add(layout.tag_offset, 1);
+  }
+  return words;
+}
+
+}  // namespace
+
+bool Pipeline::wants_weld() const { return context_.options.transparent ? context_.options.weld : context_.ark.weld; }
+
+// Where only a record that is not stored will do, rather an unwelded one than none.
+void Pipeline::plan_weld(Plan& plan, DerivedKey key) {
+  if (plan.derived != nullptr && plan.derived->layout.welded() && plan.derived->stored() &&
+      (plan.pipeline != nullptr || plan.measured)) {
+    key.welded = false;
+    plan.derived = derived_program(plan, key);
+  }
+  if (plan.derived != nullptr) {
+    const capture::Layout& layout = plan.derived->layout;
+    const bool tags = wants_weld() && layout.tagged;
+    plan.welded = layout.welded() || (tags && capture::find_role(layout.fields, capture::Role::position) != nullptr);
+  }
+}
+
+// Captured triangles, or those that polygons were split into: tags are welded before, edges after that.
+void Pipeline::weld(const Plan& plan, const capture::CoarseTriangles& triangles, const GpuBuffer& count, bool split) {
+  const bool edges = plan.layout->welded() && split == plan.polygons.has_value();
+  const bool tags = plan.layout->tagged && !split;
+  if (!plan.welded || !(edges || tags)) {
+    return;
+  }
+  const std::vector<GLint> keys = instance_words(context_, *plan.layout);
+  weld_.run({plan.layout, triangles, keys, edges, tags}, count.name());
+  storage_changed_ = true;
+}
+
+}  // namespace glark::core
