@@ -23,6 +23,8 @@ constexpr std::uint32_t most_groups = 65535;      // the least GL_MAX_COMPUTE_WO
 constexpr std::uint32_t most_in_one_group = 128;  // triangles: one dispatch costs less than three
 constexpr std::size_t all_in_one = 3;             // pass
 
+bool takes_one_dispatch(std::uint32_t triangles) { return triangles <= most_in_one_group; }
+
 // Of each table: more than the 3 entries that a triangle can make.
 std::uint64_t slots_for(std::uint32_t triangles) {
   return std::bit_ceil(std::max<std::uint64_t>(16, 4ULL * triangles));
@@ -54,11 +56,13 @@ WeldStage::Pass WeldStage::compile(int pass) const {
 }
 
 bool WeldStage::has_room(std::uint32_t triangles) const {
-  return passes_[all_in_one].program != 0 && bytes_for(triangles) <= tables_.size();
+  return passes_[takes_one_dispatch(triangles) ? all_in_one : all_in_one - 1].program != 0 &&
+         bytes_for(triangles) <= tables_.size();
 }
 
 bool WeldStage::reserve(std::uint32_t triangles) {
-  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+  const bool one = takes_one_dispatch(triangles);
+  for (std::size_t pass = one ? all_in_one : 0; pass < (one ? passes_.size() : all_in_one); ++pass) {
     if (passes_[pass].program == 0) {
       passes_[pass] = compile(static_cast<int>(pass));
     }
@@ -106,7 +110,7 @@ void WeldStage::run(const WeldRequest& request, GLuint captured_count) {
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, tables_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, captured_count);
   const std::uint32_t triangles = request.triangles.count;
-  if (triangles <= most_in_one_group) {
+  if (takes_one_dispatch(triangles)) {
     dispatch(all_in_one, request, 1);
   } else {
     dispatch(0, request, static_cast<std::uint32_t>(slots_for(triangles)));

@@ -16,8 +16,8 @@
 layout(local_size_x = GLARK_GROUP) in;
 
 layout(std430, binding = 0) buffer Records { uint records[]; };
-// Slots of edges (2 words: least and greatest side, numbers of half-edges from 1; 0: empty), slots of vertices (2 words: a corner
-// from 1, the bits of the greatest tag), the edge slot of each half-edge, the vertex slot of each corner.
+// Slots of edges (2 words: least and greatest side; 0: empty), slots of vertices (2 words: a corner from 1, the bits of the greatest
+// tag), the edge slot of each half-edge, the vertex slot of each corner.
 layout(std430, binding = 1) coherent buffer Tables { uint tables[]; };
 layout(std430, binding = 2) readonly buffer Count { uint count_command[]; };
 
@@ -42,11 +42,8 @@ uint word_of(int corner, int word) {
 }
 
 uvec4 position_of(int corner) {
-  uvec4 position = uvec4(0u, 0u, 0u, floatBitsToUint(1.0));
-  for (int i = 0; i < position_words; ++i) {
-    position[i] = word_of(corner, position_offset + i);
-  }
-  return position;
+  uint w = position_words > 3 ? word_of(corner, position_offset + 3) : floatBitsToUint(1.0);
+  return uvec4(word_of(corner, position_offset), word_of(corner, position_offset + 1), word_of(corner, position_offset + 2), w);
 }
 
 bool same_key(int a, int b) {
@@ -87,24 +84,15 @@ bool before(uvec4 a, uvec4 b) {
 int vertex_table() { return 2 * slot_count; }
 int found_slots() { return 4 * slot_count; }
 
-// A side of an edge, in the direction that all its sides have.
-struct Side {
-  uvec4 low;  // positions of the ends
-  uvec4 high;
-  int low_corner;
-  int high_corner;
-};
-
-int other_corner(int half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
-
-Side side_of(int half_edge) {
-  int other = other_corner(half_edge);
-  uvec4 from = position_of(half_edge);
-  uvec4 to = position_of(other);
-  return before(to, from) ? Side(to, from, other, half_edge) : Side(from, to, half_edge, other);
+// A side of an edge is named by its half-edge, the number of the corner where it begins, and by whether that is the higher of its ends:
+// all sides have the lower end first.
+int next_corner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+uint side_name(int half_edge, bool falling) { return uint(2 * half_edge) + (falling ? 2u : 1u); }
+int end_of_side(uint side, bool high) {
+  int half_edge = int(side - 1u) >> 1;
+  bool begin = ((side - 1u) & 1u) == (high ? 1u : 0u);
+  return begin ? half_edge : next_corner(half_edge);
 }
-
-bool same_edge(Side a, Side b) { return a.low == b.low && a.high == b.high && same_key(a.low_corner, b.low_corner); }
 
 // The tangent plane that the normal stands on: of the two directions the one whose first component that is not zero is positive. What is no
 // direction gives zero.
@@ -121,23 +109,35 @@ uvec4 plane_of(int corner) {
   return uvec4(words, 0u);
 }
 
-bool side_before(Side a, Side b) {
-  uvec4 a_low = plane_of(a.low_corner);
-  uvec4 b_low = plane_of(b.low_corner);
-  return a_low != b_low ? before(a_low, b_low) : before(plane_of(a.high_corner), plane_of(b.high_corner));
+// An edge with what one of its sides has at the ends.
+struct Edge {
+  uvec4 low;  // positions
+  uvec4 high;
+  uvec4 low_plane;
+  uvec4 high_plane;
+  uint side;
+};
+
+bool is_edge_of(Edge edge, uint side) {
+  int low = end_of_side(side, false);
+  return position_of(low) == edge.low && position_of(end_of_side(side, true)) == edge.high &&
+         same_key(low, end_of_side(edge.side, false));
 }
 
-// Puts the half-edge in the place of one of its edge that comes behind it.
-void rank_side(int word, int half_edge, Side side, bool least) {
-  uint now = tables[word];
-  for (;;) {
-    if (now != 0u) {
-      Side other = side_of(int(now) - 1);
-      if (!(least ? side_before(side, other) : side_before(other, side))) {
-        return;
-      }
-    }
-    uint seen = atomicCompSwap(tables[word], now, uint(half_edge + 1));
+// -1: the edge's own side comes before the other, 1: behind it.
+int order_of(Edge edge, uint other) {
+  uvec4 low = plane_of(end_of_side(other, false));
+  uvec4 high = plane_of(end_of_side(other, true));
+  if (low != edge.low_plane) {
+    return before(edge.low_plane, low) ? -1 : 1;
+  }
+  return high == edge.high_plane ? 0 : before(edge.high_plane, high) ? -1 : 1;
+}
+
+// Puts the side in the place of another that comes behind it (direction -1) or before it (1).
+void rank_side(int word, Edge edge, uint now, int direction) {
+  while (now == 0u || (now != edge.side && order_of(edge, now) == direction)) {
+    uint seen = atomicCompSwap(tables[word], now, edge.side);
     if (seen == now) {
       return;
     }
@@ -146,16 +146,26 @@ void rank_side(int word, int half_edge, Side side, bool least) {
 }
 
 void insert_edge(int half_edge) {
-  Side side = side_of(half_edge);
-  int slot = first_slot(hashed(hashed(0u, side.low), side.high), half_edge);
-  for (;; slot = next_slot(slot)) {
-    uint taken = atomicCompSwap(tables[2 * slot], 0u, uint(half_edge + 1));
-    if (taken == 0u || same_edge(side, side_of(int(taken) - 1))) {
-      break;
-    }
+  int next = next_corner(half_edge);
+  uvec4 from = position_of(half_edge);
+  uvec4 to = position_of(next);
+  if (from == to) {
+    return;
   }
-  rank_side(2 * slot, half_edge, side, true);
-  rank_side(2 * slot + 1, half_edge, side, false);
+  bool falling = before(to, from);
+  int low = falling ? next : half_edge;
+  int high = falling ? half_edge : next;
+  Edge edge = Edge(falling ? to : from, falling ? from : to, plane_of(low), plane_of(high), side_name(half_edge, falling));
+  int slot = first_slot(hashed(hashed(0u, edge.low), edge.high), half_edge);
+  uint taken = atomicCompSwap(tables[2 * slot], 0u, edge.side);
+  while (taken != 0u && !is_edge_of(edge, taken)) {
+    slot = next_slot(slot);
+    taken = atomicCompSwap(tables[2 * slot], 0u, edge.side);
+  }
+  if (taken != 0u) {
+    rank_side(2 * slot, edge, taken, -1);
+  }
+  rank_side(2 * slot + 1, edge, atomicCompSwap(tables[2 * slot + 1], 0u, edge.side), 1);
   tables[found_slots() + half_edge] = uint(slot);
 }
 
@@ -206,19 +216,26 @@ void write_control(int corner, int behind, vec3 control) {
   records[to + 2] = floatBitsToUint(control.z);
 }
 
-// Both sides compute both control points, from the same words in the same way.
+// Every side computes both control points, from the same words in the same way.
 void write_edge(int half_edge) {
-  Side side = side_of(half_edge);
-  int slot = int(tables[found_slots() + half_edge]);
-  Side least = side_of(int(tables[2 * slot]) - 1);
-  Side greatest = side_of(int(tables[2 * slot + 1]) - 1);
-  vec4 low = uintBitsToFloat(side.low);
-  vec4 high = uintBitsToFloat(side.high);
-  vec3 near_low = tangent(low, plane_of(least.low_corner), plane_of(greatest.low_corner), high);
-  vec3 near_high = tangent(high, plane_of(least.high_corner), plane_of(greatest.high_corner), low);
-  bool rising = side.low_corner == half_edge;
-  write_control(half_edge, 0, rising ? near_low : near_high);
-  write_control(other_corner(half_edge), 3, rising ? near_high : near_low);
+  int next = next_corner(half_edge);
+  uvec4 from = position_of(half_edge);
+  uvec4 to = position_of(next);
+  bool falling = before(to, from);
+  uint least = side_name(half_edge, falling);
+  uint greatest = least;
+  if (from != to) {
+    int slot = int(tables[found_slots() + half_edge]);
+    least = tables[2 * slot];
+    greatest = tables[2 * slot + 1];
+  }
+  for (int end = 0; end < 2; ++end) {
+    bool high = end == 1;
+    vec4 near = uintBitsToFloat(high == falling ? from : to);
+    vec4 far = uintBitsToFloat(high == falling ? to : from);
+    vec3 control = tangent(near, plane_of(end_of_side(least, high)), plane_of(end_of_side(greatest, high)), far);
+    write_control(high == falling ? half_edge : next, high == falling ? 0 : 3, control);
+  }
 }
 
 void write_vertex(int corner) {
