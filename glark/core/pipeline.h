@@ -141,8 +141,7 @@ class Pipeline {
   // To what our captures have added to the application's queries.
   void add_surplus(std::int64_t triangles);
   bool ensure_pool();
-  bool wants_weld() const;
-  void plan_weld(Plan& plan, DerivedKey key);
+  void plan_weld(Plan& plan, DerivedKey key, std::uint64_t triangles);
   void weld(const Plan& plan, const capture::CoarseTriangles& triangles, const GpuBuffer& count, bool split);
   bool has_adaptive_room(const Plan& plan, std::uint64_t triangles) const;
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);
@@ -217,8 +216,5 @@ class Pipeline {
   bool split_failed_ = false;
   bool storage_changed_ = false;  // by a weld, since it was restored
 };
-
-// The attributes that a capture of `layout` reads, by AttributeSlot; no_slot for one that is not followed.
-std::vector<int> input_slots(const capture::Layout& layout, GLuint tag_attribute);
 
 }  // namespace glark::core

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "glark/core/context.h"
+#include "glark/core/input_slots.h"
 #include "glark/core/pipeline.h"
 
 namespace glark::core {

@@ -102,12 +102,12 @@ std::optional<depth::Decomposition> Pipeline::decomposition_for(GLenum mode, boo
 }
 
 bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& request) {
-  if (centroids_.has_room(request) && (!plan.welded || weld_.has_room(request.records())) &&
+  if (centroids_.has_room(request) && (!plan.welded || weld_.has_room(*plan.layout, request.records())) &&
       (!plan.adaptive || bins_.has_room(*plan.layout, request.records(), plan.deepest))) {
     return true;
   }
   ErrorScope errors(context_);
-  if (centroids_.reserve(request) && (!plan.welded || weld_.reserve(request.records())) &&
+  if (centroids_.reserve(request) && (!plan.welded || weld_.reserve(*plan.layout, request.records())) &&
       (!plan.adaptive || bins_.reserve(*plan.layout, request.records(), plan.deepest))) {
     return true;
   }

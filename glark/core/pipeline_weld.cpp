@@ -33,20 +33,21 @@ std::vector<GLint> instance_words(Context& context, const capture::Layout& layou
 
 }  // namespace
 
-bool Pipeline::wants_weld() const { return context_.options.transparent ? context_.options.weld : context_.ark.weld; }
-
-// Where only a record that is not stored will do, rather an unwelded one than none.
-void Pipeline::plan_weld(Plan& plan, DerivedKey key) {
-  if (plan.derived != nullptr && plan.derived->layout.welded() && plan.derived->stored() &&
-      (plan.pipeline != nullptr || plan.measured)) {
+// Where only a record that is not stored will do, or the tables would be too large, rather an unwelded draw than none.
+void Pipeline::plan_weld(Plan& plan, DerivedKey key, std::uint64_t triangles) {
+  if (plan.derived == nullptr || !key.welded) {
+    return;
+  }
+  const bool fits = weld_.can_hold(plan.derived->layout, triangles);
+  const bool attributes_only = plan.pipeline != nullptr || plan.measured;
+  if (plan.derived->layout.welded() && (!fits || (plan.derived->stored() && attributes_only))) {
     key.welded = false;
     plan.derived = derived_program(plan, key);
+    return;
   }
-  if (plan.derived != nullptr) {
-    const capture::Layout& layout = plan.derived->layout;
-    const bool tags = wants_weld() && layout.tagged;
-    plan.welded = layout.welded() || (tags && capture::find_role(layout.fields, capture::Role::position) != nullptr);
-  }
+  const capture::Layout& layout = plan.derived->layout;
+  plan.welded = fits && (layout.welded() ||
+                         (layout.tagged && capture::find_role(layout.fields, capture::Role::position) != nullptr));
 }
 
 // Captured triangles, or those that polygons were split into: tags are welded before, edges after that.

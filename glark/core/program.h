@@ -43,7 +43,7 @@ struct DerivedKey {
   bool flat_colors = false;
   bool clamp_colors = false;
   bool tagged = false;
-  bool welded = false;     // curved edges come from control points in the record, where there is room for them
+  bool welded = false;     // by position: curved edges have control points in the record, where there is room
   bool at_corner = false;  // no refinement: gives the position of each captured corner, for measured depths
   bool placed = true;      // pieces have a placement (patch); a uniform level of one piece a triangle needs none
   auto operator<=>(const DerivedKey&) const = default;

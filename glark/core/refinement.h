@@ -53,7 +53,7 @@ struct ContextOptions {
   unsigned level = 2;        // uniform level of transparent refinement
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
-  bool weld = true;  // curved triangles by position, where the program has split its vertices
+  bool weld = true;          // curved triangles by position, where the program has split its vertices
   EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;

@@ -4,42 +4,13 @@
 // GL_WELD_ARK on the screen: closed meshes from 26 directions at levels 1 to 7. The plan: front and back faces are counted in every
 // pixel, without a depth test. Where a mesh is closed both are the same in number, whatever lies behind what; a pixel of the
 // background that shows through a crack counts one more of the one than of the other.
-#include "tests/core/measured_program.h"
 #include "tests/core/models.h"
-#include "tests/core/osmesa_context.h"
-#include "tests/core/picture.h"
-#include "tests/core/split_meshes.h"
+#include "tests/core/views.h"
 
 namespace glark::core::test {
 namespace {
 
 constexpr unsigned deepest = 7;
-
-Matrix view_along(const Vector& direction) {
-  const Vector back = unit(direction);
-  const Vector side = unit(cross(std::abs(back[1]) < 0.9F ? Vector{0, 1, 0} : Vector{1, 0, 0}, back));
-  const Vector up = cross(back, side);
-  Matrix view{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    view[4 * i] = 0.47F * side[i];
-    view[4 * i + 1] = 0.47F * up[i];
-    view[4 * i + 2] = -0.2F * back[i];
-    view[4 * i + 3] = -0.1F * back[i];  // somewhat in perspective
-  }
-  view[15] = 1;
-  return view;
-}
-
-std::vector<Vector> directions() {
-  std::vector<Vector> result;
-  for (int i = 0; i < 27; ++i) {
-    if (i != 13) {
-      result.push_back({static_cast<GLfloat>(i % 3 - 1) + 0.03F, static_cast<GLfloat>(i / 3 % 3 - 1) - 0.02F,
-                        static_cast<GLfloat>(i / 9 - 1) + 0.01F});
-    }
-  }
-  return result;
-}
 
 class WeldScene : public testing::Test {
  protected:
@@ -68,15 +39,7 @@ class WeldScene : public testing::Test {
     set_view(program_, view_along(direction));
     glClear(GL_COLOR_BUFFER_BIT);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(mesh.vertices.size()));
-    const Picture picture = read_picture();
-    int open = 0;
-    int covered = 0;
-    for (std::size_t i = 0; i + 3 < picture.size(); i += 4) {
-      open += picture[i] != picture[i + 1] ? 1 : 0;
-      covered += picture[i] != 0 ? 1 : 0;
-    }
-    EXPECT_GT(covered, 200) << "the scene shows nothing";
-    return open;
+    return test::open_pixels(read_picture());
   }
   int open_pixels(const SplitMesh& mesh, unsigned level) {
     const SplitMesh tagged = mesh.tagged_at_random(level, level);

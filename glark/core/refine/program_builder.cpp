@@ -86,7 +86,7 @@ std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
                      : refinement == core::Refinement::linear_outputs ? "outputs"
                                                                       : "linear";
   kind += key.tagged ? "-tagged" : "";
-  kind += key.welded ? "-welded" : "";
+  kind += key.welded && refinement == core::Refinement::pn ? "-welded" : "";
   kind += key.placed ? "-placed" : "";
   kind += key.flat_colors ? "-flat" : "";
   kind += key.provoking_corner == 0 ? "-first" : "";

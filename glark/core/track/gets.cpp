@@ -76,9 +76,8 @@ std::optional<GLint> extension_state(const Context& c, GLenum name) {
 // Writes our state, or leaves the query to GL. True if it was ours.
 template <typename Value>
 bool answer(Context& c, GLenum name, Value* data) {
-  const std::optional<GLint> value = name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_WELD_ARK)
-                                         ? extension_state(c, name)
-                                         : std::nullopt;
+  const std::optional<GLint> value =
+      name == GL_ARK || (name >= GL_MAX_DEPTH_ARK && name <= GL_WELD_ARK) ? extension_state(c, name) : std::nullopt;
   if (!value.has_value()) {
     return false;
   }

@@ -3,7 +3,6 @@
 #include "glark/core/weld/weld.h"
 
 #include <algorithm>
-#include <bit>
 #include <string>
 
 #include "glark/core/shader.h"
@@ -26,12 +25,11 @@ constexpr std::size_t all_in_one = 3;             // pass
 bool takes_one_dispatch(std::uint32_t triangles) { return triangles <= most_in_one_group; }
 
 // Of each table: more than the 3 entries that a triangle can make.
-std::uint64_t slots_for(std::uint32_t triangles) {
-  return std::bit_ceil(std::max<std::uint64_t>(16, 4ULL * triangles));
-}
+std::uint64_t slots_for(std::uint32_t triangles) { return 4 * std::max<std::uint64_t>(4, triangles); }
 
-GLsizeiptr bytes_for(std::uint32_t triangles) {
-  return static_cast<GLsizeiptr>(4 * (4 * slots_for(triangles) + 6 * std::uint64_t{triangles}));
+std::uint64_t bytes_for(const capture::Layout& layout, std::uint64_t triangles) {
+  const std::uint64_t tables = (layout.welded() ? 1 : 0) + (layout.tagged ? 1 : 0);
+  return 4 * tables * (2 * slots_for(static_cast<std::uint32_t>(triangles)) + 3 * triangles);
 }
 
 }  // namespace
@@ -55,25 +53,29 @@ WeldStage::Pass WeldStage::compile(int pass) const {
   return result;
 }
 
-bool WeldStage::has_room(std::uint32_t triangles) const {
-  return passes_[takes_one_dispatch(triangles) ? all_in_one : all_in_one - 1].program != 0 &&
-         bytes_for(triangles) <= tables_.size();
-}
-
-bool WeldStage::reserve(std::uint32_t triangles) {
-  const bool one = takes_one_dispatch(triangles);
-  for (std::size_t pass = one ? all_in_one : 0; pass < (one ? passes_.size() : all_in_one); ++pass) {
-    if (passes_[pass].program == 0) {
-      passes_[pass] = compile(static_cast<int>(pass));
-    }
-    if (passes_[pass].program == 0) {
-      return false;
-    }
-  }
+bool WeldStage::can_hold(const capture::Layout& layout, std::uint64_t triangles) {
   if (largest_block_ == 0) {
     gl_.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest_block_);
   }
-  return bytes_for(triangles) <= largest_block_ && tables_.reserve(gl_, bytes_for(triangles), GL_DYNAMIC_COPY);
+  return bytes_for(layout, triangles) <= static_cast<std::uint64_t>(largest_block_);
+}
+
+// What has room for many triangles has it for few.
+bool WeldStage::has_room(const capture::Layout& layout, std::uint32_t triangles) const {
+  return passes_[takes_one_dispatch(triangles) ? all_in_one : all_in_one - 1].program != 0 &&
+         bytes_for(layout, triangles) <= static_cast<std::uint64_t>(tables_.size());
+}
+
+bool WeldStage::reserve(const capture::Layout& layout, std::uint32_t triangles) {
+  const auto build = [&](std::size_t pass) {
+    if (passes_[pass].program == 0) {
+      passes_[pass] = compile(static_cast<int>(pass));
+    }
+    return passes_[pass].program != 0;
+  };
+  const bool built = build(all_in_one) && (takes_one_dispatch(triangles) || (build(0) && build(1) && build(2)));
+  return built && can_hold(layout, triangles) &&
+         tables_.reserve(gl_, static_cast<GLsizeiptr>(bytes_for(layout, triangles)), GL_DYNAMIC_COPY);
 }
 
 void WeldStage::dispatch(std::size_t pass, const WeldRequest& request, std::uint32_t invocations) const {

@@ -17,7 +17,7 @@ layout(local_size_x = GLARK_GROUP) in;
 
 layout(std430, binding = 0) buffer Records { uint records[]; };
 // Slots of edges (2 words: least and greatest side; 0: empty), slots of vertices (2 words: a corner from 1, the bits of the greatest
-// tag), the edge slot of each half-edge, the vertex slot of each corner.
+// tag), the edge slot of each half-edge, the vertex slot of each corner; those of edges and of vertices only where they are welded.
 layout(std430, binding = 1) coherent buffer Tables { uint tables[]; };
 layout(std430, binding = 2) readonly buffer Count { uint count_command[]; };
 
@@ -30,7 +30,7 @@ uniform int position_words;
 uniform int normal_offset;
 uniform int control_offset;  // in a corner; < 0: the edges are not welded
 uniform int tag_offset;      // in a corner; < 0: the tags are not welded
-uniform int slot_count;      // of either table; a power of two
+uniform int slot_count;      // of either table
 uniform int key_count;
 uniform int key_words[GLARK_KEY_WORDS];  // vertices with different values here are never one
 
@@ -71,18 +71,22 @@ int first_slot(uint hash, int corner) {
   }
   hash = (hash ^ (hash >> 16)) * 0x85ebca6bu;
   hash = (hash ^ (hash >> 13)) * 0xc2b2ae35u;
-  return int((hash ^ (hash >> 16)) & uint(slot_count - 1));
+  uint slot;
+  uint rest;
+  umulExtended(hash ^ (hash >> 16), uint(slot_count), slot, rest);
+  return int(slot);
 }
 
-int next_slot(int slot) { return (slot + 1) & (slot_count - 1); }
+int next_slot(int slot) { return slot + 1 < slot_count ? slot + 1 : 0; }
 
 // Lexicographic.
 bool before(uvec4 a, uvec4 b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;
 }
 
-int vertex_table() { return 2 * slot_count; }
-int found_slots() { return 4 * slot_count; }
+int vertex_table() { return control_offset >= 0 ? 2 * slot_count : 0; }
+int edge_slots() { return vertex_table() + (tag_offset >= 0 ? 2 * slot_count : 0); }
+int vertex_slots() { return edge_slots() + (control_offset >= 0 ? 3 * triangle_bound : 0); }
 
 // A side of an edge is named by its half-edge, the number of the corner where it begins, and by whether that is the higher of its ends:
 // all sides have the lower end first.
@@ -166,7 +170,7 @@ void insert_edge(int half_edge) {
     rank_side(2 * slot, edge, taken, -1);
   }
   rank_side(2 * slot + 1, edge, atomicCompSwap(tables[2 * slot + 1], 0u, edge.side), 1);
-  tables[found_slots() + half_edge] = uint(slot);
+  tables[edge_slots() + half_edge] = uint(slot);
 }
 
 void insert_vertex(int corner) {
@@ -181,7 +185,7 @@ void insert_vertex(int corner) {
   }
   float tag = uintBitsToFloat(word_of(corner, tag_offset));
   atomicMax(tables[vertex_table() + 2 * slot + 1], tag > 0.0 ? floatBitsToUint(tag) : 0u);
-  tables[found_slots() + 3 * triangle_bound + corner] = uint(slot);
+  tables[vertex_slots() + corner] = uint(slot);
 }
 
 vec3 unit_of(uvec4 plane) { return glark_pn_unit(uintBitsToFloat(plane.xyz)); }
@@ -225,7 +229,7 @@ void write_edge(int half_edge) {
   uint least = side_name(half_edge, falling);
   uint greatest = least;
   if (from != to) {
-    int slot = int(tables[found_slots() + half_edge]);
+    int slot = int(tables[edge_slots() + half_edge]);
     least = tables[2 * slot];
     greatest = tables[2 * slot + 1];
   }
@@ -239,7 +243,7 @@ void write_edge(int half_edge) {
 }
 
 void write_vertex(int corner) {
-  int slot = int(tables[found_slots() + 3 * triangle_bound + corner]);
+  int slot = int(tables[vertex_slots() + corner]);
   records[record_offset + corner * corner_words + tag_offset] = tables[vertex_table() + 2 * slot + 1];
 }
 

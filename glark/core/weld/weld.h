@@ -33,9 +33,11 @@ class WeldStage {
  public:
   WeldStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
 
-  bool has_room(std::uint32_t triangles) const;
+  // Whether the tables can be as large as that at all.
+  bool can_hold(const capture::Layout& layout, std::uint64_t triangles);
+  bool has_room(const capture::Layout& layout, std::uint32_t triangles) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
-  bool reserve(std::uint32_t triangles);
+  bool reserve(const capture::Layout& layout, std::uint32_t triangles);
   // Writes into the records themselves. Changes the program and the storage buffer bindings 0 to 2, which the caller restores.
   // `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
   void run(const WeldRequest& request, GLuint captured_count);
