@@ -26,6 +26,7 @@ struct ArkState {
   PolygonSplit polygon_split = PolygonSplit::triangles;
   bool smooth_interior = false;
   bool geomorph = false;
+  bool weld = false;
   bool tag_array = false;
 };
 

@@ -47,6 +47,7 @@ Pipeline::Pipeline(Context& context)
     : context_(context),
       gl_(context.supported),
       capture_(context.supported, language_of(context.capabilities), context.capabilities.query_buffer),
+      weld_(context.supported, language_of(context.capabilities)),
       centroids_(context.supported),
       measure_(context.supported, language_of(context.capabilities)),
       bins_(context.supported, language_of(context.capabilities)),
@@ -112,7 +113,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   if (plan.adaptive) {
     bins = binned(plan, records, keeping);
   }
-  if (!sorted && (plan.adaptive || plan.polygons)) {
+  if (storage_changed_ || (!sorted && (plan.adaptive || plan.polygons))) {
     restore_storage();  // the vertex stage may read it
   }
   use_derived(plan);
@@ -207,6 +208,7 @@ void Pipeline::restore(const Changed& changed) {
 }
 
 void Pipeline::restore_storage() {
+  storage_changed_ = false;
   const Bindings& b = context_.bindings;
   for (GLuint i = 0; i < b.storage.size(); ++i) {
     const IndexedBuffer& binding = b.storage[i];
@@ -347,6 +349,7 @@ void Pipeline::release() {
   kept_.release(gl_);
   capture_.release();
   capture_programs_.clear();
+  weld_.release();
   centroids_.release();
   measure_.release();
   bins_.release();

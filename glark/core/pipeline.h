@@ -28,6 +28,7 @@
 #include "glark/core/refine/program_builder.h"
 #include "glark/core/report.h"
 #include "glark/core/submit/submit.h"
+#include "glark/core/weld/weld.h"
 
 namespace glark::core {
 
@@ -36,10 +37,8 @@ class Context;
 class Pipeline {
  public:
   explicit Pipeline(Context& context);
-
   // glARKinit: false without memory; the old pool is then kept.
   bool build_pool(unsigned max_level);
-
   // Draws refined, or as the application asked; counts either.
   void draw(const DrawCall& call);
 
@@ -95,9 +94,10 @@ class Pipeline {
     int depth_steps() const { return morphing ? pattern::morph_steps : 1; }
     bool measured = false;  // adaptive, by the ends of the edges
     std::shared_ptr<DerivedProgram> corners;
-    GLuint corner_program = 0;            // for a measure on the screen
-    int normal_offset = -1;               // for a measure of the normals
-    bool placed = false;                  // the derived program takes a placement of the piece
+    GLuint corner_program = 0;  // for a measure on the screen
+    int normal_offset = -1;     // for a measure of the normals
+    bool welded = false;        // by position: edges, if the layout has room for them, and tags, if it has any
+    bool placed = false;        // the derived program takes a placement of the piece
     bool last_vertex_convention = false;  // while capturing
     unsigned level = 0;                   // uniform level
     unsigned deepest = 0;                 // that an adaptive draw can reach
@@ -139,9 +139,10 @@ class Pipeline {
   void read_counts();
   void begin_capture(const Plan& plan, capture::Count count, GpuBuffer* own);
   capture::CoarseTriangles end_capture(const Plan& plan, std::uint64_t triangles, bool exact);
-  // To what our captures have added to the application's queries.
-  void add_surplus(std::int64_t triangles);
+  void add_surplus(std::int64_t triangles);  // to what our captures have added to the application's queries
   bool ensure_pool();
+  void plan_weld(Plan& plan, DerivedKey key, std::uint64_t triangles);
+  void weld(const Plan& plan, const capture::CoarseTriangles& triangles, const GpuBuffer& count, bool split);
   bool has_adaptive_room(const Plan& plan, std::uint64_t triangles) const;
   bool ensure_bins(const Plan& plan, std::uint32_t triangles);
   Cause ensure_room(const Plan& plan, std::uint64_t triangles);
@@ -184,6 +185,7 @@ class Pipeline {
   capture::CaptureStage capture_;
   DrawCache kept_;
   DrawKey key_;  // scratch
+  weld::WeldStage weld_;
   depth::CentroidSplit centroids_;
   depth::MeasureStage measure_;
   depth::BinStage bins_;
@@ -200,8 +202,8 @@ class Pipeline {
   std::uint64_t immediate_bytes_ = std::uint64_t{32} << 20;  // grows where a strip or fan did not fit
   std::shared_ptr<DerivedProgram> feedback_program_;
   std::unordered_map<GLuint, std::uint64_t> feedback_vertices_;  // by transform feedback object
-  std::map<std::pair<GLenum, GLenum>, std::optional<depth::Decomposition>>
-      decompositions_;  // by mode, provoking convention
+  using Drawing = std::pair<GLenum, GLenum>;  // mode, provoking convention
+  std::map<Drawing, std::optional<depth::Decomposition>> decompositions_;
   std::bitset<cause_count> logged_;
   // Of this context alone: Mesa 22 does not bear one program drawing in two threads, where the application has two.
   std::map<std::weak_ptr<const DerivedProgram>, CaptureProgram, std::owner_less<>> capture_programs_;
@@ -212,9 +214,7 @@ class Pipeline {
   bool uncounted_capture_ = false;  // a uniform draw whose number of triangles the query holds
   unsigned uncounted_level_ = 0;
   bool split_failed_ = false;
+  bool storage_changed_ = false;  // by a weld, since it was restored
 };
-
-// The attributes that a capture of `layout` reads, by AttributeSlot; no_slot for one that is not followed.
-std::vector<int> input_slots(const capture::Layout& layout, GLuint tag_attribute);
 
 }  // namespace glark::core

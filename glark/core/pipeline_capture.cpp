@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "glark/core/context.h"
+#include "glark/core/input_slots.h"
 #include "glark/core/pipeline.h"
 
 namespace glark::core {
@@ -130,8 +131,8 @@ bool Pipeline::make_key(const DrawCall& call, const Plan& plan) {
   key_.clear();
   key_.add(plan.capture_program,
            plan.last_vertex_convention ? GL_LAST_VERTEX_CONVENTION : context_.bindings.provoking_vertex);
-  key_.add(plan.keeps_bins() ? 1 : 0,
-           (context_.ark.smooth_interior ? 1U : 0U) | (plan.polygons ? 2U : 0U) | (plan.morphing ? 4U : 0U));
+  key_.add(plan.keeps_bins() ? 1 : 0, (context_.ark.smooth_interior ? 1U : 0U) | (plan.polygons ? 2U : 0U) |
+                                          (plan.morphing ? 4U : 0U) | (plan.welded ? 8U : 0U));
   key_.add(plan.keeps_bins() ? pools_built_ : 0);
   return call.segment != nullptr ? add_segment_inputs(plan, *call.segment) : add_array_inputs(plan, *call.arrays);
 }
@@ -221,6 +222,9 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
   // The application's queries have counted the capture too. Only here, and if GL alone knows the number, it is read back.
   if (b.primitives_generated_query != 0 || b.primitives_written_query != 0) {
     add_surplus(static_cast<std::int64_t>(exact ? triangles : capture_.counted(b)));
+  }
+  if (triangles > 0) {
+    weld(plan, captured, capture_.count_command(), false);
   }
   return captured;
 }

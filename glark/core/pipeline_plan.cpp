@@ -6,6 +6,7 @@
 #include <string>
 
 #include "glark/core/context.h"
+#include "glark/core/input_slots.h"
 #include "glark/core/pipeline.h"
 #include "glark/core/refine/fixed_function_state.h"
 #include "glark/core/refine/uniform_copy.h"
@@ -157,6 +158,7 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   key.flat_colors = context_.is_compatibility() && context_.bindings.shade_model == GL_FLAT;
   key.clamp_colors = context_.is_compatibility() && context_.bindings.clamp_vertex_color;
   key.tagged = tagged;
+  key.welded = context_.options.transparent ? context_.options.weld : context_.ark.weld;
   key.placed = placed;
   add_shape(context_, key);
   return key;
@@ -218,6 +220,7 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed);
   key.morphing = plan.morphing;
   plan.derived = derived_program(plan, key);
+  plan_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
@@ -271,14 +274,16 @@ Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
   if (!capture_.can_reserve(*plan.layout, triangles)) {
     return Cause::out_of_memory;
   }
-  if (capture_.has_room(*plan.layout, triangles) && (!plan.adaptive || has_adaptive_room(plan, triangles))) {
+  const auto count = static_cast<std::uint32_t>(triangles);
+  if (capture_.has_room(*plan.layout, triangles) && (!plan.welded || weld_.has_room(*plan.layout, count)) &&
+      (!plan.adaptive || has_adaptive_room(plan, triangles))) {
     return Cause::count_;
   }
   ErrorScope errors(context_);
-  if (!capture_.reserve(*plan.layout, triangles)) {
+  if (!capture_.reserve(*plan.layout, triangles) || (plan.welded && !weld_.reserve(*plan.layout, count))) {
     return Cause::out_of_memory;
   }
-  if (plan.adaptive && !ensure_bins(plan, static_cast<std::uint32_t>(triangles))) {
+  if (plan.adaptive && !ensure_bins(plan, count)) {
     return Cause::out_of_memory;
   }
   return Cause::count_;

@@ -104,11 +104,13 @@ std::optional<depth::Decomposition> Pipeline::decomposition_for(GLenum mode, boo
 
 bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& request) {
   const std::uint32_t records = request.records();
-  if (centroids_.has_room(request) && (!plan.adaptive || has_adaptive_room(plan, records))) {
+  if (centroids_.has_room(request) && (!plan.welded || weld_.has_room(*plan.layout, records)) &&
+      (!plan.adaptive || has_adaptive_room(plan, records))) {
     return true;
   }
   ErrorScope errors(context_);
-  if (centroids_.reserve(request) && (!plan.adaptive || ensure_bins(plan, records))) {
+  if (centroids_.reserve(request) && (!plan.welded || weld_.reserve(*plan.layout, records)) &&
+      (!plan.adaptive || ensure_bins(plan, records))) {
     return true;
   }
   if (!split_failed_) {
@@ -125,8 +127,11 @@ Pipeline::Records Pipeline::records_of(const Plan& plan, const capture::CoarseTr
     const depth::SplitRequest request{plan.layout,       captured,           *plan.polygons,
                                       pool_.max_level(), plan.depth_steps(), plan.polygon_sides};
     if (ready_to_split(plan, request)) {
-      return {centroids_.split(request, capture_.count_buffer()), &centroids_.count_command(), true};
+      const Records records{centroids_.split(request, capture_.count_buffer()), &centroids_.count_command(), true};
+      weld(plan, records.triangles, *records.count_command, true);
+      return records;
     }
+    weld(plan, captured, capture_.count_command(), true);
   }
   return {captured, &capture_.count_command()};
 }

@@ -48,8 +48,9 @@ struct DerivedKey {
   int scalar_tag_attribute = -1;
   bool displaced = false;
   int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
-  bool morphing = false;   // vertices move between levels
-  bool placed = true;      // pieces have a placement (patch); a uniform level of one piece a triangle needs none
+  bool morphing = false;          // vertices move between levels
+  bool welded = false;            // by position: curved edges have control points in the record, where there is room
+  bool placed = true;             // pieces have a placement (patch); a uniform level of one piece a triangle needs none
   auto operator<=>(const DerivedKey&) const = default;
 };
 

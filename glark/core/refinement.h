@@ -73,9 +73,10 @@ struct ContextOptions {
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
   ScalarTags scalar_tags = {};  // of all vertices
-  EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
-  bool geomorph = false;     // refined vertices move between the levels of measured depths
-  bool centroids = false;    // quads and polygons become fans about their centroids
+  bool weld = true;             // curved triangles by position, where the program has split its vertices
+  EdgeMeasure measure = {};     // on: transparent refinement by measured depths up to max_level
+  bool geomorph = false;        // refined vertices move between the levels of measured depths
+  bool centroids = false;       // quads and polygons become fans about their centroids
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources

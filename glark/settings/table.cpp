@@ -47,6 +47,14 @@ constexpr std::array settings_table{
     Setting{"tension", "GLARK_TENSION", Kind::value, "T", "a number from -1 to 1",
             "Of --refine stpn: how tightly curved triangles are drawn to the coarse ones: 1 flat, 0 as pn, -1 rounder than pn",
             [](Settings& s, std::string_view text) { return assign(parse_tension(text), s.context.scalar_tags.tension); }},
+    Setting{"no-weld", "GLARK_NO_WELD", Kind::toggle, "", switch_needed,
+            "Curve each triangle by its own normals alone: where they jump from one to the next, pn may crack there",
+            [](Settings& s, std::string_view text) {
+              bool off = false;
+              const bool valid = assign(parse_switch(text), off);
+              s.context.weld = !off;
+              return valid;
+            }},
     Setting{"edge-pixels", "GLARK_EDGE_PIXELS", Kind::value, "P", "a number from 0.5 to 10000, or 0 for none,",
             "Each edge as deep as its length on the screen wants: the longest segment, in pixels; instead of --level",
             [](Settings& s, std::string_view text) { return assign(parse_edge_pixels(text), s.context.measure.pixels); }},

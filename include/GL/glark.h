@@ -78,6 +78,7 @@ extern "C" {
 #define GL_EDGE_DEGREES_ARK                      0x6F25 /* 0 to 180, 0: no measure; 0 */
 #define GL_TRIANGLE_BUDGET_ARK                   0x6F26 /* 0: none; 0 */
 #define GL_GEOMORPH_ARK                          0x6F2F /* GL_FALSE, GL_TRUE */
+#define GL_WELD_ARK                              0x6F3C /* GL_TRUE: vertices in the same place refine alike; GL_FALSE */
 #define GL_POLYGON_SPLIT_ARK                     0x6F18
 #define GL_POLYGON_TRIANGLES_ARK                 0x6F19
 #define GL_POLYGON_CENTROID_ARK                  0x6F1A

@@ -28,5 +28,6 @@ void add_qas_cases(std::vector<Case>& cases);  // where glark-qas is built
 void add_qas_draw_cases(std::vector<Case>& cases);
 void add_shape_cases(std::vector<Case>& cases);
 void add_figure_cases(std::vector<Case>& cases);
+void add_weld_cases(std::vector<Case>& cases);
 
 }  // namespace glark::bench

@@ -14,7 +14,9 @@ namespace {
 
 struct State {
   GLint level, tag, attribute, refinement, source, uniform_level, split, interior;
-  GLboolean enabled, array;
+  GLboolean enabled;
+  GLint weld;
+  GLboolean array;
   bool operator==(const State&) const = default;
 };
 
@@ -25,10 +27,10 @@ GLint integer(GLenum name) {
 }
 
 State state() {
-  return {integer(GL_POOL_LEVEL_ARK),         integer(GL_CURRENT_DEPTH_TAG_ARK), integer(GL_DEPTH_TAG_ATTRIBUTE_ARK),
-          integer(GL_REFINEMENT_ARK),         integer(GL_DEPTH_SOURCE_ARK),      integer(GL_UNIFORM_DEPTH_LEVEL_ARK),
-          integer(GL_POLYGON_SPLIT_ARK),      integer(GL_PATTERN_INTERIOR_ARK),  glIsEnabled(GL_ARK),
-          glIsEnabled(GL_DEPTH_TAG_ARRAY_ARK)};
+  return {integer(GL_POOL_LEVEL_ARK),    integer(GL_CURRENT_DEPTH_TAG_ARK),  integer(GL_DEPTH_TAG_ATTRIBUTE_ARK),
+          integer(GL_REFINEMENT_ARK),    integer(GL_DEPTH_SOURCE_ARK),       integer(GL_UNIFORM_DEPTH_LEVEL_ARK),
+          integer(GL_POLYGON_SPLIT_ARK), integer(GL_PATTERN_INTERIOR_ARK),   glIsEnabled(GL_ARK),
+          integer(GL_WELD_ARK),          glIsEnabled(GL_DEPTH_TAG_ARRAY_ARK)};
 }
 
 // `call` gives exactly this error and changes nothing.
@@ -64,6 +66,7 @@ TEST_P(Errors, InitialState) {
                        0,
                        GL_POLYGON_TRIANGLES_ARK,
                        GL_MINIMUM_INTERIOR_ARK,
+                       GL_FALSE,
                        GL_FALSE,
                        GL_FALSE};
   EXPECT_TRUE(expected == state());
@@ -109,6 +112,8 @@ TEST_P(Errors, Parameters) {
   expect_error(invalid_value, [] { glARKParameteriARK(GL_EDGE_PIXELS_ARK, -1); });
   expect_error(invalid_value, [] { glARKParameteriARK(GL_EDGE_DEGREES_ARK, 181); });
   expect_error(invalid_value, [] { glARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, -1); });
+  expect_error(invalid_value, [] { glARKParameteriARK(GL_WELD_ARK, -1); });
+  expect_error(invalid_value, [] { glARKParameteriARK(GL_WELD_ARK, 2); });
   expect_error(invalid_value, [] { glARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, -1); });
   expect_error(invalid_value, [] { glARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, 16); });
   if (!core()) {
@@ -127,6 +132,8 @@ TEST_P(Errors, ParametersAreSet) {
                                              {GL_EDGE_PIXELS_ARK, 12},
                                              {GL_EDGE_DEGREES_ARK, 180},
                                              {GL_TRIANGLE_BUDGET_ARK, 100000},
+                                             {GL_WELD_ARK, GL_TRUE},
+                                             {GL_WELD_ARK, GL_FALSE},
                                              {GL_UNIFORM_DEPTH_LEVEL_ARK, 4},
                                              {GL_DEPTH_TAG_ATTRIBUTE_ARK, core() ? 0 : 1},
                                              {GL_POLYGON_SPLIT_ARK, GL_POLYGON_CENTROID_ARK},

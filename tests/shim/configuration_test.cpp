@@ -61,7 +61,7 @@ Parsed parse_with(const std::vector<std::string>& environment) {
 
 TEST(Configuration, EveryKindOfValueIsTaken) {
   const Applied applied = apply(
-      "level = 3\nmax-level = \"7\"\nrefine = \"pn\"\nwireframe = true\nnormal = 2\nposition = 'v'\n"
+      "level = 3\nmax-level = \"7\"\nrefine = \"pn\"\nwireframe = true\nno-weld = true\nnormal = 2\nposition = 'v'\n"
       "leave-shaders = ['00000000000000ff', 'abcdefabcdefabcd']\nleave-draws = [\"blended\", \"overlays\"]\n");
   EXPECT_EQ(applied.problems, std::vector<std::string>());
   const core::ContextOptions& context = applied.settings.context;
@@ -69,6 +69,8 @@ TEST(Configuration, EveryKindOfValueIsTaken) {
   EXPECT_EQ(context.max_level, 7u);
   EXPECT_EQ(context.refinement, core::Refinement::pn);
   EXPECT_TRUE(context.wireframe);
+  EXPECT_FALSE(context.weld);
+  EXPECT_TRUE(core::ContextOptions{}.weld);
   EXPECT_EQ(context.roles, (core::AttributeRoles{"v", "2", ""}));
   EXPECT_EQ(context.left_shaders, (std::vector<std::uint64_t>{0xff, 0xabcdefabcdefabcd}));
   EXPECT_EQ(context.left_draws, core::left_draws::blended | core::left_draws::overlays);

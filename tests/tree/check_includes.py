@@ -8,7 +8,7 @@ from tracked import tracked_files, violations
 
 CORE = "glark/core/"
 # In the order of the data flow. `pattern` depends on no other stage, so that the ones before the submission can size by it.
-STAGES = ["track", "pattern", "capture", "depth", "refine", "submit"]
+STAGES = ["track", "pattern", "capture", "weld", "depth", "refine", "submit"]
 # Headers of a stage that say what it hands on: data and the functions over it, no GL work. Later stages and the headers at the
 # core's root may include them; everything else of a stage is for itself, pipeline.cpp and the core's own .cpp files.
 VALUE_HEADERS = {
@@ -23,6 +23,7 @@ VALUE_HEADERS = {
     "glark/core/pattern/pool.h",
     "glark/core/refine/derive.h",
     "glark/core/refine/fixed_function.h",
+    "glark/core/weld/tangent.glsl",
 }
 WINDOW_SYSTEMS = ("EGL/", "X11/", "GL/glx", "GL/osmesa", "epoxy/", "dlfcn.h", "link.h")
 PUBLIC_HEADER = re.compile(r"glark/\w+\.h")  # include/glark; no header of the library lies in glark/ itself

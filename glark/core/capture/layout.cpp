@@ -177,7 +177,7 @@ bool is_constant_in_draw(const Field& field) {
 
 bool is_builtin(const Field& field) { return field.name.rfind("gl_", 0) == 0; }
 
-Layout make_layout(std::vector<Field> fields, bool tagged) {
+Layout make_layout(std::vector<Field> fields, bool tagged, bool welded) {
   Layout layout;
   layout.fields = std::move(fields);
   for (Field& field : layout.fields) {
@@ -188,6 +188,10 @@ Layout make_layout(std::vector<Field> fields, bool tagged) {
   layout.tagged = tagged;
   if (tagged) {
     layout.tag_offset = layout.corner_words++;
+  }
+  if (welded) {
+    layout.control_offset = layout.corner_words;
+    layout.corner_words += control_words;
   }
   return layout;
 }
@@ -220,17 +224,27 @@ void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told) 
   }
 }
 
+const Field* find_role(const std::vector<Field>& fields, Role role) {
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.role == role; });
+  return found != fields.end() ? &*found : nullptr;
+}
+
+bool can_curve(const std::vector<Field>& fields) {
+  return std::ranges::all_of(std::initializer_list<Role>{Role::position, Role::normal}, [&](Role role) {
+    const Field* field = find_role(fields, role);
+    return field != nullptr && !field->is_array && (field->type == GL_FLOAT_VEC3 || field->type == GL_FLOAT_VEC4);
+  });
+}
+
 int normal_offset(const std::vector<Field>& fields) {
-  const auto normal =
-      std::find_if(fields.begin(), fields.end(), [](const Field& field) { return field.role == Role::normal; });
-  return normal != fields.end() ? normal->offset : -1;
+  const Field* normal = find_role(fields, Role::normal);
+  return normal != nullptr ? normal->offset : -1;
 }
 
 std::string roles_text(const std::vector<Field>& fields) {
   const auto name = [&](Role role) {
-    const auto found =
-        std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.role == role; });
-    return found != fields.end() ? found->name : std::string("unknown");
+    const Field* field = find_role(fields, role);
+    return field != nullptr ? field->name : std::string("unknown");
   };
   return "the position is " + name(Role::position) + ", the normal " + name(Role::normal) +
          ", the texture coordinate " + name(Role::texture_coordinate);
@@ -260,6 +274,11 @@ class CaptureText {
 
   void add_tag(GLuint attribute) {
     add_output("out ", "float", declare_input("float", "", static_cast<int>(attribute)));
+  }
+
+  // For words that are written afterwards.
+  void add_room(int words) {
+    for (int word = 0; word < words; ++word) add_output("out ", "float", "0.0");
   }
 
   std::string text(Language language) const {
@@ -321,6 +340,7 @@ CaptureSources capture_sources(const Layout& layout, Language language, GLuint t
   CaptureText text(result);
   for (const Field& field : layout.fields) text.add(field);
   if (layout.tagged) text.add_tag(tag_attribute);
+  if (layout.welded()) text.add_room(control_words);
   result.vertex = text.text(language);
   return result;
 }

@@ -24,14 +24,17 @@ bool is_constant_in_draw(const Field& field);
 // "gl_Vertex" and the like: read by their names, without a location.
 bool is_builtin(const Field& field);
 
-// Places the fields one after the other; `tagged` adds the depth tag.
-Layout make_layout(std::vector<Field> fields, bool tagged);
+// Places the fields one after the other; `tagged` adds the depth tag, `welded` the control points of the edges.
+Layout make_layout(std::vector<Field> fields, bool tagged, bool welded = false);
 
 // Which input is the position, the normal and the texture coordinate. What `told` names, by name or location, where the program
 // has it; else a guess: the built-in ones, else the first input whose name says so, else by location: 0 for the position, and
 // for the normal 1 or 2 where only one of the two can be it and its name speaks of nothing else.
 void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told);
-std::string roles_text(const std::vector<Field>& fields);  // "position is v, normal is n, ..."
+std::string roles_text(const std::vector<Field>& fields);             // "position is v, normal is n, ..."
+const Field* find_role(const std::vector<Field>& fields, Role role);  // null: no field has it
+// Whether there are a position and a normal of three or four floats each.
+bool can_curve(const std::vector<Field>& fields);
 // First word of the normal in a corner; -1 without one.
 int normal_offset(const std::vector<Field>& fields);
 

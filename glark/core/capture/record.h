@@ -25,13 +25,18 @@ struct Field {
   int words = 0;            // words of the whole input: array_size * columns * rows
 };
 
-// One corner: fields one after the other, then the depth tag (float) if `tagged`.
+// Control points of the edges, as welding leaves them in a corner: 3 b210 (vec3) towards the next corner, then towards the one before.
+inline constexpr int control_words = 6;
+
+// One corner: fields one after the other, then the depth tag (float) if `tagged`, then the control points if the edges are welded.
 struct Layout {
   std::vector<Field> fields;
   bool tagged = false;
   int corner_words = 0;  // stride of one corner; a coarse record is 3 * corner_words words
   int tag_offset = -1;
+  int control_offset = -1;  // in a corner; < 0: edges are not welded
 
+  bool welded() const { return control_offset >= 0; }
   int triangle_words() const { return 3 * corner_words; }
   int chunk_count() const { return (triangle_words() + 3) / 4; }
   int corner_chunk_count() const { return (corner_words + 3) / 4; }

@@ -103,6 +103,7 @@ class Deriver {
     plan_.version = units_[plan_.main_unit].interface.version;
     plan_.provoking_corner = std::clamp(request_.provoking_corner, 0, 2);
     plan_.corner_words = request_.layout.corner_words;
+    plan_.control_offset = request_.layout.control_offset;
     plan_.placed = request_.placed;
     plan_.stored = request_.stored;
     plan_.at_corner = request_.at_corner;

@@ -104,6 +104,20 @@ std::string pn_functions(const EpiloguePlan& plan) {
   return to_text(tokens) + "\n";
 }
 
+namespace {
+
+// b210, b120, b021, b012, b102, b201: of edge k, that towards the next corner, then that of the next corner towards this one.
+std::string welded_controls(const EpiloguePlan& plan) {
+  std::string text;
+  for (int edge = 0; edge < 3; ++edge) {
+    text += ", " + corner_vector(plan, plan.control_offset, edge) + ", " +
+            corner_vector(plan, plan.control_offset + 3, (edge + 1) % 3);
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types) {
   if (plan.scalar_tagged()) return fill_by_scalar_tagged_pn(plan, mixed_types);
   const InputVariable& position = *pn_position(plan);
@@ -113,7 +127,8 @@ std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types) {
       homogeneous ? arguments(plan, position, "", "") : arguments(plan, position, "vec4(", ", 1.0)");
   const std::string normals = arguments(plan, normal, "", normal.type->rows == 4 ? ".xyz" : "");
   const std::string flat_points = arguments(plan, position, "", homogeneous ? ".xyz" : "");
-  const std::string curved = "@pn_position(@weights" + points + normals + ")";
+  const std::string curved = plan.control_offset >= 0 ? "@pn_patch(@weights" + flat_points + welded_controls(plan) + ")"
+                                                      : "@pn_position(@weights" + points + normals + ")";
   const std::string tilted = "@pn_normal(@weights" + flat_points + normals + ")";
   return "  " + position.global + " = " + with_linear_w(plan, position, curved, mixed_types) + ";\n" +  //
          "  " + normal.global + " = " + with_linear_w(plan, normal, tilted, mixed_types) + ";\n";

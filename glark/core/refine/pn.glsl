@@ -5,23 +5,9 @@
 // Based on: A. Vlachos, J. Peters, C. Boyd, J. L. Mitchell, Curved PN Triangles, I3D 2001, section 3.
 //
 // Watertight: whatever lies on an edge is computed from that edge's ends alone, by expressions that give the same bits when the
-// ends change places. Control points are kept multiplied by 3 (6 for the centre), which saves the division.
+// ends change places. The centre is kept multiplied by 6.
 
-// Zero where the vector is zero; scaled first, so that no square over- or underflows.
-vec3 glark_pn_unit(vec3 v) {
-  glark_precise float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-  if (!(largest > 0.0)) return vec3(0.0);
-  glark_precise vec3 scaled = v / largest;
-  glark_precise vec3 unit = scaled * inversesqrt(dot(scaled, scaled));
-  return unit;
-}
-
-// 3 b210: a third of the way from `near` to `far`, put into the tangent plane of `near`. Where the ends' w differ the edge stays straight.
-vec3 glark_pn_tangent(vec4 near, vec3 unit_normal, vec4 far) {
-  glark_precise float height = near.w == far.w ? dot(far.xyz - near.xyz, unit_normal) : 0.0;
-  glark_precise vec3 control = (2.0 * near.xyz + far.xyz) - height * unit_normal;
-  return control;
-}
+#include "glark/core/weld/tangent.glsl"
 
 // Weights w of corner `near`, u of corner `far`; symmetric in the ends.
 vec3 glark_pn_edge(vec3 near_control, vec3 far_control, float w, float u) {
@@ -31,25 +17,27 @@ vec3 glark_pn_edge(vec3 near_control, vec3 far_control, float w, float u) {
   return sum;
 }
 
-vec3 glark_pn_position(vec3 weights, vec4 p0, vec4 p1, vec4 p2, vec3 normal0, vec3 normal1, vec3 normal2) {
+// From the corners and the control points of the edges, which the neighbours must have as well.
+vec3 glark_pn_patch(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec3 b210, vec3 b120, vec3 b021, vec3 b012, vec3 b102, vec3 b201) {
   glark_precise float w = weights.x;
   glark_precise float u = weights.y;
   glark_precise float v = weights.z;
+  glark_precise vec3 corners = (p0 * ((w * w) * w) + p1 * ((u * u) * u)) + p2 * ((v * v) * v);
+  glark_precise vec3 edges = (glark_pn_edge(b210, b120, w, u) + glark_pn_edge(b021, b012, u, v)) + glark_pn_edge(b102, b201, v, w);
+  // b111 = E + (E - V) / 2 with E the mean of the six b, V that of the corners.
+  glark_precise vec3 middle = 0.5 * (((b210 + b120) + (b021 + b012)) + (b102 + b201)) - ((p0 + p1) + p2);
+  glark_precise vec3 position = (corners + edges) + middle * ((w * u) * v);
+  return position;
+}
+
+vec3 glark_pn_position(vec3 weights, vec4 p0, vec4 p1, vec4 p2, vec3 normal0, vec3 normal1, vec3 normal2) {
   vec3 n0 = glark_pn_unit(normal0);
   vec3 n1 = glark_pn_unit(normal1);
   vec3 n2 = glark_pn_unit(normal2);
-  vec3 b210 = glark_pn_tangent(p0, n0, p1);
-  vec3 b120 = glark_pn_tangent(p1, n1, p0);
-  vec3 b021 = glark_pn_tangent(p1, n1, p2);
-  vec3 b012 = glark_pn_tangent(p2, n2, p1);
-  vec3 b102 = glark_pn_tangent(p2, n2, p0);
-  vec3 b201 = glark_pn_tangent(p0, n0, p2);
-  glark_precise vec3 corners = (p0.xyz * ((w * w) * w) + p1.xyz * ((u * u) * u)) + p2.xyz * ((v * v) * v);
-  glark_precise vec3 edges = (glark_pn_edge(b210, b120, w, u) + glark_pn_edge(b021, b012, u, v)) + glark_pn_edge(b102, b201, v, w);
-  // b111 = E + (E - V) / 2 with E the mean of the six b, V that of the corners.
-  glark_precise vec3 middle = 0.5 * (((b210 + b120) + (b021 + b012)) + (b102 + b201)) - ((p0.xyz + p1.xyz) + p2.xyz);
-  glark_precise vec3 position = (corners + edges) + middle * ((w * u) * v);
-  return position;
+  return glark_pn_patch(weights, p0.xyz, p1.xyz, p2.xyz,                            //
+                        glark_pn_tangent(p0, n0, p1), glark_pn_tangent(p1, n1, p0),  //
+                        glark_pn_tangent(p1, n1, p2), glark_pn_tangent(p2, n2, p1),  //
+                        glark_pn_tangent(p2, n2, p0), glark_pn_tangent(p0, n0, p2));
 }
 
 // n110: the mean of the ends' normals, reflected by the plane across the edge.

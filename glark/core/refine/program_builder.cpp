@@ -89,6 +89,7 @@ std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
                                                                         : "linear";
   kind += key.displaced ? "-displaced" : "";
   kind += key.tagged ? "-tagged" : "";
+  kind += key.welded && refinement == core::Refinement::pn ? "-welded" : "";
   kind += key.placed ? "-placed" : "";
   kind += key.morphing ? "-morphing" : "";
   kind += key.flat_colors ? "-flat" : "";
@@ -269,6 +270,22 @@ bool ProgramBuilder::interpolates_outputs(const core::Program& program) const {
   return program.traits.reads_vertex_id || program.traits.writes_cull_distance || (traits_.transparent && names_things);
 }
 
+bool ProgramBuilder::welds(const core::Program& program, const core::DerivedKey& key) const {
+  if (!key.welded || key.refinement != core::Refinement::pn || interpolates_outputs(program) ||
+      !capture::can_curve(program.fields)) {
+    return false;
+  }
+  const capture::Layout layout = capture::make_layout(program.fields, key.tagged, true);
+  const bool fits = layout.corner_words <= traits_.max_feedback_components &&
+                    (layout.chunk_count() <= most_chunks(key.placed) || can_store_records(program));
+  if (!fits) {
+    core::log(core::LogLevel::info, label(program) +
+                                        ": its vertex attributes leave no room for what welded edges need; where "
+                                        "normals differ at an edge, its curved triangles may part there");
+  }
+  return fits;
+}
+
 std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& program, core::Program* owner,
                                                              const core::DerivedKey& key) const {
   const auto found = program.derived.find(key);
@@ -283,7 +300,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   std::vector<capture::Field> fields = program.fields;
   add_shape_fields(fields, key, program.fixed_function, request);
   request.scalar_tags = traits_.scalar_tags;
-  request.layout = capture::make_layout(std::move(fields), key.tagged);
+  request.layout = capture::make_layout(std::move(fields), key.tagged, welds(program, key));
   request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
   request.at_corner = key.at_corner;
   request.placed = key.placed;

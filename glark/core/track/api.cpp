@@ -215,6 +215,13 @@ void ARKParameteriARK(Context& c, GLenum name, GLint value) {
     case GL_EDGE_PIXELS_ARK:
     case GL_EDGE_DEGREES_ARK:
     case GL_TRIANGLE_BUDGET_ARK: set_measure(c, name, value); break;
+    case GL_WELD_ARK:
+      if (value != GL_FALSE && value != GL_TRUE) {
+        c.raise(GL_INVALID_VALUE);
+      } else {
+        c.ark.weld = value == GL_TRUE;
+      }
+      break;
     case GL_UNIFORM_DEPTH_LEVEL_ARK:
       if (value < 0 || static_cast<GLuint>(value) > highest_tag(c)) {
         c.raise(GL_INVALID_VALUE);

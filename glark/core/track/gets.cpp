@@ -72,6 +72,7 @@ std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
     case GL_EDGE_PIXELS_ARK: return static_cast<GLint>(ark.measure.pixels);
     case GL_EDGE_DEGREES_ARK: return static_cast<GLint>(ark.measure.degrees);
     case GL_TRIANGLE_BUDGET_ARK: return static_cast<GLint>(ark.measure.budget);
+    case GL_WELD_ARK: return ark.weld ? 1 : 0;
     case GL_UNIFORM_DEPTH_LEVEL_ARK: return static_cast<GLint>(ark.uniform_level);
     case GL_POLYGON_SPLIT_ARK:
       return ark.polygon_split == PolygonSplit::centroid ? GL_POLYGON_CENTROID_ARK : GL_POLYGON_TRIANGLES_ARK;

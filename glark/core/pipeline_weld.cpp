@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Which draws are welded by position, and what keeps their vertices apart.
+#include <vector>
+
+#include "glark/core/context.h"
+#include "glark/core/pipeline.h"
+
+namespace glark::core {
+namespace {
+
+// Instances have the same vertices, each in a place of its own.
+std::vector<GLint> instance_words(Context& context, const capture::Layout& layout) {
+  std::vector<GLint> words;
+  const auto add = [&](int offset, int count) {
+    for (int word = 0; word < count; ++word) {
+      words.push_back(offset + word);
+    }
+  };
+  const auto advances = [&](int location) { return context.attribute_source(location).divisor != 0; };
+  for (const capture::Field& field : layout.fields) {
+    if (field.name == "gl_InstanceID" || field.name == "gl_DrawID" ||
+        (field.location >= 0 && advances(field.location))) {
+      add(field.offset, field.words);
+    }
+  }
+  if (layout.tagged && advances(static_cast<int>(context.ark.tag_attribute))) {
+    add(layout.tag_offset, 1);
+  }
+  return words;
+}
+
+}  // namespace
+
+// Where only a record that is not stored will do, or the tables would be too large, rather an unwelded draw than none.
+void Pipeline::plan_weld(Plan& plan, DerivedKey key, std::uint64_t triangles) {
+  if (plan.derived == nullptr || !key.welded) {
+    return;
+  }
+  const bool fits = weld_.can_hold(plan.derived->layout, triangles);
+  const bool attributes_only = plan.pipeline != nullptr || plan.measured;
+  if (plan.derived->layout.welded() && (!fits || (plan.derived->stored() && attributes_only))) {
+    key.welded = false;
+    plan.derived = derived_program(plan, key);
+    return;
+  }
+  const capture::Layout& layout = plan.derived->layout;
+  plan.welded = fits && (layout.welded() ||
+                         (layout.tagged && capture::find_role(layout.fields, capture::Role::position) != nullptr));
+}
+
+// Captured triangles, or those that polygons were split into: tags are welded before, edges after that.
+void Pipeline::weld(const Plan& plan, const capture::CoarseTriangles& triangles, const GpuBuffer& count, bool split) {
+  const bool edges = plan.layout->welded() && split == plan.polygons.has_value();
+  const bool tags = plan.layout->tagged && !split;
+  if (!plan.welded || !(edges || tags)) {
+    return;
+  }
+  const std::vector<GLint> keys = instance_words(context_, *plan.layout);
+  weld_.run({plan.layout, triangles, keys, edges, tags}, count.name());
+  storage_changed_ = true;
+}
+
+}  // namespace glark::core

@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Joins coarse triangles by position: what the sides of an edge and the triangles about a vertex must share is found in hash tables
+// and written into the coarse records. GLARK_PASS: 0 clear the tables, 1 insert, 2 write, 3 all in one work group. The includer
+// supplies #version, GLARK_PASS, GLARK_GROUP (size of a work group) and GLARK_KEY_WORDS (most words of a key besides the position).
+//
+// Order-independent to the bit: a slot keeps the least and the greatest of its sides by content, which no order of insertion and no
+// duplicate changes, and the greatest tag.
+// Based on: J. McDonald, M. Kilgard, Crack-Free Point-Normal Triangles Using Adjacent Edge Normals, 2010 (an edge is bent by the
+// normals of all its sides; the sides are found here by hashing, where they take an index buffer that is made beforehand; across an angle the edge
+// follows the line in which the tangent planes meet, where they take the mean of the control points).
+#define glark_precise precise
+#include "glark/core/weld/tangent.glsl"
+
+layout(local_size_x = GLARK_GROUP) in;
+
+layout(std430, binding = 0) buffer Records { uint records[]; };
+// Slots of edges (2 words: least and greatest side; 0: empty), slots of vertices (2 words: a corner from 1, the bits of the greatest
+// tag), the edge slot of each half-edge, the vertex slot of each corner; those of edges and of vertices only where they are welded.
+layout(std430, binding = 1) coherent buffer Tables { uint tables[]; };
+layout(std430, binding = 2) readonly buffer Count { uint count_command[]; };
+
+uniform int record_offset;  // in words
+uniform int corner_words;
+uniform int triangle_bound;
+uniform int count_on_gpu;
+uniform int position_offset;
+uniform int position_words;
+uniform int normal_offset;
+uniform int control_offset;  // in a corner; < 0: the edges are not welded
+uniform int tag_offset;      // in a corner; < 0: the tags are not welded
+uniform int slot_count;      // of either table
+uniform int key_count;
+uniform int key_words[GLARK_KEY_WORDS];  // vertices with different values here are never one
+
+int bound;  // of triangles
+
+uint word_of(int corner, int word) {
+  uint value = records[record_offset + corner * corner_words + word];
+  return value == 0x80000000u ? 0u : value;  // zero has one sign
+}
+
+uvec4 position_of(int corner) {
+  uint w = position_words > 3 ? word_of(corner, position_offset + 3) : floatBitsToUint(1.0);
+  return uvec4(word_of(corner, position_offset), word_of(corner, position_offset + 1), word_of(corner, position_offset + 2), w);
+}
+
+bool same_key(int a, int b) {
+  for (int i = 0; i < key_count; ++i) {
+    if (word_of(a, key_words[i]) != word_of(b, key_words[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+uint hashed(uint hash, uint word) {
+  word *= 0xcc9e2d51u;
+  word = (word << 15) | (word >> 17);
+  hash ^= word * 0x1b873593u;
+  hash = (hash << 13) | (hash >> 19);
+  return hash * 5u + 0xe6546b64u;
+}
+
+uint hashed(uint hash, uvec4 words) { return hashed(hashed(hashed(hashed(hash, words.x), words.y), words.z), words.w); }
+
+int first_slot(uint hash, int corner) {
+  for (int i = 0; i < key_count; ++i) {
+    hash = hashed(hash, word_of(corner, key_words[i]));
+  }
+  hash = (hash ^ (hash >> 16)) * 0x85ebca6bu;
+  hash = (hash ^ (hash >> 13)) * 0xc2b2ae35u;
+  uint slot;
+  uint rest;
+  umulExtended(hash ^ (hash >> 16), uint(slot_count), slot, rest);
+  return int(slot);
+}
+
+int next_slot(int slot) { return slot + 1 < slot_count ? slot + 1 : 0; }
+
+// Lexicographic.
+bool before(uvec4 a, uvec4 b) {
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;
+}
+
+int vertex_table() { return control_offset >= 0 ? 2 * slot_count : 0; }
+int edge_slots() { return vertex_table() + (tag_offset >= 0 ? 2 * slot_count : 0); }
+int vertex_slots() { return edge_slots() + (control_offset >= 0 ? 3 * triangle_bound : 0); }
+
+// A side of an edge is named by its half-edge, the number of the corner where it begins, and by whether that is the higher of its ends:
+// all sides have the lower end first.
+int next_corner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+uint side_name(int half_edge, bool falling) { return uint(2 * half_edge) + (falling ? 2u : 1u); }
+int end_of_side(uint side, bool high) {
+  int half_edge = int(side - 1u) >> 1;
+  bool begin = ((side - 1u) & 1u) == (high ? 1u : 0u);
+  return begin ? half_edge : next_corner(half_edge);
+}
+
+// The tangent plane that the normal stands on: of the two directions the one whose first component that is not zero is positive. What is no
+// direction gives zero.
+uvec4 plane_of(int corner) {
+  uvec3 words = uvec3(word_of(corner, normal_offset), word_of(corner, normal_offset + 1), word_of(corner, normal_offset + 2));
+  if (any(greaterThanEqual(words & 0x7fffffffu, uvec3(0x7f800000u)))) {
+    return uvec4(0u);
+  }
+  uint leading = words.x != 0u ? words.x : words.y != 0u ? words.y : words.z;
+  if (leading >= 0x80000000u) {
+    words = uvec3(words.x != 0u ? words.x ^ 0x80000000u : 0u, words.y != 0u ? words.y ^ 0x80000000u : 0u,
+                  words.z != 0u ? words.z ^ 0x80000000u : 0u);
+  }
+  return uvec4(words, 0u);
+}
+
+// An edge with what one of its sides has at the ends.
+struct Edge {
+  uvec4 low;  // positions
+  uvec4 high;
+  uvec4 low_plane;
+  uvec4 high_plane;
+  uint side;
+};
+
+bool is_edge_of(Edge edge, uint side) {
+  int low = end_of_side(side, false);
+  return position_of(low) == edge.low && position_of(end_of_side(side, true)) == edge.high &&
+         same_key(low, end_of_side(edge.side, false));
+}
+
+// -1: the edge's own side comes before the other, 1: behind it.
+int order_of(Edge edge, uint other) {
+  uvec4 low = plane_of(end_of_side(other, false));
+  uvec4 high = plane_of(end_of_side(other, true));
+  if (low != edge.low_plane) {
+    return before(edge.low_plane, low) ? -1 : 1;
+  }
+  return high == edge.high_plane ? 0 : before(edge.high_plane, high) ? -1 : 1;
+}
+
+// Puts the side in the place of another that comes behind it (direction -1) or before it (1).
+void rank_side(int word, Edge edge, uint now, int direction) {
+  while (now == 0u || (now != edge.side && order_of(edge, now) == direction)) {
+    uint seen = atomicCompSwap(tables[word], now, edge.side);
+    if (seen == now) {
+      return;
+    }
+    now = seen;
+  }
+}
+
+void insert_edge(int half_edge) {
+  int next = next_corner(half_edge);
+  uvec4 from = position_of(half_edge);
+  uvec4 to = position_of(next);
+  if (from == to) {
+    return;
+  }
+  bool falling = before(to, from);
+  int low = falling ? next : half_edge;
+  int high = falling ? half_edge : next;
+  Edge edge = Edge(falling ? to : from, falling ? from : to, plane_of(low), plane_of(high), side_name(half_edge, falling));
+  int slot = first_slot(hashed(hashed(0u, edge.low), edge.high), half_edge);
+  uint taken = atomicCompSwap(tables[2 * slot], 0u, edge.side);
+  while (taken != 0u && !is_edge_of(edge, taken)) {
+    slot = next_slot(slot);
+    taken = atomicCompSwap(tables[2 * slot], 0u, edge.side);
+  }
+  if (taken != 0u) {
+    rank_side(2 * slot, edge, taken, -1);
+  }
+  rank_side(2 * slot + 1, edge, atomicCompSwap(tables[2 * slot + 1], 0u, edge.side), 1);
+  tables[edge_slots() + half_edge] = uint(slot);
+}
+
+void insert_vertex(int corner) {
+  uvec4 position = position_of(corner);
+  int slot = first_slot(hashed(0u, position), corner);
+  for (;; slot = next_slot(slot)) {
+    uint taken = atomicCompSwap(tables[vertex_table() + 2 * slot], 0u, uint(corner + 1));
+    int other = int(taken) - 1;
+    if (taken == 0u || (position == position_of(other) && same_key(corner, other))) {
+      break;
+    }
+  }
+  float tag = uintBitsToFloat(word_of(corner, tag_offset));
+  atomicMax(tables[vertex_table() + 2 * slot + 1], tag > 0.0 ? floatBitsToUint(tag) : 0u);
+  tables[vertex_slots() + corner] = uint(slot);
+}
+
+vec3 unit_of(uvec4 plane) { return glark_pn_unit(uintBitsToFloat(plane.xyz)); }
+
+// 3 b210 where tangent planes a and b meet at `near`: in that line if they differ, in both if they are one. The sum of the unit
+// normals is perpendicular to their difference, so that both are taken away in turn; either counts for less where it is short,
+// which is where its direction means little. The shortest that counts in full is that of normals 20 degrees apart.
+vec3 tangent(vec4 near, uvec4 a, uvec4 b, vec4 far) {
+  const float shortest = 0.12;
+  if (a == uvec4(0u)) {
+    a = b;
+  }
+  if (b == uvec4(0u)) {
+    b = a;
+  }
+  if (a == b) {
+    return glark_pn_tangent(near, unit_of(a), far);
+  }
+  precise vec3 both = unit_of(a) + unit_of(b);
+  precise vec3 apart = unit_of(a) - unit_of(b);
+  precise vec3 along = near.w == far.w ? far.xyz - near.xyz : vec3(0.0);
+  precise float in_both = dot(along, both) / max(dot(both, both), shortest);
+  precise float in_apart = dot(along, apart) / max(dot(apart, apart), shortest);
+  precise vec3 control = (2.0 * near.xyz + far.xyz) - (in_both * both + in_apart * apart);
+  return control;
+}
+
+void write_control(int corner, int behind, vec3 control) {
+  int to = record_offset + corner * corner_words + control_offset + behind;
+  records[to] = floatBitsToUint(control.x);
+  records[to + 1] = floatBitsToUint(control.y);
+  records[to + 2] = floatBitsToUint(control.z);
+}
+
+// Every side computes both control points, from the same words in the same way.
+void write_edge(int half_edge) {
+  int next = next_corner(half_edge);
+  uvec4 from = position_of(half_edge);
+  uvec4 to = position_of(next);
+  bool falling = before(to, from);
+  uint least = side_name(half_edge, falling);
+  uint greatest = least;
+  if (from != to) {
+    int slot = int(tables[edge_slots() + half_edge]);
+    least = tables[2 * slot];
+    greatest = tables[2 * slot + 1];
+  }
+  for (int end = 0; end < 2; ++end) {
+    bool high = end == 1;
+    vec4 near = uintBitsToFloat(high == falling ? from : to);
+    vec4 far = uintBitsToFloat(high == falling ? to : from);
+    vec3 control = tangent(near, plane_of(end_of_side(least, high)), plane_of(end_of_side(greatest, high)), far);
+    write_control(high == falling ? half_edge : next, high == falling ? 0 : 3, control);
+  }
+}
+
+void write_vertex(int corner) {
+  int slot = int(tables[vertex_slots() + corner]);
+  records[record_offset + corner * corner_words + tag_offset] = tables[vertex_table() + 2 * slot + 1];
+}
+
+void clear(int slot) {
+  if (control_offset >= 0) {
+    tables[2 * slot] = 0u;
+    tables[2 * slot + 1] = 0u;
+  }
+  if (tag_offset >= 0) {
+    tables[vertex_table() + 2 * slot] = 0u;
+    tables[vertex_table() + 2 * slot + 1] = 0u;
+  }
+}
+
+void insert(int corner) {
+  if (control_offset >= 0) {
+    insert_edge(corner);
+  }
+  if (tag_offset >= 0) {
+    insert_vertex(corner);
+  }
+}
+
+void write(int corner) {
+  if (control_offset >= 0) {
+    write_edge(corner);
+  }
+  if (tag_offset >= 0) {
+    write_vertex(corner);
+  }
+}
+
+void main() {
+  bound = count_on_gpu != 0 ? min(triangle_bound, int(count_command[1])) : triangle_bound;
+#if GLARK_PASS == 3
+  for (int i = int(gl_LocalInvocationID.x); i < slot_count; i += GLARK_GROUP) {
+    clear(i);
+  }
+  memoryBarrierBuffer();
+  barrier();
+  for (int i = int(gl_LocalInvocationID.x); i < 3 * bound; i += GLARK_GROUP) {
+    insert(i);
+  }
+  memoryBarrierBuffer();
+  barrier();
+  for (int i = int(gl_LocalInvocationID.x); i < 3 * bound; i += GLARK_GROUP) {
+    write(i);
+  }
+#else
+  int i = int(gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * uint(GLARK_GROUP));
+#if GLARK_PASS == 0
+  if (i < slot_count) {
+    clear(i);
+  }
+#elif GLARK_PASS == 1
+  if (i < 3 * bound) {
+    insert(i);
+  }
+#else
+  if (i < 3 * bound) {
+    write(i);
+  }
+#endif
+#endif
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Joins the coarse triangles of a draw by position, on the GPU: programs split vertices where normals or texture coordinates jump, and
+// what two triangles share there must be computed from data that both have. Exact positions count, by their bits (-0 is 0).
+// - Edges: the control points of curved PN triangles, from the normals of all sides (weld.glsl), at Layout::control_offset.
+// - Vertices: the greatest of the depth tags that meet in a position.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "glark/core/capture/coarse_triangles.h"
+#include "glark/core/capture/layout.h"
+#include "glark/core/gpu_buffer.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::weld {
+
+struct WeldRequest {
+  const capture::Layout* layout = nullptr;
+  capture::CoarseTriangles triangles;
+  // Words of a corner besides the position that keep vertices apart: what each instance has of its own.
+  std::span<const GLint> key_words;
+  bool edges = false;
+  bool tags = false;
+};
+
+inline constexpr std::size_t most_key_words = 32;
+
+class WeldStage {
+ public:
+  WeldStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+
+  // Whether the tables can be as large as that at all.
+  bool can_hold(const capture::Layout& layout, std::uint64_t triangles);
+  bool has_room(const capture::Layout& layout, std::uint32_t triangles) const;
+  // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
+  bool reserve(const capture::Layout& layout, std::uint32_t triangles);
+  // Writes into the records themselves. Changes the program and the storage buffer bindings 0 to 2, which the caller restores.
+  // `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
+  void run(const WeldRequest& request, GLuint captured_count);
+  void release();
+
+ private:
+  static constexpr std::size_t uniform_count = 11;
+  struct Pass {
+    GLuint program = 0;
+    std::array<GLint, uniform_count> uniform{};
+    GLint key_words = -1;
+  };
+
+  Pass compile(int pass) const;
+  void dispatch(std::size_t pass, const WeldRequest& request, std::uint32_t invocations) const;
+
+  const gl::Dispatch& gl_;
+  capture::Language language_;
+  std::array<Pass, 4> passes_{};
+  core::GpuBuffer tables_;
+  GLint64 largest_block_ = 0;
+};
+
+}  // namespace glark::weld

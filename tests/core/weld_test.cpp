@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// GL_WELD_ARK: triangles that meet in the same positions refine to the same bits there, whatever their normals and tags (section
+// 11.R.8), read back through transform feedback. The control is NormalsPartWithoutWeld: the same meshes must crack without it.
+#include <map>
+#include <set>
+
+#include "tests/core/models.h"
+#include "tests/core/osmesa_context.h"
+#include "tests/core/split_meshes.h"
+
+namespace glark::core::test {
+namespace {
+
+constexpr unsigned level = 5;
+
+using Points = std::set<PositionBits>;
+
+PositionBits bits_of(const Vector& position) {
+  return test::bits_of(RefinedVertex{{position[0], position[1], position[2], 1}, {}, 0});
+}
+
+// Coarse edges by the positions of their ends; of each, what every side has along it.
+std::map<std::pair<PositionBits, PositionBits>, std::vector<Points>> sides_of_edges(
+    const SplitMesh& mesh, const std::vector<RefinedVertex>& refined) {
+  std::vector<std::array<Points, 3>> sides(mesh.triangles());
+  for (const RefinedVertex& vertex : refined) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (vertex.weights[(k + 2) % 3] == 0) {
+        sides.at(static_cast<std::size_t>(vertex.triangle))[k].insert(test::bits_of(vertex));
+      }
+    }
+  }
+  std::map<std::pair<PositionBits, PositionBits>, std::vector<Points>> edges;
+  for (std::size_t t = 0; t < mesh.triangles(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PositionBits from = bits_of(mesh.vertices[3 * t + k].position);
+      const PositionBits to = bits_of(mesh.vertices[3 * t + (k + 1) % 3].position);
+      edges[std::minmax(from, to)].push_back(sides[t][k]);
+    }
+  }
+  return edges;
+}
+
+class Weld : public testing::Test {
+ protected:
+  Weld() {
+    glARKinit(level);
+    glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
+    glARKParameteriARK(GL_WELD_ARK, GL_TRUE);
+    glEnable(GL_ARK);
+    GLuint array = 0;
+    glGenVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glUseProgram(link_program(
+        {.vertex = "#version 450 core\nin vec3 position; in vec3 normal; in vec3 weights; in float triangle;\n"
+                   "out vec3 passed_weights; out float passed_triangle; out vec3 color;\n"
+                   "void main() { gl_Position = vec4(position, 1.0); color = normal;\n"
+                   "  passed_weights = weights; passed_triangle = triangle; }\n",
+         .fragment = "#version 450 core\nin vec3 color; out vec4 result;\n"
+                     "void main() { result = vec4(color, 1.0); }\n",
+         .varyings = {"gl_Position", "passed_weights", "passed_triangle"},
+         .attributes = {"position", "normal", "weights", "triangle"}}));
+  }
+  std::vector<RefinedVertex> refine(const SplitMesh& mesh) {
+    upload(mesh.vertices);
+    const auto count = static_cast<GLsizei>(mesh.vertices.size());
+    return capture_refined((mesh.triangles() << (2 * level)) + 1, [count] { glDrawArrays(GL_TRIANGLES, 0, count); });
+  }
+  int parted_edges(const SplitMesh& mesh) {
+    int parted = 0;
+    const std::vector<RefinedVertex> refined = refine(mesh);
+    EXPECT_GE(refined.size(), mesh.vertices.size());
+    for (const auto& [ends, sides] : sides_of_edges(mesh, refined)) {
+      EXPECT_GE(sides[0].size(), ends.first == ends.second ? 1U : 2U);
+      parted += std::all_of(sides.begin(), sides.end(), [&](const Points& side) { return side == sides[0]; }) ? 0 : 1;
+    }
+    return parted;
+  }
+  void expect_welded(const SplitMesh& mesh) {
+    for (const unsigned seed : {1U, 2U}) {
+      EXPECT_EQ(parted_edges(mesh.tagged_at_random(level, seed)), 0);
+    }
+    EXPECT_EQ(pending_errors(), "");
+  }
+  OsmesaContext context_{Profile::core};
+};
+
+TEST_F(Weld, HardEdges) {
+  expect_welded(flat_shaded(cube()));
+  expect_welded(gear(5, 0.4F, false));
+  expect_welded(gear(7, 0, true));
+}
+
+TEST_F(Weld, SeamsEverywhere) {
+  expect_welded(seams_everywhere(icosahedron(), 0.01F, 3));
+  expect_welded(seams_everywhere(icosahedron(), 0.5F, 4));
+  expect_welded(seams_everywhere(icosahedron(), 2, 5));
+}
+
+TEST_F(Weld, NormalsPartWithoutWeld) {
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_GT(parted_edges(gear(7, 0, true).tagged_at_random(level, 1)), 20);
+  EXPECT_GT(parted_edges(seams_everywhere(icosahedron(), 0.5F, 4).tagged_at_random(level, 1)), 20);
+}
+
+// Three sheets and a duplicate with other normals on the same edge.
+TEST_F(Weld, NonManifoldEdges) {
+  std::mt19937 random(9);
+  SplitMesh mesh;
+  for (int sheet = 0; sheet < 70; ++sheet) {
+    const GLfloat angle = 0.8F * static_cast<GLfloat>(sheet % 5);
+    std::array<Vector, 3> normals;
+    for (Vector& normal : normals) {
+      for (GLfloat& value : normal) value = static_cast<GLfloat>(random() % 2001) / 1000 - 1;
+    }
+    mesh.add({{{-1, 0, 0.1F}, {1, 0, 0.2F}, {0.1F, std::cos(angle), std::sin(angle)}}}, normals);
+  }
+  expect_welded(mesh);
+}
+
+TEST_F(Weld, FlippedWindings) {
+  SplitMesh mesh = seams_everywhere(icosahedron(), 0.3F, 6);
+  for (std::size_t t = 0; t < mesh.triangles(); t += 2) {
+    std::swap(mesh.vertices[3 * t], mesh.vertices[3 * t + 1]);
+    std::swap(mesh.vertices[3 * t].weights, mesh.vertices[3 * t + 1].weights);
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (GLfloat& value : mesh.vertices[3 * t + k].normal) value = -value;
+    }
+  }
+  expect_welded(mesh);
+}
+
+TEST_F(Weld, DegenerateAndRepeatedTriangles) {
+  SplitMesh mesh = seams_everywhere(icosahedron(), 0.5F, 7);
+  const std::vector<CurvedVertex> all = mesh.vertices;
+  const auto corner = [&](std::size_t i) { return all[i].position; };
+  for (std::size_t t = 0; t < 12; ++t) {
+    const std::size_t i = 3 * t;
+    mesh.add({corner(i), corner(i + 1), corner(i)}, {all[i + 1].normal, all[i].normal, all[i + 2].normal});
+    mesh.add({corner(i), corner(i), corner(i)}, {all[i].normal, all[i + 1].normal, all[i + 2].normal});
+    mesh.add({corner(i), corner(i + 1), corner(i + 2)}, {all[i].normal, all[i + 1].normal, all[i + 2].normal});
+  }
+  expect_welded(mesh);
+}
+
+// -0 is 0; normals of no length, and none at all.
+TEST_F(Weld, SignsOfZeroAndStrangeNormals) {
+  SplitMesh mesh = flat_shaded(cube());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    for (GLfloat& value : mesh.vertices[i].position) value = value < 0 ? (i % 2 == 0 ? -0.0F : 0.0F) : value;
+    if (i % 5 == 0) mesh.vertices[i].normal = {0, 0, 0};
+    if (i % 7 == 0) mesh.vertices[i].normal = {0, std::nanf(""), 1};
+    if (i % 11 == 0) mesh.vertices[i].normal = {INFINITY, 0, 1};
+    if (i % 13 == 0) mesh.vertices[i].normal = {1e-38F, 3e38F, 1e30F};
+  }
+  expect_welded(mesh);
+  for (const RefinedVertex& vertex : refine(mesh.tagged_at_random(level, 1))) {
+    for (const GLfloat value : vertex.position) ASSERT_TRUE(std::isfinite(value));
+  }
+}
+
+TEST_F(Weld, TagsThatDifferTakeTheGreatest) {
+  SplitMesh mesh = seams_everywhere(icosahedron(), 0.5F, 8);
+  std::mt19937 random(8);
+  for (CurvedVertex& vertex : mesh.vertices) vertex.tag = static_cast<GLubyte>(random() % (level + 1));
+  EXPECT_EQ(parted_edges(mesh), 0);
+  for (const GLenum linear : {GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK}) {
+    glARKParameteriARK(GL_REFINEMENT_ARK, static_cast<GLint>(linear));
+    EXPECT_EQ(parted_edges(mesh), 0);
+    glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+    EXPECT_GT(parted_edges(mesh), 5);
+    glARKParameteriARK(GL_WELD_ARK, GL_TRUE);
+  }
+}
+
+// More triangles than one work group takes.
+TEST_F(Weld, LargeMesh) {
+  const SplitMesh mesh = gear(60, 0.3F, true);
+  ASSERT_GT(mesh.triangles(), 900U);
+  expect_welded(mesh);
+}
+
+// Whatever the order of triangles and corners.
+TEST_F(Weld, OrderDoesNotMatter) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0.5F, 10).tagged_at_random(3, 1);
+  std::mt19937 random(10);
+  std::vector<std::size_t> order(mesh.triangles());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::shuffle(order.begin(), order.end(), random);
+  SplitMesh other;
+  for (const std::size_t t : order) {
+    const auto first = mesh.vertices.begin() + static_cast<std::ptrdiff_t>(3 * t);
+    std::array<CurvedVertex, 3> corners{first[0], first[1], first[2]};
+    std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(t % 3), corners.end());
+    other.vertices.insert(other.vertices.end(), corners.begin(), corners.end());
+  }
+  const auto points = [](const std::vector<RefinedVertex>& refined) {
+    std::multiset<PositionBits> result;
+    for (const RefinedVertex& vertex : refined) {
+      const bool edge = vertex.weights[0] == 0 || vertex.weights[1] == 0 || vertex.weights[2] == 0;
+      if (edge) result.insert(test::bits_of(vertex));
+    }
+    return result;
+  };
+  EXPECT_EQ(points(refine(mesh)), points(refine(other)));
+}
+
+// Where normals agree, welding is not to be seen.
+TEST_F(Weld, SmoothMeshIsAsBefore) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 11).tagged_at_random(level, 1);
+  const auto points = [](const std::vector<RefinedVertex>& refined) {
+    std::multiset<PositionBits> result;
+    for (const RefinedVertex& vertex : refined) result.insert(test::bits_of(vertex));
+    return result;
+  };
+  const auto welded = points(refine(mesh));
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_EQ(welded, points(refine(mesh)));
+}
+
+class WeldModel : public Weld, public testing::WithParamInterface<const char*> {};
+
+TEST_P(WeldModel, EdgesMatch) {
+  const auto mesh = coarse_model(GetParam(), 24);
+  if (!mesh) GTEST_SKIP() << GetParam() << " is not in " GLARK_MODELS ", or zstd is missing";
+  const SplitMesh hard = creased(*mesh, 0.8F).tagged_at_random(3, 1);
+  EXPECT_EQ(parted_edges(hard), 0);
+  EXPECT_EQ(parted_edges(seams_everywhere(*mesh, 0.3F, 14).tagged_at_random(3, 2)), 0);
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_GT(parted_edges(hard), 100) << "the model has no hard edges";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, WeldModel, testing::Values("armadillo", "bunny", "horse", "igea", "nefertiti"),
+                         [](const auto& model) { return std::string(model.param); });
+
+TEST_F(Weld, CubeStaysACube) {
+  for (const RefinedVertex& vertex : refine(flat_shaded(cube()).tagged_at_random(level, 1))) {
+    const auto [x, y, z, w] = vertex.position;
+    EXPECT_EQ(std::max({std::abs(x), std::abs(y), std::abs(z)}), 1.0F);
+  }
+}
+
+// The rim of a cylinder is as round as its wall, and the lid stays flat.
+TEST_F(Weld, RimOfACylinderIsRound) {
+  const SplitMesh mesh = gear(3, 0, true).tagged_at_random(0, 1);
+  SplitMesh fine = mesh;
+  for (CurvedVertex& vertex : fine.vertices) vertex.tag = level;
+  double least = 9;
+  for (const RefinedVertex& vertex : refine(fine)) {
+    if (std::abs(vertex.position[2]) == 0.5F && vertex.triangle >= 0) {
+      const auto t = static_cast<std::size_t>(vertex.triangle);
+      const bool wall = fine.vertices[3 * t].normal[2] == 0;
+      if (wall) least = std::min(least, std::hypot(double{vertex.position[0]}, double{vertex.position[1]}));
+    } else {
+      const auto t = static_cast<std::size_t>(vertex.triangle);
+      EXPECT_EQ(fine.vertices[3 * t].normal[2], 0) << "the lid has left its plane";
+    }
+  }
+  EXPECT_GT(least, 1.49);  // the chords are at 1.449
+}
+
+}  // namespace
+}  // namespace glark::core::test
