@@ -51,7 +51,7 @@ ControlMesh make_jack() {
       const auto tip = static_cast<std::uint32_t>(mesh.positions.size() / 3);
       for (const int corner : corners) {
         for (int k = 0; k < 3; ++k) {
-          const float at = mesh.positions[static_cast<std::size_t>(3 * corner + k)];
+          const float at = mesh.positions[3 * static_cast<std::size_t>(corner) + static_cast<std::size_t>(k)];
           mesh.positions.push_back(k == axis ? (positive ? 1.9F : -1.9F) : 1.2F * at);
         }
       }
