@@ -5,6 +5,7 @@
 // triangles, as QAS, and Loop's limit surface itself. PN and QAS are refined inside OpenGL.
 //
 //   glark-gallery OUT_DIRECTORY          writes qas_MESH.png
+#define GL_GLEXT_PROTOTYPES 1
 #include <GL/osmesa.h>
 #include <glark/qas.h>
 
