@@ -103,6 +103,9 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
 void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured, const Keeping& keeping) {
   const Bindings& b = context_.bindings;
   copy_stale_uniforms(plan);
+  if (b.primitive_restart) {
+    gl_.Disable(GL_PRIMITIVE_RESTART);  // our indices are none of the application's, those that sort neither
+  }
   const bool sorted = plan.keeps_bins() && keeping.filled;
   const Records records = sorted ? Records{captured} : records_of(plan, captured);
   const bool indirect = plan.adaptive || records.triangles.count_on_gpu;
@@ -160,9 +163,6 @@ bool Pipeline::adds_specular_colors(const Plan& plan) const {
 }
 
 void Pipeline::set_modes(const Plan& plan) {
-  if (context_.bindings.primitive_restart) {
-    gl_.Disable(GL_PRIMITIVE_RESTART);
-  }
   if (selects_back_colors(plan)) {
     gl_.Enable(GL_VERTEX_PROGRAM_TWO_SIDE);
   }

@@ -66,6 +66,18 @@ TEST_F(MeasureScene, InPerspective) {
   }
 }
 
+// The numbers that sort the triangles are no indices of the application's.
+TEST_F(MeasureScene, RestartAtASmallIndex) {
+  constexpr GLfloat rows[9][2] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+  constexpr GLuint two_strips[] = {3, 0, 4, 1, 5, 2, 9, 6, 3, 7, 4, 8, 5};
+  measure_depths(6, 4);
+  glVertexPointer(2, GL_FLOAT, 0, rows);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnable(GL_PRIMITIVE_RESTART);
+  glPrimitiveRestartIndex(9);
+  expect_same_picture(8, [&] { glDrawElements(GL_TRIANGLE_STRIP, 13, GL_UNSIGNED_INT, two_strips); });
+}
+
 TEST_F(MeasureScene, FixedFunctionOfEveryKind) {
   measure_depths(6, 4);
   const auto quad = [] {
