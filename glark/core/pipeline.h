@@ -202,7 +202,7 @@ class Pipeline {
   std::uint64_t immediate_bytes_ = std::uint64_t{32} << 20;  // grows where a strip or fan did not fit
   std::shared_ptr<DerivedProgram> feedback_program_;
   std::unordered_map<GLuint, std::uint64_t> feedback_vertices_;  // by transform feedback object
-  using Drawing = std::pair<GLenum, GLenum>;  // mode, provoking convention
+  using Drawing = std::pair<GLenum, GLenum>;                     // mode, provoking convention
   std::map<Drawing, std::optional<depth::Decomposition>> decompositions_;
   std::bitset<cause_count> logged_;
   // Of this context alone: Mesa 22 does not bear one program drawing in two threads, where the application has two.

@@ -160,7 +160,7 @@ void look(const ControlMesh& mesh, int view) {
   glViewport(view * side, 0, side, side);
   glMatrixMode(GL_PROJECTION);
   glLoadIdentity();
-  glFrustum(-0.16, 0.16, -0.16, 0.16, 1, 10);
+  glFrustum(-0.11, 0.11, -0.11, 0.11, 1, 10);
   glMatrixMode(GL_MODELVIEW);
   glLoadIdentity();
   glTranslatef(0, 0, -4);

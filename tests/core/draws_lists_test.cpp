@@ -80,6 +80,32 @@ TEST_F(DrawsLists, RestartEnabledAfterBegin) {
   expect_same_scene({12}, [list] { glCallList(list); });
 }
 
+TEST_F(DrawsLists, RestartOfElements) {
+  glVertexPointer(2, GL_FLOAT, 0, rows);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnable(GL_PRIMITIVE_RESTART);
+  glPrimitiveRestartIndex(9);
+  const GLuint list = compile([] {
+    constexpr GLuint indices[] = {3, 0, 4, 1, 5, 2, 9, 6, 3, 7, 4, 8, 5};
+    glDrawElements(GL_TRIANGLE_STRIP, 13, GL_UNSIGNED_INT, indices);
+  });
+  glPrimitiveRestartIndex(0);
+  expect_same_scene({}, [list] { glCallList(list); });
+}
+
+TEST_F(DrawsLists, SeveralStripsOfOneCall) {
+  glVertexPointer(2, GL_FLOAT, 0, rows);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  const GLuint list = compile([] {
+    constexpr GLuint lower[] = {3, 0, 4, 1, 5, 2};
+    constexpr GLuint upper[] = {6, 3, 7, 4, 8, 5};
+    const void* const starts[] = {lower, upper};
+    constexpr GLsizei counts[] = {6, 6};
+    glMultiDrawElements(GL_TRIANGLE_STRIP, counts, GL_UNSIGNED_INT, starts, 2);
+  });
+  expect_same_scene({}, [list] { glCallList(list); });
+}
+
 // An attribute that appears late parts the primitive in Mesa's list.
 TEST_F(DrawsLists, AttributesThatAppearLate) {
   for (const std::size_t late : {std::size_t{1}, std::size_t{2}, std::size_t{4}}) {

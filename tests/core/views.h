@@ -29,8 +29,9 @@ inline std::vector<Vector> directions() {
   std::vector<Vector> result;
   for (int i = 0; i < 27; ++i) {
     if (i != 13) {
-      result.push_back({static_cast<GLfloat>(i % 3 - 1) + 0.03F, static_cast<GLfloat>(i / 3 % 3 - 1) - 0.02F,
-                        static_cast<GLfloat>(i / 9 - 1) + 0.01F});
+      const int digits[] = {i % 3, i / 3 % 3, i / 9};
+      result.push_back({static_cast<GLfloat>(digits[0]) - 0.97F, static_cast<GLfloat>(digits[1]) - 1.02F,
+                        static_cast<GLfloat>(digits[2]) - 0.99F});
     }
   }
   return result;

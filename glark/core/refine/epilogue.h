@@ -54,9 +54,9 @@ struct EpiloguePlan {
   std::optional<InputVariable> scalar_tags;
   core::ScalarTags constant_tags;
   std::optional<InputVariable> coordinate;  // for displacement
-  std::vector<OutputVariable> outputs;  // linear_outputs: all; otherwise those that are flat
-  bool morphing = false;                // the placement holds edge depths; vertices move between levels
-  std::vector<OutputVariable> morphed;  // outputs that are mixed with those at the neighbours of the level below
+  std::vector<OutputVariable> outputs;      // linear_outputs: all; otherwise those that are flat
+  bool morphing = false;                    // the placement holds edge depths; vertices move between levels
+  std::vector<OutputVariable> morphed;      // outputs that are mixed with those at the neighbours of the level below
   std::vector<Structure> structures;
   std::vector<bool> resets;  // per unit: has a function that initialises its globals again
   std::size_t main_unit = 0;

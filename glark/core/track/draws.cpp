@@ -141,6 +141,14 @@ void draw_rectangle(Context& context, Issue issue) {
 }  // namespace track
 
 namespace hook {
+namespace {
+
+// Mesa 22 joins strips of one list by triangles of no area.
+bool joins_strips(const Context& c, GLenum mode, GLsizei draws) {
+  return c.compiling_list && mode == GL_TRIANGLE_STRIP && draws > 1;
+}
+
+}  // namespace
 
 using track::draw_arrays;
 using track::draw_elements;
@@ -232,6 +240,7 @@ void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei*
   const track::Polygons polygons = track::polygons_of(c, mode, count, draws);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
+                  .exact = !joins_strips(c, mode, draws),
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
                   .issue = [&] { c.gl.MultiDrawArrays(mode, first, count, draws); }});
@@ -240,7 +249,7 @@ void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei*
 void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                        GLsizei draws) {
   c.refresh_bindings();
-  const bool exact = !track::restarts(c);
+  const bool exact = !track::restarts(c) && !joins_strips(c, mode, draws);
   const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
@@ -253,7 +262,7 @@ void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
 void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                                  GLsizei draws, const GLint* base_vertex) {
   c.refresh_bindings();
-  const bool exact = !track::restarts(c);
+  const bool exact = !track::restarts(c) && !joins_strips(c, mode, draws);
   const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),

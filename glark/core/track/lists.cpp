@@ -13,6 +13,9 @@
 namespace glark::core {
 namespace {
 
+// Mesa 22 joins strips of a list, which a restart parted, by triangles of no area: up to four vertices for each restart.
+constexpr std::uint64_t joined = 5;
+
 constexpr int deepest_nesting = 64;  // OpenGL's own minimum of GL_MAX_LIST_NESTING
 
 // Out of the way of applications that number their lists themselves; and not one that glGenLists gave out meanwhile (Mesa
@@ -212,7 +215,7 @@ void record_draw(Context& c, const DrawCall& call) {
   call.issue();
   close_segment(c, {.kind = ListSegment::Kind::draw,
                     .mode = call.mode,
-                    .triangles = call.triangles,
+                    .triangles = call.exact ? call.triangles : joined * (call.triangles + 2),
                     .exact = call.exact,
                     .sets_tags = call.tags_vary || tag_array != 0,
                     .whole_polygons = call.whole_polygons,
@@ -250,14 +253,13 @@ bool list_end(Context& c) {
   }
   c.list.in_draw = false;
   c.refresh_bindings();  // restart may have been enabled after glBegin
-  // Mesa 22 adds triangles of no area to a list: where it joins strips that a restart parted (up to four vertices each time), and where a
-  // vertex has more to it than those before, which parts the primitive.
+  // A vertex that has more to it than those before parts the primitive, too.
   constexpr std::uint64_t vertices_of_parts = 160;
   const bool restarts = c.immediate.restarted || c.bindings.primitive_restart || c.elements_restart;
   const bool parts =
       c.list.segment.late || !c.list.vertex_lists.empty() || !std::has_single_bit(c.immediate_components);
   const std::uint64_t own = c.immediate.vertices_before + c.immediate_vertices;
-  const std::uint64_t vertices = (restarts ? 5 * own : own) + (parts && own > 0 ? vertices_of_parts : 0);
+  const std::uint64_t vertices = (restarts ? joined * own : own) + (parts && own > 0 ? vertices_of_parts : 0);
   close_segment(c, {.kind = ListSegment::Kind::draw,
                     .mode = c.list.begun_mode,
                     .vertices = vertices,
