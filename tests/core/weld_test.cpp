@@ -175,6 +175,90 @@ TEST_F(Weld, TagsThatDifferTakeTheGreatest) {
   }
 }
 
+// Draws do not keep the order of their triangles: by coarse triangle and weights.
+using Surface = std::map<std::array<GLfloat, 4>, std::array<GLfloat, 4>>;
+
+Surface surface_of(const std::vector<RefinedVertex>& refined) {
+  Surface surface;
+  for (const RefinedVertex& vertex : refined) {
+    surface[{vertex.triangle, vertex.weights[0], vertex.weights[1], vertex.weights[2]}] = vertex.position;
+  }
+  return surface;
+}
+
+float furthest_between(const Surface& a, const Surface& b) {
+  float furthest = a.size() == b.size() ? 0 : INFINITY;
+  for (const auto& [place, position] : a) {
+    const auto other = b.find(place);
+    if (other == b.end()) return INFINITY;
+    for (std::size_t i = 0; i < 4; ++i) furthest = std::max(furthest, std::abs(position[i] - other->second[i]));
+  }
+  return furthest;
+}
+
+// The tension of all vertices.
+void set_tension(GLfloat tension) {
+  GLint attribute = 0;
+  glGetIntegerv(GL_SCALAR_TAG_ATTRIBUTE_ARK, &attribute);
+  glVertexAttrib3f(static_cast<GLuint>(attribute), 0, tension, 0);
+}
+
+TEST_F(Weld, TenseEdges) {
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_SCALAR_TAGGED_PN_ARK);
+  for (const GLfloat tension : {-0.5F, 0.0F, 0.5F}) {
+    set_tension(tension);
+    expect_welded(flat_shaded(cube()));
+    expect_welded(gear(7, 0, true));
+    expect_welded(seams_everywhere(icosahedron(), 0.5F, 4));
+  }
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_GT(parted_edges(seams_everywhere(icosahedron(), 0.5F, 4).tagged_at_random(level, 1)), 20);
+}
+
+// What displacement starts from: here nothing is added to it.
+TEST_F(Weld, DisplacedPatches) {
+  glARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, 0);
+  glARKParameteriARK(GL_DISPLACEMENT_COORDINATE_ARK, 0);
+  glARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0);
+  expect_welded(gear(7, 0, true));
+  expect_welded(seams_everywhere(icosahedron(), 0.5F, 4));
+}
+
+TEST_F(Weld, WithoutTagsAsPlainPn) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0.5F, 15).tagged_at_random(level, 1);
+  const Surface plain = surface_of(refine(mesh));
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_SCALAR_TAGGED_PN_ARK);
+  EXPECT_EQ(plain, surface_of(refine(mesh)));
+}
+
+// Tension draws an edge towards its chord as it does without welding.
+TEST_F(Weld, TensionIsThatOfUnweldedEdges) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 16).tagged_at_random(level, 1);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_SCALAR_TAGGED_PN_ARK);
+  const Surface loose = surface_of(refine(mesh));
+  set_tension(0.5F);
+  const Surface welded = surface_of(refine(mesh));
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_LT(furthest_between(welded, surface_of(refine(mesh))), 1e-6F);
+  EXPECT_GT(furthest_between(welded, loose), 0.02F);
+}
+
+// A tagged corner says itself how its edges run, welded or not.
+TEST_F(Weld, TaggedCornersAreAsWithoutWeld) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 17).tagged_at_random(level, 1);
+  GLint attribute = 0;
+  glGetIntegerv(GL_DISCONTINUITY_ATTRIBUTE_ARK, &attribute);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_SCALAR_TAGGED_PN_ARK);
+  const Surface untagged = surface_of(refine(mesh));
+  glVertexAttrib4f(static_cast<GLuint>(attribute), 0.3F, 0.1F, -0.2F, 1);
+  glGetIntegerv(GL_SCALAR_TAG_ATTRIBUTE_ARK, &attribute);
+  glVertexAttrib3f(static_cast<GLuint>(attribute), 0.7F, 0.2F, 0.4F);
+  const Surface tagged = surface_of(refine(mesh));
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_EQ(tagged, surface_of(refine(mesh)));
+  EXPECT_GT(furthest_between(tagged, untagged), 0.02F);
+}
+
 // More triangles than one work group takes.
 TEST_F(Weld, LargeMesh) {
   const SplitMesh mesh = gear(60, 0.3F, true);

@@ -81,6 +81,10 @@ void show_originals(const core::Program& program) {
   }
 }
 
+bool is_curved(core::Refinement refinement) {
+  return refinement == core::Refinement::pn || refinement == core::Refinement::scalar_tagged_pn;
+}
+
 std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
   if (key.at_corner) return "corners";
   std::string kind = refinement == core::Refinement::pn                 ? "pn"
@@ -89,7 +93,7 @@ std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
                                                                         : "linear";
   kind += key.displaced ? "-displaced" : "";
   kind += key.tagged ? "-tagged" : "";
-  kind += key.welded && refinement == core::Refinement::pn ? "-welded" : "";
+  kind += key.welded && is_curved(refinement) ? "-welded" : "";
   kind += key.placed ? "-placed" : "";
   kind += key.morphing ? "-morphing" : "";
   kind += key.flat_colors ? "-flat" : "";
@@ -270,12 +274,13 @@ bool ProgramBuilder::interpolates_outputs(const core::Program& program) const {
   return program.traits.reads_vertex_id || program.traits.writes_cull_distance || (traits_.transparent && names_things);
 }
 
-bool ProgramBuilder::welds(const core::Program& program, const core::DerivedKey& key) const {
-  if (!key.welded || key.refinement != core::Refinement::pn || interpolates_outputs(program) ||
+bool ProgramBuilder::welds(const core::Program& program, const std::vector<capture::Field>& fields,
+                           const core::DerivedKey& key) const {
+  if (!key.welded || !is_curved(key.refinement) || interpolates_outputs(program) ||
       !capture::can_curve(program.fields)) {
     return false;
   }
-  const capture::Layout layout = capture::make_layout(program.fields, key.tagged, true);
+  const capture::Layout layout = capture::make_layout(fields, key.tagged, true);
   const bool fits = layout.corner_words <= traits_.max_feedback_components &&
                     (layout.chunk_count() <= most_chunks(key.placed) || can_store_records(program));
   if (!fits) {
@@ -300,7 +305,8 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   std::vector<capture::Field> fields = program.fields;
   add_shape_fields(fields, key, program.fixed_function, request);
   request.scalar_tags = traits_.scalar_tags;
-  request.layout = capture::make_layout(std::move(fields), key.tagged, welds(program, key));
+  const bool welded = welds(program, fields, key);
+  request.layout = capture::make_layout(std::move(fields), key.tagged, welded);
   request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
   request.at_corner = key.at_corner;
   request.placed = key.placed;
