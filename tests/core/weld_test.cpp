@@ -259,6 +259,67 @@ TEST_F(Weld, TaggedCornersAreAsWithoutWeld) {
   EXPECT_GT(furthest_between(tagged, untagged), 0.02F);
 }
 
+// The depth of an edge is that of the side whose normals turn most.
+class WeldMeasured : public Weld {
+ protected:
+  WeldMeasured() {
+    glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+    glARKParameteriARK(GL_EDGE_PIXELS_ARK, 0);
+    glARKParameteriARK(GL_EDGE_DEGREES_ARK, 3);
+  }
+};
+
+TEST_F(WeldMeasured, EdgesMatch) {
+  const Mesh sphere = icosahedron();
+  for (const GLint geomorph : {GL_FALSE, GL_TRUE}) {
+    glARKParameteriARK(GL_GEOMORPH_ARK, geomorph);
+    for (const GLenum refinement : {GL_CURVED_PN_ARK, GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK}) {
+      glARKParameteriARK(GL_REFINEMENT_ARK, static_cast<GLint>(refinement));
+      for (const SplitMesh& mesh : {flat_shaded(cube()), gear(7, 0, true), gear(60, 0.3F, true), gear(5, 0.4F, false),
+                                    seams_everywhere(cube(), 0.2F, 18), seams_everywhere(sphere, 0.5F, 19)}) {
+        EXPECT_EQ(parted_edges(mesh), 0) << mesh.triangles() << " triangles, refinement " << refinement;
+      }
+    }
+  }
+  EXPECT_EQ(pending_errors(), "");
+}
+
+TEST_F(WeldMeasured, DepthsPartWithoutWeld) {
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_LINEAR_INPUTS_ARK);
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_GT(parted_edges(gear(7, 0, true)), 20);
+  EXPECT_GT(parted_edges(seams_everywhere(icosahedron(), 0.5F, 19)), 10);
+}
+
+// Two triangles on an edge, in either order and with more of the flat side: 8 segments, as its normals turn by 90 degrees on one side.
+TEST_F(WeldMeasured, TheGreaterTurnCounts) {
+  glARKParameteriARK(GL_EDGE_DEGREES_ARK, 12);
+  const Vector a{0, 0, 0};
+  const Vector b{1, 0, 0};
+  const Vector up{0, 0, 1};
+  const std::array<Vector, 3> flat{up, up, up};
+  const std::array<Vector, 3> turning{up, Vector{1, 0, 0}, up};
+  for (const std::size_t first : {0U, 1U, 2U}) {
+    SplitMesh mesh;
+    for (std::size_t i = 0; i < 3; ++i) {
+      mesh.add({{a, b, {0.5F, i == first ? 1.0F : -1.0F, 0.1F}}}, i == first ? turning : flat);
+    }
+    for (const auto& [ends, sides] : sides_of_edges(mesh, refine(mesh))) {
+      if (sides.size() != 3) continue;
+      for (const Points& side : sides) EXPECT_EQ(side.size(), 9U);
+    }
+  }
+}
+
+// Where all sides turn alike, depths are as they were.
+TEST_F(WeldMeasured, SmoothMeshIsAsBefore) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 20);
+  const Surface welded = surface_of(refine(mesh));
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_EQ(welded, surface_of(refine(mesh)));
+  EXPECT_GT(welded.size(), 1000U);
+}
+
 // More triangles than one work group takes.
 TEST_F(Weld, LargeMesh) {
   const SplitMesh mesh = gear(60, 0.3F, true);

@@ -274,21 +274,27 @@ bool ProgramBuilder::interpolates_outputs(const core::Program& program) const {
   return program.traits.reads_vertex_id || program.traits.writes_cull_distance || (traits_.transparent && names_things);
 }
 
-bool ProgramBuilder::welds(const core::Program& program, const std::vector<capture::Field>& fields,
-                           const core::DerivedKey& key) const {
-  if (!key.welded || !is_curved(key.refinement) || interpolates_outputs(program) ||
-      !capture::can_curve(program.fields)) {
-    return false;
+capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
+                                                  const std::vector<capture::Field>& fields,
+                                                  const core::DerivedKey& key) const {
+  capture::WeldedWords words;
+  if (!capture::can_curve(fields)) {
+    return words;
   }
-  const capture::Layout layout = capture::make_layout(fields, key.tagged, true);
-  const bool fits = layout.corner_words <= traits_.max_feedback_components &&
-                    (layout.chunk_count() <= most_chunks(key.placed) || can_store_records(program));
-  if (!fits) {
+  const int most = most_chunks(key.placed);
+  const auto fits = [&](capture::WeldedWords added, bool stored) {
+    const capture::Layout layout = capture::make_layout(fields, key.tagged, added);
+    return layout.corner_words <= traits_.max_feedback_components && (layout.chunk_count() <= most || stored);
+  };
+  const bool curved = key.welded && is_curved(key.refinement) && !interpolates_outputs(program);
+  words.controls = curved && fits({.controls = true}, can_store_records(program));
+  words.turns = key.turns && fits({words.controls, true}, false);  // measured depths take the storage binding
+  if (words.controls != curved || words.turns != key.turns) {
     core::log(core::LogLevel::info, label(program) +
                                         ": its vertex attributes leave no room for what welded edges need; where "
-                                        "normals differ at an edge, its curved triangles may part there");
+                                        "normals differ at an edge, its triangles may part there");
   }
-  return fits;
+  return words;
 }
 
 std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& program, core::Program* owner,
@@ -305,7 +311,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   std::vector<capture::Field> fields = program.fields;
   add_shape_fields(fields, key, program.fixed_function, request);
   request.scalar_tags = traits_.scalar_tags;
-  const bool welded = welds(program, fields, key);
+  const capture::WeldedWords welded = welded_words(program, fields, key);
   request.layout = capture::make_layout(std::move(fields), key.tagged, welded);
   request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
   request.at_corner = key.at_corner;
