@@ -74,7 +74,10 @@ class Weld : public testing::Test {
     EXPECT_GE(refined.size(), mesh.vertices.size());
     for (const auto& [ends, sides] : sides_of_edges(mesh, refined)) {
       EXPECT_GE(sides[0].size(), ends.first == ends.second ? 1U : 2U);
-      parted += std::all_of(sides.begin(), sides.end(), [&](const Points& side) { return side == sides[0]; }) ? 0 : 1;
+      parted +=
+          std::all_of(sides.begin(), sides.end(), [&sides = sides](const Points& side) { return side == sides[0]; })
+              ? 0
+              : 1;
     }
     return parted;
   }
