@@ -219,6 +219,7 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   const bool tagged = plan.adaptive && !plan.measured;
   DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed);
   key.morphing = plan.morphing;
+  key.turns = key.welded && plan.measured && measure().degrees > 0;
   plan.derived = derived_program(plan, key);
   plan_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {

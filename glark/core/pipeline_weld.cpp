@@ -40,19 +40,21 @@ void Pipeline::plan_weld(Plan& plan, DerivedKey key, std::uint64_t triangles) {
   }
   const bool fits = weld_.can_hold(plan.derived->layout, triangles);
   const bool attributes_only = plan.pipeline != nullptr || plan.measured;
-  if (plan.derived->layout.welded() && (!fits || (plan.derived->stored() && attributes_only))) {
+  if (plan.derived->layout.joins_edges() && (!fits || (plan.derived->stored() && attributes_only))) {
     key.welded = false;
+    key.turns = key.turns && fits;
     plan.derived = derived_program(plan, key);
+    plan.welded = plan.derived != nullptr && plan.derived->layout.joins_edges();
     return;
   }
   const capture::Layout& layout = plan.derived->layout;
-  plan.welded = fits && (layout.welded() ||
+  plan.welded = fits && (layout.joins_edges() ||
                          (layout.tagged && capture::find_role(layout.fields, capture::Role::position) != nullptr));
 }
 
 // Captured triangles, or those that polygons were split into: tags are welded before, edges after that.
 void Pipeline::weld(const Plan& plan, const capture::CoarseTriangles& triangles, const GpuBuffer& count, bool split) {
-  const bool edges = plan.layout->welded() && split == plan.polygons.has_value();
+  const bool edges = plan.layout->joins_edges() && split == plan.polygons.has_value();
   const bool tags = plan.layout->tagged && !split;
   if (!plan.welded || !(edges || tags)) {
     return;

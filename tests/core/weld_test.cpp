@@ -75,7 +75,7 @@ class Weld : public testing::Test {
     for (const auto& [ends, sides] : sides_of_edges(mesh, refined)) {
       EXPECT_GE(sides[0].size(), ends.first == ends.second ? 1U : 2U);
       parted +=
-          std::all_of(sides.begin(), sides.end(), [&first = sides[0]](const Points& side) { return side == first; })
+          std::all_of(sides.begin(), sides.end(), [&sides = sides](const Points& side) { return side == sides[0]; })
               ? 0
               : 1;
     }
@@ -176,6 +176,151 @@ TEST_F(Weld, TagsThatDifferTakeTheGreatest) {
     EXPECT_GT(parted_edges(mesh), 5);
     glARKParameteriARK(GL_WELD_ARK, GL_TRUE);
   }
+}
+
+// Draws do not keep the order of their triangles: by coarse triangle and weights.
+using Surface = std::map<std::array<GLfloat, 4>, std::array<GLfloat, 4>>;
+
+Surface surface_of(const std::vector<RefinedVertex>& refined) {
+  Surface surface;
+  for (const RefinedVertex& vertex : refined) {
+    surface[{vertex.triangle, vertex.weights[0], vertex.weights[1], vertex.weights[2]}] = vertex.position;
+  }
+  return surface;
+}
+
+float furthest_between(const Surface& a, const Surface& b) {
+  float furthest = a.size() == b.size() ? 0 : INFINITY;
+  for (const auto& [place, position] : a) {
+    const auto other = b.find(place);
+    if (other == b.end()) return INFINITY;
+    for (std::size_t i = 0; i < 4; ++i) furthest = std::max(furthest, std::abs(position[i] - other->second[i]));
+  }
+  return furthest;
+}
+
+// The tension of all vertices.
+void set_tension(GLfloat tension) {
+  GLint attribute = 0;
+  glGetIntegerv(GL_SCALAR_TAG_ATTRIBUTE_ARK, &attribute);
+  glVertexAttrib3f(static_cast<GLuint>(attribute), 0, tension, 0);
+}
+
+TEST_F(Weld, TenseEdges) {
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_SCALAR_TAGGED_PN_ARK);
+  for (const GLfloat tension : {-0.5F, 0.0F, 0.5F}) {
+    set_tension(tension);
+    expect_welded(flat_shaded(cube()));
+    expect_welded(gear(7, 0, true));
+    expect_welded(seams_everywhere(icosahedron(), 0.5F, 4));
+  }
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_GT(parted_edges(seams_everywhere(icosahedron(), 0.5F, 4).tagged_at_random(level, 1)), 20);
+}
+
+// What displacement starts from: here nothing is added to it.
+TEST_F(Weld, DisplacedPatches) {
+  glARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, 0);
+  glARKParameteriARK(GL_DISPLACEMENT_COORDINATE_ARK, 0);
+  glARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0);
+  expect_welded(gear(7, 0, true));
+  expect_welded(seams_everywhere(icosahedron(), 0.5F, 4));
+}
+
+TEST_F(Weld, WithoutTagsAsPlainPn) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0.5F, 15).tagged_at_random(level, 1);
+  const Surface plain = surface_of(refine(mesh));
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_SCALAR_TAGGED_PN_ARK);
+  EXPECT_EQ(plain, surface_of(refine(mesh)));
+}
+
+// Tension draws an edge towards its chord as it does without welding.
+TEST_F(Weld, TensionIsThatOfUnweldedEdges) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 16).tagged_at_random(level, 1);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_SCALAR_TAGGED_PN_ARK);
+  const Surface loose = surface_of(refine(mesh));
+  set_tension(0.5F);
+  const Surface welded = surface_of(refine(mesh));
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_LT(furthest_between(welded, surface_of(refine(mesh))), 1e-6F);
+  EXPECT_GT(furthest_between(welded, loose), 0.02F);
+}
+
+// A tagged corner says itself how its edges run, welded or not.
+TEST_F(Weld, TaggedCornersAreAsWithoutWeld) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 17).tagged_at_random(level, 1);
+  GLint attribute = 0;
+  glGetIntegerv(GL_DISCONTINUITY_ATTRIBUTE_ARK, &attribute);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_SCALAR_TAGGED_PN_ARK);
+  const Surface untagged = surface_of(refine(mesh));
+  glVertexAttrib4f(static_cast<GLuint>(attribute), 0.3F, 0.1F, -0.2F, 1);
+  glGetIntegerv(GL_SCALAR_TAG_ATTRIBUTE_ARK, &attribute);
+  glVertexAttrib3f(static_cast<GLuint>(attribute), 0.7F, 0.2F, 0.4F);
+  const Surface tagged = surface_of(refine(mesh));
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_EQ(tagged, surface_of(refine(mesh)));
+  EXPECT_GT(furthest_between(tagged, untagged), 0.02F);
+}
+
+// The depth of an edge is that of the side whose normals turn most.
+class WeldMeasured : public Weld {
+ protected:
+  WeldMeasured() {
+    glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+    glARKParameteriARK(GL_EDGE_PIXELS_ARK, 0);
+    glARKParameteriARK(GL_EDGE_DEGREES_ARK, 3);
+  }
+};
+
+TEST_F(WeldMeasured, EdgesMatch) {
+  const Mesh sphere = icosahedron();
+  for (const GLint geomorph : {GL_FALSE, GL_TRUE}) {
+    glARKParameteriARK(GL_GEOMORPH_ARK, geomorph);
+    for (const GLenum refinement : {GL_CURVED_PN_ARK, GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK}) {
+      glARKParameteriARK(GL_REFINEMENT_ARK, static_cast<GLint>(refinement));
+      for (const SplitMesh& mesh : {flat_shaded(cube()), gear(7, 0, true), gear(60, 0.3F, true), gear(5, 0.4F, false),
+                                    seams_everywhere(cube(), 0.2F, 18), seams_everywhere(sphere, 0.5F, 19)}) {
+        EXPECT_EQ(parted_edges(mesh), 0) << mesh.triangles() << " triangles, refinement " << refinement;
+      }
+    }
+  }
+  EXPECT_EQ(pending_errors(), "");
+}
+
+TEST_F(WeldMeasured, DepthsPartWithoutWeld) {
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_LINEAR_INPUTS_ARK);
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_GT(parted_edges(gear(7, 0, true)), 20);
+  EXPECT_GT(parted_edges(seams_everywhere(icosahedron(), 0.5F, 19)), 10);
+}
+
+// Two triangles on an edge, in either order and with more of the flat side: 8 segments, as its normals turn by 90 degrees on one side.
+TEST_F(WeldMeasured, TheGreaterTurnCounts) {
+  glARKParameteriARK(GL_EDGE_DEGREES_ARK, 12);
+  const Vector a{0, 0, 0};
+  const Vector b{1, 0, 0};
+  const Vector up{0, 0, 1};
+  const std::array<Vector, 3> flat{up, up, up};
+  const std::array<Vector, 3> turning{up, Vector{1, 0, 0}, up};
+  for (const std::size_t first : {0U, 1U, 2U}) {
+    SplitMesh mesh;
+    for (std::size_t i = 0; i < 3; ++i) {
+      mesh.add({{a, b, {0.5F, i == first ? 1.0F : -1.0F, 0.1F}}}, i == first ? turning : flat);
+    }
+    for (const auto& [ends, sides] : sides_of_edges(mesh, refine(mesh))) {
+      if (sides.size() != 3) continue;
+      for (const Points& side : sides) EXPECT_EQ(side.size(), 9U);
+    }
+  }
+}
+
+// Where all sides turn alike, depths are as they were.
+TEST_F(WeldMeasured, SmoothMeshIsAsBefore) {
+  const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 20);
+  const Surface welded = surface_of(refine(mesh));
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  EXPECT_EQ(welded, surface_of(refine(mesh)));
+  EXPECT_GT(welded.size(), 1000U);
 }
 
 // More triangles than one work group takes.

@@ -177,7 +177,7 @@ bool is_constant_in_draw(const Field& field) {
 
 bool is_builtin(const Field& field) { return field.name.rfind("gl_", 0) == 0; }
 
-Layout make_layout(std::vector<Field> fields, bool tagged, bool welded) {
+Layout make_layout(std::vector<Field> fields, bool tagged, WeldedWords welded) {
   Layout layout;
   layout.fields = std::move(fields);
   for (Field& field : layout.fields) {
@@ -189,9 +189,12 @@ Layout make_layout(std::vector<Field> fields, bool tagged, bool welded) {
   if (tagged) {
     layout.tag_offset = layout.corner_words++;
   }
-  if (welded) {
+  if (welded.controls) {
     layout.control_offset = layout.corner_words;
     layout.corner_words += control_words;
+  }
+  if (welded.turns) {
+    layout.turn_offset = layout.corner_words++;
   }
   return layout;
 }
@@ -340,7 +343,8 @@ CaptureSources capture_sources(const Layout& layout, Language language, GLuint t
   CaptureText text(result);
   for (const Field& field : layout.fields) text.add(field);
   if (layout.tagged) text.add_tag(tag_attribute);
-  if (layout.welded()) text.add_room(control_words);
+  const int welded_words = (layout.welded() ? control_words : 0) + (layout.turn_offset >= 0 ? 1 : 0);
+  if (welded_words > 0) text.add_room(welded_words);
   result.vertex = text.text(language);
   return result;
 }

@@ -24,8 +24,8 @@ bool is_constant_in_draw(const Field& field);
 // "gl_Vertex" and the like: read by their names, without a location.
 bool is_builtin(const Field& field);
 
-// Places the fields one after the other; `tagged` adds the depth tag, `welded` the control points of the edges.
-Layout make_layout(std::vector<Field> fields, bool tagged, bool welded = false);
+// Places the fields one after the other; `tagged` adds the depth tag, `welded` what welding leaves.
+Layout make_layout(std::vector<Field> fields, bool tagged, WeldedWords welded = {});
 
 // Which input is the position, the normal and the texture coordinate. What `told` names, by name or location, where the program
 // has it; else a guess: the built-in ones, else the first input whose name says so, else by location: 0 for the position, and

@@ -28,15 +28,26 @@ struct Field {
 // Control points of the edges, as welding leaves them in a corner: 3 b210 (vec3) towards the next corner, then towards the one before.
 inline constexpr int control_words = 6;
 
-// One corner: fields one after the other, then the depth tag (float) if `tagged`, then the control points if the edges are welded.
+// What welding leaves in a corner, besides a depth tag that is there already.
+struct WeldedWords {
+  bool controls = false;
+  bool turns = false;
+};
+
+// One corner: fields one after the other, then the depth tag (float) if `tagged`, then the control points if the edges are welded,
+// then the half-edge of the greatest turn if that is.
 struct Layout {
   std::vector<Field> fields;
   bool tagged = false;
   int corner_words = 0;  // stride of one corner; a coarse record is 3 * corner_words words
   int tag_offset = -1;
   int control_offset = -1;  // in a corner; < 0: edges are not welded
+  // In a corner: of the sides of the edge that begins there, the half-edge (the number of its first corner in the draw) between whose
+  // ends the normal turns most. < 0: each side counts by itself.
+  int turn_offset = -1;
 
   bool welded() const { return control_offset >= 0; }
+  bool joins_edges() const { return welded() || turn_offset >= 0; }
   int triangle_words() const { return 3 * corner_words; }
   int chunk_count() const { return (triangle_words() + 3) / 4; }
   int corner_chunk_count() const { return (corner_words + 3) / 4; }

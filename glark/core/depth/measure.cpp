@@ -14,9 +14,9 @@ constexpr char measure_source[] =
 #include "glark/core/depth/measure.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {"record_offset", "corner_words",   "normal_offset",
-                                         "first_depth",   "triangle_bound", "pool_level",
-                                         "on_screen",     "packed_bits",    "depth_steps"};
+constexpr const char* uniform_names[] = {"record_offset",  "corner_words", "normal_offset", "first_depth",
+                                         "triangle_bound", "pool_level",   "on_screen",     "packed_bits",
+                                         "depth_steps",    "turn_offset"};
 constexpr int depths = static_cast<int>(core::max_supported_level) + 1;
 constexpr GLsizeiptr limit_bytes = 4 * (1 + 2 * depths);
 constexpr GLsizeiptr bytes_a_triangle = 3 * 16 + 4;
@@ -154,7 +154,8 @@ MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::
                           static_cast<GLint>(request.pool_level),
                           request.corner_program != 0 ? 1 : 0,
                           result.bits,
-                          request.depth_steps};
+                          request.depth_steps,
+                          request.layout->turn_offset};
   for (std::size_t i = 0; i < depth_pass_.uniform.size(); ++i) {
     gl_.Uniform1i(depth_pass_.uniform[i], values[i]);
   }

@@ -54,7 +54,7 @@ class MeasureStage {
   };
   struct DepthPass {
     GLuint program = 0;
-    std::array<GLint, 9> uniform{};
+    std::array<GLint, 10> uniform{};
     GLint half_size = -1;
   };
 

@@ -16,9 +16,9 @@ constexpr char ordered_source[] =
 #include "glark/core/depth/ordered.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {"record_offset",        "corner_words",   "tag_offset",
-                                         "tags_are_edge_depths", "triangle_count", "pool_level",
-                                         "normal_offset",        "on_screen",      "depth_steps"};
+constexpr const char* uniform_names[] = {"record_offset",  "corner_words", "tag_offset",    "tags_are_edge_depths",
+                                         "triangle_count", "pool_level",   "normal_offset", "on_screen",
+                                         "depth_steps",    "turn_offset"};
 constexpr int most_triangles = 128;  // the least that GL and ES guarantee as the size of a work group
 constexpr std::uint32_t group_sizes[] = {8, 32, most_triangles};  // idle invocations are not free
 constexpr int most_instances = 4;                                 // of one triangle that is not deeper than a tile
@@ -126,7 +126,8 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
                           static_cast<GLint>(request.measure.pool_level),
                           request.measure.normal_offset,
                           request.measure.corner_program != 0 ? 1 : 0,
-                          request.measure.depth_steps};
+                          request.measure.depth_steps,
+                          layout.turn_offset};
   for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
     gl_.Uniform1i(pass.uniform[i], values[i]);
   }

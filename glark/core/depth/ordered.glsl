@@ -32,6 +32,8 @@ uniform vec2 half_size;
 float pixel_limit(int depth) { return limits[1 + depth]; }
 float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
 
+int corner_count() { return 3 * triangle_count; }
+
 #include "glark/core/depth/edge_steps.glsl"
 #include "glark/core/depth/edge_depth.glsl"
 #include "glark/core/depth/measured_edge.glsl"

@@ -41,7 +41,7 @@ class OrderedStage {
  private:
   struct Pass {
     GLuint program = 0;
-    std::array<GLint, 9> uniform{};
+    std::array<GLint, 10> uniform{};
     GLint half_size = -1;
   };
 

@@ -64,12 +64,32 @@ std::string tagged_corner(const EpiloguePlan& plan, int corner) {
          resized(plan, *pn_normal(plan), corner, 3) + ", " + discontinuity + ", " + tags + ");\n";
 }
 
+// Of the tagged corners; those that welding found are in the record.
+std::string find_controls(const EpiloguePlan& plan) {
+  if (plan.control_offset < 0) return "  @st_controls(@c0, @c1, @c2);\n";
+  struct Control {
+    const char* name;
+    int near;
+    int far;
+    int offset;
+  };
+  static constexpr Control controls[] = {{"b210", 0, 1, 0}, {"b120", 1, 0, 3}, {"b021", 1, 2, 0},
+                                         {"b012", 2, 1, 3}, {"b102", 2, 0, 0}, {"b201", 0, 2, 3}};
+  std::string text;
+  for (const Control& control : controls) {
+    text += std::string("  @st_") + control.name + " = @st_welded_control(@c" + std::to_string(control.near) + ", @c" +
+            std::to_string(control.far) + ", " +
+            corner_vector(plan, plan.control_offset + control.offset, control.near) + ");\n";
+  }
+  return text;
+}
+
 std::string fill_by_scalar_tagged_pn(const EpiloguePlan& plan, TypeSet& mixed_types) {
   const InputVariable& position = *pn_position(plan);
   const InputVariable& normal = *pn_normal(plan);
   const std::string corners = "(@weights, @c0, @c1, @c2)";
   const std::string points = "@st_position(@weights, @c0.position.xyz, @c1.position.xyz, @c2.position.xyz)";
-  return tagged_corners(plan) + "  @st_controls(@c0, @c1, @c2);\n  " + position.global + " = " +
+  return tagged_corners(plan) + find_controls(plan) + "  " + position.global + " = " +
          with_linear_w(plan, position, points, mixed_types) + ";\n  " + normal.global + " = " +
          with_linear_w(plan, normal, "@st_normal" + corners, mixed_types) + ";\n";
 }

@@ -81,6 +81,10 @@ void show_originals(const core::Program& program) {
   }
 }
 
+bool is_curved(core::Refinement refinement) {
+  return refinement == core::Refinement::pn || refinement == core::Refinement::scalar_tagged_pn;
+}
+
 std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
   if (key.at_corner) return "corners";
   std::string kind = refinement == core::Refinement::pn                 ? "pn"
@@ -89,7 +93,7 @@ std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
                                                                         : "linear";
   kind += key.displaced ? "-displaced" : "";
   kind += key.tagged ? "-tagged" : "";
-  kind += key.welded && refinement == core::Refinement::pn ? "-welded" : "";
+  kind += key.welded && is_curved(refinement) ? "-welded" : "";
   kind += key.placed ? "-placed" : "";
   kind += key.morphing ? "-morphing" : "";
   kind += key.flat_colors ? "-flat" : "";
@@ -270,20 +274,27 @@ bool ProgramBuilder::interpolates_outputs(const core::Program& program) const {
   return program.traits.reads_vertex_id || program.traits.writes_cull_distance || (traits_.transparent && names_things);
 }
 
-bool ProgramBuilder::welds(const core::Program& program, const core::DerivedKey& key) const {
-  if (!key.welded || key.refinement != core::Refinement::pn || interpolates_outputs(program) ||
-      !capture::can_curve(program.fields)) {
-    return false;
+capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
+                                                  const std::vector<capture::Field>& fields,
+                                                  const core::DerivedKey& key) const {
+  capture::WeldedWords words;
+  if (!capture::can_curve(fields)) {
+    return words;
   }
-  const capture::Layout layout = capture::make_layout(program.fields, key.tagged, true);
-  const bool fits = layout.corner_words <= traits_.max_feedback_components &&
-                    (layout.chunk_count() <= most_chunks(key.placed) || can_store_records(program));
-  if (!fits) {
+  const int most = most_chunks(key.placed);
+  const auto fits = [&](capture::WeldedWords added, bool stored) {
+    const capture::Layout layout = capture::make_layout(fields, key.tagged, added);
+    return layout.corner_words <= traits_.max_feedback_components && (layout.chunk_count() <= most || stored);
+  };
+  const bool curved = key.welded && is_curved(key.refinement) && !interpolates_outputs(program);
+  words.controls = curved && fits({.controls = true}, can_store_records(program));
+  words.turns = key.turns && fits({words.controls, true}, false);  // measured depths take the storage binding
+  if (words.controls != curved || words.turns != key.turns) {
     core::log(core::LogLevel::info, label(program) +
                                         ": its vertex attributes leave no room for what welded edges need; where "
-                                        "normals differ at an edge, its curved triangles may part there");
+                                        "normals differ at an edge, its triangles may part there");
   }
-  return fits;
+  return words;
 }
 
 std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& program, core::Program* owner,
@@ -300,7 +311,8 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   std::vector<capture::Field> fields = program.fields;
   add_shape_fields(fields, key, program.fixed_function, request);
   request.scalar_tags = traits_.scalar_tags;
-  request.layout = capture::make_layout(std::move(fields), key.tagged, welds(program, key));
+  const capture::WeldedWords welded = welded_words(program, fields, key);
+  request.layout = capture::make_layout(std::move(fields), key.tagged, welded);
   request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
   request.at_corner = key.at_corner;
   request.placed = key.placed;

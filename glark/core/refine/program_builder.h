@@ -54,7 +54,8 @@ class ProgramBuilder {
   bool needs_stage(GLenum stage, bool at_corner) const;
   bool interpolates_outputs(const core::Program& program) const;
   int most_chunks(bool placed) const;
-  bool welds(const core::Program& program, const core::DerivedKey& key) const;
+  capture::WeldedWords welded_words(const core::Program& program, const std::vector<capture::Field>& fields,
+                                    const core::DerivedKey& key) const;
   bool can_store_records(const core::Program& program) const;
   void read_fields(core::Program& program) const;
 

@@ -102,22 +102,18 @@ void glark_st_controls(glark_StCorner c0, glark_StCorner c1, glark_StCorner c2) 
   glark_st_b201 = glark_st_control(c0, c2);
 }
 
+// Of an edge that others have welded, which is to say without tension. A tagged corner has one normal and says itself how the edge runs.
+vec3 glark_st_welded_control(glark_StCorner near, glark_StCorner far, vec3 welded) {
+  if (near.tagged) return glark_st_control(near, far);
+  if (near.tension == 0.0) return welded;
+  glark_precise vec3 flat_control = 3.0 * near.position.xyz;
+  glark_precise vec3 control = flat_control + (1.0 - near.tension) * (welded - flat_control);
+  return control;
+}
+
 // From the control points that were found.
 vec3 glark_st_position(vec3 weights, vec3 p0, vec3 p1, vec3 p2) {
-  glark_precise float w = weights.x;
-  glark_precise float u = weights.y;
-  glark_precise float v = weights.z;
-  vec3 b210 = glark_st_b210;
-  vec3 b120 = glark_st_b120;
-  vec3 b021 = glark_st_b021;
-  vec3 b012 = glark_st_b012;
-  vec3 b102 = glark_st_b102;
-  vec3 b201 = glark_st_b201;
-  glark_precise vec3 corners = (p0 * ((w * w) * w) + p1 * ((u * u) * u)) + p2 * ((v * v) * v);
-  glark_precise vec3 edges = (glark_pn_edge(b210, b120, w, u) + glark_pn_edge(b021, b012, u, v)) + glark_pn_edge(b102, b201, v, w);
-  glark_precise vec3 middle = 0.5 * (((b210 + b120) + (b021 + b012)) + (b102 + b201)) - ((p0 + p1) + p2);
-  glark_precise vec3 position = (corners + edges) + middle * ((w * u) * v);
-  return position;
+  return glark_pn_patch(weights, p0, p1, p2, glark_st_b210, glark_st_b120, glark_st_b021, glark_st_b012, glark_st_b102, glark_st_b201);
 }
 
 // The side that a triangle is on at `corner`: that of its edges there which are not sharp; where all are, that of its plane.

@@ -16,7 +16,7 @@ constexpr char weld_source[] =
 
 constexpr const char* uniform_names[] = {"record_offset",   "corner_words",   "triangle_bound", "count_on_gpu",
                                          "position_offset", "position_words", "normal_offset",  "control_offset",
-                                         "tag_offset",      "slot_count",     "key_count"};
+                                         "turn_offset",     "tag_offset",     "slot_count",     "key_count"};
 constexpr std::uint32_t group_size = 64;
 constexpr std::uint32_t most_groups = 65535;      // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT
 constexpr std::uint32_t most_in_one_group = 128;  // triangles: one dispatch costs less than three
@@ -28,8 +28,9 @@ bool takes_one_dispatch(std::uint32_t triangles) { return triangles <= most_in_o
 std::uint64_t slots_for(std::uint32_t triangles) { return 4 * std::max<std::uint64_t>(4, triangles); }
 
 std::uint64_t bytes_for(const capture::Layout& layout, std::uint64_t triangles) {
-  const std::uint64_t tables = (layout.welded() ? 1 : 0) + (layout.tagged ? 1 : 0);
-  return 4 * tables * (2 * slots_for(static_cast<std::uint32_t>(triangles)) + 3 * triangles);
+  const std::uint64_t slots = slots_for(static_cast<std::uint32_t>(triangles));
+  const std::uint64_t tables = (layout.joins_edges() ? 1 : 0) + (layout.tagged ? 1 : 0);
+  return 4 * (tables * (2 * slots + 3 * triangles) + (layout.turn_offset >= 0 ? slots : 0));
 }
 
 }  // namespace
@@ -90,6 +91,7 @@ void WeldStage::dispatch(std::size_t pass, const WeldRequest& request, std::uint
                           position->words,
                           capture::normal_offset(layout.fields),
                           request.edges ? layout.control_offset : -1,
+                          request.edges ? layout.turn_offset : -1,
                           request.tags ? layout.tag_offset : -1,
                           static_cast<GLint>(slots_for(request.triangles.count)),
                           static_cast<GLint>(keys.size())};

@@ -18,6 +18,7 @@ layout(local_size_x = GLARK_GROUP) in;
 layout(std430, binding = 0) buffer Records { uint records[]; };
 // Slots of edges (2 words: least and greatest side; 0: empty), slots of vertices (2 words: a corner from 1, the bits of the greatest
 // tag), the edge slot of each half-edge, the vertex slot of each corner; those of edges and of vertices only where they are welded.
+// Then, for each slot of edges, the side that turns most, where that is asked for.
 layout(std430, binding = 1) coherent buffer Tables { uint tables[]; };
 layout(std430, binding = 2) readonly buffer Count { uint count_command[]; };
 
@@ -28,7 +29,8 @@ uniform int count_on_gpu;
 uniform int position_offset;
 uniform int position_words;
 uniform int normal_offset;
-uniform int control_offset;  // in a corner; < 0: the edges are not welded
+uniform int control_offset;  // in a corner; < 0: the edges have no control points
+uniform int turn_offset;     // in a corner; < 0: how much the sides turn does not count
 uniform int tag_offset;      // in a corner; < 0: the tags are not welded
 uniform int slot_count;      // of either table
 uniform int key_count;
@@ -84,9 +86,11 @@ bool before(uvec4 a, uvec4 b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;
 }
 
-int vertex_table() { return control_offset >= 0 ? 2 * slot_count : 0; }
+bool joins_edges() { return control_offset >= 0 || turn_offset >= 0; }
+int vertex_table() { return joins_edges() ? 2 * slot_count : 0; }
 int edge_slots() { return vertex_table() + (tag_offset >= 0 ? 2 * slot_count : 0); }
-int vertex_slots() { return edge_slots() + (control_offset >= 0 ? 3 * triangle_bound : 0); }
+int vertex_slots() { return edge_slots() + (joins_edges() ? 3 * triangle_bound : 0); }
+int turn_table() { return vertex_slots() + (tag_offset >= 0 ? 3 * triangle_bound : 0); }
 
 // A side of an edge is named by its half-edge, the number of the corner where it begins, and by whether that is the higher of its ends:
 // all sides have the lower end first.
@@ -149,13 +153,51 @@ void rank_side(int word, Edge edge, uint now, int direction) {
   }
 }
 
-void insert_edge(int half_edge) {
+vec3 normal_of(int corner) {
+  int word = record_offset + corner * corner_words + normal_offset;
+  return uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2]));
+}
+
+// The cosine of the turn of the normal along a side; 1 without a normal.
+float turn_of(uint side) {
+  vec3 a = glark_pn_unit(normal_of(end_of_side(side, false)));
+  vec3 b = glark_pn_unit(normal_of(end_of_side(side, true)));
+  precise float cosine = dot(a, b);
+  return a != vec3(0.0) && b != vec3(0.0) && cosine < 1.0 ? cosine : 1.0;
+}
+
+void rank_turn(int word, Edge edge) {
+  float cosine = turn_of(edge.side);
+  uint now = atomicCompSwap(tables[word], 0u, edge.side);
+  while (now != 0u && now != edge.side) {
+    float other = turn_of(now);
+    if (!(cosine < other || (cosine == other && order_of(edge, now) == -1))) {
+      return;
+    }
+    uint seen = atomicCompSwap(tables[word], now, edge.side);
+    if (seen == now) {
+      return;
+    }
+    now = seen;
+  }
+}
+
+// A triangle with two corners in one place is no side of its edges: its normals are those of what it stitches together.
+bool is_side(int half_edge) {
   int next = next_corner(half_edge);
   uvec4 from = position_of(half_edge);
   uvec4 to = position_of(next);
-  if (from == to) {
+  uvec4 third = position_of(next_corner(next));
+  return from != to && to != third && third != from;
+}
+
+void insert_edge(int half_edge) {
+  if (!is_side(half_edge)) {
     return;
   }
+  int next = next_corner(half_edge);
+  uvec4 from = position_of(half_edge);
+  uvec4 to = position_of(next);
   bool falling = before(to, from);
   int low = falling ? next : half_edge;
   int high = falling ? half_edge : next;
@@ -170,6 +212,9 @@ void insert_edge(int half_edge) {
     rank_side(2 * slot, edge, taken, -1);
   }
   rank_side(2 * slot + 1, edge, atomicCompSwap(tables[2 * slot + 1], 0u, edge.side), 1);
+  if (turn_offset >= 0) {
+    rank_turn(turn_table() + slot, edge);
+  }
   tables[edge_slots() + half_edge] = uint(slot);
 }
 
@@ -220,6 +265,14 @@ void write_control(int corner, int behind, vec3 control) {
   records[to + 2] = floatBitsToUint(control.z);
 }
 
+void write_turn(int half_edge) {
+  uint most = side_name(half_edge, false);
+  if (is_side(half_edge)) {
+    most = tables[turn_table() + int(tables[edge_slots() + half_edge])];
+  }
+  records[record_offset + half_edge * corner_words + turn_offset] = (most - 1u) >> 1;
+}
+
 // Every side computes both control points, from the same words in the same way.
 void write_edge(int half_edge) {
   int next = next_corner(half_edge);
@@ -228,7 +281,7 @@ void write_edge(int half_edge) {
   bool falling = before(to, from);
   uint least = side_name(half_edge, falling);
   uint greatest = least;
-  if (from != to) {
+  if (is_side(half_edge)) {
     int slot = int(tables[edge_slots() + half_edge]);
     least = tables[2 * slot];
     greatest = tables[2 * slot + 1];
@@ -248,9 +301,12 @@ void write_vertex(int corner) {
 }
 
 void clear(int slot) {
-  if (control_offset >= 0) {
+  if (joins_edges()) {
     tables[2 * slot] = 0u;
     tables[2 * slot + 1] = 0u;
+  }
+  if (turn_offset >= 0) {
+    tables[turn_table() + slot] = 0u;
   }
   if (tag_offset >= 0) {
     tables[vertex_table() + 2 * slot] = 0u;
@@ -259,7 +315,7 @@ void clear(int slot) {
 }
 
 void insert(int corner) {
-  if (control_offset >= 0) {
+  if (joins_edges()) {
     insert_edge(corner);
   }
   if (tag_offset >= 0) {
@@ -270,6 +326,9 @@ void insert(int corner) {
 void write(int corner) {
   if (control_offset >= 0) {
     write_edge(corner);
+  }
+  if (turn_offset >= 0) {
+    write_turn(corner);
   }
   if (tag_offset >= 0) {
     write_vertex(corner);

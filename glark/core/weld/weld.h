@@ -4,6 +4,7 @@
 // Joins the coarse triangles of a draw by position, on the GPU: programs split vertices where normals or texture coordinates jump, and
 // what two triangles share there must be computed from data that both have. Exact positions count, by their bits (-0 is 0).
 // - Edges: the control points of curved PN triangles, from the normals of all sides (weld.glsl), at Layout::control_offset.
+//   Where normals are measured, which of the sides turns most, at Layout::turn_offset.
 // - Vertices: the greatest of the depth tags that meet in a position.
 #pragma once
 
@@ -44,7 +45,7 @@ class WeldStage {
   void release();
 
  private:
-  static constexpr std::size_t uniform_count = 11;
+  static constexpr std::size_t uniform_count = 12;
   struct Pass {
     GLuint program = 0;
     std::array<GLint, uniform_count> uniform{};
