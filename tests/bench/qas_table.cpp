@@ -4,6 +4,7 @@
 // glark-qas-errors: the table of errors of QAS, of QAS after one more step, and of PN triangles, against Loop's limit surface.
 //
 //   glark-qas-errors [--csv] [MESH.obj ...]      without meshes: the seven of tests/qas/meshes.h
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -17,6 +18,15 @@ namespace {
 
 using glark::bench::Deviation;
 using glark::qas::test::ControlMesh;
+
+// "7", "7/1" or "7//3": 6.
+std::uint32_t index_of(const std::string& word, const std::string& path) {
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc{} || number == 0 || (end != word.data() + word.size() && *end != '/'))
+    throw std::runtime_error(path + ": '" + word + "' is no vertex of a face");
+  return number - 1;
+}
 
 // Vertices and triangles; polygons are cut into fans.
 ControlMesh read_obj(const std::string& path) {
@@ -33,11 +43,13 @@ ControlMesh read_obj(const std::string& path) {
       for (int i = 0; i < 3 && words >> x; ++i) mesh.positions.push_back(x);
     } else if (word == "f") {
       std::vector<std::uint32_t> corners;
-      while (words >> word) corners.push_back(static_cast<std::uint32_t>(std::stoul(word) - 1));
+      while (words >> word) corners.push_back(index_of(word, path));
       for (std::size_t i = 2; i < corners.size(); ++i)
         mesh.triangles.insert(mesh.triangles.end(), {corners[0], corners[i - 1], corners[i]});
     }
   }
+  if (mesh.triangles.empty() || mesh.positions.empty() || !(mesh.diagonal() > 0))
+    throw std::runtime_error(path + ": no surface; a Wavefront OBJ with lines of v and f is needed");
   return mesh;
 }
 

@@ -148,6 +148,32 @@ TEST_F(Weld, DegenerateAndRepeatedTriangles) {
   expect_welded(mesh);
 }
 
+// As strips are stitched together: between a face and a wall.
+TEST_F(Weld, ATriangleOfTwoPlacesCoversNothing) {
+  const Vector a{-1, 0.25F, 0};
+  const Vector b{1, 0.5F, 0.5F};
+  SplitMesh mesh;
+  mesh.add({a, a, b}, {Vector{0, 0, 1}, Vector{0, 0.7F, 0.7F}, Vector{1, 0, 0.5F}});
+  mesh.add({a, b, b}, {Vector{0, 1, 0}, Vector{-1, 0, 1}, Vector{0, 0, 1}});
+  mesh.add({b, a, b}, {Vector{0, 1, 0}, Vector{-1, 0, 1}, Vector{0, 0, 1}});
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
+  for (const GLint weld : {GL_FALSE, GL_TRUE}) {
+    glARKParameteriARK(GL_WELD_ARK, weld);
+    const std::vector<RefinedVertex> refined = refine(mesh);
+    ASSERT_GE(refined.size(), 9U << (2 * level));
+    for (std::size_t t = 0; t + 2 < refined.size(); t += 3) {
+      const auto along = [&](std::size_t corner, std::size_t k) {
+        return refined[t + corner].position[k] - refined[t].position[k];
+      };
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t l = (k + 1) % 3;
+        EXPECT_NEAR(along(1, k) * along(2, l), along(1, l) * along(2, k), 1e-6F) << "weld " << weld;
+      }
+    }
+  }
+}
+
 // -0 is 0; normals of no length, and none at all.
 TEST_F(Weld, SignsOfZeroAndStrangeNormals) {
   SplitMesh mesh = flat_shaded(cube());

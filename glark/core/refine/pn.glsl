@@ -17,16 +17,22 @@ vec3 glark_pn_edge(vec3 near_control, vec3 far_control, float w, float u) {
   return sum;
 }
 
+// The edge itself, by the same sums as in the patch.
+vec3 glark_pn_curve(vec3 near, vec3 far, vec3 near_control, vec3 far_control, float w, float u) {
+  glark_precise vec3 position = (near * ((w * w) * w) + far * ((u * u) * u)) + glark_pn_edge(near_control, far_control, w, u);
+  return position;
+}
+
 // From the corners and the control points of the edges, which the neighbours must have as well. A triangle with two corners in one
-// place, as stitches strips together, has no area and gets none.
+// place, as stitches strips together, has no area and gets none: it is its edge.
 vec3 glark_pn_patch(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec3 b210, vec3 b120, vec3 b021, vec3 b012, vec3 b102, vec3 b201) {
   glark_precise float w = weights.x;
   glark_precise float u = weights.y;
   glark_precise float v = weights.z;
-  if (p0 == p1 || p1 == p2 || p2 == p0) {
-    glark_precise vec3 straight = (p0 * w + p1 * u) + p2 * v;
-    return straight;
-  }
+  if (p0 == p1 && p1 == p2) return p0;
+  if (p0 == p1) return glark_pn_curve(p1, p2, b021, b012, w + u, v);
+  if (p1 == p2) return glark_pn_curve(p2, p0, b102, b201, u + v, w);
+  if (p2 == p0) return glark_pn_curve(p0, p1, b210, b120, v + w, u);
   glark_precise vec3 corners = (p0 * ((w * w) * w) + p1 * ((u * u) * u)) + p2 * ((v * v) * v);
   glark_precise vec3 edges = (glark_pn_edge(b210, b120, w, u) + glark_pn_edge(b021, b012, u, v)) + glark_pn_edge(b102, b201, v, w);
   // b111 = E + (E - V) / 2 with E the mean of the six b, V that of the corners.

@@ -218,6 +218,29 @@ void insert_edge(int half_edge) {
   tables[edge_slots() + half_edge] = uint(slot);
 }
 
+// -1: nothing is known of the edge, which no triangle with an area has. After all insertions.
+int slot_of(int half_edge) {
+  if (is_side(half_edge)) {
+    return int(tables[edge_slots() + half_edge]);
+  }
+  int next = next_corner(half_edge);
+  uvec4 from = position_of(half_edge);
+  uvec4 to = position_of(next);
+  if (from == to) {
+    return -1;
+  }
+  bool falling = before(to, from);
+  Edge edge = Edge(falling ? to : from, falling ? from : to, uvec4(0u), uvec4(0u), side_name(half_edge, falling));
+  int slot = first_slot(hashed(hashed(0u, edge.low), edge.high), half_edge);
+  while (tables[2 * slot] != 0u) {
+    if (is_edge_of(edge, tables[2 * slot])) {
+      return slot;
+    }
+    slot = next_slot(slot);
+  }
+  return -1;
+}
+
 void insert_vertex(int corner) {
   uvec4 position = position_of(corner);
   int slot = first_slot(hashed(0u, position), corner);
@@ -267,8 +290,9 @@ void write_control(int corner, int behind, vec3 control) {
 
 void write_turn(int half_edge) {
   uint most = side_name(half_edge, false);
-  if (is_side(half_edge)) {
-    most = tables[turn_table() + int(tables[edge_slots() + half_edge])];
+  int slot = slot_of(half_edge);
+  if (slot >= 0) {
+    most = tables[turn_table() + slot];
   }
   records[record_offset + half_edge * corner_words + turn_offset] = (most - 1u) >> 1;
 }
@@ -281,8 +305,8 @@ void write_edge(int half_edge) {
   bool falling = before(to, from);
   uint least = side_name(half_edge, falling);
   uint greatest = least;
-  if (is_side(half_edge)) {
-    int slot = int(tables[edge_slots() + half_edge]);
+  int slot = slot_of(half_edge);
+  if (slot >= 0) {
     least = tables[2 * slot];
     greatest = tables[2 * slot + 1];
   }
@@ -290,7 +314,9 @@ void write_edge(int half_edge) {
     bool high = end == 1;
     vec4 near = uintBitsToFloat(high == falling ? from : to);
     vec4 far = uintBitsToFloat(high == falling ? to : from);
-    vec3 control = tangent(near, plane_of(end_of_side(least, high)), plane_of(end_of_side(greatest, high)), far);
+    uvec4 least_plane = slot < 0 ? uvec4(0u) : plane_of(end_of_side(least, high));  // straight
+    uvec4 greatest_plane = slot < 0 ? uvec4(0u) : plane_of(end_of_side(greatest, high));
+    vec3 control = tangent(near, least_plane, greatest_plane, far);
     write_control(high == falling ? half_edge : next, high == falling ? 0 : 3, control);
   }
 }
