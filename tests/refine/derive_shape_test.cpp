@@ -81,7 +81,7 @@ TEST(DeriveShape, EveryVersionLinksAndRuns) {
       }
     }
   }
-  if (contexts == 0) GTEST_SKIP() << "no context";
+  EXPECT_GT(contexts, 0) << "nothing was tried";
 }
 
 TEST(DeriveShape, ATagReachesItsOwnCornerOnly) {

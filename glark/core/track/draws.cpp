@@ -41,6 +41,8 @@ class Polygons {
   Polygons(const Context& context, GLenum mode)
       : wanted_(mode == GL_POLYGON && splits_polygons(context.options, context.ark)), in_list_(context.list.cutting) {}
   void add(GLsizei vertices, GLsizei instances = 1) {
+    constexpr std::size_t most = std::size_t{1} << 22;  // beyond that they stay triangles
+    wanted_ = wanted_ && sides_.size() + static_cast<std::size_t>(instances) <= most;
     if (wanted_ && vertices >= 3) {
       sides_.insert(sides_.end(), static_cast<std::size_t>(instances), static_cast<std::uint32_t>(vertices));
     }
