@@ -107,7 +107,7 @@ class Pipeline {
     GLuint name = 0;
     std::vector<int> inputs;  // attributes that it reads, by AttributeSlot
   };
-  Cause check_state(const DrawCall& call) const;
+  Cause check_state(const DrawCall& call, bool for_feedback) const;
   Cause plan_draw(const DrawCall& call, Plan& plan);
   Cause find_derived(const DrawCall& call, Plan& plan);
   std::shared_ptr<DerivedProgram> derived_program(const Plan& plan, const DerivedKey& key);

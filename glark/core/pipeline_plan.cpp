@@ -47,7 +47,7 @@ void Pipeline::count_refined(const Plan& plan) {
   ++plan.program->counters->draws_refined;
 }
 
-Cause Pipeline::check_state(const DrawCall& call) const {
+Cause Pipeline::check_state(const DrawCall& call, bool for_feedback) const {
   const Bindings& b = context_.bindings;
   const bool transparent = context_.options.transparent;
   if (!is_triangle_mode(call.mode)) {
@@ -66,7 +66,7 @@ Cause Pipeline::check_state(const DrawCall& call) const {
   if (transparent && b.polygon_mode != GL_FILL) {
     return Cause::polygon_mode;
   }
-  if (b.rasterizer_discard && !owns_feedback()) {
+  if (b.rasterizer_discard && !owns_feedback() && !for_feedback) {
     return Cause::rasterizer_discard;
   }
   if (context_.capabilities.api == Capabilities::Api::core && b.vertex_array == 0) {
@@ -166,7 +166,7 @@ DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
 
 Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
   context_.refresh_bindings();
-  if (const Cause cause = check_state(call); cause != Cause::count_) {
+  if (const Cause cause = check_state(call, plan.for_feedback); cause != Cause::count_) {
     return cause;
   }
   const std::shared_ptr<Program> current = context_.current_program;

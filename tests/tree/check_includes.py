@@ -80,6 +80,9 @@ def complaint_about(name: str, included: str, quoted: bool) -> str:
     elif name.startswith("examples/"):
         if (ours and not PUBLIC_HEADER.fullmatch(included)) or (quoted and "/" in included):
             return "examples use the public headers only"
+    elif name.startswith("conformance/"):
+        if ours and not included.startswith("conformance/"):
+            return "the conformance suite uses the extension's header and a context, nothing of the library"
     elif name.startswith("tests/clients/"):
         if ours and not included.startswith("tests/clients/"):
             return "client programs know nothing of glark"
@@ -115,6 +118,8 @@ class Includes(unittest.TestCase):
             ("examples/a.cpp", '#include "glark/core/report.h"'),
             ("glark/clients/depth/a.cpp", '#include "glark/core/report.h"'),
             ("tests/clients/a.c", '#include "glark/gl/types.h"'),
+            ("conformance/cases/a.cpp", '#include "glark/core/pattern/pool.h"'),
+            ("conformance/cases/a.cpp", "#include <glark/pn.h>"),
             ("glark/clients/qas/a.cpp", '#include "glark/core/report.h"'),
         ]:
             with self.subTest(file=name, line=line):
@@ -127,6 +132,7 @@ class Includes(unittest.TestCase):
             ("glark/core/context.h", '#include "glark/core/refine/fixed_function.h"'),
             ("shim/glx.cpp", '#include "glark/core/context.h"'),
             ("examples/a.cpp", "#include <GL/glark.h>"),
+            ("conformance/cases/a.cpp", '#include "conformance/suite/test.h"'),
             ("examples/a.cpp", "#include <glark/qas.h>"),
             ("glark/clients/qas/a.cpp", "#include <glark/qas.h>"),
             ("glark/clients/qas/a.cpp", '#include "glark/clients/qas/topology.h"'),

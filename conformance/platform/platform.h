@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Where contexts come from. The libraries of the window systems are loaded when they are asked for, so that the suite runs on
+// machines that have only one of them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace glark::conformance {
+
+enum class Api { gl_compat, gl_core, gles };
+
+inline constexpr std::string_view name_of(Api api) {
+  return api == Api::gl_compat ? "gl-compat" : api == Api::gl_core ? "gl-core" : "gles";
+}
+
+// Width and height of the surface that a context draws to, in pixels. It has RGBA8, 24 bits of depth and 8 of stencil.
+inline constexpr int surface_size = 128;
+
+// Current in the thread that made it, from the beginning.
+class Context {
+ public:
+  Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  virtual ~Context() = default;  // in the thread in which it is current, or where it is current in none
+
+  virtual bool make_current() = 0;
+  virtual void release_current() = 0;
+  // What ends a frame where the platform has an end of frames: it swaps buffers. Finish otherwise.
+  virtual void end_frame() = 0;
+};
+
+class Platform {
+ public:
+  Platform() = default;
+  Platform(const Platform&) = delete;
+  Platform& operator=(const Platform&) = delete;
+  virtual ~Platform() = default;
+
+  // "osmesa", "egl" or "glx". Throws std::runtime_error that says what is missing.
+  static std::unique_ptr<Platform> open(std::string_view name);
+
+  virtual void* function(const char* name) = 0;
+  // OpenGL 4.3 or later, or OpenGL ES 3.2; `share` may be null. Throws std::runtime_error.
+  virtual std::unique_ptr<Context> create_context(Api api, Context* share) = 0;
+};
+
+std::unique_ptr<Platform> open_osmesa();
+std::unique_ptr<Platform> open_egl();
+std::unique_ptr<Platform> open_glx();
+
+}  // namespace glark::conformance

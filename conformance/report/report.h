@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The files of a report's directory: results.json (which `verify` reads), junit.xml, log.txt, index.html, and images/.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "conformance/runner/record.h"
+
+namespace glark::conformance {
+
+struct Report {
+  Environment environment;
+  std::vector<std::string> command;  // as it was given
+  double seconds = 0;
+  std::vector<Record> records;
+};
+
+std::map<Verdict, int> count_verdicts(const std::vector<Record>& records);
+// "412 Pass, 1 Fail": those that occur.
+std::string summary_of(const std::vector<Record>& records);
+
+// Makes the directory and images/ in it. Throws std::runtime_error where it cannot be written to.
+void prepare_report(const std::string& directory);
+
+std::string as_json(const Report& report);
+std::string as_junit(const Report& report);
+std::string as_log(const Report& report);
+std::string as_html(const Report& report);
+
+// All four. Each file appears whole or not at all. Throws std::runtime_error.
+void write_report(const Report& report, const std::string& directory);
+
+// Of results.json. Throws std::runtime_error that names the file and what is wrong.
+Report read_report(const std::string& path);
+Report parse_report(const std::string& text, const std::string& name);
+
+// Writes aside, then renames. Throws std::runtime_error.
+void write_file(const std::string& path, const std::string& text);
+std::string read_file(const std::string& path);
+
+// & < > " as XML and HTML want them; bytes that neither accepts become '?'.
+std::string escaped(const std::string& text);
+
+}  // namespace glark::conformance

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace glark::conformance {
+
+using Clock = std::chrono::steady_clock;
+
+// This program once more, with other arguments. It writes its report to descriptor 3 and has no standard input.
+class Process {
+ public:
+  // `preload` is put before LD_PRELOAD unless it is empty. Throws std::runtime_error.
+  Process(const std::vector<std::string>& arguments, const std::string& preload);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  int report_descriptor() const { return report_; }
+  int output_descriptor() const { return output_; }
+  // What has come since the last time. False at the end of the report.
+  bool read_report(std::string& text);
+  bool read_output(std::string& text);
+  void kill();
+  // Waits for its end; as waitpid has it.
+  int wait();
+  Clock::time_point started() const { return started_; }
+
+ private:
+  pid_t pid_ = -1;
+  int report_ = -1;
+  int output_ = -1;
+  Clock::time_point started_ = Clock::now();
+};
+
+}  // namespace glark::conformance

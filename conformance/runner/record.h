@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "conformance/suite/case.h"
+#include "conformance/suite/verdict.h"
+
+namespace glark::conformance {
+
+// What is known of a case after a run.
+struct Record {
+  std::string name;
+  Verdict verdict = Verdict::missing;  // until its process reports an end
+  Verdict seen = Verdict::missing;     // before the baseline looked at it
+  double seconds = 0;
+  std::vector<std::string> messages;
+  std::vector<std::string> images;  // paths of PNG files, relative to the report's directory
+  std::string output;               // what its process wrote to stdout and stderr
+};
+
+// Of the machine and the implementation, as the contexts say.
+using Environment = std::map<std::string, std::string>;
+
+struct RunOptions {
+  std::string platform = "osmesa";
+  Api api = Api::gl_compat;
+  unsigned seed = 1;
+  int jobs = 1;
+  int seconds = 60;  // for one case
+  int cases_in_process = 1;
+  int retries = 0;  // of a case that fails: if it passes then, it is a flake
+  bool is_verbose = false;
+  std::string report;          // directory, or empty
+  std::string implementation;  // a library to preload into the processes of cases, or empty
+};
+
+}  // namespace glark::conformance

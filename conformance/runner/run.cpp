@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "conformance/runner/run.h"
+
+#include <poll.h>
+#include <sys/wait.h>
+
+#include <cstring>
+#include <deque>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "conformance/runner/process.h"
+
+namespace glark::conformance {
+namespace {
+
+std::vector<std::string> arguments_of(const RunOptions& options, const char* task) {
+  return {"worker",     task,
+          "--platform", options.platform,
+          "--api",      std::string(name_of(options.api)),
+          "--seed",     std::to_string(options.seed),
+          "--report",   options.report};
+}
+
+// A process and the cases that it was given.
+class Worker {
+ public:
+  Worker(std::vector<Record*> records, const RunOptions& options)
+      : records_(std::move(records)), process_(arguments(records_, options), options.implementation) {}
+
+  Process& process() { return process_; }
+  bool is_finished() const { return done_ == records_.size(); }
+  Record& current() { return *records_[done_]; }
+  std::vector<Record*> left() const { return {records_.begin() + static_cast<std::ptrdiff_t>(done_), records_.end()}; }
+  double seconds_of_current() const { return std::chrono::duration<double>(Clock::now() - case_began_).count(); }
+
+  // Reads what has come. False once the process has closed its report.
+  bool listen(const std::function<void(const Record&)>& progress) {
+    process_.read_output(output_);
+    const bool open = process_.read_report(text_);
+    for (std::size_t end = text_.find('\n'); end != std::string::npos; end = text_.find('\n')) {
+      take(nlohmann::json::parse(text_.substr(0, end), nullptr, false), progress);
+      text_.erase(0, end + 1);
+    }
+    return open;
+  }
+
+  // The case that was running, or that never began, when the process ended.
+  void blame(Verdict verdict, const std::string& why, const std::function<void(const Record&)>& progress) {
+    process_.read_output(output_);
+    Record& record = current();
+    record.messages.push_back(why);
+    finish(record, verdict, progress);
+  }
+
+ private:
+  static std::vector<std::string> arguments(const std::vector<Record*>& records, const RunOptions& options) {
+    std::vector<std::string> texts = arguments_of(options, "run");
+    for (const Record* record : records) texts.push_back(record->name);
+    return texts;
+  }
+
+  void take(const nlohmann::json& message, const std::function<void(const Record&)>& progress) {
+    if (message.is_discarded() || is_finished()) return;
+    if (message.contains("error")) {
+      current().messages.push_back(message["error"]);
+    } else if (message.contains("end") && message["end"] == current().name) {
+      Record& record = current();
+      for (const auto& text : message["messages"]) record.messages.push_back(text);
+      for (const auto& path : message["images"]) record.images.push_back(path);
+      finish(record, verdict_of(message["verdict"].get<std::string>()).value_or(Verdict::internal_error), progress);
+    }
+  }
+
+  void finish(Record& record, Verdict verdict, const std::function<void(const Record&)>& progress) {
+    record.verdict = record.seen = verdict;
+    record.seconds = seconds_of_current();
+    record.output = std::move(output_);
+    output_.clear();
+    case_began_ = Clock::now();
+    ++done_;
+    progress(record);
+  }
+
+  std::vector<Record*> records_;
+  std::size_t done_ = 0;
+  Process process_;
+  Clock::time_point case_began_ = Clock::now();
+  std::string text_;
+  std::string output_;
+};
+
+std::string how_it_ended(int status) {
+  if (WIFSIGNALED(status)) return std::string("its process was ended by ") + strsignal(WTERMSIG(status));
+  return "its process ended with status " + std::to_string(WEXITSTATUS(status)) + " and no result";
+}
+
+// A process that ended, or whose time is up, takes the case that it was at with it; the others go to a new one.
+class Scheduler {
+ public:
+  Scheduler(std::vector<Record>& records, const RunOptions& options, const std::function<void(const Record&)>& progress)
+      : options_(options), progress_(progress) {
+    std::vector<Record*> batch;
+    for (Record& record : records) {
+      batch.push_back(&record);
+      if (batch.size() == static_cast<std::size_t>(options.cases_in_process))
+        waiting_.push_back(std::exchange(batch, {}));
+    }
+    if (!batch.empty()) waiting_.push_back(batch);
+  }
+
+  void run() {
+    while (!waiting_.empty() || !workers_.empty()) {
+      while (!waiting_.empty() && workers_.size() < static_cast<std::size_t>(options_.jobs)) {
+        workers_.push_back(std::make_unique<Worker>(waiting_.front(), options_));
+        waiting_.pop_front();
+      }
+      wait_for_news();
+      for (std::size_t i = 0; i < workers_.size();) {
+        if (is_over(*workers_[i])) {
+          workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(i));
+        } else {
+          ++i;
+        }
+      }
+    }
+  }
+
+ private:
+  void wait_for_news() {
+    std::vector<pollfd> descriptors;
+    for (const auto& worker : workers_) {
+      descriptors.push_back({worker->process().report_descriptor(), POLLIN, 0});
+      descriptors.push_back({worker->process().output_descriptor(), POLLIN, 0});
+    }
+    poll(descriptors.data(), descriptors.size(), 200);
+  }
+
+  bool is_over(Worker& worker) {
+    const bool open = worker.listen(progress_);
+    if (worker.is_finished()) {
+      // The last case has reported: what the driver does on the way out is not its business, but must end.
+      worker.process().kill();
+      worker.process().wait();
+      return true;
+    }
+    if (!open) {
+      const int status = worker.process().wait();
+      worker.blame(WIFSIGNALED(status) ? Verdict::crash : Verdict::missing, how_it_ended(status), progress_);
+    } else if (worker.seconds_of_current() > options_.seconds) {
+      worker.process().kill();
+      worker.process().wait();
+      worker.blame(Verdict::timeout, "no result after " + std::to_string(options_.seconds) + " s", progress_);
+    } else {
+      return false;
+    }
+    if (!worker.is_finished()) waiting_.push_front(worker.left());
+    return true;
+  }
+
+  const RunOptions& options_;
+  const std::function<void(const Record&)>& progress_;
+  std::deque<std::vector<Record*>> waiting_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+};
+
+bool is_worth_a_retry(const Record& record) {
+  return is_bad(record.verdict) && record.verdict != Verdict::internal_error;
+}
+
+void retry(std::vector<Record>& records, const RunOptions& options) {
+  for (Record& record : records) {
+    for (int i = 0; i < options.retries && is_worth_a_retry(record); ++i) {
+      std::vector<Record> again(1);
+      again.front().name = record.name;
+      Scheduler(again, options, [](const Record&) {}).run();
+      if (is_bad(again.front().verdict)) continue;
+      record.messages.push_back("passed when it was run again: " + std::string(name_of(record.verdict)) + " before");
+      record.verdict = Verdict::flake;
+    }
+  }
+}
+
+}  // namespace
+
+Environment describe_environment(const RunOptions& options) {
+  Process process(arguments_of(options, "describe"), options.implementation);
+  std::string text;
+  std::string output;
+  while (process.read_report(text)) {
+    std::array<pollfd, 2> news = {pollfd{process.report_descriptor(), POLLIN, 0},
+                                  pollfd{process.output_descriptor(), POLLIN, 0}};
+    poll(news.data(), news.size(), 200);
+    process.read_output(output);
+    if (Clock::now() - process.started() > std::chrono::seconds(options.seconds)) {
+      process.kill();
+      break;
+    }
+  }
+  process.read_output(output);
+  const int status = process.wait();
+  const auto message = nlohmann::json::parse(text, nullptr, false);
+  if (message.is_discarded()) throw std::runtime_error("no context: " + how_it_ended(status) + '\n' + output);
+  if (message.contains("error")) throw std::runtime_error(message["error"].get<std::string>());
+  return message["environment"].get<Environment>();
+}
+
+std::vector<Record> run(const std::vector<std::string>& names, const RunOptions& options,
+                        const std::function<void(const Record&)>& progress) {
+  std::vector<Record> records;
+  for (const std::string& name : names) records.emplace_back().name = name;
+  Scheduler(records, options, progress).run();
+  retry(records, options);
+  return records;
+}
+
+}  // namespace glark::conformance

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glark::conformance {
+
+// '*' stands for any characters, '?' for one.
+bool matches(std::string_view glob, std::string_view name);
+
+// Names, one a line; '#' begins a comment, empty lines do not count. Throws std::runtime_error that names the file.
+std::vector<std::string> read_list(const std::string& path);
+
+struct Selection {
+  std::vector<std::string> globs;  // none: every case
+  std::vector<std::string> names;  // of a case list; none: every case
+  bool has_list = false;
+  int shard = 1;  // of `shards`, from 1
+  int shards = 1;
+};
+
+// The cases of `all` that are selected, in its order. Throws std::invalid_argument that names a glob or name without a case.
+std::vector<std::string> select(const std::vector<std::string>& all, const Selection& selection);
+
+}  // namespace glark::conformance

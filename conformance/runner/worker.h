@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The process that cases run in. It reports by lines of JSON, so that whatever happens to it, what it said before stands:
+//   {"environment": {...}}
+//   {"begin": "ark.x"}
+//   {"end": "ark.x", "verdict": "Fail", "messages": [...], "images": [...]}
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "conformance/runner/record.h"
+
+namespace glark::conformance {
+
+enum class WorkerTask { describe, run };
+
+// Writes to the file descriptor `channel`; images go to the report's directory. Returns the exit status.
+int work(WorkerTask task, const RunOptions& options, const std::vector<std::string>& names, int channel);
+
+}  // namespace glark::conformance

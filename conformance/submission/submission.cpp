@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "conformance/submission/submission.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "conformance/report/report.h"
+#include "conformance/submission/archive.h"
+
+namespace glark::conformance {
+namespace {
+
+constexpr char sums_name[] = "SHA256SUMS";
+constexpr char version_name[] = "VERSION";
+
+std::string version_text() { return "glark-conformance must-pass " + std::to_string(must_pass_version) + '\n'; }
+
+// The format of sha256sum, which can check it as well.
+std::string sums_of(const Files& files) {
+  std::string text;
+  for (const auto& [name, bytes] : files) text += sha256(bytes) + "  " + name + '\n';
+  return text;
+}
+
+void check_sums(const Files& files, std::vector<std::string>& complaints) {
+  const auto sums = files.find(sums_name);
+  if (sums == files.end()) {
+    complaints.emplace_back("there is no SHA256SUMS");
+    return;
+  }
+  std::set<std::string> summed;
+  std::istringstream lines(sums->second);
+  for (std::string sum, name; lines >> sum && std::getline(lines >> std::ws, name);) {
+    summed.insert(name);
+    const auto file = files.find(name);
+    if (file == files.end()) {
+      complaints.push_back(name + " is missing");
+    } else if (sha256(file->second) != sum) {
+      complaints.push_back(name + " is not what was packaged: its SHA-256 differs");
+    }
+  }
+  for (const auto& [name, bytes] : files)
+    if (name != sums_name && summed.count(name) == 0) complaints.push_back(name + " is not in SHA256SUMS");
+}
+
+void check_results(const Report& report, std::vector<std::string>& complaints) {
+  std::map<std::string, Verdict> verdicts;
+  for (const Record& record : report.records)
+    if (!verdicts.emplace(record.name, record.seen).second) complaints.push_back(record.name + " is there twice");
+  int passed = 0;
+  for (const std::string& name : must_pass()) {
+    const auto found = verdicts.find(name);
+    if (found == verdicts.end()) {
+      complaints.push_back(name + " is missing");
+    } else if (found->second != Verdict::pass && found->second != Verdict::not_supported &&
+               found->second != Verdict::quality_warning) {
+      complaints.push_back(name + " did not pass: " + std::string(name_of(found->second)));
+    } else {
+      passed += found->second == Verdict::not_supported ? 0 : 1;
+    }
+  }
+  if (passed == 0) complaints.emplace_back("nothing passed");
+  const auto extension = report.environment.find("GL_ARK_adaptive_refinement");
+  if (extension == report.environment.end() || extension->second != "yes")
+    complaints.emplace_back("the implementation has no GL_ARK_adaptive_refinement");
+}
+
+}  // namespace
+
+const std::vector<std::string>& must_pass() {
+  static const std::vector<std::string> names = {
+#include "conformance/must_pass.inc"
+  };
+  return names;
+}
+
+void package(const std::string& directory, const std::string& archive) {
+  Files files;
+  const Report report = read_report(directory + "/results.json");
+  for (const char* name : {"results.json", "junit.xml", "log.txt", "index.html"})
+    files[name] = read_file(directory + '/' + name);
+  for (const Record& record : report.records)
+    for (const std::string& image : record.images) files[image] = read_file(directory + '/' + image);
+  files[version_name] = version_text();
+  files[sums_name] = sums_of(files);
+  write_archive(files, archive);
+}
+
+std::vector<std::string> verify(const std::string& archive) {
+  const Files files = read_archive(archive);
+  std::vector<std::string> complaints;
+  check_sums(files, complaints);
+  const auto version = files.find(version_name);
+  if (version == files.end()) {
+    complaints.emplace_back("there is no VERSION");
+  } else if (version->second != version_text()) {
+    complaints.push_back("made for another list of cases: " + version->second.substr(0, version->second.find('\n')));
+  }
+  const auto results = files.find("results.json");
+  if (results == files.end()) {
+    complaints.emplace_back("there are no results");
+  } else {
+    check_results(parse_report(results->second, archive + ": results.json"), complaints);
+  }
+  return complaints;
+}
+
+}  // namespace glark::conformance
