@@ -123,6 +123,8 @@ GLuint draw_program(Test& t) {
 
 void expect_refinement(Test& t, const Expected& expected, const std::function<void()>& coarse,
                        const std::function<void()>& refined, const std::string& what) {
+  const GLboolean was_enabled = gl.IsEnabled(GL_ARK);
+  gl.Disable(GL_ARK);
   const std::vector<Values> unrefined = captured_values(t, coarse);
   t.require(!unrefined.empty(), what + ": the unrefined draw gives triangles");
   std::set<Values> vertices;
@@ -134,24 +136,11 @@ void expect_refinement(Test& t, const Expected& expected, const std::function<vo
       vertices.insert(refined_values(corners, weights));
     triangles += reference::minimum_triangles(depths);
   }
+  if (was_enabled != GL_FALSE) gl.Enable(GL_ARK);
   const std::vector<Values> actual = captured_values(t, refined);
   t.expect_equal(static_cast<std::int64_t>(actual.size() / 3), triangles, what + ": refined triangles");
   expect_same_vertices(t, {actual.begin(), actual.end()}, vertices, what);
   t.expect_near(area_of(actual), area_of(unrefined), 1e-4, what + ": area with orientation");
-}
-
-void expect_refined(Test& t, const Expected& expected, const std::function<void()>& draw, const std::string& what) {
-  expect_refinement(
-      t, expected,
-      [&] {
-        gl.Disable(GL_ARK);
-        draw();
-      },
-      [&] {
-        gl.Enable(GL_ARK);
-        draw();
-      },
-      what);
 }
 
 }  // namespace glark::conformance

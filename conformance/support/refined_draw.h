@@ -40,11 +40,14 @@ struct Expected {
   int uniform_level = -1;  // of UNIFORM_DEPTH_ARK; -1: depth tags
 };
 
-// That `refined` gives the refinement of the coarse triangles that `coarse` gives: as many triangles, with these vertices, bit
-// for bit, and this area. Both are captured; the program is draw_program(), the interior the minimum one.
+// That `refined`, with ARK as it is, gives the refinement of the coarse triangles that `coarse` gives with ARK disabled: as many
+// triangles, with these vertices, bit for bit, and this area. Both are captured; the program is draw_program(), the interior the
+// minimum one.
 void expect_refinement(Test& t, const Expected& expected, const std::function<void()>& coarse,
                        const std::function<void()>& refined, const std::string& what);
-// `draw` without ARK, and with it.
-void expect_refined(Test& t, const Expected& expected, const std::function<void()>& draw, const std::string& what);
+inline void expect_refined(Test& t, const Expected& expected, const std::function<void()>& draw,
+                           const std::string& what) {
+  expect_refinement(t, expected, draw, draw, what);
+}
 
 }  // namespace glark::conformance
