@@ -66,7 +66,8 @@ Cause Pipeline::check_state(const DrawCall& call, bool for_feedback) const {
   if (transparent && b.polygon_mode != GL_FILL) {
     return Cause::polygon_mode;
   }
-  if (b.rasterizer_discard && !owns_feedback() && !for_feedback) {
+  // A count of refined triangles is a result, even where nothing is rasterised.
+  if (b.rasterizer_discard && !owns_feedback() && !for_feedback && b.primitives_generated_query == 0) {
     return Cause::rasterizer_discard;
   }
   if (context_.capabilities.api == Capabilities::Api::core && b.vertex_array == 0) {

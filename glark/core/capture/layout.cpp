@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <string_view>
 
 namespace glark::capture {
@@ -267,6 +268,8 @@ class CaptureText {
         field.location >= 0 ? declare_input(row.glsl, array, field.location) : builtin(field.name);
     for (int element = 0; element < field.array_size; ++element) {
       const std::string value = field.is_array ? input + "[" + std::to_string(element) + "]" : input;
+      if (field.location >= 0 && row.kind != Kind::wide)
+        note_first_components(row, value, field.location + element * row.columns);
       if (row.kind == Kind::wide) {
         add_wide(row, value);
       } else {
@@ -276,7 +279,10 @@ class CaptureText {
   }
 
   void add_tag(GLuint attribute) {
-    add_output("out ", "float", declare_input("float", "", static_cast<int>(attribute)));
+    const auto known = first_components_.find(static_cast<int>(attribute));
+    add_output(
+        "out ", "float",
+        known != first_components_.end() ? known->second : declare_input("float", "", static_cast<int>(attribute)));
   }
 
   // For words that are written afterwards.
@@ -298,6 +304,15 @@ class CaptureText {
     std::string name = "glark_in" + std::to_string(inputs_++);
     declarations_ += "layout(location = " + std::to_string(location) + ") in " + type + " " + name + array + ";\n";
     return name;
+  }
+
+  // OpenGL ES does not let two inputs have one location: a tag that the program reads is taken from its input.
+  void note_first_components(const TypeRow& row, const std::string& value, int location) {
+    for (int column = 0; column < row.columns; ++column) {
+      std::string component = row.columns > 1 ? value + "[" + std::to_string(column) + "]" : value;
+      if (row.rows > 1) component += "[0]";
+      first_components_[location + column] = row.kind == Kind::integer ? "float(" + component + ")" : component;
+    }
   }
 
   std::string builtin(const std::string& name) {
@@ -331,6 +346,7 @@ class CaptureText {
   CaptureSources& result_;
   std::string declarations_;
   std::string body_;
+  std::map<int, std::string> first_components_;  // by location, of inputs that are declared
   int inputs_ = 0;
   int outputs_ = 0;
   bool draw_parameters_ = false;
