@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // GL_GEOMORPH_ARK with the vertex stages that differ in how they are derived: fixed function, and programs with a geometry shader;
-// and under a budget, which moves measured depths from frame to frame.
+// and under a budget, which moves measured depths from frame to frame. And the state.
 #include <cmath>
 
 #include "tests/core/closed_mesh.h"
@@ -211,6 +211,20 @@ TEST_F(GeomorphBudget, AGreatExcessIsNotWaitedFor) {
   EXPECT_GT(draw_once().size() / 3, 16U * 200U);
   glFinish();
   EXPECT_LE(draw_once().size() / 3, 4U * 200U);
+}
+
+TEST(GeomorphState, IsOffAndIsRead) {
+  const OsmesaContext context(Profile::core);
+  glARKinit(3);
+  GLint value = -1;
+  glGetIntegerv(GL_GEOMORPH_ARK, &value);
+  EXPECT_EQ(value, GL_FALSE);
+  glARKParameteriARK(GL_GEOMORPH_ARK, GL_TRUE);
+  glGetIntegerv(GL_GEOMORPH_ARK, &value);
+  EXPECT_EQ(value, GL_TRUE);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  glARKParameteriARK(GL_GEOMORPH_ARK, 2);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
 }
 
 }  // namespace

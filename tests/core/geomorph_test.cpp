@@ -354,6 +354,26 @@ TEST_P(GeomorphCurved, FractionsAreAsGoodAsTheWholeDepthsAbout) {
   }
 }
 
+// The point in the middle of a triangle without an interior: s A + (1 - s) / 3 (A_0 + A_1 + A_2).
+TEST_P(GeomorphCurved, TheMiddleGoesByTheDeepestEdge) {
+  TaggedMesh mesh;
+  mesh.add({tagged(corner_a, 0), tagged(corner_b, 1.75F), tagged(corner_c, 1)}, 0, 0);     // 0.5, 0.875 and 1.375
+  mesh.add({tagged(corner_a, 0), tagged(corner_b, 0.5F), tagged(corner_c, 0.25F)}, 0, 1);  // 0.125, 0.25 and 0.375
+  std::array<std::map<std::array<GLfloat, 3>, std::array<GLfloat, 4>>, 2> vertices;
+  for (const RefinedVertex& vertex : refine(mesh)) vertices[triangle_of(vertex)][vertex.weights] = vertex.position;
+  std::array<std::vector<std::array<GLfloat, 4>>, 2> middles;
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const auto& [weights, position] : vertices[i]) {
+      if (*std::min_element(weights.begin(), weights.end()) > 0) middles[i].push_back(position);
+    }
+    ASSERT_EQ(middles[i].size(), 1U);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const GLfloat corners = vertices[1][{1, 0, 0}][k] + vertices[1][{0, 1, 0}][k] + vertices[1][{0, 0, 1}][k];
+    EXPECT_NEAR(middles[1][0][k], 0.375F * middles[0][0][k] + 0.625F / 3 * corners, 1e-5F);
+  }
+}
+
 TEST_P(GeomorphCurved, ACurrentTagMayBeAFraction) {
   TaggedMesh mesh;
   mesh.add({tagged(corner_a, 2.5F), tagged(corner_b, 2.5F), tagged(corner_c, 2.5F)}, 0, 0);
@@ -420,20 +440,6 @@ TEST(GeomorphMeasured, EdgesMeetAndFractionsAppear) {
     for (const RefinedVertex& vertex : morphed) moved += plain.count(bits_of(vertex)) == 0 ? 1 : 0;
   }
   EXPECT_GT(moved, 1000);
-}
-
-TEST(GeomorphState, IsOffAndIsRead) {
-  const OsmesaContext context(Profile::core);
-  glARKinit(3);
-  GLint value = -1;
-  glGetIntegerv(GL_GEOMORPH_ARK, &value);
-  EXPECT_EQ(value, GL_FALSE);
-  glARKParameteriARK(GL_GEOMORPH_ARK, GL_TRUE);
-  glGetIntegerv(GL_GEOMORPH_ARK, &value);
-  EXPECT_EQ(value, GL_TRUE);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-  glARKParameteriARK(GL_GEOMORPH_ARK, 2);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
 }
 
 }  // namespace
