@@ -321,7 +321,7 @@ TEST_P(GeomorphCurved, TheSurfaceIsContinuousInTheTags) {
 // the two that GL_GEOMORPH_ARK FALSE draws; with a single point inside, where that has none, somewhat.
 TEST_P(GeomorphCurved, FractionsAreAsGoodAsTheWholeDepthsAbout) {
   const auto points = sample_points();
-  const auto surfaces_of = [this](bool morphs, std::array<Corner, 3> corners, std::size_t moved, std::size_t count) {
+  const auto surfaces_of = [](bool morphs, std::array<Corner, 3> corners, std::size_t moved, std::size_t count) {
     glARKParameteriARK(GL_GEOMORPH_ARK, morphs ? GL_TRUE : GL_FALSE);
     TaggedMesh mesh;
     const GLfloat from = corners[moved].tag;
