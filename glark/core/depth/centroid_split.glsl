@@ -69,7 +69,10 @@ int vertex_at(int polygon, int vertex) {
 
 int tag_at(int vertex_word) {
   float tag = uintBitsToFloat(captured[vertex_word + tag_offset]);
-  return tag > 0.0 ? int(min(floor(tag * float(depth_steps) + 0.5), float(pool_level * depth_steps))) : 0;
+  float exact = tag * float(depth_steps);
+  float below = floor(exact);  // exact + 0.5 could be rounded to the next integer
+  float nearest = exact - below < 0.5 ? below : below + 1.0;
+  return tag > 0.0 ? int(min(nearest, float(pool_level * depth_steps))) : 0;
 }
 
 int next(int polygon, int vertex) { return vertex + 1 < sides_of(polygon) ? vertex + 1 : 0; }
