@@ -23,8 +23,9 @@ GLint tag_array_parameter(const Context& c, GLenum parameter) {
 GLint current_tag(const Context& c) {
   GLfloat value[4] = {0, 0, 0, 0};
   c.gl.GetVertexAttribfv(c.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, value);
-  const float limit = static_cast<float>(std::max(c.ark.pool_level, 0));
-  return std::isnan(value[0]) ? 0 : static_cast<GLint>(std::clamp(std::floor(value[0] + 0.5F), 0.0F, limit));
+  const double limit = std::max(c.ark.pool_level, 0);
+  const double nearest = std::floor(static_cast<double>(value[0]) + 0.5);  // a float + 0.5 may not be a float
+  return std::isnan(value[0]) ? 0 : static_cast<GLint>(std::clamp(nearest, 0.0, limit));
 }
 
 GLint refinement_token(Refinement refinement) {
