@@ -3,6 +3,7 @@
 //
 // DrawARP and DrawARPElementsARK, their errors, Begin and End, transform feedback draws, and what is not refined (10.R.2).
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "conformance/cases/cases.h"
@@ -63,17 +64,66 @@ std::size_t bind_indices(GLenum type) {
   return type == GL_UNSIGNED_BYTE ? 1 : type == GL_UNSIGNED_SHORT ? 2 : 4;
 }
 
-// Refined with ARK disabled and enabled, and ARK stays what it was.
+using Draw = std::function<void()>;
+
+GLuint count_generated(const Draw& draw) {
+  GLuint query = 0;
+  GLuint count = 0;
+  gl.GenQueries(1, &query);
+  gl.BeginQuery(GL_PRIMITIVES_GENERATED, query);
+  draw();
+  gl.EndQuery(GL_PRIMITIVES_GENERATED);
+  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+  gl.DeleteQueries(1, &query);
+  return count;
+}
+
+// Sums of colours, which do not depend on the order of triangles.
+Picture picture_of(const Draw& draw) {
+  clear_surface();
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE);
+  draw();
+  gl.Disable(GL_BLEND);
+  return read_picture(surface_size, surface_size);
+}
+
+// A vertex stage that bends, so that refinement shows.
+GLuint bending_program(Test& t) {
+  return build_program(t,
+                       {.vertex = "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour;\n"
+                                  "out vec4 colour; void main() { colour = 0.25 * vertex_colour;\n"
+                                  "  gl_Position = vec4(position.xy + 0.2 * cos(4.0 * position.yx), 0.0, 1.0); }\n"});
+}
+
+// `arp` with ARK disabled is `draw` with ARK enabled, and leaves ARK disabled.
+void expect_arp_alone(Test& t, const Draw& draw, const Draw& arp, const std::string& what) {
+  gl.Enable(GL_ARK);
+  const Picture refined = picture_of(draw);
+  const GLuint count = count_generated(draw);
+  gl.Disable(GL_ARK);
+  const Picture coarse = picture_of(draw);
+  t.expect(count_different(refined, coarse, 8) > 10, what + ": refinement shows");
+  t.expect_same_picture(picture_of(arp), refined, what);
+  t.expect_equal(count_generated(arp), count, what + ": triangles");
+  t.expect(gl.IsEnabled(GL_ARK) == GL_FALSE, what + ": ARK stays disabled");
+  t.expect_same_picture(picture_of(draw), coarse, what + ": an ordinary draw afterwards");
+}
+
+void expect_arp(Test& t, const Draw& draw, const Draw& arp, const std::string& what) {
+  const GLuint capturing = draw_program(t);
+  gl.UseProgram(capturing);
+  expect_refinement(t, {}, draw, arp, what + ", ARK enabled");
+  t.expect(gl.IsEnabled(GL_ARK) != GL_FALSE, what + ": ARK stays enabled");
+  gl.UseProgram(bending_program(t));
+  expect_arp_alone(t, draw, arp, what + ", ARK disabled");
+  gl.Enable(GL_ARK);
+}
+
 void check_arrays(Test& t, GLenum mode) {
   set_up(t);
-  for (const bool is_enabled : {false, true}) {
-    if (!is_enabled) gl.Disable(GL_ARK);
-    if (is_enabled) gl.Enable(GL_ARK);
-    expect_refinement(
-        t, {}, [mode] { gl.DrawArrays(mode, 2, 8); }, [mode] { gl.DrawARP(mode, 2, 8); },
-        is_enabled ? "ARK enabled" : "ARK disabled");
-    t.expect_equal(gl.IsEnabled(GL_ARK) != GL_FALSE, is_enabled, "whether ARK is enabled afterwards");
-  }
+  expect_arp(
+      t, [mode] { gl.DrawArrays(mode, 2, 8); }, [mode] { gl.DrawARP(mode, 2, 8); }, "eight vertices");
 }
 
 void check_elements(Test& t, GLenum mode) {
@@ -81,23 +131,34 @@ void check_elements(Test& t, GLenum mode) {
   for (const GLenum type : index_types) {
     const std::size_t size = bind_indices(type);
     const void* const at = reinterpret_cast<const void*>(2 * size);
-    for (const bool is_enabled : {false, true}) {
-      if (!is_enabled) gl.Disable(GL_ARK);
-      if (is_enabled) gl.Enable(GL_ARK);
-      expect_refinement(
-          t, {}, [&] { gl.DrawElements(mode, 8, type, at); }, [&] { gl.DrawARPElementsARK(mode, 8, type, at); },
-          std::to_string(8 * size) + (is_enabled ? " bits, ARK enabled" : " bits, ARK disabled"));
-      t.expect_equal(gl.IsEnabled(GL_ARK) != GL_FALSE, is_enabled, "whether ARK is enabled afterwards");
-    }
+    expect_arp(
+        t, [=] { gl.DrawElements(mode, 8, type, at); }, [=] { gl.DrawARPElementsARK(mode, 8, type, at); },
+        std::to_string(8 * size) + " bits");
   }
+}
+
+// What is refined is a matter of each draw, also between BeginTransformFeedback and EndTransformFeedback.
+void check_within_feedback(Test& t) {
+  set_up(t);
+  gl.Disable(GL_ARK);
+  const auto coarse = [] { gl.DrawArrays(GL_TRIANGLES, 0, 6); };
+  expect_refinement(
+      t, {}, coarse, [] { gl.DrawARP(GL_TRIANGLES, 0, 6); }, "DrawARP with ARK disabled");
+  expect_refinement(
+      t, {}, coarse,
+      [&] {
+        gl.Enable(GL_ARK);
+        coarse();
+        gl.Disable(GL_ARK);
+      },
+      "ARK enabled after BeginTransformFeedback");
 }
 
 void check_client_elements(Test& t) {
   set_up(t);
   const GLushort indices[] = {11, 3, 5, 0, 7, 2};
-  gl.Disable(GL_ARK);
-  expect_refinement(
-      t, {}, [&] { gl.DrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, indices); },
+  expect_arp(
+      t, [&] { gl.DrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, indices); },
       [&] { gl.DrawARPElementsARK(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, indices); }, "indices in client memory");
 }
 
@@ -339,6 +400,11 @@ Cases draw_commands_cases() {
                    .wrong = "Unrefined; tags of other vertices.",
                    .apis = {Api::gl_compat},
                    .check = check_array_element});
+  cases.push_back({.name = "ark.draw.arp.within_feedback",
+                   .clauses = {"10.R.2-1", "10.R.2-6"},
+                   .plan = "Capture DrawARP, and Enable(ARK) with a draw, in a capture that began with ARK disabled.",
+                   .wrong = "Unrefined, because the capture began so.",
+                   .check = check_within_feedback});
   cases.push_back({.name = "ark.draw.arp.elements.client_memory",
                    .clauses = {"10.R.2-8"},
                    .plan = "DrawARPElementsARK with indices in client memory.",
