@@ -228,7 +228,7 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
-  if (owns_feedback() && plan.derived != feedback_program_) {
+  if (owns_feedback() && !context_.bindings.transform_feedback_paused && plan.derived != feedback_program_) {
     return Cause::transform_feedback;
   }
   if (plan.derived->stored() && plan.pipeline != nullptr) {
