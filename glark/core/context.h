@@ -87,7 +87,7 @@ class Context {
   // Read by the generated wrappers at every call.
   bool refining = false;  // draw calls must reach their hooks
   std::atomic<bool> mirror_uniforms =
-      false;  // uniform calls must reach derived programs; set by any context of the group
+      false;  // uniform calls must reach derived programs; any context of the group sets it
   bool compiling_list = false;
   bool list_changes_uniforms = false;
   std::uint64_t immediate_vertices = 0;

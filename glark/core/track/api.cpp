@@ -8,6 +8,8 @@
 #include <cstring>
 #include <string>
 
+#include <utility>
+
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -60,10 +62,11 @@ bool refuse_array(Context& c, GLsizei stride, const void* pointer) {
 // Draws refined even with GL_ARK disabled.
 template <typename Draw>
 void with_ark(Context& c, Draw&& draw) {
-  const bool was_transparent = c.options.transparent;
-  c.options.transparent = false;
+  const bool was_transparent = std::exchange(c.options.transparent, false);
+  const bool was_enabled = std::exchange(c.ark.enabled, true);
   draw();
   c.options.transparent = was_transparent;
+  c.ark.enabled = was_enabled;
 }
 
 bool set_choice(Context& c, bool known, bool first, bool& state_is_first) {
