@@ -306,7 +306,9 @@ void Context::refresh_bindings() {
   vertex_arrays.bind(b.vertex_array);
   b.transform_feedback = static_cast<GLuint>(get(gl, GL_TRANSFORM_FEEDBACK_BINDING));
   b.transform_feedback_active = get(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
-  b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
+  if (pipeline == nullptr || !pipeline->owns_feedback()) {  // which is paused between our draws
+    b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
+  }
   b.draw_indirect_buffer = static_cast<GLuint>(get(gl, GL_DRAW_INDIRECT_BUFFER_BINDING));
   b.query_buffer = capabilities.query_buffer ? static_cast<GLuint>(get(gl, GL_QUERY_BUFFER_BINDING)) : 0;
   b.parameter_buffer = capabilities.parameter_buffer ? static_cast<GLuint>(get(gl, GL_PARAMETER_BUFFER_BINDING)) : 0;
