@@ -47,6 +47,7 @@ struct Capabilities {
   std::vector<std::string> extensions;
   bool fog_distance = false;  // GL_NV_fog_distance
   GLint max_vertex_attributes = 16;
+  GLint max_vertex_attribute_stride = 0;  // 0: there is no limit
   GLint max_texture_units = 0;
   GLint max_feedback_components = 64;
   GLint max_vertex_storage_blocks = 0;
@@ -86,7 +87,7 @@ class Context {
   // Read by the generated wrappers at every call.
   bool refining = false;  // draw calls must reach their hooks
   std::atomic<bool> mirror_uniforms =
-      false;  // uniform calls must reach derived programs; set by any context of the group
+      false;  // uniform calls must reach derived programs; any context of the group sets it
   bool compiling_list = false;
   bool list_changes_uniforms = false;
   std::uint64_t immediate_vertices = 0;

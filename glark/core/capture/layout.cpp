@@ -66,15 +66,18 @@ const TypeRow* row_of(GLenum type) {
   return found != std::end(type_rows) ? found : nullptr;
 }
 
-bool contains(const std::string& lower, std::string_view word) { return lower.find(word) != std::string::npos; }
+// "tex" is to be found only in names of textures, and not in what is of a vertex.
+bool contains(const std::string& lower, std::string_view word) {
+  std::size_t at = lower.find(word);
+  while (at != std::string::npos && word.starts_with("tex") && at >= 3 && lower.compare(at - 3, 6, "vertex") == 0) {
+    at = lower.find(word, at + 1);
+  }
+  return at != std::string::npos;
+}
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  // What is of a vertex says so in full; "tex" is to be found only in names of textures.
-  for (std::size_t at = text.find("vertex"); at != std::string::npos; at = text.find("vertex", at + 4)) {
-    text.erase(at + 4, 2);
-  }
   return text;
 }
 
@@ -197,6 +200,11 @@ Layout make_layout(std::vector<Field> fields, bool tagged, WeldedWords welded) {
   if (welded.turns) {
     layout.turn_offset = layout.corner_words++;
   }
+  if (welded.displaced_by >= 0) {
+    layout.border_offset = layout.corner_words;
+    layout.coordinate_offset = layout.fields[static_cast<std::size_t>(welded.displaced_by)].offset;
+    layout.corner_words += border_words;
+  }
   return layout;
 }
 
@@ -204,7 +212,7 @@ void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told) 
   const RoleRule rules[] = {
       {Role::normal, "gl_Normal", may_be_direction, {"normal", "nrm", "norm"}},
       {Role::texture_coordinate, "gl_MultiTexCoord0", may_be_coordinate, {"texcoord", "texture", "tex", "uv"}},
-      {Role::position, "gl_Vertex", may_be_direction, {"position", "vert", "pos", "coord"}}};
+      {Role::position, "gl_Vertex", may_be_direction, {"position", "vertex", "pos", "vert", "coord"}}};
   const std::string* const names[] = {&told.normal, &told.texture_coordinate, &told.position};
   const auto assign = [](Field* field, Role role) {
     if (field != nullptr && field->role == Role::other) {
@@ -359,7 +367,8 @@ CaptureSources capture_sources(const Layout& layout, Language language, GLuint t
   CaptureText text(result);
   for (const Field& field : layout.fields) text.add(field);
   if (layout.tagged) text.add_tag(tag_attribute);
-  const int welded_words = (layout.welded() ? control_words : 0) + (layout.turn_offset >= 0 ? 1 : 0);
+  const int welded_words = (layout.welded() ? control_words : 0) + (layout.turn_offset >= 0 ? 1 : 0) +
+                           (layout.displaced() ? border_words : 0);
   if (welded_words > 0) text.add_room(welded_words);
   result.vertex = text.text(language);
   return result;
