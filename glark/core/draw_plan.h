@@ -35,10 +35,10 @@ struct DrawPlan {
   int depth_steps() const { return morphing ? pattern::morph_steps : 1; }
   bool measured = false;  // adaptive, by the ends of the edges
   std::shared_ptr<DerivedProgram> corners;
-  GLuint corner_program = 0;  // for a measure on the screen
-  int normal_offset = -1;     // for a measure of the normals
-  bool welded = false;        // by position: edges, if the layout has room for them, and tags, if it has any
-  bool placed = false;        // the derived program takes a placement of the piece
+  GLuint corner_program = 0;            // for a measure on the screen
+  int normal_offset = -1;               // for a measure of the normals
+  bool welded = false;                  // by position: edges, if the layout has room for them, and tags, if it has any
+  bool placed = false;                  // the derived program takes a placement of the piece
   bool last_vertex_convention = false;  // while capturing
   unsigned level = 0;                   // uniform level
   unsigned deepest = 0;                 // that an adaptive draw can reach

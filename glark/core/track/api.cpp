@@ -220,7 +220,9 @@ void ARKinit(Context& c, GLuint max_level) {
   const GLuint tag = track::current_tag(c);  // of the old level
   c.ark.pool_level = static_cast<int>(max_level);
   c.ark.uniform_level = std::min(c.ark.uniform_level, max_level);
-  if (tag > max_level) {
+  if (tag > max_level && c.compiling_list) {
+    c.ark.lowered_tag = max_level;
+  } else if (tag > max_level) {
     DepthTag1i(c, max_level);
   }
   c.update_refining();
@@ -308,6 +310,9 @@ void DepthTag1i(Context& c, GLuint d) {
   set_tag(c.gl, c.ark.tag_attribute, &d);
   c.set_current(generic_slot(c.ark.tag_attribute), set_tag, c.ark.tag_attribute, &d, sizeof(d));
   c.immediate.tags_set = true;
+  if (c.compiling_list && c.list.mode == GL_COMPILE_AND_EXECUTE) {
+    c.ark.lowered_tag.reset();
+  }
 }
 
 void DepthTagPointerARK(Context& c, GLenum type, GLsizei stride, const void* pointer) {
