@@ -212,8 +212,8 @@ const std::vector<Variant>& variants() {
       {"curved_pn", GL_CURVED_PN_ARK, Extra::none, {"11.R.8-3", "11.R.8-4"}},
       {"curved_pn_other_inputs", GL_CURVED_PN_ARK, Extra::other_colours, {"11.R.8-6"}},
       {"scalar_tagged_pn", GL_SCALAR_TAGGED_PN_ARK, Extra::scalar_tags, {"11.R.8-7"}},
-      {"displaced", GL_LINEAR_INPUTS_ARK, Extra::displacement, {"11.R.8-8"}},
-      {"displaced_pn", GL_CURVED_PN_ARK, Extra::displacement, {"11.R.8-8"}},
+      {"displaced", GL_LINEAR_INPUTS_ARK, Extra::displacement, {"11.R.8-10"}},
+      {"displaced_pn", GL_CURVED_PN_ARK, Extra::displacement, {"11.R.8-10"}},
       {"refinement_shader", GL_LINEAR_INPUTS_ARK, Extra::refinement_shader, {"11.R.8-9"}},
       {"refinement_shader_pn", GL_CURVED_PN_ARK, Extra::refinement_shader, {"11.R.8-9"}}};
   return all;
