@@ -15,8 +15,8 @@ bool matches(std::string_view glob, std::string_view name);
 std::vector<std::string> read_list(const std::string& path);
 
 struct Selection {
-  std::vector<std::string> globs;  // none: every case
-  std::vector<std::string> names;  // of a case list; none: every case
+  std::vector<std::string> globs = {};  // none: every case
+  std::vector<std::string> names = {};  // of a case list; none: every case
   bool has_list = false;
   int shard = 1;  // of `shards`, from 1
   int shards = 1;

@@ -24,6 +24,9 @@ struct Case {
   std::function<void(Test&)> check = {};  // empty: planned, not written
 };
 
+// What the program was built with, in any order: cases/joined.cpp, or what a test of the suite has in its place.
+std::vector<Case> written_cases();
+
 // In order of their names; the same for every run. Throws std::logic_error where two have one name.
 const std::vector<Case>& all_cases();
 

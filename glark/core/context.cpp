@@ -143,6 +143,9 @@ void Context::read_capabilities() {
       !is_compatibility() || get(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
   capabilities.max_texture_units = get(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
   capabilities.max_vertex_attributes = std::min<GLint>(get(gl, GL_MAX_VERTEX_ATTRIBS), generic_slots);
+  if (capabilities.version >= (es ? 31 : 44)) {
+    capabilities.max_vertex_attribute_stride = get(gl, GL_MAX_VERTEX_ATTRIB_STRIDE);
+  }
   capabilities.fog_distance = has_extension("GL_NV_fog_distance");
   capabilities.max_vertex_storage_blocks = get(gl, GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
   capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);

@@ -52,8 +52,8 @@ unsigned Pipeline::current_tag() const {
   }
   GLfloat current[4] = {0, 0, 0, 0};
   gl_.GetVertexAttribfv(context_.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
-  const float tag = std::isnan(current[0]) ? 0.0F : current[0];
-  return static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(highest)));
+  const double tag = std::isnan(current[0]) ? 0.0 : current[0];  // a float + 0.5 may not be a float
+  return static_cast<unsigned>(std::clamp(std::floor(tag + 0.5), 0.0, static_cast<double>(highest)));
 }
 
 void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {

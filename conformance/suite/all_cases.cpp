@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 
-#include "conformance/cases/cases.h"
+#include "conformance/suite/case.h"
 
 namespace glark::conformance {
 namespace {
@@ -14,15 +13,8 @@ bool is_well_named(const std::string& name) {
          name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.") == std::string::npos;
 }
 
-void add(std::vector<Case>& all, std::vector<Case> cases) {
-  std::move(cases.begin(), cases.end(), std::back_inserter(all));
-}
-
-std::vector<Case> join() {
-  std::vector<Case> all;
-#define GLARK_CASES(name) add(all, name##_cases());
-#include "conformance/cases/areas.inc"
-#undef GLARK_CASES
+std::vector<Case> sorted_cases() {
+  std::vector<Case> all = written_cases();
   std::sort(all.begin(), all.end(), [](const Case& a, const Case& b) { return a.name < b.name; });
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!is_well_named(all[i].name)) throw std::logic_error("no name for a case: " + all[i].name);
@@ -37,7 +29,7 @@ std::vector<Case> join() {
 }  // namespace
 
 const std::vector<Case>& all_cases() {
-  static const std::vector<Case> cases = join();
+  static const std::vector<Case> cases = sorted_cases();
   return cases;
 }
 

@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""update.py GLARK-CONFORMANCE: writes the must-pass list, every written case but those of excluded.txt.
+
+excluded.txt has one name a line, "#" and the reason. A change of the list is a new version of it: must_pass_version in
+submission/submission.h.
+"""
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+HEAD = """# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+#
+# What an implementation has to pass, version 1; written by update.py.
+"""
+
+
+def excluded() -> dict:
+    """{name: reason}"""
+    file = HERE / "excluded.txt"
+    lines = file.read_text().splitlines() if file.exists() else []
+    pairs = [line.partition("#") for line in lines if line.strip() and not line.startswith("#")]
+    for name, _, reason in pairs:
+        if not reason.strip():
+            sys.exit(f"excluded.txt: {name.strip()} has no reason")
+    return {name.strip(): reason.strip() for name, _, reason in pairs}
+
+
+def main() -> None:
+    listed = subprocess.run([sys.argv[1], "--list", "--json"], capture_output=True, text=True, check=True).stdout
+    out = excluded()
+    names = [case["name"] for case in json.loads(listed)["cases"] if case["written"] and case["name"] not in out]
+    (HERE / "1.txt").write_text(HEAD + "\n".join(names) + "\n")
+
+
+if __name__ == "__main__":
+    main()
