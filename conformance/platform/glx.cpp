@@ -19,10 +19,13 @@ struct Glx {
   decltype(&XSetErrorHandler) set_error_handler = nullptr;
   decltype(&XSync) sync = nullptr;
   decltype(&XFree) free = nullptr;
+  decltype(&XCreateColormap) create_colormap = nullptr;
+  decltype(&XFreeColormap) free_colormap = nullptr;
+  decltype(&XCreateWindow) create_window = nullptr;
+  decltype(&XDestroyWindow) destroy_window = nullptr;
   decltype(&glXGetProcAddressARB) address = nullptr;
   decltype(&glXChooseFBConfig) choose = nullptr;
-  decltype(&glXCreatePbuffer) create_pbuffer = nullptr;
-  decltype(&glXDestroyPbuffer) destroy_pbuffer = nullptr;
+  decltype(&glXGetVisualFromFBConfig) visual_of = nullptr;
   decltype(&glXMakeContextCurrent) make_current = nullptr;
   decltype(&glXDestroyContext) destroy = nullptr;
   decltype(&glXSwapBuffers) swap = nullptr;
@@ -34,10 +37,13 @@ struct Glx {
     x11.get(set_error_handler, "XSetErrorHandler");
     x11.get(sync, "XSync");
     x11.get(free, "XFree");
+    x11.get(create_colormap, "XCreateColormap");
+    x11.get(free_colormap, "XFreeColormap");
+    x11.get(create_window, "XCreateWindow");
+    x11.get(destroy_window, "XDestroyWindow");
     library.get(address, "glXGetProcAddressARB");
     library.get(choose, "glXChooseFBConfig");
-    library.get(create_pbuffer, "glXCreatePbuffer");
-    library.get(destroy_pbuffer, "glXDestroyPbuffer");
+    library.get(visual_of, "glXGetVisualFromFBConfig");
     library.get(make_current, "glXMakeContextCurrent");
     library.get(destroy, "glXDestroyContext");
     library.get(swap, "glXSwapBuffers");
@@ -49,28 +55,58 @@ struct Glx {
   }
 };
 
+// A window that is never mapped: Mesa 22 puts the pixels of pbuffers to the server in a depth that they do not have.
+class HiddenWindow {
+ public:
+  HiddenWindow(const Glx& glx, GLXFBConfig config) : glx_(glx) {
+    XVisualInfo* const visual = glx.visual_of(glx.display, config);
+    if (visual == nullptr) throw std::runtime_error("GLX has no visual for its configuration");
+    const Window root = RootWindow(glx.display, visual->screen);
+    colormap_ = glx.create_colormap(glx.display, root, visual->visual, AllocNone);
+    XSetWindowAttributes attributes{};
+    attributes.colormap = colormap_;
+    window_ = glx.create_window(glx.display, root, 0, 0, surface_size, surface_size, 0, visual->depth, InputOutput,
+                                visual->visual, CWBorderPixel | CWColormap, &attributes);
+    glx.free(visual);
+  }
+  ~HiddenWindow() {
+    glx_.destroy_window(glx_.display, window_);
+    glx_.free_colormap(glx_.display, colormap_);
+  }
+  HiddenWindow(const HiddenWindow&) = delete;
+  HiddenWindow& operator=(const HiddenWindow&) = delete;
+
+  Window handle() const { return window_; }
+
+ private:
+  const Glx& glx_;
+  Colormap colormap_ = None;
+  Window window_ = None;
+};
+
 class GlxContext : public Context {
  public:
-  GlxContext(const Glx& glx, GLXContext context, GLXPbuffer surface)
-      : glx_(glx), context_(context), surface_(surface) {}
+  GlxContext(const Glx& glx, GLXContext context, std::unique_ptr<HiddenWindow> window)
+      : glx_(glx), context_(context), window_(std::move(window)) {}
   ~GlxContext() override {
     release_current();
-    glx_.destroy_pbuffer(glx_.display, surface_);
     glx_.destroy(glx_.display, context_);
   }
 
-  bool make_current() override { return glx_.make_current(glx_.display, surface_, surface_, context_) == True; }
+  bool make_current() override {
+    return glx_.make_current(glx_.display, window_->handle(), window_->handle(), context_) == True;
+  }
   void release_current() override { glx_.make_current(glx_.display, None, None, nullptr); }
   void end_frame() override {
     reinterpret_cast<void (*)()>(glx_.address(reinterpret_cast<const GLubyte*>("glFinish")))();
-    glx_.swap(glx_.display, surface_);
+    glx_.swap(glx_.display, window_->handle());
   }
   GLXContext handle() const { return context_; }
 
  private:
   const Glx& glx_;
   GLXContext context_;
-  GLXPbuffer surface_;
+  std::unique_ptr<HiddenWindow> window_;
 };
 
 int ignore_error(Display*, XErrorEvent*) {
@@ -85,8 +121,7 @@ class GlxPlatform : public Platform {
 
   std::unique_ptr<Context> create_context(Api api, Context* share) override {
     const GLXFBConfig config = choose();
-    const int size[] = {GLX_PBUFFER_WIDTH, surface_size, GLX_PBUFFER_HEIGHT, surface_size, None};
-    const GLXPbuffer surface = glx_.create_pbuffer(glx_.display, config, size);
+    auto window = std::make_unique<HiddenWindow>(glx_, config);
     const int profile = api == Api::gl_core ? GLX_CONTEXT_CORE_PROFILE_BIT_ARB
                         : api == Api::gles  ? GLX_CONTEXT_ES_PROFILE_BIT_EXT
                                             : GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB;
@@ -102,11 +137,8 @@ class GlxPlatform : public Platform {
         glx_.display, config, share != nullptr ? static_cast<GlxContext*>(share)->handle() : nullptr, True, attributes);
     glx_.sync(glx_.display, False);
     glx_.set_error_handler(handler);
-    if (handle == nullptr) {
-      glx_.destroy_pbuffer(glx_.display, surface);
-      throw std::runtime_error("GLX gives no context of " + std::string(name_of(api)));
-    }
-    auto context = std::make_unique<GlxContext>(glx_, handle, surface);
+    if (handle == nullptr) throw std::runtime_error("GLX gives no context of " + std::string(name_of(api)));
+    auto context = std::make_unique<GlxContext>(glx_, handle, std::move(window));
     if (!context->make_current()) throw std::runtime_error("GLX does not make its context current");
     return context;
   }
@@ -114,7 +146,7 @@ class GlxPlatform : public Platform {
  private:
   GLXFBConfig choose() const {
     const int wanted[] = {GLX_DRAWABLE_TYPE,
-                          GLX_PBUFFER_BIT,
+                          GLX_WINDOW_BIT,
                           GLX_RENDER_TYPE,
                           GLX_RGBA_BIT,
                           GLX_RED_SIZE,
@@ -135,7 +167,7 @@ class GlxPlatform : public Platform {
     int count = 0;
     GLXFBConfig* const configs = glx_.choose(glx_.display, 0, wanted, &count);
     if (configs == nullptr || count == 0)
-      throw std::runtime_error("GLX has no configuration with pbuffers, RGBA8, depth 24 and stencil 8");
+      throw std::runtime_error("GLX has no configuration with windows, RGBA8, depth 24 and stencil 8");
     const GLXFBConfig config = configs[0];
     glx_.free(configs);
     return config;

@@ -67,14 +67,18 @@ GLuint build_program(Test& t, const Sources& sources) {
   return program;
 }
 
-void set_refinement_shader(Test& t, GLuint program, const std::string& source) {
-  const char* const text = source.c_str();
-  gl.RefinementShaderSourceARK(program, 1, &text, nullptr);
+void require_refinable(Test& t, GLuint program) {
   GLint built = GL_FALSE;
   gl.GetRefinementivARK(program, GL_REFINEMENT_STATUS_ARK, &built);
   char log[2000] = "";
   if (built == GL_FALSE) gl.GetRefinementInfoLogARK(program, sizeof(log), nullptr, log);
   t.require(built == GL_TRUE, std::string("the refinement program builds: ") + log);
+}
+
+void set_refinement_shader(Test& t, GLuint program, const std::string& source) {
+  const char* const text = source.c_str();
+  gl.RefinementShaderSourceARK(program, 1, &text, nullptr);
+  require_refinable(t, program);
 }
 
 GLuint colour_program(Test& t) { return build_program(t, {.vertex = plain_vertex_shader}); }

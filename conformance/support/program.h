@@ -37,6 +37,9 @@ GLuint build_program(Test& t, const Sources& sources);
 // As it is, #version and all; 0 where it does not build, with the log in `log`.
 GLuint try_program(const Sources& sources, std::string& log);
 
+// Ends the case where the program cannot be refined, with the log.
+void require_refinable(Test& t, GLuint program);
+
 // Gives the program a refinement shader, and expects it to build.
 void set_refinement_shader(Test& t, GLuint program, const std::string& source);
 

@@ -14,11 +14,11 @@ enum class PolygonSplit { triangles, centroid };
 struct ArkState {
   bool enabled = false;
   int pool_level = -1;  // -1 before glARKinit
-  GLuint current_tag = 0;
   Refinement refinement = Refinement::linear_inputs;
   DepthSource depth_source = DepthSource::tag;
   GLuint uniform_level = 0;
   EdgeMeasure measure{.pixels = 8};
+  GLint edge_pixels = 8;  // measure.pixels, not rounded
   GLuint tag_attribute = 15;
   GLuint discontinuity_attribute = 14;
   GLuint scalar_tag_attribute = 13;

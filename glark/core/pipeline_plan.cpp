@@ -66,7 +66,8 @@ Cause Pipeline::check_state(const DrawCall& call, bool for_feedback) const {
   if (transparent && b.polygon_mode != GL_FILL) {
     return Cause::polygon_mode;
   }
-  if (b.rasterizer_discard && !owns_feedback() && !for_feedback) {
+  // A count of refined triangles is a result, even where nothing is rasterised.
+  if (b.rasterizer_discard && !owns_feedback() && !for_feedback && b.primitives_generated_query == 0) {
     return Cause::rasterizer_discard;
   }
   if (context_.capabilities.api == Capabilities::Api::core && b.vertex_array == 0) {
@@ -220,6 +221,7 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed);
   key.morphing = plan.morphing;
   key.turns = key.welded && plan.measured && measure().degrees > 0;
+  key.border = key.welded && key.displaced;
   plan.derived = derived_program(plan, key);
   plan_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {
@@ -228,7 +230,7 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   if (owns_feedback() && plan.derived != feedback_program_) {
     return Cause::transform_feedback;
   }
-  if (plan.derived->stored() && (plan.pipeline != nullptr || plan.measured)) {
+  if (plan.derived->stored() && plan.pipeline != nullptr) {
     return Cause::too_many_attributes;  // other programs of the pipeline may need the storage binding
   }
   plan.layout = &plan.derived->layout;

@@ -30,6 +30,14 @@ TEST(Settings, AnEmptyEnvironmentGivesTheDefaults) {
   EXPECT_TRUE(parsed.settings.captures.empty());
 }
 
+TEST(Settings, TheConformanceSuiteMakesItsOwnCalls) {
+  const char* const environment[] = {"GLARK_ENABLE=1", nullptr};
+  const std::string names[] = {"glark-conformance"};
+  EXPECT_FALSE(parse(environment, names).settings.context.transparent);
+  const char* const wanted[] = {"GLARK_ENABLE=1", "GLARK_LEAVE_ALONE=0", nullptr};
+  EXPECT_TRUE(parse(wanted, names).settings.context.transparent);
+}
+
 TEST(Settings, EveryVariableIsRead) {
   const Parsed parsed =
       parse_all({"GLARK_ENABLE=1", "GLARK_LEVEL=4", "GLARK_MAX_LEVEL=9", "GLARK_REFINE=outputs", "GLARK_WIREFRAME=1",

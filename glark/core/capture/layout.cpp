@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 #include <string_view>
 
 namespace glark::capture {
@@ -196,6 +197,11 @@ Layout make_layout(std::vector<Field> fields, bool tagged, WeldedWords welded) {
   if (welded.turns) {
     layout.turn_offset = layout.corner_words++;
   }
+  if (welded.displaced_by >= 0) {
+    layout.border_offset = layout.corner_words;
+    layout.coordinate_offset = layout.fields[static_cast<std::size_t>(welded.displaced_by)].offset;
+    layout.corner_words += border_words;
+  }
   return layout;
 }
 
@@ -267,6 +273,8 @@ class CaptureText {
         field.location >= 0 ? declare_input(row.glsl, array, field.location) : builtin(field.name);
     for (int element = 0; element < field.array_size; ++element) {
       const std::string value = field.is_array ? input + "[" + std::to_string(element) + "]" : input;
+      if (field.location >= 0 && row.kind != Kind::wide)
+        note_first_components(row, value, field.location + element * row.columns);
       if (row.kind == Kind::wide) {
         add_wide(row, value);
       } else {
@@ -276,7 +284,10 @@ class CaptureText {
   }
 
   void add_tag(GLuint attribute) {
-    add_output("out ", "float", declare_input("float", "", static_cast<int>(attribute)));
+    const auto known = first_components_.find(static_cast<int>(attribute));
+    add_output(
+        "out ", "float",
+        known != first_components_.end() ? known->second : declare_input("float", "", static_cast<int>(attribute)));
   }
 
   // For words that are written afterwards.
@@ -298,6 +309,15 @@ class CaptureText {
     std::string name = "glark_in" + std::to_string(inputs_++);
     declarations_ += "layout(location = " + std::to_string(location) + ") in " + type + " " + name + array + ";\n";
     return name;
+  }
+
+  // OpenGL ES does not let two inputs have one location: a tag that the program reads is taken from its input.
+  void note_first_components(const TypeRow& row, const std::string& value, int location) {
+    for (int column = 0; column < row.columns; ++column) {
+      std::string component = row.columns > 1 ? value + "[" + std::to_string(column) + "]" : value;
+      if (row.rows > 1) component += "[0]";
+      first_components_[location + column] = row.kind == Kind::integer ? "float(" + component + ")" : component;
+    }
   }
 
   std::string builtin(const std::string& name) {
@@ -331,6 +351,7 @@ class CaptureText {
   CaptureSources& result_;
   std::string declarations_;
   std::string body_;
+  std::map<int, std::string> first_components_;  // by location, of inputs that are declared
   int inputs_ = 0;
   int outputs_ = 0;
   bool draw_parameters_ = false;
@@ -343,7 +364,8 @@ CaptureSources capture_sources(const Layout& layout, Language language, GLuint t
   CaptureText text(result);
   for (const Field& field : layout.fields) text.add(field);
   if (layout.tagged) text.add_tag(tag_attribute);
-  const int welded_words = (layout.welded() ? control_words : 0) + (layout.turn_offset >= 0 ? 1 : 0);
+  const int welded_words = (layout.welded() ? control_words : 0) + (layout.turn_offset >= 0 ? 1 : 0) +
+                           (layout.displaced() ? border_words : 0);
   if (welded_words > 0) text.add_room(welded_words);
   result.vertex = text.text(language);
   return result;

@@ -84,7 +84,10 @@ void set_measure(Context& c, GLenum name, GLint value) {
     return;
   }
   switch (name) {
-    case GL_EDGE_PIXELS_ARK: c.ark.measure.pixels = static_cast<float>(value); break;
+    case GL_EDGE_PIXELS_ARK:
+      c.ark.measure.pixels = static_cast<float>(value);
+      c.ark.edge_pixels = value;
+      break;
     case GL_EDGE_DEGREES_ARK: c.ark.measure.degrees = static_cast<float>(value); break;
     default: c.ark.measure.budget = static_cast<unsigned>(value); break;
   }
@@ -195,9 +198,10 @@ void ARKinit(Context& c, GLuint max_level) {
   }
   // From here on the program knows of the extension: it is refined as it says, no longer without its knowledge.
   c.options.transparent = false;
+  const GLuint tag = track::current_tag(c);  // of the old level
   c.ark.pool_level = static_cast<int>(max_level);
   c.ark.uniform_level = std::min(c.ark.uniform_level, max_level);
-  if (c.ark.current_tag > max_level) {
+  if (tag > max_level) {
     DepthTag1i(c, max_level);
   }
   c.update_refining();
@@ -285,9 +289,6 @@ void DepthTag1i(Context& c, GLuint d) {
   set_tag(c.gl, c.ark.tag_attribute, &d);
   c.set_current(generic_slot(c.ark.tag_attribute), set_tag, c.ark.tag_attribute, &d, sizeof(d));
   c.immediate.tags_set = true;
-  if (track::executes(c)) {
-    c.ark.current_tag = d;
-  }
 }
 
 void DepthTagPointerARK(Context& c, GLenum type, GLsizei stride, const void* pointer) {

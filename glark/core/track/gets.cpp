@@ -20,13 +20,6 @@ GLint tag_array_parameter(const Context& c, GLenum parameter) {
   return value;
 }
 
-GLint current_tag(const Context& c) {
-  GLfloat value[4] = {0, 0, 0, 0};
-  c.gl.GetVertexAttribfv(c.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, value);
-  const float limit = static_cast<float>(std::max(c.ark.pool_level, 0));
-  return std::isnan(value[0]) ? 0 : static_cast<GLint>(std::clamp(std::floor(value[0] + 0.5F), 0.0F, limit));
-}
-
 GLint refinement_token(Refinement refinement) {
   switch (refinement) {
     case Refinement::linear_outputs: return GL_LINEAR_OUTPUTS_ARK;
@@ -54,7 +47,7 @@ std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
     case GL_ARK: return ark.enabled ? 1 : 0;
     case GL_MAX_DEPTH_ARK: return static_cast<GLint>(max_supported_level);
     case GL_POOL_LEVEL_ARK: return ark.pool_level;
-    case GL_CURRENT_DEPTH_TAG_ARK: return current_tag(c);
+    case GL_CURRENT_DEPTH_TAG_ARK: return static_cast<GLint>(track::current_tag(c));
     case GL_DEPTH_TAG_ARRAY_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_ENABLED);
     case GL_DEPTH_TAG_ARRAY_TYPE_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_TYPE);
     case GL_DEPTH_TAG_ARRAY_STRIDE_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
@@ -69,7 +62,7 @@ std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
     case GL_DISPLACEMENT_BIAS_ARK: return ark.displacement.bias;
     case GL_REFINEMENT_ARK: return refinement_token(ark.refinement);
     case GL_DEPTH_SOURCE_ARK: return depth_source_token(ark.depth_source);
-    case GL_EDGE_PIXELS_ARK: return static_cast<GLint>(ark.measure.pixels);
+    case GL_EDGE_PIXELS_ARK: return ark.edge_pixels;
     case GL_EDGE_DEGREES_ARK: return static_cast<GLint>(ark.measure.degrees);
     case GL_TRIANGLE_BUDGET_ARK: return static_cast<GLint>(ark.measure.budget);
     case GL_WELD_ARK: return ark.weld ? 1 : 0;
@@ -120,6 +113,13 @@ void correct_extension_count(const Context& c, GLenum name, Value* data) {
 }  // namespace
 
 namespace track {
+
+GLuint current_tag(const Context& c) {
+  GLfloat value[4] = {0, 0, 0, 0};
+  c.gl.GetVertexAttribfv(c.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, value);
+  const float limit = static_cast<float>(std::max(c.ark.pool_level, 0));
+  return std::isnan(value[0]) ? 0 : static_cast<GLuint>(std::clamp(std::floor(value[0] + 0.5F), 0.0F, limit));
+}
 
 bool inside_begin(Context& c) {
   if (c.immediate.open) {

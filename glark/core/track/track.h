@@ -39,6 +39,7 @@ std::shared_ptr<Program> known_program(Context& context, GLuint name);
 void adopt_current_program(Context& context);
 
 // Errors of ours.
-bool inside_begin(Context& context);  // raises GL_INVALID_OPERATION between glBegin and glEnd
+GLuint current_tag(const Context& context);  // GL_CURRENT_DEPTH_TAG_ARK
+bool inside_begin(Context& context);         // raises GL_INVALID_OPERATION between glBegin and glEnd
 
 }  // namespace glark::core::track
