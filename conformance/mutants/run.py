@@ -142,6 +142,7 @@ class Laboratory:
     def __init__(self, arguments: argparse.Namespace):
         build = pathlib.Path(arguments.build).resolve()
         self.jobs = arguments.jobs
+        self.quick = arguments.quick
         self.suite = build / "bin/glark-conformance"
         if not self.suite.is_file():
             raise Complaint(f"{self.suite} is missing: build the target glark-conformance first")
@@ -185,7 +186,7 @@ class Laboratory:
         case_list.write_text("\n".join(names) + "\n")
         platform = "egl" if api == "gles" else "osmesa"
         done = self.call("--platform", platform, "--api", api, "--implementation", self.library, "--caselist", case_list, "--jobs",
-                         self.jobs, "--report", report, *options)
+                         self.jobs, "--batch", 25, "--report", report, *options)
         if not (report / "results.json").is_file():
             raise Complaint(f"glark-conformance has not judged anything:\n{done.stderr}")
         records = json.loads((report / "results.json").read_text())["results"]
@@ -210,7 +211,8 @@ class Laboratory:
             outcome.problem = self.make_library()
             citing = [name for name, clauses in self.cases.items() if mutant.clause in clauses]
             others = [name for name in self.cases if name not in citing]
-            for names, options in [] if outcome.problem else [(citing, ()), (others, ("--fail-fast",))]:
+            rounds = [(citing, ())] + ([] if self.quick else [(others, ("--fail-fast",))])
+            for names, options in [] if outcome.problem else rounds:
                 for api in mutant.apis():
                     outcome.failed = outcome.failed or self.judge(api, names, *options)
                 if outcome.failed:
@@ -264,6 +266,7 @@ def main() -> int:
     parser.add_argument("--build", default=str(ROOT / "build/release"), help="directory with a built glark-conformance")
     parser.add_argument("--filter", action="append", metavar="GLOB", help="only mutants of such names; may be repeated")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="processes at a time")
+    parser.add_argument("--quick", action="store_true", help="leave out the cases that do not cite the mutant's sentence")
     parser.add_argument("--list", action="store_true", help="print the mutants")
     parser.add_argument("--check", action="store_true", help="only check that every mutant can be made")
     parser.add_argument("--table", metavar="FILE", help="write the table between the markers of this document")
