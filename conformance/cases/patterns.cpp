@@ -19,8 +19,8 @@ using Tags = std::array<int, 3>;
 Mesh mesh_of(const std::vector<Tags>& triples) {
   Mesh mesh;
   for (const Tags& tags : triples) {
-    const Mesh triangle = one_triangle({static_cast<float>(tags[0]), static_cast<float>(tags[1]),
-                                        static_cast<float>(tags[2])});
+    const Mesh triangle =
+        one_triangle({static_cast<float>(tags[0]), static_cast<float>(tags[1]), static_cast<float>(tags[2])});
     mesh.insert(mesh.end(), triangle.begin(), triangle.end());
   }
   number_triangles(mesh);
@@ -67,8 +67,9 @@ Case pattern_case(const std::string& leaf, std::vector<std::string> clauses, con
   return {.name = "ark.pattern." + leaf,
           .clauses = std::move(clauses),
           .plan = plan,
-          .wrong = "Missing or doubled triangles, a vertex inside an edge, flipped triangles, vertices off their places, "
-                   "the pattern of the depths in another order.",
+          .wrong =
+              "Missing or doubled triangles, a vertex inside an edge, flipped triangles, vertices off their places, "
+              "the pattern of the depths in another order.",
           .check = [triples = std::move(triples), interior, pool_level](Test& t) {
             refine_by_tags(pool_level);
             gl.ARKParameteriARK(GL_PATTERN_INTERIOR_ARK,
@@ -212,7 +213,7 @@ Cases uniform_cases() {
 
 Cases patterns_cases() {
   const std::vector<std::string> every = {"11.R.5-1", "11.R.5-2", "11.R.5-4", "11.R.5-5",
-                                          "11.R.5-6", "11.R.5-7", "11.R.5-8", "11.R.5-9"};
+                                          "11.R.5-6", "11.R.5-7", "11.R.5-8", "11.R.5-9", "11.R.3-4", "11.R.4-2"};
   std::vector<std::string> minimum = every;
   minimum.insert(minimum.end(), {"11.R.5-12", "11.R.5-13"});
   std::vector<std::string> smooth = every;
@@ -241,21 +242,23 @@ Cases patterns_cases() {
                    .plan = "Judge patterns with the greatest depth of pools of level 0 to 5.",
                    .wrong = "The last level of a pool is missing; a pool keeps the patterns of another.",
                    .check = check_small_pools});
-  cases.push_back({.name = "ark.pattern.order.unchanged",
-                   .clauses = {"11.R.5-16", "11.R.5-17"},
-                   .plan = "Capture four patterns, draw others, capture the four again in another order of coarse triangles.",
-                   .wrong = "Another order of triangles or of corners the second time.",
-                   .check = check_unchanged});
+  cases.push_back(
+      {.name = "ark.pattern.order.unchanged",
+       .clauses = {"11.R.5-16", "11.R.5-17"},
+       .plan = "Capture four patterns, draw others, capture the four again in another order of coarse triangles.",
+       .wrong = "Another order of triangles or of corners the second time.",
+       .check = check_unchanged});
   cases.push_back({.name = "ark.pattern.minimum.multiples",
                    .clauses = {"11.R.5-13"},
                    .plan = "Look at every weight of 150 patterns to level 5.",
                    .wrong = "Weights such as 1/3 inside.",
                    .check = check_multiples});
-  cases.push_back({.name = "ark.pattern.neighbours",
-                   .clauses = {"11.R.5-5", "11.R.8-4"},
-                   .plan = "Compare the vertices along the edge of two triangles that share it, turned, for all pairs of tags.",
-                   .wrong = "The greater or the lesser tag for an edge; an edge takes the depth of another edge.",
-                   .check = check_neighbours});
+  cases.push_back(
+      {.name = "ark.pattern.neighbours",
+       .clauses = {"11.R.5-5", "11.R.8-4"},
+       .plan = "Compare the vertices along the edge of two triangles that share it, turned, for all pairs of tags.",
+       .wrong = "The greater or the lesser tag for an edge; an edge takes the depth of another edge.",
+       .check = check_neighbours});
   return cases;
 }
 

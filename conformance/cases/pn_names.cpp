@@ -130,7 +130,7 @@ Case name_case(const NameCase& names) {
   const bool is_normal = std::string(names.leaf).find("normal") == 0;
   return {
       .name = std::string("ark.pn.names.") + names.leaf,
-      .clauses = is_normal ? std::vector<std::string>{"11.R.7-5"} : std::vector<std::string>{"11.R.7-4", "issues-38"},
+      .clauses = is_normal ? std::vector<std::string>{"11.R.7-21"} : std::vector<std::string>{"11.R.7-4", "issues-38"},
       .plan = "A program with the inputs " + std::string(names.first) + ", " + names.second + ", " + names.normal +
               (names.other_normal[0] != 0 ? std::string(" and ") + names.other_normal : "") +
               ", the first two with the same values: which of them is curved?",
@@ -187,7 +187,7 @@ Cases pn_names_cases() {
   Cases cases;
   for (const NameCase& names : name_cases) cases.push_back(name_case(names));
   cases.push_back({.name = "ark.pn.names.built_in",
-                   .clauses = {"11.R.7-3", "11.R.7-5"},
+                   .clauses = {"11.R.7-3", "11.R.7-21"},
                    .plan = "A vertex stage that reads gl_Vertex, gl_Normal, and inputs named position and normal.",
                    .wrong = "The named input is preferred to the built-in one.",
                    .apis = {Api::gl_compat},

@@ -94,7 +94,6 @@ const std::vector<float>& whole_tags() {
   return tags;
 }
 
-
 GLuint tag_attribute() {
   GLint attribute = 0;
   gl.GetIntegerv(GL_DEPTH_TAG_ATTRIBUTE_ARK, &attribute);
@@ -116,8 +115,9 @@ Case array_case(const Type& type, const char* leaf, std::size_t stride, std::siz
   return {.name = std::string("ark.tags.array.") + type.name + "." + leaf,
           .clauses = {"10.R.1-18", "10.R.1-19", "10.R.1-20", "10.R.1-22", "10.R.1-26"},
           .plan = "Give fifteen tags by an array of this type, stride and offset and find the depths of all edges.",
-          .wrong = "Normalized values give depth 0; a stride of 0 repeats the first value; an ignored offset or stride "
-                   "gives the tags of other vertices.",
+          .wrong =
+              "Normalized values give depth 0; a stride of 0 repeats the first value; an ignored offset or stride "
+              "gives the tags of other vertices.",
           .check = [&type, stride, offset](Test& t) { check_array(t, type, stride, offset); }};
 }
 
@@ -181,8 +181,8 @@ Cases rounding_cases() {
   return {
       float_case("nearest", {"10.R.1-1", "10.R.1-3"}, "Tags with fractions other than a half, from 0.1 to 5.9.",
                  "Truncated, or rounded up.", {0.1F, 0.4F, 0.6F, 1.3F, 1.9F, 2.75F, 3.25F, 3.51F, 4.49F, 5.9F}),
-      float_case("halves", {"10.R.1-4"}, "Tags of 0.5, 1.5, to 5.5.", "Rounded down; or to even, so that 2.5 becomes 2.",
-                 {0.5F, 1.5F, 2.5F, 3.5F, 4.5F, 5.5F}),
+      float_case("halves", {"10.R.1-4"}, "Tags of 0.5, 1.5, to 5.5.",
+                 "Rounded down; or to even, so that 2.5 becomes 2.", {0.5F, 1.5F, 2.5F, 3.5F, 4.5F, 5.5F}),
       float_case("beside_halves", {"10.R.1-3", "10.R.1-4"}, "The floating-point numbers next to each half.",
                  "floor(x + 0.5) in single precision takes the number below 0.5 up to 1.",
                  {below(0.5F), above(0.5F), below(1.5F), above(1.5F), below(2.5F), above(2.5F), below(4.5F)}),

@@ -121,26 +121,39 @@ GLuint draw_program(Test& t) {
           .captured = {"gl_Position", "colour", "tag_out", "instance"}});
 }
 
+void expect_triangles(Test& t, const std::vector<CoarseTriangle>& coarse, const std::function<void()>& draw,
+                      const std::string& what) {
+  std::set<Values> vertices;
+  std::int64_t triangles = 0;
+  double area = 0;
+  for (const CoarseTriangle& triangle : coarse) {
+    Corners corners{};
+    std::memcpy(corners.data(), triangle.corners.data(), sizeof(corners));
+    for (const reference::Weights& weights : reference::minimum_vertices(triangle.depths))
+      vertices.insert(refined_values(corners, weights));
+    triangles += reference::minimum_triangles(triangle.depths);
+    area += area_of(corners[0], corners[1], corners[2]);
+  }
+  const std::vector<Values> actual = captured_values(t, draw);
+  t.expect_equal(static_cast<std::int64_t>(actual.size() / 3), triangles, what + ": refined triangles");
+  expect_same_vertices(t, {actual.begin(), actual.end()}, vertices, what);
+  t.expect_near(area_of(actual), area, 1e-4, what + ": area with orientation");
+}
+
 void expect_refinement(Test& t, const Expected& expected, const std::function<void()>& coarse,
                        const std::function<void()>& refined, const std::string& what) {
   const GLboolean was_enabled = gl.IsEnabled(GL_ARK);
   gl.Disable(GL_ARK);
   const std::vector<Values> unrefined = captured_values(t, coarse);
   t.require(!unrefined.empty(), what + ": the unrefined draw gives triangles");
-  std::set<Values> vertices;
-  std::int64_t triangles = 0;
-  for (std::size_t i = 0; i + 2 < unrefined.size(); i += 3) {
-    const Corners corners = {unrefined[i], unrefined[i + 1], unrefined[i + 2]};
-    const reference::Depths depths = depths_of_corners(corners, expected);
-    for (const reference::Weights& weights : reference::minimum_vertices(depths))
-      vertices.insert(refined_values(corners, weights));
-    triangles += reference::minimum_triangles(depths);
+  std::vector<CoarseTriangle> triangles(unrefined.size() / 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    Corners corners = {unrefined[3 * i], unrefined[3 * i + 1], unrefined[3 * i + 2]};
+    std::memcpy(triangles[i].corners.data(), corners.data(), sizeof(corners));
+    triangles[i].depths = depths_of_corners(corners, expected);
   }
   if (was_enabled != GL_FALSE) gl.Enable(GL_ARK);
-  const std::vector<Values> actual = captured_values(t, refined);
-  t.expect_equal(static_cast<std::int64_t>(actual.size() / 3), triangles, what + ": refined triangles");
-  expect_same_vertices(t, {actual.begin(), actual.end()}, vertices, what);
-  t.expect_near(area_of(actual), area_of(unrefined), 1e-4, what + ": area with orientation");
+  expect_triangles(t, triangles, refined, what);
 }
 
 }  // namespace glark::conformance

@@ -35,6 +35,14 @@ struct DrawVertex {
 // Captures DrawVertex: of position, colour, tag (at_tag) and at_extra.
 GLuint draw_program(Test& t);
 
+struct CoarseTriangle {
+  std::array<DrawVertex, 3> corners;
+  reference::Depths depths;
+};
+// That `draw`, captured, gives the refinement of these triangles: their number, vertices bit for bit, and area.
+void expect_triangles(Test& t, const std::vector<CoarseTriangle>& coarse, const std::function<void()>& draw,
+                      const std::string& what);
+
 struct Expected {
   int pool_level = 3;
   int uniform_level = -1;  // of UNIFORM_DEPTH_ARK; -1: depth tags

@@ -143,6 +143,9 @@ void Context::read_capabilities() {
       !is_compatibility() || get(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
   capabilities.max_texture_units = get(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
   capabilities.max_vertex_attributes = std::min<GLint>(get(gl, GL_MAX_VERTEX_ATTRIBS), generic_slots);
+  if (capabilities.version >= (es ? 31 : 44)) {
+    capabilities.max_vertex_attribute_stride = get(gl, GL_MAX_VERTEX_ATTRIB_STRIDE);
+  }
   capabilities.fog_distance = has_extension("GL_NV_fog_distance");
   capabilities.max_vertex_storage_blocks = get(gl, GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
   capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
@@ -303,7 +306,9 @@ void Context::refresh_bindings() {
   vertex_arrays.bind(b.vertex_array);
   b.transform_feedback = static_cast<GLuint>(get(gl, GL_TRANSFORM_FEEDBACK_BINDING));
   b.transform_feedback_active = get(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
-  b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
+  if (pipeline == nullptr || !pipeline->owns_feedback()) {  // which is paused between our draws
+    b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
+  }
   b.draw_indirect_buffer = static_cast<GLuint>(get(gl, GL_DRAW_INDIRECT_BUFFER_BINDING));
   b.query_buffer = capabilities.query_buffer ? static_cast<GLuint>(get(gl, GL_QUERY_BUFFER_BINDING)) : 0;
   b.parameter_buffer = capabilities.parameter_buffer ? static_cast<GLuint>(get(gl, GL_PARAMETER_BUFFER_BINDING)) : 0;

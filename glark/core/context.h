@@ -47,6 +47,7 @@ struct Capabilities {
   std::vector<std::string> extensions;
   bool fog_distance = false;  // GL_NV_fog_distance
   GLint max_vertex_attributes = 16;
+  GLint max_vertex_attribute_stride = 0;  // 0: there is no limit
   GLint max_texture_units = 0;
   GLint max_feedback_components = 64;
   GLint max_vertex_storage_blocks = 0;

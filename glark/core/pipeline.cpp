@@ -120,7 +120,8 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
     restore_storage();  // the vertex stage may read it
   }
   use_derived(plan);
-  if (owns_feedback()) {
+  const bool captures = owns_feedback() && !b.transform_feedback_paused;
+  if (captures) {
     gl_.ResumeTransformFeedback();
   }
   set_modes(plan);
@@ -143,7 +144,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
         records.triangles.count_on_gpu ? 0 : std::uint64_t{records.triangles.count} << (2 * plan.level);
   }
   reset_modes(plan);
-  if (owns_feedback()) {
+  if (captures) {
     gl_.PauseTransformFeedback();
   }
   if (indirect && b.parameter_buffer != 0) {

@@ -13,16 +13,14 @@
 namespace glark::core {
 namespace {
 
-bool current_tag_is_zero(const Context& context) {
+bool current_tag_is_whole(const Context& context) {
   const CurrentValue* value = context.current_values.find(static_cast<int>(context.ark.tag_attribute));
   if (value != nullptr && value->again == set_tag) {
-    GLuint tag = 0;
-    std::memcpy(&tag, value->components.data(), sizeof(tag));
-    return tag == 0;
+    return true;
   }
   GLfloat current[4] = {0, 0, 0, 0};
   context.supported.GetVertexAttribfv(context.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
-  return !(current[0] > 0);
+  return std::floor(current[0]) == current[0];
 }
 
 }  // namespace
@@ -54,8 +52,8 @@ unsigned Pipeline::current_tag() const {
   }
   GLfloat current[4] = {0, 0, 0, 0};
   gl_.GetVertexAttribfv(context_.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
-  const float tag = std::isnan(current[0]) ? 0.0F : current[0];
-  return static_cast<unsigned>(std::clamp(std::floor(tag + 0.5F), 0.0F, static_cast<float>(highest)));
+  const double tag = std::isnan(current[0]) ? 0.0 : current[0];  // a float + 0.5 may not be a float
+  return static_cast<unsigned>(std::clamp(std::floor(tag + 0.5), 0.0, static_cast<double>(highest)));
 }
 
 void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
@@ -74,9 +72,9 @@ void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
     plan.level = ark.uniform_level;
     return;
   }
-  plan.adaptive =
-      call.tags_vary || feedback_tagged() || context_.attribute_source(static_cast<int>(ark.tag_attribute)).enabled ||
-      (ark.geomorph && !current_tag_is_zero(context_));  // uniform patterns are cut otherwise: that would pop
+  plan.adaptive = call.tags_vary || feedback_tagged() ||
+                  context_.attribute_source(static_cast<int>(ark.tag_attribute)).enabled ||
+                  (ark.geomorph && !current_tag_is_whole(context_));
   if (!plan.adaptive) {
     plan.level = current_tag();
   }

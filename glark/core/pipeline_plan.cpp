@@ -60,7 +60,8 @@ Cause Pipeline::check_state(const DrawCall& call, bool for_feedback) const {
     return Cause::transform_feedback;
   }
   // Counting our own triangles would need the query that the application has open.
-  if ((transparent && b.primitive_queries > 0) || (!call.exact && b.primitives_written_query != 0)) {
+  if ((transparent && b.primitive_queries > 0) ||
+      (!call.exact && b.primitives_written_query != 0 && b.primitives_generated_query != 0)) {
     return Cause::primitive_query;
   }
   if (transparent && b.polygon_mode != GL_FILL) {
@@ -227,7 +228,7 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
-  if (owns_feedback() && plan.derived != feedback_program_) {
+  if (owns_feedback() && !context_.bindings.transform_feedback_paused && plan.derived != feedback_program_) {
     return Cause::transform_feedback;
   }
   if (plan.derived->stored() && plan.pipeline != nullptr) {

@@ -47,8 +47,7 @@ TEST(ReferencePattern, CountsAreThoseOfTheFormula) {
 
 TEST(ReferencePattern, TheVerticesOfTwoAreThreeInsideAndTwelveOnEdges) {
   const std::int64_t quarter = unit / 4;
-  const std::vector<Weights> expected = {
-      {quarter, quarter, half}, {quarter, half, quarter}, {half, quarter, quarter}};
+  const std::vector<Weights> expected = {{quarter, quarter, half}, {quarter, half, quarter}, {half, quarter, quarter}};
   auto inside = inside_vertices(2);
   std::sort(inside.begin(), inside.end());
   EXPECT_EQ(inside, expected);

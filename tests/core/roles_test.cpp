@@ -34,6 +34,8 @@ TEST(Roles, AreFoundByName) {
   EXPECT_EQ(roles({"gl_Vertex", "gl_Normal", "gl_MultiTexCoord0"}), "gl_Vertex gl_Normal gl_MultiTexCoord0");
   EXPECT_EQ(roles({"aNormal", "aPos", "aTex2"}), "aPos aNormal aTex2");
   EXPECT_EQ(roles({"vertex", "color", "uv2"}), "vertex - uv2");
+  EXPECT_EQ(roles({"vert", "Pos"}), "Pos - -");
+  EXPECT_EQ(roles({"pos", "vertex"}), "vertex - -");
   EXPECT_EQ(roles({"vertexColor", "vertexNormal", "vertexPosition"}), "vertexPosition vertexNormal -");
 }
 

@@ -17,6 +17,8 @@ constexpr GLsizeiptr initial_ring_bytes = GLsizeiptr{4} << 20;
 constexpr GLsizeiptr largest_capture_bytes = GLsizeiptr{1} << 30;
 constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 
+constexpr std::array<GLenum, 2> query_targets = {GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, GL_PRIMITIVES_GENERATED};
+
 GLsizeiptr bytes_of(const Layout& layout, std::uint64_t triangles) {
   return static_cast<GLsizeiptr>(triangles) * layout.triangle_words() * 4;
 }
@@ -53,13 +55,13 @@ GLuint CaptureStage::feedback() {
 }
 
 bool CaptureStage::has_room(const Layout& layout, std::uint64_t triangles) const {
-  return query_ != 0 && cursor_ + bytes_of(layout, triangles) + chunk_overrun <= ring_.size();
+  return queries_[0] != 0 && cursor_ + bytes_of(layout, triangles) + chunk_overrun <= ring_.size();
 }
 
 bool CaptureStage::reserve(const Layout& layout, std::uint64_t triangles) {
   feedback();
-  if (query_ == 0) {
-    gl_.GenQueries(1, &query_);
+  if (queries_[0] == 0) {
+    gl_.GenQueries(2, queries_.data());
     const CountCommand command;
     if (!count_command_.allocate(gl_, sizeof(command), &command, GL_DYNAMIC_COPY)) {
       return false;
@@ -99,7 +101,8 @@ void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count c
     gl_.Enable(GL_RASTERIZER_DISCARD);
   }
   if (count_ != Count::known) {
-    gl_.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query_);
+    counting_ = bindings.primitives_written_query == 0 ? 0 : 1;
+    gl_.BeginQuery(query_targets[counting_], queries_[counting_]);
   }
   gl_.BeginTransformFeedback(GL_TRIANGLES);
 }
@@ -108,10 +111,11 @@ CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles,
   gl_.EndTransformFeedback();
   CoarseTriangles result{target_, target_offset_, static_cast<std::uint32_t>(triangles), false};
   if (count_ != Count::known) {
-    gl_.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+    gl_.EndQuery(query_targets[counting_]);
     if (query_buffer_ && count_ == Count::by_query) {
       gl_.BindBuffer(GL_QUERY_BUFFER, count_command_.name());
-      gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, reinterpret_cast<GLuint*>(offsetof(CountCommand, instance_count)));
+      gl_.GetQueryObjectuiv(queries_[counting_], GL_QUERY_RESULT,
+                            reinterpret_cast<GLuint*>(offsetof(CountCommand, instance_count)));
       gl_.BindBuffer(GL_QUERY_BUFFER, bindings.query_buffer);
       result.count_on_gpu = true;
     } else {
@@ -133,7 +137,7 @@ std::uint64_t CaptureStage::counted(const core::Bindings& bindings) const {
   if (bindings.query_buffer != 0) {
     gl_.BindBuffer(GL_QUERY_BUFFER, 0);
   }
-  gl_.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &written);
+  gl_.GetQueryObjectuiv(queries_[counting_], GL_QUERY_RESULT, &written);
   if (bindings.query_buffer != 0) {
     gl_.BindBuffer(GL_QUERY_BUFFER, bindings.query_buffer);
   }
@@ -147,8 +151,9 @@ void CaptureStage::release() {
   programs_.clear();
   if (feedback_ != 0) {
     gl_.DeleteTransformFeedbacks(1, &feedback_);
-    gl_.DeleteQueries(1, &query_);
-    feedback_ = query_ = 0;
+    gl_.DeleteQueries(2, queries_.data());
+    feedback_ = 0;
+    queries_ = {};
   }
   ring_.release(gl_);
   count_command_.release(gl_);

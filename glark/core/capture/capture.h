@@ -4,6 +4,7 @@
 // The application's own draw, issued once into a buffer: its coarse triangles with all their attributes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -56,7 +57,7 @@ class CaptureStage {
   bool query_buffer_;
   std::map<std::string, GLuint> programs_;  // by vertex source
   GLuint feedback_ = 0;
-  GLuint query_ = 0;
+  std::array<GLuint, 2> queries_{};  // of primitives written, and generated: where the application counts the former
   core::GpuBuffer ring_;
   core::GpuBuffer count_command_;
   GLintptr cursor_ = 0;
@@ -64,6 +65,7 @@ class CaptureStage {
   GLuint target_ = 0;
   GLintptr target_offset_ = 0;
   Count count_ = Count::known;
+  std::size_t counting_ = 0;  // which of queries_
 };
 
 }  // namespace glark::capture

@@ -66,15 +66,18 @@ const TypeRow* row_of(GLenum type) {
   return found != std::end(type_rows) ? found : nullptr;
 }
 
-bool contains(const std::string& lower, std::string_view word) { return lower.find(word) != std::string::npos; }
+// "tex" is to be found only in names of textures, and not in what is of a vertex.
+bool contains(const std::string& lower, std::string_view word) {
+  std::size_t at = lower.find(word);
+  while (at != std::string::npos && word.starts_with("tex") && at >= 3 && lower.compare(at - 3, 6, "vertex") == 0) {
+    at = lower.find(word, at + 1);
+  }
+  return at != std::string::npos;
+}
 
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  // What is of a vertex says so in full; "tex" is to be found only in names of textures.
-  for (std::size_t at = text.find("vertex"); at != std::string::npos; at = text.find("vertex", at + 4)) {
-    text.erase(at + 4, 2);
-  }
   return text;
 }
 
@@ -209,7 +212,7 @@ void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told) 
   const RoleRule rules[] = {
       {Role::normal, "gl_Normal", may_be_direction, {"normal", "nrm", "norm"}},
       {Role::texture_coordinate, "gl_MultiTexCoord0", may_be_coordinate, {"texcoord", "texture", "tex", "uv"}},
-      {Role::position, "gl_Vertex", may_be_direction, {"position", "vert", "pos", "coord"}}};
+      {Role::position, "gl_Vertex", may_be_direction, {"position", "vertex", "pos", "vert", "coord"}}};
   const std::string* const names[] = {&told.normal, &told.texture_coordinate, &told.position};
   const auto assign = [](Field* field, Role role) {
     if (field != nullptr && field->role == Role::other) {

@@ -69,7 +69,10 @@ int vertex_at(int polygon, int vertex) {
 
 int tag_at(int vertex_word) {
   float tag = uintBitsToFloat(captured[vertex_word + tag_offset]);
-  return tag > 0.0 ? int(min(floor(tag * float(depth_steps) + 0.5), float(pool_level * depth_steps))) : 0;
+  if (!(tag > 0.0)) return 0;
+  float steps = min(tag * float(depth_steps), float(pool_level * depth_steps));
+  float whole = floor(steps);  // steps + 0.5 would round what is just below a half up to 1
+  return int(whole) + (steps - whole >= 0.5 ? 1 : 0);
 }
 
 int next(int polygon, int vertex) { return vertex + 1 < sides_of(polygon) ? vertex + 1 : 0; }

@@ -8,7 +8,10 @@ uniform int depth_steps;  // to a level
 
 // What is not a number is 0.
 int steps_of(float tag) {
-  return tag > 0.0 ? int(min(floor(tag * float(depth_steps) + 0.5), float(pool_level * depth_steps))) : 0;
+  if (!(tag > 0.0)) return 0;
+  float steps = min(tag * float(depth_steps), float(pool_level * depth_steps));
+  float whole = floor(steps);  // steps + 0.5 would round what is just below a half up to 1
+  return int(whole) + (steps - whole >= 0.5 ? 1 : 0);
 }
 
 int depth_of(int steps) { return (steps + depth_steps - 1) / depth_steps; }

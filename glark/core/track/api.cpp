@@ -41,6 +41,22 @@ bool refuse_mode(Context& c, GLenum mode) {
   return false;
 }
 
+// What glVertexAttribPointer refuses: not every driver leaves the array alone then.
+bool refuse_array(Context& c, GLsizei stride, const void* pointer) {
+  const GLint limit = c.capabilities.max_vertex_attribute_stride;
+  if (stride < 0 || (limit > 0 && stride > limit)) {
+    c.raise(GL_INVALID_VALUE);
+    return true;
+  }
+  const bool is_default = c.bindings.vertex_array == 0;
+  if (is_default ? c.capabilities.api == Capabilities::Api::core
+                 : pointer != nullptr && c.bound_buffer(GL_ARRAY_BUFFER).name == 0) {
+    c.raise(GL_INVALID_OPERATION);
+    return true;
+  }
+  return false;
+}
+
 // Draws refined even with GL_ARK disabled.
 template <typename Draw>
 void with_ark(Context& c, Draw&& draw) {
@@ -299,7 +315,10 @@ void DepthTagPointerARK(Context& c, GLenum type, GLsizei stride, const void* poi
     c.raise(GL_INVALID_ENUM);
     return;
   }
-  c.gl.VertexAttribPointer(c.ark.tag_attribute, 1, type, GL_FALSE, stride, pointer);  // raises the other errors
+  if (refuse_array(c, stride, pointer)) {
+    return;
+  }
+  c.gl.VertexAttribPointer(c.ark.tag_attribute, 1, type, GL_FALSE, stride, pointer);
   c.touch_vertex_arrays();
 }
 

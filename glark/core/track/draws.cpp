@@ -135,8 +135,11 @@ void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, 
                  .issue = issue});
 }
 
+// The extension leaves rectangles and evaluator meshes as they are; in a program that does not know of it they are triangles, too.
+GLenum mode_of_shape(const Context& context, GLenum mode) { return context.options.transparent ? mode : GL_LINES; }
+
 void draw_rectangle(Context& context, Issue issue) {
-  draw(context, {.mode = GL_QUADS, .triangles = 2, .issue = issue});
+  draw(context, {.mode = mode_of_shape(context, GL_QUADS), .triangles = 2, .issue = issue});
 }
 
 }  // namespace
@@ -307,7 +310,7 @@ void EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
 void EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   const auto columns = static_cast<std::uint64_t>(std::max(0, i2 - i1));
   const auto rows = static_cast<std::uint64_t>(std::max(0, j2 - j1));
-  const GLenum rows_of = mode == GL_FILL ? GL_QUAD_STRIP : GL_LINES;
+  const GLenum rows_of = mode == GL_FILL ? track::mode_of_shape(c, GL_QUAD_STRIP) : GL_LINES;
   track::draw(c, {.mode = rows_of, .triangles = 2 * columns * rows, .exact = false, .issue = [&] {
                     c.gl.EvalMesh2(mode, i1, i2, j1, j2);
                   }});

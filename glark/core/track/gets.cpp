@@ -118,7 +118,7 @@ GLuint current_tag(const Context& c) {
   GLfloat value[4] = {0, 0, 0, 0};
   c.gl.GetVertexAttribfv(c.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, value);
   const float limit = static_cast<float>(std::max(c.ark.pool_level, 0));
-  return std::isnan(value[0]) ? 0 : static_cast<GLuint>(std::clamp(std::floor(value[0] + 0.5F), 0.0F, limit));
+  return std::isnan(value[0]) ? 0 : static_cast<GLuint>(std::clamp(std::round(value[0]), 0.0F, limit));
 }
 
 bool inside_begin(Context& c) {
