@@ -193,9 +193,8 @@ constexpr Mode modes[] = {{"triangles", GL_TRIANGLES},       {"triangle_strip", 
 Case command_case(const Command& command, const Mode& mode) {
   const bool is_legacy = mode.mode == GL_QUADS || mode.mode == GL_QUAD_STRIP || mode.mode == GL_POLYGON;
   return {.name = std::string("ark.draw.") + command.name + "." + mode.name,
-          .clauses = is_legacy
-                         ? std::vector<std::string>{"10.R.2-1", "10.R.2-2", "11.R.3-1", "11.R.3-5", "11.R.4-2"}
-                         : std::vector<std::string>{"10.R.2-1", "10.R.2-2", "11.R.3-1", "11.R.4-1", "11.R.4-2"},
+          .clauses = is_legacy ? std::vector<std::string>{"10.R.2-1", "10.R.2-2", "11.R.3-1", "11.R.3-5", "11.R.4-2"}
+                               : std::vector<std::string>{"10.R.2-1", "10.R.2-2", "11.R.3-1", "11.R.4-1", "11.R.4-2"},
           .plan =
               "Capture the command unrefined, and refined by tags and at uniform depths 0 to 2, with every index "
               "type: number, vertices and area of the triangles follow from the coarse ones.",

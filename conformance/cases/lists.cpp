@@ -205,6 +205,21 @@ void check_immediate(Test& t, const Immediate& immediate) {
 }
 
 void check_before_init(Test& t) {
+  gl.VertexAttrib4f(at_colour, 1, 0.5F, 0.25F, 1);
+  gl.UseProgram(colour_program(t));
+  clear_surface();
+  triangle();
+  const Picture expected = read_picture(surface_size, surface_size);
+  const GLuint list = compile(triangle);
+  gl.ARKinit(2);
+  gl.DepthTag1i(1);
+  gl.Enable(GL_ARK);
+  clear_surface();
+  gl.CallList(list);
+  t.expect_same_picture(read_picture(surface_size, surface_size), expected, "the list is drawn");
+}
+
+void check_before_init_captured(Test& t) {
   gl.UseProgram(capture_program(t));
   const GLuint list = compile(triangle);
   gl.ARKinit(2);
@@ -328,8 +343,11 @@ Cases lists_cases() {
       of_compat("ark.list.shader_of_call", {"chapter-21-4"}, "Call one list with two refinement shaders and with none.",
                 "The refinement shader of the compilation.", check_shader_of_call),
       of_compat("ark.list.before_init", {"chapter-21-6"},
-                "A list that was compiled before ARKinit draws one triangle, or four.", "Nothing is drawn.",
+                "Draw a list that was compiled before ARKinit, and compare pictures.", "Nothing is drawn.",
                 check_before_init),
+      of_compat("ark.list.before_init_captured", {"chapter-21-6"},
+                "Capture a list that was compiled before ARKinit: one triangle, or four.", "Nothing is captured.",
+                check_before_init_captured),
       of_compat("ark.group.enable", {"chapter-22-1"},
                 "PushAttrib and PopAttrib of ENABLE_BIT, nested, for both values.",
                 "Not saved; always restored; other state is.", check_enable_group, false),

@@ -103,7 +103,8 @@ void check_evaluator(Test& t) {
 }
 
 void check_bitmap(Test& t) {
-  const GLubyte bits[16] = {0xF0, 0xF0, 0xCC, 0x33, 0xFF, 0x81, 0x81, 0xFF, 0x0F, 0xAA, 0x55, 0x18, 0x3C, 0x7E, 0xFF, 1};
+  const GLubyte bits[16] = {0xF0, 0xF0, 0xCC, 0x33, 0xFF, 0x81, 0x81, 0xFF,
+                            0x0F, 0xAA, 0x55, 0x18, 0x3C, 0x7E, 0xFF, 1};
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   expect_unchanged(t, [&] {
     gl.Color4f(1, 1, 0, 1);
@@ -128,8 +129,8 @@ struct Mode {
   const char* name;
   GLenum mode;
 };
-constexpr Mode modes[] = {{"points", GL_POINTS}, {"lines", GL_LINES}, {"line_strip", GL_LINE_STRIP},
-                          {"line_loop", GL_LINE_LOOP}};
+constexpr Mode modes[] = {
+    {"points", GL_POINTS}, {"lines", GL_LINES}, {"line_strip", GL_LINE_STRIP}, {"line_loop", GL_LINE_LOOP}};
 constexpr Mode adjacency[] = {{"lines_adjacency", GL_LINES_ADJACENCY},
                               {"line_strip_adjacency", GL_LINE_STRIP_ADJACENCY},
                               {"triangles_adjacency", GL_TRIANGLES_ADJACENCY},

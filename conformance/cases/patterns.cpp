@@ -212,8 +212,8 @@ Cases uniform_cases() {
 }  // namespace
 
 Cases patterns_cases() {
-  const std::vector<std::string> every = {"11.R.5-1", "11.R.5-2", "11.R.5-4", "11.R.5-5",
-                                          "11.R.5-6", "11.R.5-7", "11.R.5-8", "11.R.5-9", "11.R.3-4", "11.R.4-2"};
+  const std::vector<std::string> every = {"11.R.5-1", "11.R.5-2", "11.R.5-4", "11.R.5-5", "11.R.5-6",
+                                          "11.R.5-7", "11.R.5-8", "11.R.5-9", "11.R.3-4", "11.R.4-2"};
   std::vector<std::string> minimum = every;
   minimum.insert(minimum.end(), {"11.R.5-12", "11.R.5-13"});
   std::vector<std::string> smooth = every;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "glark/core/refinement.h"
 #include "glark/gl/types.h"
 
@@ -28,6 +30,8 @@ struct ArkState {
   bool geomorph = false;
   bool weld = false;
   bool tag_array = false;
+  // What glARKinit lowered the current tag to while a display list was compiled: set at the end of the list, not compiled.
+  std::optional<GLuint> lowered_tag;
 };
 
 // What an application that knows of the extension says counts, and otherwise what the user says.

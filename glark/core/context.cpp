@@ -272,7 +272,8 @@ void Context::record_current(int slot, CurrentValue::Again again, GLuint index, 
 }
 
 void Context::update_refining() {
-  refining = capabilities.refinable && (options.transparent || (ark.enabled && ark.pool_level >= 0) || list.cutting);
+  refining = capabilities.refinable && (options.transparent || (ark.enabled && ark.pool_level >= 0) || list.cutting ||
+                                        (pipeline != nullptr && pipeline->watches_feedback()));
 }
 
 void Context::forget_state() {

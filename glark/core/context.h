@@ -87,7 +87,7 @@ class Context {
   // Read by the generated wrappers at every call.
   bool refining = false;  // draw calls must reach their hooks
   std::atomic<bool> mirror_uniforms =
-      false;  // uniform calls must reach derived programs; set by any context of the group
+      false;  // uniform calls must reach derived programs; any context of the group sets it
   bool compiling_list = false;
   bool list_changes_uniforms = false;
   std::uint64_t immediate_vertices = 0;
@@ -186,10 +186,9 @@ class Context {
   ImmediateDraw immediate;
   std::vector<bool> pushed_ark_enables;  // with glPushAttrib(GL_ENABLE_BIT); one entry per push
   std::vector<bool> pushed_has_enable;
-  std::unordered_map<GLuint, std::uint64_t>
-      query_surplus;                         // triangles that our captures added to a query of the application
-  std::shared_ptr<Program> current_program;  // null: none, or not known to us
-  bool subroutines_known = false;            // `subroutines` is what the program in use has chosen
+  std::unordered_map<GLuint, std::uint64_t> query_surplus;  // triangles that our captures added to a query
+  std::shared_ptr<Program> current_program;                 // null: none, or not known to us
+  bool subroutines_known = false;                           // `subroutines` is what the program in use has chosen
   SubroutineChoice subroutines;
   std::string extension_string;
   std::unique_ptr<Pipeline> pipeline;

@@ -74,8 +74,9 @@ bool Pipeline::takes_in_order(const Plan& plan, const capture::CoarseTriangles& 
 depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
   const Bindings& b = context_.bindings;
   counted_on_gpu_ = true;
+  const unsigned deepest = plan.coarse ? 0 : pool_.max_level();
   const depth::MeasureRequest measured{plan.layout,        records.triangles, plan.corner_program,
-                                       plan.normal_offset, pool_.max_level(), plan.depth_steps()};
+                                       plan.normal_offset, deepest,           plan.depth_steps()};
   depth::EdgeEnds ends;
   if (plan.measured) {
     ends = measure_.find_ends(measured, measure(), bins_.work_buffer(), b);
@@ -89,7 +90,7 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
     const pattern::Interior interior = plan.morphing                  ? pattern::Interior::morphing
                                        : context_.ark.smooth_interior ? pattern::Interior::smooth
                                                                       : pattern::Interior::minimum;
-    depth::BinRequest request{plan.layout, records.triangles, 0, interior, records.tags_are_edge_depths, {}};
+    depth::BinRequest request{plan.layout, records.triangles, 0, deepest, interior, records.tags_are_edge_depths, {}};
     if (plan.measured) {
       request.measured = measure_.measure(measured, b);
     }
@@ -225,6 +226,7 @@ void Pipeline::restore_storage() {
 void Pipeline::draw(const DrawCall& call) {
   ++statistics().draws_seen;
   const Quiet quiet = context_.quiet();
+  take_awaited_feedback();
   Plan plan;
   Cause cause = plan_draw(call, plan);
   if (cause == Cause::count_ && call.triangles > 0) {

@@ -21,6 +21,7 @@
 #include "glark/core/draw_cache.h"
 #include "glark/core/draw_call.h"
 #include "glark/core/draw_key.h"
+#include "glark/core/draw_plan.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/program.h"
 #include "glark/core/program_pipelines.h"
@@ -46,11 +47,13 @@ class Pipeline {
   std::uint64_t begin_immediate(GLenum mode);
   void end_immediate(std::uint64_t triangles);
 
-  // The application's transform feedback, when it enabled GL_ARK itself: it captures refined triangles.
-  // False: nothing was done.
+  // The application's transform feedback, when it enabled GL_ARK itself: it captures refined triangles. False: nothing was done.
   bool begin_feedback(GLenum mode);
-  void end_feedback() { feedback_program_ = nullptr; }
-  // When the application begins its transform feedback: notes how many vertices the buffers hold, for draws of them.
+  // Begun while GL_ARK was disabled: if the first draw is glDrawARP, that takes it over.
+  void await_feedback(GLenum mode) { awaited_feedback_ = mode; }
+  void end_feedback();
+  bool watches_feedback() const { return owns_feedback() || awaited_feedback_ != GL_NONE; }
+  // As it begins: notes how many vertices the buffers hold, for draws of them.
   void note_feedback_room();
   // Vertices that a draw from that transform feedback object can have at most; nothing if glark has not seen it begun.
   std::optional<std::uint64_t> feedback_vertices(GLuint object) const;
@@ -76,37 +79,13 @@ class Pipeline {
   std::vector<GLuint> take_kept_buffers();  // for whoever deletes them
 
  private:
-  struct Plan {
-    Program* program = nullptr;
-    Program* owner = nullptr;
-    std::shared_ptr<DerivedProgram> derived;  // another context may discard it meanwhile
-    GLuint capture_program = 0;
-    const std::vector<int>* inputs = nullptr;  // attributes that are captured, by AttributeSlot
-    const PipelineObject* pipeline = nullptr;  // the application's, if its stages are separate programs
-    const capture::Layout* layout = nullptr;
-    std::optional<depth::Decomposition> polygons;  // to be split at their centroids
-    PolygonSides polygon_sides = {};               // of several GL_POLYGONs
-    // Measured depths change with the camera: what is captured is kept, not how it was sorted.
-    bool keeps_bins() const { return adaptive && !measured; }
-    bool for_feedback = false;  // what will be drawn is not known yet
-    bool adaptive = false;
-    bool morphing = false;  // adaptive, and vertices move between levels
-    int depth_steps() const { return morphing ? pattern::morph_steps : 1; }
-    bool measured = false;  // adaptive, by the ends of the edges
-    std::shared_ptr<DerivedProgram> corners;
-    GLuint corner_program = 0;  // for a measure on the screen
-    int normal_offset = -1;     // for a measure of the normals
-    bool welded = false;        // by position: edges, if the layout has room for them, and tags, if it has any
-    bool placed = false;        // the derived program takes a placement of the piece
-    bool last_vertex_convention = false;  // while capturing
-    unsigned level = 0;                   // uniform level
-    unsigned deepest = 0;                 // that an adaptive draw can reach
-  };
+  using Plan = DrawPlan;
 
   struct CaptureProgram {
     GLuint name = 0;
     std::vector<int> inputs;  // attributes that it reads, by AttributeSlot
   };
+  void take_awaited_feedback();
   Cause check_state(const DrawCall& call, bool for_feedback) const;
   Cause plan_draw(const DrawCall& call, Plan& plan);
   Cause find_derived(const DrawCall& call, Plan& plan);
@@ -126,6 +105,7 @@ class Pipeline {
   void discard_fixed_function(GLuint fragment, Program& program);
   unsigned current_tag() const;
   void plan_depth(const DrawCall& call, Plan& plan) const;
+  void plan_wanted_depth(const DrawCall& call, Plan& plan) const;
   EdgeMeasure measure() const;  // off: depths come from elsewhere
   bool can_measure(const Program& program) const;
   Cause plan_measure(Plan& plan);
@@ -201,6 +181,7 @@ class Pipeline {
   bool immediate_exact_ = true;                              // its number of triangles is known without a query
   std::uint64_t immediate_bytes_ = std::uint64_t{32} << 20;  // grows where a strip or fan did not fit
   std::shared_ptr<DerivedProgram> feedback_program_;
+  GLenum awaited_feedback_ = GL_NONE;
   std::unordered_map<GLuint, std::uint64_t> feedback_vertices_;  // by transform feedback object
   using Drawing = std::pair<GLenum, GLenum>;                     // mode, provoking convention
   std::map<Drawing, std::optional<depth::Decomposition>> decompositions_;

@@ -57,6 +57,15 @@ unsigned Pipeline::current_tag() const {
 }
 
 void Pipeline::plan_depth(const DrawCall& call, Plan& plan) const {
+  plan_wanted_depth(call, plan);
+  // Captured by the program of the refined draws before it, but coarse.
+  plan.coarse = owns_feedback() && !context_.options.transparent && !context_.ark.enabled;
+  if (plan.coarse) {
+    plan.level = plan.deepest = 0;
+  }
+}
+
+void Pipeline::plan_wanted_depth(const DrawCall& call, Plan& plan) const {
   if (can_measure(*plan.program)) {
     plan.adaptive = plan.measured = true;
     plan.deepest = context_.options.transparent ? context_.options.max_level

@@ -68,6 +68,33 @@ bool Pipeline::begin_feedback(GLenum mode) {
   return true;
 }
 
+void Pipeline::end_feedback() {
+  feedback_program_ = nullptr;
+  awaited_feedback_ = GL_NONE;
+  context_.update_refining();
+}
+
+void Pipeline::take_awaited_feedback() {
+  const GLenum mode = awaited_feedback_;
+  if (mode == GL_NONE) {
+    return;
+  }
+  context_.refresh_bindings();
+  if (context_.bindings.transform_feedback_paused) {
+    return;
+  }
+  awaited_feedback_ = GL_NONE;
+  if (context_.ark.enabled) {  // nothing has been captured: it may begin again, with another program
+    gl_.EndTransformFeedback();
+    context_.bindings_stale = true;
+    if (!begin_feedback(mode)) {
+      gl_.BeginTransformFeedback(mode);
+    }
+    context_.bindings.transform_feedback_active = true;
+  }
+  context_.update_refining();
+}
+
 // Streams of a geometry shader go to buffers of their own: the one with most room bounds them all.
 void Pipeline::note_feedback_room() {
   const Bindings& b = context_.bindings;

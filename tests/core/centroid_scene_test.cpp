@@ -251,10 +251,8 @@ TEST_P(CentroidScene, IndirectDraws) {
   expect_triangles(GetParam().sides + 4, [&] { glMultiDrawArraysIndirect(shape.mode, nullptr, 2, 0); });
 }
 
-TEST_P(CentroidDraws, TrianglesAndRectanglesStay) {
+TEST_P(CentroidDraws, TrianglesStay) {
   expect_triangles(4, [] { draw_immediate(mode_shapes()[1]); });
-  glColor3f(1, 0, 0);
-  expect_triangles(2, [] { glRectf(-0.5F, -0.5F, 0.5F, 0.75F); });
 }
 
 // More vertices than a driver keeps in one piece between glBegin and glEnd.

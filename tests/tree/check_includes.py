@@ -44,7 +44,7 @@ def stage_may_include(name: str, included: str) -> bool:
         return True
     if mine:
         return included in VALUE_HEADERS and STAGES.index(theirs) < STAGES.index(mine)
-    return included in VALUE_HEADERS or name.endswith(".cpp") or name == CORE + "pipeline.h"
+    return included in VALUE_HEADERS or name.endswith(".cpp") or name in (CORE + "pipeline.h", CORE + "draw_plan.h")
 
 
 def complaint_about(name: str, included: str, quoted: bool) -> str:

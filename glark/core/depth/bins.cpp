@@ -65,7 +65,6 @@ bool BinStage::prepare(const pattern::GpuPool& pool) {
     to[1] = from.first_index;
     to[2] = static_cast<std::uint32_t>(from.base_vertex);
   }
-  pool_level_ = pool.max_level();
   return work_.allocate(gl_, static_cast<GLsizeiptr>(work_words * sizeof(words[0])), words.data(), GL_DYNAMIC_COPY);
 }
 
@@ -111,7 +110,7 @@ void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
                           static_cast<GLint>(request.uniform_tag),
                           static_cast<GLint>(request.triangles.count),
                           request.triangles.count_on_gpu ? 1 : 0,
-                          static_cast<GLint>(pool_level_),
+                          static_cast<GLint>(request.pool_level),
                           static_cast<GLint>(request.interior),
                           static_cast<GLint>(capacity_),
                           request.tags_are_edge_depths ? 1 : 0,

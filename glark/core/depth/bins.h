@@ -24,6 +24,7 @@ struct BinRequest {
   const capture::Layout* layout = nullptr;
   capture::CoarseTriangles triangles;
   unsigned uniform_tag = 0;  // where the layout holds no tags
+  unsigned pool_level = 0;   // greatest depth
   pattern::Interior interior = pattern::Interior::minimum;
   bool tags_are_edge_depths = false;  // of edges 0, 1, 2, in the place of the tags of corners 0, 1, 2
   MeasuredDepths measured;            // if there are any, instead of tags
@@ -67,7 +68,6 @@ class BinStage {
   core::GpuBuffer instances_;
   std::uint32_t capacity_ = 0;  // instances
   Reorder reorder_;
-  unsigned pool_level_ = 0;
 };
 
 }  // namespace glark::depth

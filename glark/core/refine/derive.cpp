@@ -199,6 +199,7 @@ class Deriver {
       plan_.constant_tags = {};
     }
     if (!own) return;
+    drop_repeated_uniforms(refinement_tokens_, units_[plan_.main_unit].interface, request_.es);
     NewNames names = new_names_;
     std::erase_if(names.of, [](const auto& entry) { return entry.first.starts_with("ark_"); });
     RefinementSource source = prepare_refinement_source(refinement_tokens_, prefix_, names, plan_.version);

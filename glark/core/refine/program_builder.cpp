@@ -327,7 +327,8 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   request.morphing = key.morphing;
   request.provoking_corner = key.provoking_corner;
   request.outputs = {key.flat_colors, key.clamp_colors, words_of_positions(geometry_sources(program))};
-  if (!key.at_corner) {
+  // There is no gl_VertexID between corners: the stage runs on these, and the refinement shader is ignored.
+  if (!key.at_corner && !program.traits.reads_vertex_id) {
     request.refinement_source = program.refinement_source;
   }
   request.extensions = traits_.extensions;

@@ -2,14 +2,64 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/refinement_source.h"
 
+#include <algorithm>
+
 namespace glark::refine {
 namespace {
+
+bool declares_uniform(const Interface& interface, const std::string& name) {
+  return std::any_of(interface.declarations.begin(), interface.declarations.end(), [&](const Declaration& declaration) {
+    return declaration.storage == Storage::uniform && !declaration.is_block &&
+           std::any_of(declaration.variables.begin(), declaration.variables.end(),
+                       [&](const Variable& variable) { return variable.name == name; });
+  });
+}
+
+void clear(Tokens& tokens, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) tokens[i].text.clear();
+}
+
+int nesting_of(const Token& token) {
+  if (token.is("(") || token.is("[") || token.is("{")) return 1;
+  return token.is(")") || token.is("]") || token.is("}") ? -1 : 0;
+}
+
+// uniform float a, b = 1.0, c;  where b is declared elsewhere  ->  uniform float a, c;
+void drop_from(Tokens& tokens, const Declaration& declaration, const Interface& elsewhere) {
+  std::size_t begin = declaration.type_token + 1;
+  int kept = 0;
+  int depth = 0;
+  for (std::size_t i = begin; tokens[i].kind != TokenKind::end; ++i) {
+    depth += nesting_of(tokens[i]);
+    const bool last = tokens[i].is(";");
+    if (!last && (depth > 0 || !tokens[i].is(","))) continue;
+    if (declares_uniform(elsewhere, tokens[begin].text)) {
+      clear(tokens, begin, last ? i : i + 1);
+    } else {
+      ++kept;
+    }
+    begin = i + 1;
+    if (!last) continue;
+    if (kept == 0) clear(tokens, declaration.begin, i + 1);
+    // What is left may end in the comma before the last name.
+    for (std::size_t back = i;
+         kept > 0 && back-- > declaration.type_token && (tokens[back].text.empty() || tokens[back].is(","));)
+      tokens[back].text.clear();
+    return;
+  }
+}
 
 bool keeps_identifiers(std::string_view directive) {
   return directive != "version" && directive != "extension" && directive != "pragma" && directive != "line";
 }
 
 }  // namespace
+
+void drop_repeated_uniforms(Tokens& source, const Interface& elsewhere, bool es_context) {
+  const Interface own = read_interface(source, es_context);
+  for (const Declaration& declaration : own.declarations)
+    if (declaration.storage == Storage::uniform && !declaration.is_block) drop_from(source, declaration, elsewhere);
+}
 
 RefinementSource prepare_refinement_source(const Tokens& source, const std::string& prefix, const NewNames& names,
                                            const GlslVersion& version) {

@@ -20,6 +20,9 @@ struct RefinementSource {
   std::set<std::string> identifiers;
 };
 
+// A uniform that both declare is one uniform (11.R.9): takes declarations out of the source that the shader around it has.
+void drop_repeated_uniforms(Tokens& source, const Interface& elsewhere, bool es_context);
+
 // `names` as for the application's own text. Macros are left to the driver's preprocessor.
 RefinementSource prepare_refinement_source(const Tokens& source, const std::string& prefix, const NewNames& names,
                                            const GlslVersion& version);

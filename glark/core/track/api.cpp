@@ -8,6 +8,8 @@
 #include <cstring>
 #include <string>
 
+#include <utility>
+
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -60,10 +62,11 @@ bool refuse_array(Context& c, GLsizei stride, const void* pointer) {
 // Draws refined even with GL_ARK disabled.
 template <typename Draw>
 void with_ark(Context& c, Draw&& draw) {
-  const bool was_transparent = c.options.transparent;
-  c.options.transparent = false;
+  const bool was_transparent = std::exchange(c.options.transparent, false);
+  const bool was_enabled = std::exchange(c.ark.enabled, true);
   draw();
   c.options.transparent = was_transparent;
+  c.ark.enabled = was_enabled;
 }
 
 bool set_choice(Context& c, bool known, bool first, bool& state_is_first) {
@@ -217,7 +220,9 @@ void ARKinit(Context& c, GLuint max_level) {
   const GLuint tag = track::current_tag(c);  // of the old level
   c.ark.pool_level = static_cast<int>(max_level);
   c.ark.uniform_level = std::min(c.ark.uniform_level, max_level);
-  if (tag > max_level) {
+  if (tag > max_level && c.compiling_list) {
+    c.ark.lowered_tag = max_level;
+  } else if (tag > max_level) {
     DepthTag1i(c, max_level);
   }
   c.update_refining();
@@ -305,6 +310,9 @@ void DepthTag1i(Context& c, GLuint d) {
   set_tag(c.gl, c.ark.tag_attribute, &d);
   c.set_current(generic_slot(c.ark.tag_attribute), set_tag, c.ark.tag_attribute, &d, sizeof(d));
   c.immediate.tags_set = true;
+  if (c.compiling_list && c.list.mode == GL_COMPILE_AND_EXECUTE) {
+    c.ark.lowered_tag.reset();
+  }
 }
 
 void DepthTagPointerARK(Context& c, GLenum type, GLsizei stride, const void* pointer) {

@@ -136,7 +136,9 @@ void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, 
 }
 
 // The extension leaves rectangles and evaluator meshes as they are; in a program that does not know of it they are triangles, too.
-GLenum mode_of_shape(const Context& context, GLenum mode) { return context.options.transparent ? mode : GL_LINES; }
+GLenum mode_of_shape(const Context& context, GLenum mode) {
+  return context.options.transparent || context.compiling_list ? mode : GL_LINES;
+}
 
 void draw_rectangle(Context& context, Issue issue) {
   draw(context, {.mode = mode_of_shape(context, GL_QUADS), .triangles = 2, .issue = issue});

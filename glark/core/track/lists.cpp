@@ -199,6 +199,42 @@ void record_calls(Context& c, GLsizei n, GLenum type, const void* lists) {
   open_segment(c, c.list.mode);
 }
 
+void end_list(Context& c) {
+  c.compiling_list = false;
+  if (c.list.mode == GL_COMPILE_AND_EXECUTE) forget_state(c, nullptr);
+  c.list.list->loose_vertices += c.list.in_begin ? 0 : c.immediate_vertices;
+  if (!c.list.cutting) {
+    c.list.list->changes_uniforms = c.list_changes_uniforms;
+    c.gl.EndList();
+    const std::lock_guard lock(c.share->mutex);
+    c.share->lists[c.list.name] = std::move(c.list.list);
+    return;
+  }
+  close_segment(c, {});
+  const std::shared_ptr<DisplayList> list = c.list.list;
+  list->refinable = !c.list.in_begin;  // a glBegin left open reaches into the next list
+  c.list.cutting = false;
+  c.update_refining();
+  c.gl.NewList(c.list.name, GL_COMPILE);
+  for (const ListSegment& segment : list->segments) {
+    if (segment.kind == ListSegment::Kind::call_offset) {
+      c.gl.CallLists(1, GL_UNSIGNED_INT, &segment.list);
+    } else {
+      c.gl.CallList(segment.list);
+    }
+  }
+  c.gl.EndList();
+  std::shared_ptr<DisplayList> old = list;
+  {
+    const std::lock_guard lock(c.share->mutex);
+    std::swap(c.share->lists[c.list.name], old);
+  }
+  if (old != nullptr) {
+    delete_segments(c, *old);
+  }
+  c.list.list = nullptr;
+}
+
 }  // namespace
 
 namespace track {
@@ -305,39 +341,8 @@ void EndList(Context& c) {
     c.gl.EndList();
     return;
   }
-  c.compiling_list = false;
-  if (c.list.mode == GL_COMPILE_AND_EXECUTE) forget_state(c, nullptr);
-  c.list.list->loose_vertices += c.list.in_begin ? 0 : c.immediate_vertices;
-  if (!c.list.cutting) {
-    c.list.list->changes_uniforms = c.list_changes_uniforms;
-    c.gl.EndList();
-    const std::lock_guard lock(c.share->mutex);
-    c.share->lists[c.list.name] = std::move(c.list.list);
-    return;
-  }
-  close_segment(c, {});
-  const std::shared_ptr<DisplayList> list = c.list.list;
-  list->refinable = !c.list.in_begin;  // a glBegin left open reaches into the next list
-  c.list.cutting = false;
-  c.update_refining();
-  c.gl.NewList(c.list.name, GL_COMPILE);
-  for (const ListSegment& segment : list->segments) {
-    if (segment.kind == ListSegment::Kind::call_offset) {
-      c.gl.CallLists(1, GL_UNSIGNED_INT, &segment.list);
-    } else {
-      c.gl.CallList(segment.list);
-    }
-  }
-  c.gl.EndList();
-  std::shared_ptr<DisplayList> old = list;
-  {
-    const std::lock_guard lock(c.share->mutex);
-    std::swap(c.share->lists[c.list.name], old);
-  }
-  if (old != nullptr) {
-    delete_segments(c, *old);
-  }
-  c.list.list = nullptr;
+  end_list(c);
+  if (const std::optional<GLuint> tag = std::exchange(c.ark.lowered_tag, std::nullopt)) DepthTag1i(c, *tag);
 }
 
 void CallList(Context& c, GLuint name) {
