@@ -137,7 +137,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
                        plan.adaptive ? bins.records : records.triangles.buffer);
   }
   if (plan.adaptive) {
-    submit_.draw_binned(pool_, bins, stored ? 0 : plan.layout->chunk_count());
+    submit_.draw_binned(pool_, bins, {stored ? 0 : plan.layout->chunk_count(), plan.derived->numbered});
   } else {
     submit_.draw_uniform(pool_,
                          {records.triangles, plan.layout, stored, plan.level, plan.placed, records.count_command});

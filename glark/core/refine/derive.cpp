@@ -69,8 +69,9 @@ class Deriver {
 
   // Names that the contract fixes and that the application may have taken: its variable gets another name, unless the API can see it.
   bool resolve_collisions() {
-    IdentifierSet fixed = {lattice_input,      patch_input,        records_block,          words_member,
-                           first_word_uniform, height_map_uniform, height_channel_uniform, height_range_uniform};
+    IdentifierSet fixed = {lattice_input,          patch_input,          records_block,
+                           words_member,           first_word_uniform,   height_map_uniform,
+                           height_channel_uniform, height_range_uniform, instance_input};
     for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
     for (const std::string& name : application_identifiers_) {
       const bool ours =
