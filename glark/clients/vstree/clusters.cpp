@@ -7,45 +7,54 @@
 
 #include "glark/clients/vstree/construction.h"
 #include "glark/clients/vstree/prune.h"
+#include "glark/clients/vstree/reindex.h"
 
 namespace glark::vstree {
 namespace {
 
 constexpr int most_searches = 6;
-constexpr std::size_t parts_a_cluster = 3;  // of the tree from which clusters are put together
+constexpr double parts_a_cluster = 2.5;  // of the tree from which clusters are put together
 
 // Triangles, or points of a set, that clusters leave.
 std::size_t size_of(const Surface& surface, const Clusters& clusters) {
-  return surface.triangles.empty() ? clusters.count : spanning_triangles(surface.triangles, clusters.of);
+  return surface.triangles.empty() ? clusters.count : clusters.triangles.size() / 3;
 }
 
 // `make(k)` gives clusters, about k of them; returns those with the most triangles, or points, within the target.
 template <typename Make>
 Clusters search(const Surface& surface, std::size_t target, const Make& make) {
-  const bool points = surface.triangles.empty();
+  const auto wanted = static_cast<double>(target);
   Clusters best;
   std::size_t best_size = 0;
-  std::size_t aim = points ? target : std::max<std::size_t>(target / 2, 1);
-  for (int i = 0; i < most_searches; ++i) {
+  std::size_t aim = surface.triangles.empty() ? target : std::max<std::size_t>(target / 2, 1);
+  for (int i = 0; i < most_searches && aim > 0; ++i) {
     Clusters clusters = make(aim);
-    const std::size_t size = size_of(surface, clusters);
-    const bool fits = size <= target;
-    if (fits && (best.of.empty() || size > best_size)) {
-      best = std::move(clusters);
-      best_size = size;
+    std::size_t size = clusters.count;
+    bool near = true;
+    if (!surface.triangles.empty()) {  // without looking for fins, as long as that will do
+      size = spanning_triangles(surface.triangles, clusters.of);
+      near = static_cast<double>(size) < 1.04 * wanted && (static_cast<double>(size) > 0.97 * wanted || i > 2);
+      if (near) clusters.triangles = reindex(surface.triangles, clusters.of, clusters.count);
     }
-    if (fits && (size + target / 200 >= target || aim >= surface.points.size())) break;
-    const double factor = static_cast<double>(target) * 0.998 / static_cast<double>(std::max<std::size_t>(size, 1));
+    if (near) {
+      size = size_of(surface, clusters);
+      const bool all = clusters.count >= surface.points.size();
+      if (size <= target && (best.of.empty() || size > best_size)) {
+        best_size = size;
+        best = std::move(clusters);
+      }
+      if (size <= target && (static_cast<double>(size) >= 0.995 * wanted || all)) break;
+    }
+    const double factor = 0.998 * wanted / static_cast<double>(std::max<std::size_t>(size, 1));
     aim = static_cast<std::size_t>(static_cast<double>(aim) * std::clamp(factor, 0.25, 4.0));
-    if (aim == 0) break;
   }
   if (best.of.empty()) best = make(1);
   return best;
 }
 
-// Leaves that come from nodes whose error is small enough, with the shapes of the nodes if they are known.
+// Leaves that come from nodes whose error is small enough.
 Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> order, std::span<const float> errors,
-                   float threshold, std::span<const Shape> shapes) {
+                   float threshold) {
   Clusters clusters;
   clusters.of.resize(order.size());
   std::vector<std::uint32_t> cluster_of(nodes.size(), none);
@@ -53,7 +62,7 @@ Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> o
     const Node& node = nodes[i];
     if (cluster_of[i] == none && (node.is_leaf() || errors[i] <= threshold)) {
       cluster_of[i] = clusters.count++;
-      if (!shapes.empty()) clusters.shapes.push_back(shapes[i]);
+      clusters.nodes.push_back(static_cast<std::uint32_t>(i));
       for (std::uint32_t k = node.begin; k < node.end; ++k) clusters.of[order[k]] = cluster_of[i];
     }
     if (node.is_leaf() || cluster_of[i] == none) continue;
@@ -66,11 +75,21 @@ Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> o
 std::vector<Shape> node_shapes(const Surface& surface, std::span<const Node> nodes,
                                std::span<const std::uint32_t> order) {
   std::vector<std::uint32_t> groups(order.size());
+  std::vector<Shape> shapes(nodes.size());
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     if (!nodes[i].is_leaf()) continue;
-    for (std::uint32_t k = nodes[i].begin; k < nodes[i].end; ++k) groups[order[k]] = i;
+    const std::span<const std::uint32_t> samples = order.subspan(nodes[i].begin, nodes[i].size());
+    for (const std::uint32_t sample : samples) {
+      groups[sample] = i;
+      shapes[i].sum += surface.points[sample] + Float4{0, 0, 0, 1};
+    }
+    const Float4 centroid = shapes[i].centroid();
+    float square = 0;
+    for (const std::uint32_t sample : samples)
+      square = std::max(square, dot(surface.points[sample] - centroid, surface.points[sample] - centroid));
+    shapes[i].radius = std::sqrt(square);
   }
-  std::vector<Shape> shapes = shapes_of(surface, groups, nodes.size());
+  add_quadrics(surface, groups, shapes);
   for (std::size_t i = nodes.size(); i-- > 0;) {
     if (nodes[i].is_leaf()) continue;
     const std::span<const Shape> children{&shapes[nodes[i].first_child], nodes[i].child_count()};
@@ -112,17 +131,21 @@ Clusters cluster_by_tree(const Surface& surface, const SimplifyOptions& options,
     const std::size_t clusters = surface.triangles.empty() ? options.target : options.target / 2 + 1;
     tree_options.metric = Metric::density;
     tree_options.threshold =
-        static_cast<float>(std::max<std::size_t>(1, surface.points.size() / (parts_a_cluster * clusters)));
+        std::max(1.0F, std::floor(static_cast<float>(static_cast<double>(surface.points.size()) /
+                                                     (parts_a_cluster * static_cast<double>(clusters)))));
   }
   std::vector<std::uint32_t> order;
   const Nodes tree = construct(surface.points, surface.normals, tree_options, surface.cube.diagonal, order, workers);
-  if (options.target == 0) return leaves_of(tree.nodes, order, std::vector<float>(tree.nodes.size()), -1, {});
+  if (options.target == 0) return leaves_of(tree.nodes, order, std::vector<float>(tree.nodes.size()), -1);
   const std::vector<Shape> shapes = node_shapes(surface, tree.nodes, order);
   const std::vector<float> errors = whole_errors(tree.nodes, shapes);
   const LeafCounts counts(tree.nodes, errors);
-  return search(surface, options.target, [&](std::size_t aim) {
-    return leaves_of(tree.nodes, order, errors, counts.threshold_for(aim), shapes);
+  Clusters clusters = search(surface, options.target, [&](std::size_t aim) {
+    return leaves_of(tree.nodes, order, errors, counts.threshold_for(aim));
   });
+  clusters.shapes.reserve(clusters.count);
+  for (const std::uint32_t node : clusters.nodes) clusters.shapes.push_back(shapes[node]);
+  return clusters;
 }
 
 Clusters cluster_by_grid(const Surface& surface, std::uint32_t cells) {
@@ -150,6 +173,7 @@ Clusters finest_grid(const Surface& surface, std::size_t target) {
   std::uint32_t cells = 1, too_many = 2;
   const auto try_cells = [&](std::uint32_t count) {
     Clusters clusters = cluster_by_grid(surface, count);
+    clusters.triangles = reindex(surface.triangles, clusters.of, clusters.count);
     if (size_of(surface, clusters) > target) return false;
     best = std::move(clusters);
     return true;

@@ -38,9 +38,14 @@ struct Shape {
 
 struct Clusters {
   std::uint32_t count = 0;
-  std::vector<std::uint32_t> of;  // [points]
-  std::vector<Shape> shapes;      // [count], or empty: not known yet
+  std::vector<std::uint32_t> of;         // [points]
+  std::vector<std::uint32_t> nodes;      // [count], of the tree that they come from
+  std::vector<Shape> shapes;             // [count], or empty: not known yet
+  std::vector<std::uint32_t> triangles;  // over clusters; empty: not known yet
 };
+
+// Adds the planes of triangles or samples to the quadrics of their groups, whose sums are known.
+void add_quadrics(const Surface& surface, std::span<const std::uint32_t> groups, std::vector<Shape>& shapes);
 
 // Of groups of samples, by the planes of their triangles, weighed by area: those of a corner each; or, without triangles, by the
 // tangent planes of the samples. `groups`: the group of each point.

@@ -20,8 +20,9 @@ namespace glark::vstree {
 namespace {
 
 constexpr std::size_t samples_alone = 1 << 15;  // a sort of so many hands its tasks to other threads
-constexpr std::size_t samples_a_cube = 64;  // of the finest cells, aimed at: many cubes become transition nodes earlier
-constexpr std::size_t samples_a_rectangle = 6;
+constexpr std::size_t samples_a_cube =
+    200;  // of the finest cells, aimed at: many cubes become transition nodes earlier
+constexpr std::size_t samples_a_rectangle = 4;
 constexpr unsigned most_cube_levels = 6;  // at a time: 2^18 counters
 constexpr unsigned most_rectangle_levels = 8;
 

@@ -26,24 +26,28 @@ void add_triangles(const Surface& surface, std::span<const std::uint32_t> groups
 
 }  // namespace
 
-std::vector<Shape> shapes_of(const Surface& surface, std::span<const std::uint32_t> groups, std::size_t count) {
-  std::vector<Shape> shapes(count);
-  for (std::size_t i = 0; i < groups.size(); ++i) shapes[groups[i]].sum += surface.points[i] + Float4{0, 0, 0, 1};
-  std::vector<Float4> centroids(count);
-  for (std::size_t i = 0; i < count; ++i) centroids[i] = shapes[i].centroid();
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const Float4 apart = surface.points[i] - centroids[groups[i]];
-    shapes[groups[i]].radius = std::max(shapes[groups[i]].radius, dot(apart, apart));
-  }
-  for (Shape& shape : shapes) shape.radius = std::sqrt(shape.radius);
+void add_quadrics(const Surface& surface, std::span<const std::uint32_t> groups, std::vector<Shape>& shapes) {
+  std::vector<Float4> centroids(shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) centroids[i] = shapes[i].centroid();
   if (!surface.triangles.empty()) {
     add_triangles(surface, groups, centroids, shapes);
-    return shapes;
+    return;
   }
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const Float4 normal = surface.normals[i];
     shapes[groups[i]].quadric.add_plane(surface.points[i] - centroids[groups[i]], normal, normal[3]);
   }
+}
+
+std::vector<Shape> shapes_of(const Surface& surface, std::span<const std::uint32_t> groups, std::size_t count) {
+  std::vector<Shape> shapes(count);
+  for (std::size_t i = 0; i < groups.size(); ++i) shapes[groups[i]].sum += surface.points[i] + Float4{0, 0, 0, 1};
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const Float4 apart = surface.points[i] - shapes[groups[i]].centroid();
+    shapes[groups[i]].radius = std::max(shapes[groups[i]].radius, dot(apart, apart));
+  }
+  for (Shape& shape : shapes) shape.radius = std::sqrt(shape.radius);
+  add_quadrics(surface, groups, shapes);
   return shapes;
 }
 

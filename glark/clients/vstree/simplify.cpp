@@ -114,7 +114,8 @@ Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
   std::vector<std::uint32_t> cluster_of(clusters.count);  // of each vertex of the result
   for (std::uint32_t i = 0; i < clusters.count; ++i) cluster_of[i] = i;
   if (!mesh.triangles.empty()) {
-    result.triangles = reindex(mesh.triangles, clusters.of, clusters.count);
+    result.triangles = clusters.triangles.empty() ? reindex(mesh.triangles, clusters.of, clusters.count)
+                                                  : std::move(clusters.triangles);
     if (options.cut) cluster_of = cut(result.triangles, points);
     const std::vector<std::uint32_t> kept = compact(result.triangles, cluster_of.size());
     std::vector<std::uint32_t> compacted(kept.size());
