@@ -33,7 +33,7 @@ Clusters search(const Surface& surface, std::size_t target, const Make& make) {
     bool near = true;
     if (!surface.triangles.empty()) {  // without looking for fins, as long as that will do
       size = spanning_triangles(surface.triangles, clusters.of);
-      near = static_cast<double>(size) < 1.04 * wanted && (static_cast<double>(size) > 0.97 * wanted || i > 2);
+      near = static_cast<double>(size) < 1.2 * wanted && (static_cast<double>(size) > 0.97 * wanted || i > 2);
       if (near) clusters.triangles = reindex(surface.triangles, clusters.of, clusters.count);
     }
     if (near) {
