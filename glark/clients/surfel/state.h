@@ -21,6 +21,8 @@ struct Strips::State {
 
   State(const Cloud& cloud, const Options& chosen);
   void build(std::vector<Surfel> surfels);
+  std::vector<Range> update(const Cloud& cloud, std::span<const std::uint32_t> moved);
+  bool tidy_indices();
 };
 
 // Throws Error.

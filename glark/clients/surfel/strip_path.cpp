@@ -9,7 +9,7 @@ namespace glark::surfel {
 namespace {
 
 constexpr std::uint32_t no_triangle = 0xFFFFFFFFU;
-constexpr std::size_t most_starts = 6;
+constexpr std::size_t most_starts = 2;
 
 std::uint32_t hash(std::uint32_t from, std::uint32_t to) {
   const std::uint32_t mixed = from * 0x9E3779B1U ^ to * 0x85EBCA77U;

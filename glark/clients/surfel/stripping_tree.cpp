@@ -259,6 +259,7 @@ void plant(StrippingTree& tree, std::uint32_t node, Slot surfels, const TreeOpti
     branch.leaves[n].node = node_number(branch.leaves[n].node);
     tree.leaves[leaf_number(n)] = branch.leaves[n];
   }
+  if (branch.leaves.size() == 1) tree.leaves[old_leaf].surfels.capacity = surfels.capacity;
   for (auto n = static_cast<std::uint32_t>(branch.nodes.size()); n-- > 0;) refit(tree, node_number(n));
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "glark/clients/surfel/local_update.h"
 #include "glark/clients/surfel/selection.h"
 #include "glark/clients/surfel/state.h"
 
@@ -25,6 +26,20 @@ float spacing_of(const Node& root, std::size_t points) {
   for (std::size_t k = 0; k < 3; ++k) size[k] = std::max(0.0F, root.high[k] - root.low[k]);
   std::sort(size.begin(), size.end());
   return std::sqrt(size[2] * size[1] / static_cast<float>(std::max<std::size_t>(points, 1)));
+}
+
+// Sorted, and those that touch as one.
+std::vector<Range> joined(std::vector<Range> ranges) {
+  std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
+  std::vector<Range> all;
+  for (const Range& range : ranges) {
+    if (!all.empty() && all.back().first + all.back().count >= range.first) {
+      all.back().count = std::max(all.back().count, range.first + range.count - all.back().first);
+    } else {
+      all.push_back(range);
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -53,6 +68,66 @@ void Strips::State::build(std::vector<Surfel> surfels) {
     layers.push_back(build_layer(std::move(surfels), std::move(names), layer_options, workers, indices));
     if (level + 1 < options.levels) surfels = coarser(layers.back(), names);
   }
+}
+
+std::vector<Range> Strips::State::update(const Cloud& cloud, std::span<const std::uint32_t> moved) {
+  std::vector<Surfel> surfels;
+  float farthest = 0;
+  for (const std::uint32_t point : moved) {
+    surfels.push_back(surfel_of(cloud, point, layer_options.unit));
+    const auto [x, y, z] = surfels.back().position;
+    farthest = std::max({farthest, std::fabs(x), std::fabs(y), std::fabs(z)});
+  }
+  constexpr float most = 1024;  // units beyond which the unit no longer fits
+  if (farthest > most || points == 0) {
+    *this = State(cloud, options);
+    return {{0, indices.size()}};
+  }
+  points = cloud.positions.size() / 3;
+  std::vector<Range> changed;
+  std::vector<Surfel> own;
+  for (Layer& layer : layers) {
+    own.clear();
+    for (Surfel surfel : surfels) {
+      if (!layer.names.empty()) {
+        const auto name = std::lower_bound(layer.names.begin(), layer.names.end(), surfel.index);
+        if (name == layer.names.end() || *name != surfel.index) continue;
+        surfel.index = static_cast<std::uint32_t>(name - layer.names.begin());
+      }
+      own.push_back(surfel);
+    }
+    if (own.empty()) continue;
+    update_layer(layer, own, layer_options, workers, indices, changed);
+    tidy(layer);
+  }
+  if (tidy_indices()) return {{0, indices.size()}};
+  return joined(std::move(changed));
+}
+
+// Moves strips together where most of the indices belong to none; whether it did.
+bool Strips::State::tidy_indices() {
+  std::size_t live = 0;
+  for (const Layer& layer : layers) {
+    for (const Patch& patch : layer.patches) live += patch.strip.count;
+  }
+  constexpr std::size_t little = 4096;
+  if (indices.size() <= 2 * live + little) return false;
+  std::vector<std::uint32_t> together;
+  together.reserve(live);
+  for (Layer& layer : layers) {
+    for (Patch& patch : layer.patches) {
+      const auto from = indices.begin() + patch.strip.first;
+      patch.strip.first = static_cast<std::uint32_t>(together.size());
+      patch.strip.capacity = patch.strip.count;
+      together.insert(together.end(), from, from + patch.strip.count);
+    }
+    for (std::size_t node = 0; node < layer.nodes.size(); ++node) {
+      const std::uint32_t leaf = layer.tree.nodes[node].leaf;
+      if (leaf != none) layer.nodes[node].first = layer.patches[leaf].strip.first;
+    }
+  }
+  indices = std::move(together);
+  return true;
 }
 
 Strips::Strips(const Cloud& cloud, const Options& options) {
@@ -91,6 +166,29 @@ Counts Strips::counts(unsigned level) const {
     counts.indices += patch.strip.count;
   }
   return counts;
+}
+
+std::vector<Range> Strips::update(const Cloud& cloud, std::span<const std::uint32_t> moved) {
+  State& state = *state_;
+  check_shape(cloud);
+  const std::size_t count = cloud.positions.size() / 3;
+  if (count < state.points || cloud.normals.empty() == (state.layer_options.oriented && count > 0)) {
+    throw Error(Element::cloud, 0,
+                "of " + std::to_string(count) + " points, " + (cloud.normals.empty() ? "without" : "with") +
+                    " normals, does not go on from one of " + std::to_string(state.points) +
+                    "; points cannot be taken out, nor normals come or go: make new strips");
+  }
+  std::vector<std::uint32_t> points(moved.begin(), moved.end());
+  for (const std::uint32_t point : points) {
+    if (point >= count) {
+      throw Error(Element::point, point, "has moved, but there are " + std::to_string(count) + " points: name one of these");
+    }
+  }
+  for (std::size_t point = state.points; point < count; ++point) points.push_back(static_cast<std::uint32_t>(point));
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (const std::uint32_t point : points) check_point(cloud, point);
+  return state.update(cloud, points);
 }
 
 void Strips::select(const View& view, Frame& frame) const {
