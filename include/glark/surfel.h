@@ -62,9 +62,9 @@ struct Options {
   float delta_a = 0.0F;
   float delta_d = 1.0F / 3;
   float inflation = 2.0F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
-  float reach = 5.0F;      // the longest edge of a triangle, in the distance to neighbours that its points have; 1 to 100
-  unsigned levels = 1;     // of detail, 1 to 16; each has about a quarter of the points of the one before
-  unsigned threads = 0;    // at most; 0: as many as the machine has, 1: none but the caller's
+  float reach = 5.0F;    // the longest edge of a triangle, in the distance to neighbours that its points have; 1 to 100
+  unsigned levels = 1;   // of detail, 1 to 16; each has about a quarter of the points of the one before
+  unsigned threads = 0;  // at most; 0: as many as the machine has, 1: none but the caller's
 };
 
 // Of the stripping tree, or of that of a coarser level of detail.
@@ -86,8 +86,9 @@ struct Counts {
 };
 
 struct View {
-  std::array<float, 16> clip_from_object{};  // projection times model-view, column-major as GL has it; w > 0 before the eye
-  unsigned width = 0, height = 0;            // of the viewport, in pixels
+  std::array<float, 16>
+      clip_from_object{};          // projection times model-view, column-major as GL has it; w > 0 before the eye
+  unsigned width = 0, height = 0;  // of the viewport, in pixels
   bool cull_frustum = true;
   bool cull_back_faces = true;  // with GL_CULL_FACE the picture is the same with and without
   float point_pixels = 1.0F;    // what is not larger than that is drawn as a point; 0: nothing is
@@ -97,11 +98,12 @@ struct View {
 
 // What to draw. Kept from frame to frame, it is not allocated again.
 struct Frame {
-  std::vector<std::int32_t> counts;   // for glMultiDrawElements(GL_TRIANGLE_STRIP, ...)
-  std::vector<const void*> offsets;   // in bytes from the beginning of indices()
-  std::vector<std::uint32_t> points;  // for glDrawElements(GL_POINTS, ...): representatives of what is too small for strips
+  std::vector<std::int32_t> counts;  // for glMultiDrawElements(GL_TRIANGLE_STRIP, ...)
+  std::vector<const void*> offsets;  // in bytes from the beginning of indices()
+  std::vector<std::uint32_t>
+      points;  // for glDrawElements(GL_POINTS, ...): representatives of what is too small for strips
   unsigned level = 0;
-  std::size_t indices = 0, strips = 0;                         // drawn
+  std::size_t indices = 0, strips = 0;                          // drawn
   std::size_t visited = 0, out_of_frustum = 0, back_faces = 0;  // nodes
   std::int32_t draws() const { return static_cast<std::int32_t>(counts.size()); }
 };

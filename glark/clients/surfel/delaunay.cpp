@@ -93,7 +93,8 @@ void Delaunay::insert(std::uint32_t index) {
   triangles_.resize(triangles_.size() + 2);
   for (std::uint32_t i = 0; i < 3; ++i) {
     const std::uint32_t next = made[(i + 1) % 3], before = made[(i + 2) % 3];
-    triangles_[made[i]] = {{index, old.corners[(i + 1) % 3], old.corners[(i + 2) % 3]}, {old.neighbours[i], next, before}};
+    triangles_[made[i]] = {{index, old.corners[(i + 1) % 3], old.corners[(i + 2) % 3]},
+                           {old.neighbours[i], next, before}};
     if (i > 0) replace_neighbour(old.neighbours[i], first, made[i]);
   }
   last_ = first;

@@ -107,9 +107,8 @@ std::size_t split_by_normals(std::span<Surfel> surfels, const Plane& plane) {
   const Vector first = farthest_from(plane.normal);
   const Vector second = farthest_from(first);
   const Vector between = first - second;
-  const auto border = std::stable_partition(surfels.begin(), surfels.end(), [&](const Surfel& surfel) {
-    return dot(surfel.normal, between) > 0;
-  });
+  const auto border = std::stable_partition(surfels.begin(), surfels.end(),
+                                            [&](const Surfel& surfel) { return dot(surfel.normal, between) > 0; });
   return static_cast<std::size_t>(border - surfels.begin());
 }
 

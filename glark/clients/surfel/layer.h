@@ -28,10 +28,11 @@ struct Layer {
   StrippingTree tree;
   std::vector<Patch> patches;  // of the tree's leaves
   std::vector<Candidate> candidates;
-  std::vector<Node> nodes;            // of the tree's nodes, in the caller's units
-  std::vector<std::uint32_t> owner;   // of points: their leaf
-  std::vector<std::uint32_t> place;   // of points: where in tree.surfels
-  std::vector<std::uint32_t> names;   // of points: their number in the cloud; empty: they are all the points of the cloud
+  std::vector<Node> nodes;           // of the tree's nodes, in the caller's units
+  std::vector<std::uint32_t> owner;  // of points: their leaf
+  std::vector<std::uint32_t> place;  // of points: where in tree.surfels
+  std::vector<std::uint32_t>
+      names;  // of points: their number in the cloud; empty: they are all the points of the cloud
 
   const Surfel& surfel(std::uint32_t point) const { return tree.surfels[place[point]]; }
   std::span<const Candidate> candidates_of(std::uint32_t leaf) const {
@@ -50,7 +51,7 @@ struct Layer {
 struct LayerOptions {
   TreeOptions tree;
   float reach;
-  float unit;    // the caller's, in that of the surfels
+  float unit;     // the caller's, in that of the surfels
   bool oriented;  // points have normals
 };
 
@@ -60,8 +61,8 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
 
 // Candidates, then strips, of leaves that are named; strips that grow move to the end of `indices`. Appends what changed there.
 void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers);
-void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options, const Workers& workers,
-                 std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
+void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                 const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
 
 // The public node of a node, from its leaf or its children.
 void describe(Layer& layer, std::uint32_t node, const LayerOptions& options);

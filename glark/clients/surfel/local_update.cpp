@@ -159,8 +159,8 @@ class Mover {
   const LayerOptions& options_;
   Marked touched_;
   std::vector<std::uint32_t> found_;
-  std::vector<std::uint32_t> number_of_;                           // of leaves, among the first that were touched
-  std::vector<bool> stays_;                                        // of these
+  std::vector<std::uint32_t> number_of_;                         // of leaves, among the first that were touched
+  std::vector<bool> stays_;                                      // of these
   std::vector<std::pair<std::uint32_t, std::size_t>> arrivals_;  // leaf, and which of the moved
 };
 

@@ -11,7 +11,7 @@ namespace glark::surfel {
 namespace {
 
 constexpr float opposite = -0.5F;        // the cosine to the leaf's normal below which a point is of another sheet
-constexpr std::size_t most_taken = 512;  // points that a leaf takes in, for one that is sparse among dense ones
+constexpr std::size_t most_taken = 256;  // points that a leaf takes in, for one that is sparse among dense ones
 constexpr int most_passes = 4;           // of turning edges; few turn twice
 
 // The sum of the cotangents of the angles opposite to edge ab in triangles abp and abd: negative where Delaunay's criterion fails.
@@ -33,7 +33,9 @@ void Patcher::neighbours(const StrippingTree& tree, std::uint32_t number, std::v
   std::array<std::uint32_t, 128> stack;
   std::vector<std::uint32_t> deeper;  // trees of clouds that are anything but uniform
   std::size_t height = 0;
-  const auto push = [&](std::uint32_t node) { height < stack.size() ? void(stack[height++] = node) : deeper.push_back(node); };
+  const auto push = [&](std::uint32_t node) {
+    height < stack.size() ? void(stack[height++] = node) : deeper.push_back(node);
+  };
   push(0);
   while (height > 0 || !deeper.empty()) {
     std::uint32_t at = 0;
@@ -75,7 +77,8 @@ void Patcher::inflate(std::uint32_t number) {
   if (members_.size() <= own_ + most_taken) return;
   const auto from = members_.begin() + static_cast<std::ptrdiff_t>(own_);
   std::nth_element(from, from + most_taken, members_.end(), [&](const Member& a, const Member& b) {
-    return std::pair(squared_distance(box, a.position), a.index) < std::pair(squared_distance(box, b.position), b.index);
+    return std::pair(squared_distance(box, a.position), a.index) <
+           std::pair(squared_distance(box, b.position), b.index);
   });
   members_.resize(own_ + most_taken);
 }
@@ -102,7 +105,8 @@ void Patcher::project(const Leaf& leaf) {
   const double scale = farthest > 0 ? Delaunay::greatest / double{farthest} : 0;
   points_.clear();
   for (const auto& [x, y] : plane_) {
-    points_.push_back({static_cast<std::int32_t>(std::lrint(x * scale)), static_cast<std::int32_t>(std::lrint(y * scale))});
+    points_.push_back(
+        {static_cast<std::int32_t>(std::lrint(x * scale)), static_cast<std::int32_t>(std::lrint(y * scale))});
   }
 }
 

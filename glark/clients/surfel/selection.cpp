@@ -45,8 +45,8 @@ Camera::Camera(const View& view)
   for (std::size_t i = 0; i < 16; ++i) {
     if (!std::isfinite(view.clip_from_object[i])) {
       throw Error(Element::view, 0,
-                  "has a matrix whose element " + std::to_string(i) + " is " + std::to_string(view.clip_from_object[i]) +
-                      "; it has to be finite");
+                  "has a matrix whose element " + std::to_string(i) + " is " +
+                      std::to_string(view.clip_from_object[i]) + "; it has to be finite");
     }
   }
   for (std::size_t column = 0; column < 4; ++column) {

@@ -29,7 +29,7 @@ class Camera {
   using Plane = std::array<float, 4>;
   void find_eye();
 
-  Plane x_{}, y_{}, z_{}, w_{};   // rows of the matrix
+  Plane x_{}, y_{}, z_{}, w_{};  // rows of the matrix
   std::array<Plane, 6> planes_{};
   Vector eye_;
   bool parallel_ = false;  // then eye_ is the direction to it

@@ -68,7 +68,8 @@ void Stripper::find_starts() {
 
 int Stripper::free_neighbours(std::uint32_t triangle) const {
   int count = 0;
-  for (const std::uint32_t neighbour : neighbours_[triangle]) count += neighbour != no_triangle && used_[neighbour] == 0;
+  for (const std::uint32_t neighbour : neighbours_[triangle])
+    count += neighbour != no_triangle && used_[neighbour] == 0;
   return count;
 }
 

@@ -14,7 +14,7 @@ namespace glark::surfel {
 namespace {
 
 constexpr std::size_t parallel_grain = 8192;  // points below which a branch is grown by one
-constexpr std::size_t least_thick = 16;       // points that are not split for being thick: layers and noise are no shape
+constexpr std::size_t least_thick = 16;  // points that are not split for being thick: layers and noise are no shape
 
 // A subtree of its own. Its first node is its root.
 struct Branch {

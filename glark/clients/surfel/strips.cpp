@@ -44,7 +44,8 @@ std::vector<Range> joined(std::vector<Range> ranges) {
 
 }  // namespace
 
-Strips::State::State(const Cloud& cloud, const Options& chosen) : options(chosen), layer_options{}, workers(chosen.threads) {
+Strips::State::State(const Cloud& cloud, const Options& chosen)
+    : options(chosen), layer_options{}, workers(chosen.threads) {
   layer_options = {
       .tree = {chosen.leaf_points, chosen.delta_a, chosen.delta_d, chosen.inflation},
       .reach = chosen.reach,
@@ -172,7 +173,7 @@ std::vector<Range> Strips::update(const Cloud& cloud, std::span<const std::uint3
   State& state = *state_;
   check_shape(cloud);
   const std::size_t count = cloud.positions.size() / 3;
-  if (count < state.points || cloud.normals.empty() == (state.layer_options.oriented && count > 0)) {
+  if (count < state.points || (state.points > 0 && cloud.normals.empty() == state.layer_options.oriented)) {
     throw Error(Element::cloud, 0,
                 "of " + std::to_string(count) + " points, " + (cloud.normals.empty() ? "without" : "with") +
                     " normals, does not go on from one of " + std::to_string(state.points) +
@@ -181,7 +182,8 @@ std::vector<Range> Strips::update(const Cloud& cloud, std::span<const std::uint3
   std::vector<std::uint32_t> points(moved.begin(), moved.end());
   for (const std::uint32_t point : points) {
     if (point >= count) {
-      throw Error(Element::point, point, "has moved, but there are " + std::to_string(count) + " points: name one of these");
+      throw Error(Element::point, point,
+                  "has moved, but there are " + std::to_string(count) + " points: name one of these");
     }
   }
   for (std::size_t point = state.points; point < count; ++point) points.push_back(static_cast<std::uint32_t>(point));
