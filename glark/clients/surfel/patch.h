@@ -16,11 +16,20 @@ namespace glark::surfel {
 
 using Corners = std::array<std::uint32_t, 3>;  // points, ascending
 
+enum class State : std::uint8_t {
+  contested,
+  agreed,        // all leaves that could have the triangle have it
+  closes_gap,    // of contested triangles between agreed ones
+  out_of_reach,  // an edge is too long
+};
+
 // A triangle with a point of its leaf, which may be drawn.
 struct Candidate {
   Corners corners;
   Corners across;  // the point beyond the edge opposite to each corner, or `none`
-  bool reversed;   // the corners are clockwise seen from outside
+  std::uint32_t gap;  // number among those of the leaf, of a contested triangle
+  bool reversed;      // the corners are clockwise seen from outside
+  State state;
 };
 
 // Makes patches, one after the other, in memory that it keeps.
