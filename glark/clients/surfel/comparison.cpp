@@ -77,7 +77,7 @@ void agree(Layer& layer, std::uint32_t leaf, float reach) {
   const std::span<Candidate> candidates(layer.candidates.data() + patch.candidates.first, patch.candidates.count);
   for (Candidate& candidate : candidates) {
     candidate.gap = none;
-    candidate.state = !in_reach(layer, candidate.corners, reach)             ? State::out_of_reach
+    candidate.state = !in_reach(layer, candidate.corners, reach)        ? State::out_of_reach
                       : all_owners_have(layer, leaf, candidate.corners) ? State::agreed
                                                                         : State::contested;
   }

@@ -75,8 +75,9 @@ class Decimator {
 
   bool closes(std::uint32_t leaf, const std::array<std::uint32_t, 2>& ends) const {
     const auto& edges = layer_.patches[leaf].gap_edges;
-    const auto found = std::lower_bound(edges.begin(), edges.end(), ends,
-                                        [](const GapEdge& a, const std::array<std::uint32_t, 2>& b) { return a.ends < b; });
+    const auto found =
+        std::lower_bound(edges.begin(), edges.end(), ends,
+                         [](const GapEdge& a, const std::array<std::uint32_t, 2>& b) { return a.ends < b; });
     return found != edges.end() && found->ends == ends && found->closed;
   }
 

@@ -26,7 +26,7 @@ enum class State : std::uint8_t {
 // A triangle with a point of its leaf, which may be drawn.
 struct Candidate {
   Corners corners;
-  Corners across;  // the point beyond the edge opposite to each corner, or `none`
+  Corners across;     // the point beyond the edge opposite to each corner, or `none`
   std::uint32_t gap;  // number among those of the leaf, of a contested triangle
   bool reversed;      // the corners are clockwise seen from outside
   State state;
@@ -56,6 +56,7 @@ class Patcher {
 
   void inflate(std::uint32_t leaf);
   void project(const Leaf& leaf);
+  bool turn(std::uint32_t triangle, std::uint32_t side);
   void relax();
   bool prefers_other_diagonal(std::uint32_t triangle, std::uint32_t side) const;
   void collect();
@@ -64,7 +65,8 @@ class Patcher {
   const StrippingTree& tree_;
   std::size_t own_ = 0;
   std::vector<std::uint32_t> neighbours_;
-  std::vector<Member> members_;  // the leaf's own first
+  std::vector<std::uint32_t> pending_;  // triangles whose edges may turn
+  std::vector<Member> members_;         // the leaf's own first
   std::vector<std::array<float, 2>> plane_;
   std::vector<Delaunay::Point> points_;
   std::vector<std::array<float, 3>> shortest_;
