@@ -165,6 +165,15 @@ void Patcher::relax() {
   }
 }
 
+// At sharp creases a triangle can be the wrong way round in the leaf's plane: the points' normals know better.
+bool Patcher::faces_away(const Delaunay::Triangle& triangle) const {
+  const Member& a = members_[triangle.corners[0]];
+  const Member& b = members_[triangle.corners[1]];
+  const Member& c = members_[triangle.corners[2]];
+  const Vector normal = cross(b.position - a.position, c.position - a.position);
+  return dot(normal, a.normal + b.normal + c.normal) < 0;
+}
+
 void Patcher::collect() {
   candidates.clear();
   outer = 0;
@@ -177,6 +186,7 @@ void Patcher::collect() {
       continue;
     }
     Candidate candidate{};
+    candidate.reversed = faces_away(triangle);
     std::array<std::uint32_t, 3> order = {0, 1, 2};
     const auto index = [&](std::uint32_t i) { return members_[triangle.corners[i]].index; };
     const auto sort_two = [&](std::uint32_t i, std::uint32_t j) {

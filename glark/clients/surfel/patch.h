@@ -59,6 +59,7 @@ class Patcher {
   bool turn(std::uint32_t triangle, std::uint32_t side);
   void relax();
   bool prefers_other_diagonal(std::uint32_t triangle, std::uint32_t side) const;
+  bool faces_away(const Delaunay::Triangle& triangle) const;
   void collect();
   void measure_spacings();
 
