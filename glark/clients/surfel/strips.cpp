@@ -62,12 +62,13 @@ Strips::State::State(const Cloud& cloud, const Options& chosen)
 }
 
 void Strips::State::build(std::vector<Surfel> surfels) {
-  std::vector<std::uint32_t> names;
   layers.clear();
   indices.clear();
-  for (unsigned level = 0; level < options.levels; ++level) {
-    layers.push_back(build_layer(std::move(surfels), std::move(names), layer_options, workers, indices));
-    if (level + 1 < options.levels) surfels = coarser(layers.back(), names);
+  layers.push_back(build_layer(std::move(surfels), {}, layer_options, workers, indices));
+  for (unsigned level = 1; level < options.levels; ++level) {
+    std::vector<std::uint32_t> names;
+    std::vector<Surfel> kept = coarser(layers.back(), names);
+    layers.push_back(build_layer(std::move(kept), std::move(names), layer_options, workers, indices));
   }
 }
 
