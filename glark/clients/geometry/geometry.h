@@ -27,6 +27,9 @@ struct Geometry {
   std::vector<std::uint8_t> colours;       // red, green, blue, alpha, 4 a point, or none
   std::vector<float> texture_coordinates;  // 2 a point, or none
   std::vector<std::uint32_t> triangles;    // 3 indices a triangle, or none
+  // To be written instead of triangles, where a format has them (PLY): strips one after the other, and how long each is.
+  std::vector<std::uint32_t> strips;
+  std::vector<std::uint32_t> strip_sizes;
 
   std::size_t point_count() const { return positions.size() / 3; }
   std::size_t triangle_count() const { return triangles.size() / 3; }

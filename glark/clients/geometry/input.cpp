@@ -99,7 +99,10 @@ class Decompressed {
 }  // namespace
 
 Input::Input(std::string name, Fill fill, std::optional<std::uint64_t> size)
-    : name_(std::move(name)), fill_(std::move(fill)), size_(size), buffer_(block_size) {}
+    : name_(std::move(name)),
+      fill_(std::move(fill)),
+      size_(size),
+      buffer_(static_cast<std::size_t>(std::min<std::uint64_t>(block_size, size.value_or(block_size) + 1))) {}
 
 std::optional<std::uint64_t> Input::remaining() const {
   if (!size_) return std::nullopt;

@@ -213,12 +213,14 @@ class Body {
     return static_cast<std::int64_t>(value);
   }
 
-  // Strips of triangles, each ended by -1, as the Stanford models have them.
+  // Strips of triangles, each ended by -1, as the Stanford models have them. Triangles without area join parts.
   void add_strips(PointBuilder& builder) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       if (corners_[i] < 0) begin = i + 1;
       if (i < begin + 2) continue;
+      if (corners_[i] == corners_[i - 1] || corners_[i] == corners_[i - 2] || corners_[i - 1] == corners_[i - 2])
+        continue;
       const bool turned = (i - begin) % 2 == 1;
       builder.add_polygon(std::array{corners_[i - 2], corners_[turned ? i : i - 1], corners_[turned ? i - 1 : i]});
     }

@@ -13,6 +13,8 @@ static_assert(std::endian::native == std::endian::little, "bytes are written as 
 
 bool has_origin(const Geometry& geometry) { return geometry.origin != std::array<double, 3>{}; }
 
+bool has_faces(const Geometry& geometry) { return !geometry.triangles.empty() && geometry.strips.empty(); }
+
 std::string header_of(const Geometry& geometry, PlyEncoding encoding) {
   const std::string type = has_origin(geometry) ? "double" : "float";
   std::string text = "ply\nformat ";
@@ -23,8 +25,11 @@ std::string header_of(const Geometry& geometry, PlyEncoding encoding) {
   if (!geometry.colours.empty())
     text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
   if (!geometry.texture_coordinates.empty()) text += "property float s\nproperty float t\n";
-  if (!geometry.triangles.empty())
+  if (has_faces(geometry))
     text += "element face " + std::to_string(geometry.triangle_count()) + "\nproperty list uchar int vertex_indices\n";
+  if (!geometry.strip_sizes.empty())
+    text +=
+        "element tristrips " + std::to_string(geometry.strip_sizes.size()) + "\nproperty list int int vertex_indices\n";
   return text + "end_header\n";
 }
 
@@ -43,9 +48,15 @@ void write_binary(OutputFile& file, const Geometry& geometry) {
     if (!geometry.texture_coordinates.empty())
       file.write_values(std::span(geometry.texture_coordinates).subspan(2 * i, 2));
   }
-  for (std::size_t i = 0; i < geometry.triangles.size(); i += 3) {
+  for (std::size_t i = 0; has_faces(geometry) && i < geometry.triangles.size(); i += 3) {
     file.write("\3");
     file.write_values(std::span(geometry.triangles).subspan(i, 3));
+  }
+  std::size_t begin = 0;
+  for (const std::uint32_t size : geometry.strip_sizes) {
+    file.write_values(std::span(&size, 1));
+    file.write_values(std::span(geometry.strips).subspan(begin, size));
+    begin += size;
   }
 }
 
@@ -62,10 +73,17 @@ void write_text(OutputFile& file, const Geometry& geometry) {
       for (std::size_t k = 0; k < 2; ++k) line.number(geometry.texture_coordinates[2 * i + k]);
     file.write(line.end());
   }
-  for (std::size_t i = 0; i < geometry.triangles.size(); i += 3) {
+  for (std::size_t i = 0; has_faces(geometry) && i < geometry.triangles.size(); i += 3) {
     line.clear();
     line.add("3");
     for (std::size_t k = 0; k < 3; ++k) line.number(geometry.triangles[i + k]);
+    file.write(line.end());
+  }
+  std::size_t next = 0;
+  for (const std::uint32_t size : geometry.strip_sizes) {
+    line.clear();
+    line.number(size);
+    for (std::uint32_t k = 0; k < size; ++k) line.number(geometry.strips[next++]);
     file.write(line.end());
   }
 }
