@@ -20,4 +20,6 @@ set(GLARK_GLSL_HEADERS
   ${PROJECT_SOURCE_DIR}/glark/core/pattern/expand.glsl.h
   ${PROJECT_SOURCE_DIR}/glark/core/depth/edge_depth.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/depth/edge_steps.glsl
-  ${PROJECT_SOURCE_DIR}/glark/core/depth/measured_edge.glsl)
+  ${PROJECT_SOURCE_DIR}/glark/core/depth/measured_edge.glsl
+  ${PROJECT_SOURCE_DIR}/glark/core/weld/border.glsl
+  ${PROJECT_SOURCE_DIR}/glark/core/weld/tangent.glsl)

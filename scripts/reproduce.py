@@ -90,13 +90,15 @@ def qas_figure(figures: Figures, images: pathlib.Path) -> str:
     methods = list(dict.fromkeys(row["method"] for row in rows))
     meshes = list(dict.fromkeys(row["mesh"] for row in rows))
     axes = new_axes()
+    width = 0.8 / len(methods)
     for i, method in enumerate(methods):
         values = [float(row["position_rms_percent"]) for row in rows if row["method"] == method]
-        axes.bar([j + 0.25 * (i - 1) for j in range(len(values))], values, 0.25, label=method)
+        axes.bar([j + width * (i - (len(methods) - 1) / 2) for j in range(len(values))], values, width, label=method)
     axes.set_xticks(range(len(meshes)), meshes)
     axes.set_yscale("log")
     axes.set_ylabel("RMS, % of the diagonal")
-    axes.legend()
+    axes.set_ylim(bottom=1e-4)
+    axes.legend(ncol=len(methods), loc="lower center", bbox_to_anchor=(0.5, 1))
     save(axes, images / "qas_errors.png")
     keys = ["position_rms_percent", "position_max_percent", "surface_rms_percent", "normal_rms_degrees", "normal_max_degrees"]
     return table(["mesh", "triangles", "method", "position RMS %", "max %", "distance RMS %", "normal RMS °", "max °"],

@@ -220,6 +220,7 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   DerivedKey key = key_of(plan.polygons ? GL_TRIANGLES : call.mode, tagged, plan.placed);
   key.morphing = plan.morphing;
   key.turns = key.welded && plan.measured && measure().degrees > 0;
+  key.border = key.welded && key.displaced;
   plan.derived = derived_program(plan, key);
   plan_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {
@@ -228,7 +229,7 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   if (owns_feedback() && plan.derived != feedback_program_) {
     return Cause::transform_feedback;
   }
-  if (plan.derived->stored() && (plan.pipeline != nullptr || plan.measured)) {
+  if (plan.derived->stored() && plan.pipeline != nullptr) {
     return Cause::too_many_attributes;  // other programs of the pipeline may need the storage binding
   }
   plan.layout = &plan.derived->layout;

@@ -38,9 +38,17 @@ void Pipeline::plan_weld(Plan& plan, DerivedKey key, std::uint64_t triangles) {
   if (plan.derived == nullptr || !key.welded) {
     return;
   }
-  const bool fits = weld_.can_hold(plan.derived->layout, triangles);
-  const bool attributes_only = plan.pipeline != nullptr || plan.measured;
-  if (plan.derived->layout.joins_edges() && (!fits || (plan.derived->stored() && attributes_only))) {
+  bool fits = weld_.can_hold(plan.derived->layout, triangles);
+  const auto has_no_place = [&] { return !fits || (plan.derived->stored() && plan.pipeline != nullptr); };
+  if (plan.derived->layout.displaced() && has_no_place()) {
+    key.border = false;
+    plan.derived = derived_program(plan, key);
+    if (plan.derived == nullptr) {
+      return;
+    }
+    fits = weld_.can_hold(plan.derived->layout, triangles);
+  }
+  if (plan.derived->layout.joins_edges() && has_no_place()) {
     key.welded = false;
     key.turns = key.turns && fits;
     plan.derived = derived_program(plan, key);

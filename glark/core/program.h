@@ -50,6 +50,7 @@ struct DerivedKey {
   int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
   bool morphing = false;          // vertices move between levels
   bool welded = false;            // by position: curved edges have control points in the record, where there is room
+  bool border = false;            // by position: what displacement takes on edges is in the record, where there is room
   bool turns = false;  // by position: the greatest turn of each edge's sides is in the record, where there is room
   bool placed = true;  // pieces have a placement (patch); a uniform level of one piece a triangle needs none
   auto operator<=>(const DerivedKey&) const = default;

@@ -53,7 +53,7 @@ struct HeightMap {
 };
 
 // Which depths the extension gives to edges. `rounded`: the mean, rounded down, of tags rounded to the nearest integer.
-// `geomorph`: the mean rounded up to 1/64, and that to the next integer.
+// `geomorph`: the mean rounded down to 1/64, and that up to the next integer; patterns are those of geomorphing.
 enum class EdgeRule { rounded, geomorph };
 
 struct Budget {

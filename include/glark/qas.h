@@ -88,6 +88,14 @@ struct Corner {
   std::array<float, 3> edge_normal;
 };
 
+// A corner of a coarse triangle of a surface of splits 1 as the vertex stage reads it: two matrices, by columns. points: the corner,
+// and the points at 1/4, 2/4 and 3/4 of the edge to the next corner, x y z each; the fourth components of columns 0, 1 and 2 are the
+// x y z of the inner point next to the corner, whose weights are 2/4, 1/4 and 1/4. normals: the same of the normals.
+struct QuarticCorner {
+  std::array<std::array<float, 4>, 4> points;
+  std::array<std::array<float, 4>, 4> normals;
+};
+
 // A point of a surface and its normal, of unit length.
 struct Sample {
   std::array<float, 3> position;
@@ -125,6 +133,15 @@ class Surface {
   // The patch at barycentric coordinates (w, u, v), 0 to 1 with the sum 1, that belong to corners 0, 1, 2: what the refinement
   // shader computes. Errors: Error if there is no such patch, or the coordinates are no such.
   Sample evaluate(std::size_t patch, std::array<float, 3> barycentric) const;
+
+  // Of splits 1, in place of four quadratic patches: one quartic for each coarse triangle, through the same 15 points and normals.
+  // Where the surface is smooth it is ten times as exact, about extraordinary vertices twice.
+  // Three for each coarse triangle, in the order of Mesh::triangles; 0 without splits.
+  std::size_t quartic_corner_count() const;
+  // Errors: as write_corners(), for quartic_corner_count().
+  void write_quartic_corners(std::span<QuarticCorner> corners) const;
+  // As evaluate(), for a coarse triangle. Errors: Error without splits, too.
+  Sample evaluate_quartic(std::size_t triangle, std::array<float, 3> barycentric) const;
 
  private:
   struct State;
@@ -169,6 +186,10 @@ struct ShaderInputs {
 // GLSL for glRefinementShaderSourceARK, from 1.20 on. What lies on an edge is computed from the edge's three points alone, and
 // alike from both ends: patches that share them meet bit by bit, whatever their depths inside.
 std::string refinement_shader(const ShaderInputs& inputs = {});
+
+// As refinement_shader(), for the corners of write_quartic_corners(): inputs are two mat4, of which the vertex stage reads column 0.
+// Without normals (""), the positions are the same bits.
+std::string quartic_refinement_shader(const std::string& points = "points", const std::string& normals = "normals");
 
 }  // namespace glark::qas
 

@@ -123,7 +123,7 @@ QasErrors qas_errors(const qas::test::ControlMesh& mesh, unsigned level) {
   const unsigned side = 1U << level;
   std::vector<Sample> samples(triangles * (side + 1) * (side + 2) / 2);
   exact.refine(level, samples);
-  Tally of_qas(mesh.diagonal()), of_splits(mesh.diagonal()), of_pn(mesh.diagonal());
+  Tally of_qas(mesh.diagonal()), of_splits(mesh.diagonal()), of_quartic(mesh.diagonal()), of_pn(mesh.diagonal());
   auto sample = samples.begin();
   for (std::size_t t = 0; t < triangles; ++t) {
     const PnTriangle pn(
@@ -132,12 +132,13 @@ QasErrors qas_errors(const qas::test::ControlMesh& mesh, unsigned level) {
       for (unsigned j = 0; i + j <= side; ++j, ++sample) {
         const std::array<double, 3> b = {double(side - i - j) / side, double(i) / side, double(j) / side};
         of_qas.add(surface.evaluate(t, {float(b[0]), float(b[1]), float(b[2])}), *sample);
+        of_quartic.add(split.evaluate_quartic(t, {float(b[0]), float(b[1]), float(b[2])}), *sample);
         of_splits.add(of_split(split, t, b), *sample);
         of_pn.add(pn.at(b), *sample);
       }
     }
   }
-  return {mesh.name, triangles, of_qas.result(), of_splits.result(), of_pn.result()};
+  return {mesh.name, triangles, of_qas.result(), of_splits.result(), of_quartic.result(), of_pn.result()};
 }
 
 }  // namespace glark::bench

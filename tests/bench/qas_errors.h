@@ -23,7 +23,7 @@ struct Deviation {
 struct QasErrors {
   std::string mesh;
   std::size_t triangles = 0;
-  Deviation qas, split, pn;  // PN: from the limit positions and normals of the coarse vertices
+  Deviation qas, split, quartic, pn;  // PN: from the limit positions and normals of the coarse vertices
 };
 
 // At the vertices of the uniform pattern of `level`, against LoopSurface.

@@ -56,7 +56,7 @@ ControlMesh read_obj(const std::string& path) {
 void print(const ControlMesh& mesh, bool csv) {
   const auto errors = glark::bench::qas_errors(mesh);
   const std::pair<const char*, const Deviation&> rows[] = {
-      {"QAS", errors.qas}, {"QAS, splits 1", errors.split}, {"PN", errors.pn}};
+      {"QAS", errors.qas}, {"QAS, splits 1", errors.split}, {"QAS, quartic", errors.quartic}, {"PN", errors.pn}};
   for (const auto& [method, d] : rows) {
     std::printf(
         csv ? "%s,%zu,\"%s\",%g,%g,%g,%g,%g,%g\n" : "%-14s %6zu  %-13s  %8.4f %8.4f  %8.4f %8.4f  %8.3f %8.3f\n",

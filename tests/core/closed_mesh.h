@@ -41,11 +41,14 @@ inline Mesh tetrahedron() {
 
 using Edge = std::pair<PositionBits, PositionBits>;
 
-// Directed edges without the same edge in the other direction, each of them once.
+// Directed edges without the same edge in the other direction, each of them once. Triangles that have collapsed to an edge, with
+// the same bits at two of their corners, are no part of the surface.
 inline int open_edges(const std::vector<RefinedVertex>& vertices) {
   std::map<Edge, int> count;
   for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {
-    for (std::size_t k = 0; k < 3; ++k) ++count[{bits_of(vertices[i + k]), bits_of(vertices[i + (k + 1) % 3])}];
+    const std::array<PositionBits, 3> corners{bits_of(vertices[i]), bits_of(vertices[i + 1]), bits_of(vertices[i + 2])};
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    for (std::size_t k = 0; k < 3; ++k) ++count[{corners[k], corners[(k + 1) % 3]}];
   }
   return static_cast<int>(std::count_if(count.begin(), count.end(), [&](const auto& entry) {
     const auto back = count.find({entry.first.second, entry.first.first});

@@ -111,6 +111,10 @@ TEST_P(DrawsInputs, ManyAttributesWithTagsAndWithRestart) {
   EXPECT_LE(differing_pixels(plain, picture_of(draw)), tolerated_pixels);
   EXPECT_GT(generated_primitives, 16U);
   glDisable(GL_DEPTH_TAG_ARRAY_ARK);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  glARKParameteriARK(GL_EDGE_PIXELS_ARK, 8);
+  EXPECT_LE(differing_pixels(plain, picture_of(draw)), tolerated_pixels);
+  EXPECT_GT(generated_primitives, 16U);
   make_buffer(GL_ELEMENT_ARRAY_BUFFER, std::vector<GLubyte>{0, 1, 2, 255, 3, 4, 5});
   glEnable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
   expect_same_scene({2}, [] { glDrawElements(GL_TRIANGLE_STRIP, 7, GL_UNSIGNED_BYTE, nullptr); });

@@ -7,6 +7,8 @@
 #include <GLES3/gl32.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <map>
 #include <string>
@@ -209,6 +211,61 @@ TEST_F(Es, MeasuredDepths) {
   expect_same_picture(2 * 20, draw_strip);
   glViewport(0, 0, size / 2, size / 2);
   expect_same_picture(2 * 6, draw_strip);
+}
+
+// Depths between two levels: as many triangles as the finer one has, but for corners and the middle, which are cut otherwise.
+TEST_F(Es, Geomorphing) {
+  glARKinit(4);
+  glARKParameteriARK(GL_GEOMORPH_ARK, GL_TRUE);
+  GLint attribute = 0;
+  glGetIntegerv(GL_DEPTH_TAG_ATTRIBUTE_ARK, &attribute);
+  for (const GLfloat tag : {1.25F, 1.75F, 2.0F}) {
+    glVertexAttrib1f(static_cast<GLuint>(attribute), tag);
+    expect_same_picture(2 * 16, draw_strip);
+  }
+  for (const GLfloat tag : {0.5F, 1.0F}) {
+    glVertexAttrib1f(static_cast<GLuint>(attribute), tag);
+    expect_same_picture(2 * 6, draw_strip);
+  }
+  glDepthTag1i(1);  // cut as fractions are, too, and not as a uniform pattern
+  expect_same_picture(2 * 6, draw_strip);
+}
+
+// The middle of an edge is half of the way from the middle of its ends to its own place, by the square that the vertex stage takes.
+TEST_F(Es, GeomorphingMovesVertices) {
+  const GLuint bent = glCreateProgram();
+  attach(bent, GL_VERTEX_SHADER,
+         "#version 320 es\nlayout(location = 0) in vec2 position;\n"
+         "void main() { gl_Position = vec4(position * position, position.x * position.y, 1.0); }\n");
+  attach(bent, GL_FRAGMENT_SHADER,
+         "#version 320 es\nprecision highp float; out vec4 result; void main() { result = vec4(1.0); }\n");
+  const char* const varyings[] = {"gl_Position"};
+  glTransformFeedbackVaryings(bent, 1, varyings, GL_INTERLEAVED_ATTRIBS);
+  glLinkProgram(bent);
+  glUseProgram(bent);
+  glARKinit(4);
+  glARKParameteriARK(GL_GEOMORPH_ARK, GL_TRUE);
+  glEnable(GL_ARK);
+  GLint attribute = 0;
+  glGetIntegerv(GL_DEPTH_TAG_ATTRIBUTE_ARK, &attribute);
+  glVertexAttrib1f(static_cast<GLuint>(attribute), 0.5F);
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  constexpr std::size_t vertices = 3 * 6;
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, vertices * 16, nullptr, GL_STREAM_READ);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEndTransformFeedback();
+  const void* mapped = glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, vertices * 16, GL_MAP_READ_BIT);
+  ASSERT_NE(mapped, nullptr);
+  std::array<std::array<GLfloat, 4>, vertices> refined{};
+  std::memcpy(refined.data(), mapped, sizeof(refined));
+  glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+  // From (-1, -1) to (1, -1): the ends go to (1, 1, 1) and (1, 1, -1), their middle to (0, 1, 0).
+  const std::array<GLfloat, 4> halfway{0.5F, 1, 0, 1};
+  EXPECT_EQ(std::count(refined.begin(), refined.end(), halfway), 2);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST_F(Es, CurrentTag) {

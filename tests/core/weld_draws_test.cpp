@@ -182,6 +182,48 @@ TEST_F(WeldDraws, LongRecords) {
   expect_closed([this] { glDrawArrays(GL_TRIANGLES, 0, count()); });
 }
 
+struct MappedVertex {
+  std::array<GLfloat, 2> coordinate;
+  SceneVertex vertex;
+};
+
+// Every edge is a seam of the texture, too.
+TEST_F(WeldDraws, Displaced) {
+  std::mt19937 random(17);
+  const auto number = [&] { return static_cast<GLfloat>(random() % 1001) / 1000; };
+  std::vector<MappedVertex> mapped;
+  for (const SceneVertex& vertex : vertices_) mapped.push_back({{number(), number()}, vertex});
+  make_buffer(GL_ARRAY_BUFFER, mapped);
+  glInterleavedArrays(GL_T2F_N3F_V3F, 0, nullptr);
+  std::vector<GLfloat> heights;
+  for (int i = 0; i < 64; ++i) heights.push_back(number());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 8, 8, 0, GL_RED, GL_FLOAT, heights.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, 0);
+  glARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0.3F);
+  for (const GLenum refinement : {GL_LINEAR_INPUTS_ARK, GL_CURVED_PN_ARK, GL_SCALAR_TAGGED_PN_ARK}) {
+    glARKParameteriARK(GL_REFINEMENT_ARK, static_cast<GLint>(refinement));
+    glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+    expect_closed([this] { glDrawArrays(GL_TRIANGLES, 0, count()); });
+  }
+  glARKParameteriARK(GL_POLYGON_SPLIT_ARK, GL_POLYGON_CENTROID_ARK);
+  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
+  expect_closed([] {
+    const Mesh mesh = cube();
+    glBegin(GL_QUADS);
+    for (std::size_t t = 0; t + 1 < mesh.triangles.size(); t += 2) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const std::array<std::size_t, 4> corners = {a, b, c, mesh.triangles[t + 1][2]};
+      glNormal3fv(face_normal(mesh, mesh.triangles[t]).data());
+      for (std::size_t k = 0; k < 4; ++k) {
+        glTexCoord2f(k == 1 || k == 2 ? 0.9F : 0.1F, k > 1 ? 0.8F : 0.2F);
+        glVertex3fv(mesh.positions[corners[k]].data());
+      }
+    }
+    glEnd();
+  });
+}
+
 // The same mesh three times in one draw, each with normals of its own: what one instance has does not bend another.
 TEST_F(WeldDraws, InstancesAreNotWelded) {
   glUseProgram(link_program(

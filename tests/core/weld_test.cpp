@@ -8,40 +8,12 @@
 
 #include "tests/core/models.h"
 #include "tests/core/osmesa_context.h"
-#include "tests/core/split_meshes.h"
+#include "tests/core/welded_edges.h"
 
 namespace glark::core::test {
 namespace {
 
 constexpr unsigned level = 5;
-
-using Points = std::set<PositionBits>;
-
-PositionBits bits_of(const Vector& position) {
-  return test::bits_of(RefinedVertex{{position[0], position[1], position[2], 1}, {}, 0});
-}
-
-// Coarse edges by the positions of their ends; of each, what every side has along it.
-std::map<std::pair<PositionBits, PositionBits>, std::vector<Points>> sides_of_edges(
-    const SplitMesh& mesh, const std::vector<RefinedVertex>& refined) {
-  std::vector<std::array<Points, 3>> sides(mesh.triangles());
-  for (const RefinedVertex& vertex : refined) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (vertex.weights[(k + 2) % 3] == 0) {
-        sides.at(static_cast<std::size_t>(vertex.triangle))[k].insert(test::bits_of(vertex));
-      }
-    }
-  }
-  std::map<std::pair<PositionBits, PositionBits>, std::vector<Points>> edges;
-  for (std::size_t t = 0; t < mesh.triangles(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const PositionBits from = bits_of(mesh.vertices[3 * t + k].position);
-      const PositionBits to = bits_of(mesh.vertices[3 * t + (k + 1) % 3].position);
-      edges[std::minmax(from, to)].push_back(sides[t][k]);
-    }
-  }
-  return edges;
-}
 
 class Weld : public testing::Test {
  protected:
@@ -69,17 +41,9 @@ class Weld : public testing::Test {
     return capture_refined((mesh.triangles() << (2 * level)) + 1, [count] { glDrawArrays(GL_TRIANGLES, 0, count); });
   }
   int parted_edges(const SplitMesh& mesh) {
-    int parted = 0;
     const std::vector<RefinedVertex> refined = refine(mesh);
     EXPECT_GE(refined.size(), mesh.vertices.size());
-    for (const auto& [ends, sides] : sides_of_edges(mesh, refined)) {
-      EXPECT_GE(sides[0].size(), ends.first == ends.second ? 1U : 2U);
-      parted +=
-          std::all_of(sides.begin(), sides.end(), [&sides = sides](const Points& side) { return side == sides[0]; })
-              ? 0
-              : 1;
-    }
-    return parted;
+    return test::parted_edges(mesh, refined);
   }
   void expect_welded(const SplitMesh& mesh) {
     for (const unsigned seed : {1U, 2U}) {

@@ -13,15 +13,12 @@
 namespace glark::tagging {
 namespace {
 
-const pattern::Pool& pool() {
-  static const pattern::Pool pool = pattern::build_pool(8);
-  return pool;
-}
-
-std::uint64_t drawn(int e0, int e1, int e2) {
+std::uint64_t drawn(int e0, int e1, int e2, pattern::Interior interior) {
+  static const pattern::Pool pools[] = {pattern::build_pool(8), pattern::build_pool(8, true)};
+  const pattern::Pool& pool = pools[interior == pattern::Interior::morphing ? 1 : 0];
   std::uint64_t sum = 0;
-  for (const pattern::Instance& instance : pattern::expand(e0, e1, e2, pattern::Interior::minimum)) {
-    sum += pool().pieces[static_cast<std::size_t>(instance.piece)].index_count / 3;
+  for (const pattern::Instance& instance : pattern::expand(e0, e1, e2, interior)) {
+    sum += pool.pieces[static_cast<std::size_t>(instance.piece)].index_count / 3;
   }
   return sum;
 }
@@ -34,7 +31,12 @@ TEST(Budget, CountsWhatThePatternsHave) {
     for (int b = 0; b <= 8; ++b) {
       for (int c = 0; c <= 8; ++c) {
         const float tags[] = {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)};
-        EXPECT_EQ(tagger.refined_triangles(tags), drawn((a + b) >> 1, (b + c) >> 1, (c + a) >> 1)) << a << b << c;
+        EXPECT_EQ(tagger.refined_triangles(tags),
+                  drawn((a + b) >> 1, (b + c) >> 1, (c + a) >> 1, pattern::Interior::minimum))
+            << a << b << c;
+        EXPECT_EQ(tagger.refined_triangles(tags, EdgeRule::geomorph),
+                  drawn((a + b + 1) >> 1, (b + c + 1) >> 1, (c + a + 1) >> 1, pattern::Interior::morphing))
+            << a << b << c;
       }
     }
   }

@@ -43,11 +43,13 @@ TEST(Allocation, NoneInAFrame) {
       Surface surface(mesh.view(), {.scheme = scheme, .splits = splits, .threads = threads});
       EXPECT_GT(allocations, before_all) << "allocations are not counted";
       std::vector<Corner> corners(surface.corner_count());
+      std::vector<QuarticCorner> quartic_corners(surface.quartic_corner_count());
       surface.update(mesh.positions);
       surface.write_corners(corners);
       const int before = allocations;
       surface.update(mesh.positions);
       surface.write_corners(corners);
+      surface.write_quartic_corners(quartic_corners);
       EXPECT_EQ(allocations, before) << "threads " << threads << " splits " << splits;
     }
   }

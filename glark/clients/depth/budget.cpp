@@ -9,6 +9,7 @@ namespace glark::tagging {
 namespace {
 
 constexpr int morph_steps = 64;  // of a level, GL_GEOMORPH_ARK
+constexpr int morph_lift = 3;    // to this depth, one shallow edge does not make the interior shallow
 constexpr int bias_steps = 256;
 
 int edge_depth(float a, float b, EdgeRule rule) {
@@ -20,12 +21,15 @@ int edge_depth(float a, float b, EdgeRule rule) {
 }
 
 // A triangulation of b points on the border and i inside has 2 i + b - 2 triangles; inside are those of a lattice of 2^least
-// segments. While morphing, a triangle whose least depth is 0 or 1 has a point in its middle, unless it stays as it is.
+// segments. While morphing, the interior is as deep as the second least depth, up to 3, where that is more; a triangle whose
+// interior has depth 0 or 1 has a point in its middle, unless it stays as it is.
 std::uint64_t triangles_of(int d0, int d1, int d2, EdgeRule rule) {
   const int least = std::min({d0, d1, d2});
   const std::uint64_t border = (std::uint64_t{1} << d0) + (std::uint64_t{1} << d1) + (std::uint64_t{1} << d2);
-  if (rule == EdgeRule::geomorph && least < 2) return border == 3 ? 1 : border;
-  const std::uint64_t n = std::uint64_t{1} << least;
+  const int middle = std::max(std::min(d0, d1), std::min(std::max(d0, d1), d2));
+  const int inner = rule == EdgeRule::geomorph ? std::max(least, std::min(middle, morph_lift)) : least;
+  if (rule == EdgeRule::geomorph && inner < 2) return border == 3 ? 1 : border;
+  const std::uint64_t n = std::uint64_t{1} << inner;
   return (n - 1) * (n - 2) + border - 2;
 }
 

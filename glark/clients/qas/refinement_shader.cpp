@@ -11,6 +11,10 @@ constexpr char quadratic[] =
 #include "glark/clients/qas/refine.glsl.inc"
     ;
 
+constexpr char quartic[] =
+#include "glark/clients/qas/quartic.glsl.inc"
+    ;
+
 // "point[1]" at corner 2 is ark_corner_point[2][1].
 std::string at_corner(const std::string& input, int corner) {
   const std::size_t end = std::min(input.find('['), input.size());
@@ -24,16 +28,30 @@ std::string fitted(const std::string& input, const std::string& edge) {
   return call;
 }
 
+std::string through_15_points(const std::string& input) {
+  const std::string corner = "ark_corner_" + input;
+  return "glark_qas_quartic(" + corner + "[0], " + corner + "[1], " + corner + "[2])";
+}
+
+// A normal of length 0 stays.
+std::string with_unit_length(const std::string& input, const std::string& value) {
+  return "  vec3 glark_qas_n = " + value + ";\n  " + input +
+         ".xyz = dot(glark_qas_n, glark_qas_n) > 0.0 ? normalize(glark_qas_n) : glark_qas_n;\n";
+}
+
 }  // namespace
 
 // Its own names begin as no input's may (11.R.9).
 std::string refinement_shader(const ShaderInputs& inputs) {
   std::string body = "  " + inputs.position + ".xyz = " + fitted(inputs.position, inputs.edge_position) + ";\n";
-  if (!inputs.normal.empty()) {
-    body += "  vec3 glark_qas_n = " + fitted(inputs.normal, inputs.edge_normal) + ";\n  " + inputs.normal +
-            ".xyz = dot(glark_qas_n, glark_qas_n) > 0.0 ? normalize(glark_qas_n) : glark_qas_n;\n";
-  }
+  if (!inputs.normal.empty()) body += with_unit_length(inputs.normal, fitted(inputs.normal, inputs.edge_normal));
   return quadratic + ("void refine() {\n" + body + "}\n");
+}
+
+std::string quartic_refinement_shader(const std::string& points, const std::string& normals) {
+  std::string body = "  " + points + "[0].xyz = " + through_15_points(points) + ";\n";
+  if (!normals.empty()) body += with_unit_length(normals + "[0]", through_15_points(normals));
+  return quartic + ("void refine() {\n" + body + "}\n");
 }
 
 }  // namespace glark::qas

@@ -11,6 +11,7 @@
 #include "glark/clients/qas/frame.h"
 #include "glark/clients/qas/limit_step.h"
 #include "glark/clients/qas/quadratic.h"
+#include "glark/clients/qas/quartic.h"
 #include "glark/clients/qas/split.h"
 
 namespace glark::qas {
@@ -30,6 +31,16 @@ const char* name_of(Element element) {
 std::string numbered(Element element, std::size_t index) {
   const bool one_of_many = element != Element::mesh && element != Element::array;
   return std::string("glark-qas: ") + name_of(element) + (one_of_many ? std::to_string(index) + " " : "");
+}
+
+std::array<float, 3> triple(const Vector& vector) { return {vector.x, vector.y, vector.z}; }
+
+// Four columns, and the inner point in the last row.
+std::array<std::array<float, 4>, 4> columns(const std::array<const Vector*, 5>& points) {
+  std::array<std::array<float, 4>, 4> result{};
+  const std::array<float, 3> inner = triple(*points[4]);
+  for (std::size_t i = 0; i < 4; ++i) result[i] = {points[i]->x, points[i]->y, points[i]->z, i < 3 ? inner[i] : 0};
+  return result;
 }
 
 }  // namespace
@@ -111,7 +122,6 @@ void Surface::write_corners(std::span<Corner> corners) const {
                 "of corners has " + std::to_string(corners.size()) + "; " + std::to_string(patches().size()) +
                     " patches have " + std::to_string(corner_count()));
   }
-  const auto triple = [](const Vector& vector) { return std::array{vector.x, vector.y, vector.z}; };
   state_->workers.each(patches().size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const Patch& patch = patches()[p];
@@ -136,6 +146,49 @@ Sample Surface::evaluate(std::size_t patch, std::array<float, 3> barycentric) co
   }
   const Float4 position = quadratic(points, barycentric);
   const Float4 normal = unit_or_z(quadratic(normals, barycentric));
+  return {{position[0], position[1], position[2]}, {normal[0], normal[1], normal[2]}};
+}
+
+std::size_t Surface::quartic_corner_count() const { return state_->levels.size() > 1 ? corner_count() / 4 : 0; }
+
+void Surface::write_quartic_corners(std::span<QuarticCorner> corners) const {
+  if (corners.size() != quartic_corner_count()) {
+    throw Error(Element::array, 0,
+                "of quartic corners has " + std::to_string(corners.size()) + "; the triangles have " +
+                    std::to_string(quartic_corner_count()));
+  }
+  state_->workers.each(corners.size() / 3, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner) {
+      std::array<const Vector*, 5> points{}, normals{};
+      const auto places = quartic_points(corner / 3, corner % 3);
+      for (std::size_t i = 0; i < 5; ++i) {
+        const Patch& patch = patches()[places[i].patch];
+        points[i] = &state_->positions[patch.positions[places[i].point]];
+        normals[i] = &state_->normals[patch.normals[places[i].point]];
+      }
+      corners[corner] = {columns(points), columns(normals)};
+    }
+  });
+}
+
+Sample Surface::evaluate_quartic(std::size_t triangle, std::array<float, 3> barycentric) const {
+  if (triangle >= quartic_corner_count() / 3) {
+    throw Error(Element::triangle, triangle,
+                "is none of the " + std::to_string(quartic_corner_count() / 3) + " with a quartic (splits 1)");
+  }
+  check_barycentric(barycentric);
+  std::array<QuarticPoints, 3> points{}, normals{};
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const auto places = quartic_points(triangle, corner);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const Patch& patch = patches()[places[i].patch];
+      (i < 4 ? points[corner].edge[i] : points[corner].inner) =
+          load(state_->positions[patch.positions[places[i].point]]);
+      (i < 4 ? normals[corner].edge[i] : normals[corner].inner) = load(state_->normals[patch.normals[places[i].point]]);
+    }
+  }
+  const Float4 position = quartic(points, barycentric);
+  const Float4 normal = unit_or_z(quartic(normals, barycentric));
   return {{position[0], position[1], position[2]}, {normal[0], normal[1], normal[2]}};
 }
 

@@ -196,6 +196,11 @@ Layout make_layout(std::vector<Field> fields, bool tagged, WeldedWords welded) {
   if (welded.turns) {
     layout.turn_offset = layout.corner_words++;
   }
+  if (welded.displaced_by >= 0) {
+    layout.border_offset = layout.corner_words;
+    layout.coordinate_offset = layout.fields[static_cast<std::size_t>(welded.displaced_by)].offset;
+    layout.corner_words += border_words;
+  }
   return layout;
 }
 
@@ -343,7 +348,8 @@ CaptureSources capture_sources(const Layout& layout, Language language, GLuint t
   CaptureText text(result);
   for (const Field& field : layout.fields) text.add(field);
   if (layout.tagged) text.add_tag(tag_attribute);
-  const int welded_words = (layout.welded() ? control_words : 0) + (layout.turn_offset >= 0 ? 1 : 0);
+  const int welded_words = (layout.welded() ? control_words : 0) + (layout.turn_offset >= 0 ? 1 : 0) +
+                           (layout.displaced() ? border_words : 0);
   if (welded_words > 0) text.add_room(welded_words);
   result.vertex = text.text(language);
   return result;

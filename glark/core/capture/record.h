@@ -28,14 +28,19 @@ struct Field {
 // Control points of the edges, as welding leaves them in a corner: 3 b210 (vec3) towards the next corner, then towards the one before.
 inline constexpr int control_words = 6;
 
+// What displacement takes on the border of a triangle, as welding leaves it in a corner: the normal (vec3) and the texture coordinate (vec2)
+// of the place, then the texture coordinates (two vec2) of both ends of the edge to the next corner.
+inline constexpr int border_words = 9;
+
 // What welding leaves in a corner, besides a depth tag that is there already.
 struct WeldedWords {
   bool controls = false;
   bool turns = false;
+  int displaced_by = -1;  // the field of the texture coordinate; -1: nothing is displaced
 };
 
 // One corner: fields one after the other, then the depth tag (float) if `tagged`, then the control points if the edges are welded,
-// then the half-edge of the greatest turn if that is.
+// then the half-edge of the greatest turn if that is, then what displacement takes on the border.
 struct Layout {
   std::vector<Field> fields;
   bool tagged = false;
@@ -45,9 +50,12 @@ struct Layout {
   // In a corner: of the sides of the edge that begins there, the half-edge (the number of its first corner in the draw) between whose
   // ends the normal turns most. < 0: each side counts by itself.
   int turn_offset = -1;
+  int border_offset = -1;      // in a corner; < 0: displacement takes what each triangle has
+  int coordinate_offset = -1;  // of the texture coordinate for displacement, where there is a border
 
   bool welded() const { return control_offset >= 0; }
-  bool joins_edges() const { return welded() || turn_offset >= 0; }
+  bool joins_edges() const { return welded() || turn_offset >= 0 || displaced(); }
+  bool displaced() const { return border_offset >= 0; }
   int triangle_words() const { return 3 * corner_words; }
   int chunk_count() const { return (triangle_words() + 3) / 4; }
   int corner_chunk_count() const { return (corner_words + 3) / 4; }

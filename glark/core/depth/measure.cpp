@@ -20,6 +20,8 @@ constexpr const char* uniform_names[] = {"record_offset",  "corner_words", "norm
 constexpr int depths = static_cast<int>(core::max_supported_level) + 1;
 constexpr GLsizeiptr limit_bytes = 4 * (1 + 2 * depths);
 constexpr GLsizeiptr bytes_a_triangle = 3 * 16 + 4;
+constexpr float most_change_while_morphing =
+    1.0F / 16;  // of a level in a frame: at 60 frames a second, a quarter of a second
 constexpr GLuint group_size = 64;
 constexpr GLuint most_groups = 65535;  // in one dimension, guaranteed; more go to the second
 
@@ -62,8 +64,12 @@ bool MeasureStage::prepare() {
   gl_.GenTransformFeedbacks(1, &feedback_);
   gl_.GenVertexArrays(1, &vertex_array_);
   const GLuint limits = compile(0);
-  limits_pass_ = {limits, gl_.GetUniformLocation(limits, "pixels"), gl_.GetUniformLocation(limits, "radians_of_turn"),
-                  gl_.GetUniformLocation(limits, "budget"), gl_.GetUniformLocation(limits, "restart")};
+  limits_pass_ = {limits,
+                  gl_.GetUniformLocation(limits, "pixels"),
+                  gl_.GetUniformLocation(limits, "radians_of_turn"),
+                  gl_.GetUniformLocation(limits, "budget"),
+                  gl_.GetUniformLocation(limits, "restart"),
+                  gl_.GetUniformLocation(limits, "most_change")};
   depth_pass_.program = compile(1);
   for (std::size_t i = 0; i < depth_pass_.uniform.size(); ++i) {
     depth_pass_.uniform[i] = gl_.GetUniformLocation(depth_pass_.program, uniform_names[i]);
@@ -81,7 +87,7 @@ bool MeasureStage::reserve(std::uint32_t triangles) {
 }
 
 // Only between frames, so that every pass over the same geometry has the same depths.
-void MeasureStage::update_limits(const core::EdgeMeasure& rule, GLuint work) {
+void MeasureStage::update_limits(const core::EdgeMeasure& rule, bool morphs, GLuint work) {
   const bool restart = rule != rule_;
   if (!restart && !(frame_finished_ && rule.budget > 0)) {
     return;
@@ -95,6 +101,7 @@ void MeasureStage::update_limits(const core::EdgeMeasure& rule, GLuint work) {
   gl_.Uniform1f(limits_pass_.radians, rule.degrees * std::numbers::pi_v<float> / 180.0F);
   gl_.Uniform1i(limits_pass_.budget, static_cast<GLint>(rule.budget));
   gl_.Uniform1i(limits_pass_.restart, restart ? 1 : 0);
+  gl_.Uniform1f(limits_pass_.most_change, morphs ? most_change_while_morphing : 0.0F);
   gl_.DispatchCompute(1, 1, 1);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -136,7 +143,7 @@ EdgeEnds MeasureStage::find_ends(const MeasureRequest& request, const core::Edge
   if (request.corner_program != 0) {
     capture_positions(request, bindings);  // with the storage buffers of the application still bound
   }
-  update_limits(rule, work);
+  update_limits(rule, request.depth_steps > 1, work);
   return {ends_.name(), limits_.name()};
 }
 

@@ -17,11 +17,14 @@ uniform float pixels;
 uniform float radians_of_turn;
 uniform int budget;  // 0: none
 uniform int restart;
+uniform float most_change;  // of the coarseness, from one frame to the next; 0: it has no limit
 
 const float pi = 3.14159265;
 // Of the budget; below it depths come back. All edges may change by one depth at once, which is four times the triangles: a
 // narrower passage would swing from frame to frame.
 const float least_use = 0.25;
+// Beyond it the budget counts for more than that nothing pops. Edges that cross a depth all at once do not go beyond.
+const float most_use = 4.0;
 
 float next_coarseness(float coarseness, float use) {
   if (use > 1.0) {
@@ -33,7 +36,12 @@ float next_coarseness(float coarseness, float use) {
 void main() {
   float coarseness = 0.0;
   if (budget > 0 && restart == 0) {
-    coarseness = clamp(next_coarseness(limits[0], float(work[2]) / float(budget)), 0.0, float(GLARK_DEPTHS));
+    float use = float(work[2]) / float(budget);
+    coarseness = next_coarseness(limits[0], use);
+    if (most_change > 0.0 && use <= most_use) {
+      coarseness = clamp(coarseness, limits[0] - most_change, limits[0] + most_change);
+    }
+    coarseness = clamp(coarseness, 0.0, float(GLARK_DEPTHS));
   }
   work[2] = 0u;
   limits[0] = coarseness;

@@ -51,6 +51,7 @@ class MeasureStage {
     GLint radians = -1;
     GLint budget = -1;
     GLint restart = -1;
+    GLint most_change = -1;
   };
   struct DepthPass {
     GLuint program = 0;
@@ -60,7 +61,7 @@ class MeasureStage {
 
   GLuint compile(int pass) const;
   bool prepare();
-  void update_limits(const core::EdgeMeasure& rule, GLuint work);
+  void update_limits(const core::EdgeMeasure& rule, bool morphs, GLuint work);
   void capture_positions(const MeasureRequest& request, const core::Bindings& bindings);
 
   const gl::Dispatch& gl_;

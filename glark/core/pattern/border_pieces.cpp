@@ -141,16 +141,21 @@ void append_nested(const Chain& edge, const Chain& row, int segments_at_row, std
     const int at_row = segment * segments_at_row / segments;
     return static_cast<std::size_t>(std::clamp(at_row - 1, 0, static_cast<int>(row.size()) - 1));
   };
+  std::size_t at = 0;
+  const auto walk_row = [&](std::uint16_t from, std::size_t to) {
+    for (; at < to; ++at) indices.insert(indices.end(), {from, row[at + 1], row[at]});
+  };
   for (int k = 0; k < segments; ++k) {
     const auto from = static_cast<std::size_t>(k);
-    if (k > 0 && apex(k) != apex(k - 1)) indices.insert(indices.end(), {edge[from], row[apex(k)], row[apex(k - 1)]});
-    indices.insert(indices.end(), {edge[from], edge[from + 1], row[apex(k)]});
+    walk_row(edge[from], apex(k));
+    indices.insert(indices.end(), {edge[from], edge[from + 1], row[at]});
   }
+  walk_row(edge.back(), row.size() - 1);  // an edge that is shallower than the row
 }
 
 void append_nested_skirts(BorderBlock& block, int max_level) {
   for (int m = shallowest_interior; m <= std::min(max_level, tile_level); ++m) {
-    for (int d = m; d <= max_level; ++d) {
+    for (int d = m <= lifted_interior ? 0 : m; d <= max_level; ++d) {
       block.add_piece(skirt_piece(m, d), [&](auto /*vertices*/, auto& indices) {
         append_nested(block.edge_chain(0, d), block.inner_row(m), 1 << m, indices);
       });

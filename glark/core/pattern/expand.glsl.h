@@ -40,6 +40,13 @@ GLARK_SHARED_FUNCTION bool lifts_interior(int least, int most, int interior) {
   return interior == smooth_interior && least == 0 && most >= smooth_difference;
 }
 
+// While morphing, one shallow edge does not keep the interior from being there: the row beside it merges (epilogue_morph.cpp).
+GLARK_SHARED_FUNCTION int morphing_level(int d0, int d1, int d2) {
+  int least = lesser(d0, lesser(d1, d2));
+  int middle = greater(lesser(d0, d1), lesser(greater(d0, d1), d2));
+  return greater(least, lesser(middle, lifted_interior));
+}
+
 GLARK_SHARED_FUNCTION int skirt_of(int level, int d, int interior) {
   return interior == smooth_interior && d >= level + smooth_difference ? smooth_skirt_piece(level, d)
                                                                        : skirt_piece(level, d);
@@ -53,9 +60,10 @@ GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int 
   int most = greater(d0, greater(d1, d2));
   // The skirts cut the corners otherwise than a regular pattern: while morphing they are there for equal depths, too.
   bool regular = least == most && (interior != morphing_interior || least == 0);
-  bool skirted = !regular && (least >= shallowest_interior || lifts_interior(least, most, interior));
+  int inner = interior == morphing_interior ? morphing_level(d0, d1, d2) : least;
+  bool skirted = !regular && (inner >= shallowest_interior || lifts_interior(least, most, interior));
   bool centred = !regular && !skirted && interior == morphing_interior;
-  int level = greater(least, shallowest_interior);
+  int level = greater(inner, shallowest_interior);
   int short_edge = d0 == 0 ? 0 : d1 == 0 ? 1 : 2;  // of a fan
   int fan = short_edge == 0 ? fan_piece(d1, d2) : short_edge == 1 ? fan_piece(d2, d0) : fan_piece(d0, d1);
   bool fanned = !regular && !skirted && !centred;

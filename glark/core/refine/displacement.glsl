@@ -5,7 +5,21 @@
 // scaled and biased texel, and glark_texel_size().
 // Based on: J. F. Blinn, Simulation of wrinkled surfaces, SIGGRAPH 1978: the normal of P + D N, from the derivatives of P, D and N.
 //
-// Watertight: the displaced position follows from what the refined inputs are, which triangles share along edges.
+// Watertight: the displaced position follows from what the refined inputs are, which triangles share along edges. Where normals or texture
+// coordinates jump, they do not: there it follows from what welding has found for the border.
+
+bool glark_on_border(vec3 weights) { return weights.x == 0.0 || weights.y == 0.0 || weights.z == 0.0; }
+
+// `at0` to `at2`: the coordinates of the corners' places; `along0` to `along2`: those of the ends of each edge.
+vec2 glark_border_coordinate(vec3 weights, vec2 at0, vec2 at1, vec2 at2, vec4 along0, vec4 along1, vec4 along2) {
+  if (weights.x == 1.0) return at0;
+  if (weights.y == 1.0) return at1;
+  if (weights.z == 1.0) return at2;
+  vec4 along = weights.z == 0.0 ? along0 : (weights.x == 0.0 ? along1 : along2);
+  vec2 ends = weights.z == 0.0 ? weights.xy : (weights.x == 0.0 ? weights.yz : weights.zx);
+  glark_precise vec2 coordinate = ends.x * along.xy + ends.y * along.zw;
+  return coordinate;
+}
 
 vec3 glark_displaced_position(vec3 position, vec3 normal, vec2 coordinate) {
   glark_precise vec3 displaced = position + glark_texel(coordinate) * glark_pn_unit(normal);

@@ -47,6 +47,7 @@ struct EpiloguePlan {
   int provoking_corner = 2;
   int corner_words = 0;
   int control_offset = -1;  // of the welded control points in a corner; -1: from the corners' own normals
+  int border_offset = -1;   // of what displacement takes on edges and at corners; -1: what the triangle has
   int chunk_count = 0;
   std::vector<InputVariable> inputs;
   std::optional<InputVariable>
@@ -75,8 +76,8 @@ using TypeSet = std::set<std::string>;
 // epilogue_chunks.cpp: the record as expressions, and the statements that fill the inputs.
 std::string chunk_declarations(const EpiloguePlan& plan);
 std::string corner_expression(const EpiloguePlan& plan, const InputVariable& input, int element, int corner);
-// Three words of a corner as a vec3.
-std::string corner_vector(const EpiloguePlan& plan, int offset, int corner);
+// Words of a corner as a vector.
+std::string corner_vector(const EpiloguePlan& plan, int offset, int corner, int words = 3);
 std::string fill_from_corner(const EpiloguePlan& plan, int corner);
 std::string fill_by_interpolation(const EpiloguePlan& plan, TypeSet& mixed_types);
 // Definitions or prototypes of "T @mix(T, T, T)".

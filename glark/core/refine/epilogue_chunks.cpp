@@ -91,8 +91,8 @@ std::string corner_expression(const EpiloguePlan& plan, const InputVariable& inp
   return std::string(type.name) + "(" + columns + ")";
 }
 
-std::string corner_vector(const EpiloguePlan& plan, int offset, int corner) {
-  return words_expression(plan, corner * plan.corner_words + offset, 3);
+std::string corner_vector(const EpiloguePlan& plan, int offset, int corner, int words) {
+  return words_expression(plan, corner * plan.corner_words + offset, words);
 }
 
 std::string fill_from_corner(const EpiloguePlan& plan, int corner) {

@@ -19,6 +19,28 @@ std::string texel_functions(const GlslVersion& version) {
          "vec2 @texel_size() { return vec2(0.00390625); }\n#endif\n";
 }
 
+// One word list of each corner: what welding has left there.
+std::string of_corners(const EpiloguePlan& plan, int first, int words) {
+  std::string text;
+  for (int corner = 0; corner < 3; ++corner) {
+    text += ", " + corner_vector(plan, plan.border_offset + first, corner, words);
+  }
+  return text;
+}
+
+// The position `p` along the normal `n`; on the border of a welded triangle along that and by the height which all triangles there have.
+std::string move(const EpiloguePlan& plan, const std::string& p, const std::string& n, TypeSet& mixed_types) {
+  if (plan.border_offset < 0) return "  " + p + " = @displaced_position(" + p + ", " + n + ", @t);\n";
+  mixed_types.insert("vec3");
+  const std::string normals = of_corners(plan, 0, 3);
+  const std::string normal =
+      plan.curved() ? "@pn_normal(@weights, @c0.position.xyz, @c1.position.xyz, @c2.position.xyz" + normals + ")"
+                    : "@mix(" + normals.substr(2) + ")";
+  return "  if (@on_border(@weights)) " + p + " = @displaced_position(" + p + ", " + normal +
+         ", @border_coordinate(@weights" + of_corners(plan, 3, 2) + of_corners(plan, 5, 4) + "));\n" +  //
+         "  else " + p + " = @displaced_position(" + p + ", " + n + ", @t);\n";
+}
+
 }  // namespace
 
 std::string displacement_uniforms(const EpiloguePlan& plan) {
@@ -38,8 +60,7 @@ std::string displace(const EpiloguePlan& plan, TypeSet& mixed_types) {
   const std::string p = position.global + (position.type->rows == 4 ? ".xyz" : "");
   const std::string n = normal.global + (normal.type->rows == 4 ? ".xyz" : "");
   const std::string slopes = plan.curved() ? "@curved_slopes" : "@linear_slopes";
-  return text + "  vec2 @t = @mix(@t0, @t1, @t2);\n  " +                //
-         p + " = @displaced_position(" + p + ", " + n + ", @t);\n  " +  //
+  return text + "  vec2 @t = @mix(@t0, @t1, @t2);\n" + move(plan, p, n, mixed_types) + "  " +  //
          n + " = @displaced_normal(" + slopes + "(@weights, @c0, @c1, @c2), " + n + ", @t, @t1 - @t0, @t2 - @t0);\n";
 }
 

@@ -3,6 +3,7 @@
 //
 // Refined vertices that move between levels: docs/architecture.md, Geomorphing. Based on: H. Hoppe, Progressive Meshes, 1996,
 // section 3.2 (geomorphs), over the lattice of a pattern.
+#include "glark/core/pattern/pieces.glsl.h"
 #include "glark/core/refine/epilogue.h"
 
 namespace glark::refine {
@@ -16,6 +17,9 @@ vec3 @parent1;
 vec3 @parent2;
 bool @has_third_parent;
 float @fraction;
+float @least;
+float @inner;
+int @shallow_edge;
 bool @odd(float x) { return x - 2.0 * floor(0.5 * x) > 0.5; }
 vec2 @segments(float depth) {
   vec2 n = vec2(1.0);
@@ -42,27 +46,73 @@ void @place_in_centre(float depth) {
   @parent2 = vec3(0.0, 0.0, 1.0);
   @has_third_parent = @fraction < 1.0;
 }
+vec3 @turned(vec3 at, int edge) { return edge == 0 ? at : (edge == 1 ? at.yzx : at.zxy); }
+vec3 @turned_back(vec3 at, int edge) { return edge == 0 ? at : (edge == 1 ? at.zxy : at.yzx); }
+float @middle_of_group(float along, float size, float n) {
+  float first = size * floor(along / size);
+  return 0.5 * (max(first, 1.0) + min(first + (size - 1.0), n - 2.0));
+}
+float @merged(float along, float n, float depth) {
+  float size = n * @segments(depth).y;
+  if (size < 1.0) return along;
+  float fine = @middle_of_group(along, size, n);
+  if (depth == 0.0) return fine;
+  float coarse = @middle_of_group(along, 2.0 * size, n);
+  return coarse + (1.0 - (ceil(depth) - depth)) * (fine - coarse);
+}
+int @row_of(vec3 at) {
+  int row = @shallow_edge;
+  for (int i = 0; i < 2; ++i) {
+    if (@turned(at, row).z > 1.5) row = row == 2 ? 0 : row + 1;
+  }
+  return row;
+}
+vec3 @place_in_ring(vec3 at, vec2 n) {
+  int row = @row_of(at);
+  float merged = @merged(@turned(at, row).y, n.x, row == @shallow_edge ? @least : @inner);
+  return @turned_back(vec3((n.x - merged) - 1.0, merged, 1.0), row) * n.y;
+}
 vec3 @place_in_coarser_ring(vec3 at, vec2 n) {
   if (n.x < 5.0) return @centre;
-  float along = at.z < 1.5 ? at.y : (at.x < 1.5 ? at.z : at.x);
-  float coarse = clamp(2.0 * floor(0.5 * along), 2.0, n.x - 4.0);
-  vec3 place = vec3((n.x - coarse) - 2.0, coarse, 2.0);
-  return (at.z < 1.5 ? place : (at.x < 1.5 ? place.zxy : place.yzx)) * n.y;
+  int row = @row_of(at);
+  float half_n = 0.5 * n.x;
+  float along = clamp(floor(0.5 * @turned(at, row).y), 1.0, half_n - 2.0);
+  return @place_in_ring(@turned_back(vec3((half_n - along) - 1.0, along, 1.0), row), n * vec2(0.5, 2.0));
 }
-void @place_inside(float depth) {
-  if (depth <= 1.0) {
-    @place_in_centre(depth);
+vec3 @place_beside_ring(vec3 place, vec2 n) {
+  vec3 at = place * (0.5 * n.x);
+  if (min(min(at.x, at.y), at.z) > 1.25) return place;
+  vec3 coarse = @place_in_ring(at, n * vec2(0.5, 2.0));
+  return coarse + (1.0 - (ceil(@inner) - @inner)) * (place - coarse);
+}
+void @place_inside(vec3 depths) {
+  @least = min(min(depths.x, depths.y), depths.z);
+  float most = max(max(depths.x, depths.y), depths.z);
+  float middle = max(min(depths.x, depths.y), min(max(depths.x, depths.y), depths.z));
+  @inner = max(@least, min(middle, @lifted));
+  if (@inner <= 1.0) {
+    @place_in_centre(min(most, 1.0));
     return;
   }
-  vec2 n = @segments(depth);
+  @shallow_edge = depths.x == @least ? 0 : (depths.y == @least ? 1 : 2);
+  float share = 1.0 - (ceil(@inner) - @inner);
+  vec2 n = @segments(@inner);
   vec3 at = @weights * n.x;
-  if (min(min(at.x, at.y), at.z) < 1.5 && depth <= 6.0) {
+  if (min(min(at.x, at.y), at.z) < 1.5 && @inner <= 6.0) {
+    @weights = @place_in_ring(at, n);
+    if (share == 1.0) return;
     vec3 coarse = @place_in_coarser_ring(at, n);
-    @weights = coarse + (1.0 - (ceil(depth) - depth)) * (@weights - coarse);
-  } else if (!@odd(at.x)) {
-    if (@odd(at.y)) @between(vec3(0.0, n.y, -n.y), depth);
+    @weights = coarse + share * (@weights - coarse);
+    return;
+  }
+  if (@odd(at.x)) @between(@odd(at.y) ? vec3(n.y, -n.y, 0.0) : vec3(n.y, 0.0, -n.y), @inner);
+  else if (@odd(at.y)) @between(vec3(0.0, n.y, -n.y), @inner);
+  if (@least >= @lifted || share == 1.0) return;
+  if (@fraction < 1.0) {
+    @parent0 = @place_beside_ring(@parent0, n);
+    @parent1 = @place_beside_ring(@parent1, n);
   } else {
-    @between(@odd(at.y) ? vec3(n.y, -n.y, 0.0) : vec3(n.y, 0.0, -n.y), depth);
+    @weights = @place_beside_ring(@weights, n);
   }
 }
 void @place() {
@@ -80,7 +130,7 @@ void @place() {
   if (@weights.z == 0.0) @place_on_edge(vec3(-1.0, 1.0, 0.0), @weights.y, depths.x);
   else if (@weights.x == 0.0) @place_on_edge(vec3(0.0, -1.0, 1.0), @weights.z, depths.y);
   else if (@weights.y == 0.0) @place_on_edge(vec3(1.0, 0.0, -1.0), @weights.x, depths.z);
-  else @place_inside(min(min(depths.x, depths.y), depths.z));
+  else @place_inside(depths);
 }
 )";
 
@@ -97,7 +147,9 @@ std::string calls(const EpiloguePlan& plan, const std::string& function, const s
 
 }  // namespace
 
-std::string morph_place_function() { return place_text; }
+std::string morph_place_function() {
+  return "const float @lifted = " + std::to_string(pattern::lifted_interior) + ".0;\n" + place_text;
+}
 
 // At the parents first, so that what is not mixed keeps the values of the vertex itself.
 std::string run_between_parents(const EpiloguePlan& plan) {

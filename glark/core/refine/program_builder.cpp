@@ -94,6 +94,7 @@ std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
   kind += key.displaced ? "-displaced" : "";
   kind += key.tagged ? "-tagged" : "";
   kind += key.welded && is_curved(refinement) ? "-welded" : "";
+  kind += key.border ? "-border" : "";
   kind += key.placed ? "-placed" : "";
   kind += key.morphing ? "-morphing" : "";
   kind += key.flat_colors ? "-flat" : "";
@@ -275,7 +276,7 @@ bool ProgramBuilder::interpolates_outputs(const core::Program& program) const {
 }
 
 capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
-                                                  const std::vector<capture::Field>& fields,
+                                                  const std::vector<capture::Field>& fields, int coordinate_field,
                                                   const core::DerivedKey& key) const {
   capture::WeldedWords words;
   if (!capture::can_curve(fields)) {
@@ -286,13 +287,20 @@ capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
     const capture::Layout layout = capture::make_layout(fields, key.tagged, added);
     return layout.corner_words <= traits_.max_feedback_components && (layout.chunk_count() <= most || stored);
   };
-  const bool curved = key.welded && is_curved(key.refinement) && !interpolates_outputs(program);
-  words.controls = curved && fits({.controls = true}, can_store_records(program));
-  words.turns = key.turns && fits({words.controls, true}, false);  // measured depths take the storage binding
-  if (words.controls != curved || words.turns != key.turns) {
-    core::log(core::LogLevel::info, label(program) +
-                                        ": its vertex attributes leave no room for what welded edges need; where "
-                                        "normals differ at an edge, its triangles may part there");
+  const bool stored = can_store_records(program);
+  const bool refines = !interpolates_outputs(program) && key.refinement != core::Refinement::linear_outputs;
+  const bool curved = key.welded && is_curved(key.refinement) && refines;
+  const bool displaced = key.border && coordinate_field >= 0 && refines;
+  words.controls = curved && fits({.controls = true}, stored);
+  words.turns = key.turns && fits({words.controls, true}, stored);
+  if (displaced && fits({words.controls, words.turns, coordinate_field}, stored)) {
+    words.displaced_by = coordinate_field;
+  }
+  if (words.controls != curved || words.turns != key.turns || (displaced && words.displaced_by < 0)) {
+    core::log(core::LogLevel::info,
+              label(program) +
+                  ": its vertex attributes leave no room for what welded edges need; where "
+                  "normals or texture coordinates differ at an edge, its triangles may part there");
   }
   return words;
 }
@@ -311,7 +319,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   std::vector<capture::Field> fields = program.fields;
   add_shape_fields(fields, key, program.fixed_function, request);
   request.scalar_tags = traits_.scalar_tags;
-  const capture::WeldedWords welded = welded_words(program, fields, key);
+  const capture::WeldedWords welded = welded_words(program, fields, request.coordinate_field, key);
   request.layout = capture::make_layout(std::move(fields), key.tagged, welded);
   request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
   request.at_corner = key.at_corner;

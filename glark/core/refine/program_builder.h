@@ -55,7 +55,7 @@ class ProgramBuilder {
   bool interpolates_outputs(const core::Program& program) const;
   int most_chunks(bool placed) const;
   capture::WeldedWords welded_words(const core::Program& program, const std::vector<capture::Field>& fields,
-                                    const core::DerivedKey& key) const;
+                                    int coordinate_field, const core::DerivedKey& key) const;
   bool can_store_records(const core::Program& program) const;
   void read_fields(core::Program& program) const;
 

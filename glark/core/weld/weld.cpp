@@ -14,9 +14,10 @@ constexpr char weld_source[] =
 #include "glark/core/weld/weld.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {"record_offset",   "corner_words",   "triangle_bound", "count_on_gpu",
-                                         "position_offset", "position_words", "normal_offset",  "control_offset",
-                                         "turn_offset",     "tag_offset",     "slot_count",     "key_count"};
+constexpr const char* uniform_names[] = {"record_offset",   "corner_words",   "triangle_bound",    "count_on_gpu",
+                                         "position_offset", "position_words", "normal_offset",     "control_offset",
+                                         "turn_offset",     "border_offset",  "coordinate_offset", "tag_offset",
+                                         "slot_count",      "key_count"};
 constexpr std::uint32_t group_size = 64;
 constexpr std::uint32_t most_groups = 65535;      // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT
 constexpr std::uint32_t most_in_one_group = 128;  // triangles: one dispatch costs less than three
@@ -29,8 +30,9 @@ std::uint64_t slots_for(std::uint32_t triangles) { return 4 * std::max<std::uint
 
 std::uint64_t bytes_for(const capture::Layout& layout, std::uint64_t triangles) {
   const std::uint64_t slots = slots_for(static_cast<std::uint32_t>(triangles));
-  const std::uint64_t tables = (layout.joins_edges() ? 1 : 0) + (layout.tagged ? 1 : 0);
-  return 4 * (tables * (2 * slots + 3 * triangles) + (layout.turn_offset >= 0 ? slots : 0));
+  const std::uint64_t tables = (layout.joins_edges() ? 1 : 0) + (layout.tagged || layout.displaced() ? 1 : 0);
+  const std::uint64_t more = (layout.turn_offset >= 0 ? 1 : 0) + (layout.displaced() ? 5 : 0);
+  return 4 * (tables * (2 * slots + 3 * triangles) + more * slots);
 }
 
 }  // namespace
@@ -92,6 +94,8 @@ void WeldStage::dispatch(std::size_t pass, const WeldRequest& request, std::uint
                           capture::normal_offset(layout.fields),
                           request.edges ? layout.control_offset : -1,
                           request.edges ? layout.turn_offset : -1,
+                          request.edges ? layout.border_offset : -1,
+                          layout.coordinate_offset,
                           request.tags ? layout.tag_offset : -1,
                           static_cast<GLint>(slots_for(request.triangles.count)),
                           static_cast<GLint>(keys.size())};

@@ -6,7 +6,7 @@
 // supplies #version, GLARK_PASS, GLARK_GROUP (size of a work group) and GLARK_KEY_WORDS (most words of a key besides the position).
 //
 // Order-independent to the bit: a slot keeps the least and the greatest of its sides by content, which no order of insertion and no
-// duplicate changes, and the greatest tag.
+// duplicate changes, the greatest tag, and sums of whole numbers.
 // Based on: J. McDonald, M. Kilgard, Crack-Free Point-Normal Triangles Using Adjacent Edge Normals, 2010 (an edge is bent by the
 // normals of all its sides; the sides are found here by hashing, where they take an index buffer that is made beforehand; across an angle the edge
 // follows the line in which the tangent planes meet, where they take the mean of the control points).
@@ -18,7 +18,8 @@ layout(local_size_x = GLARK_GROUP) in;
 layout(std430, binding = 0) buffer Records { uint records[]; };
 // Slots of edges (2 words: least and greatest side; 0: empty), slots of vertices (2 words: a corner from 1, the bits of the greatest
 // tag), the edge slot of each half-edge, the vertex slot of each corner; those of edges and of vertices only where they are welded.
-// Then, for each slot of edges, the side that turns most, where that is asked for.
+// Then, for each slot of edges, the side that turns most, and for each slot of vertices 5 words of what displacement takes there (the corner,
+// from 1, with the least texture coordinate; 1 where the normals differ; their sum in fixed point), where either is asked for.
 layout(std430, binding = 1) coherent buffer Tables { uint tables[]; };
 layout(std430, binding = 2) readonly buffer Count { uint count_command[]; };
 
@@ -31,6 +32,8 @@ uniform int position_words;
 uniform int normal_offset;
 uniform int control_offset;  // in a corner; < 0: the edges have no control points
 uniform int turn_offset;     // in a corner; < 0: how much the sides turn does not count
+uniform int border_offset;   // in a corner; < 0: nothing is displaced
+uniform int coordinate_offset;
 uniform int tag_offset;      // in a corner; < 0: the tags are not welded
 uniform int slot_count;      // of either table
 uniform int key_count;
@@ -86,11 +89,13 @@ bool before(uvec4 a, uvec4 b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;
 }
 
-bool joins_edges() { return control_offset >= 0 || turn_offset >= 0; }
+bool joins_edges() { return control_offset >= 0 || turn_offset >= 0 || border_offset >= 0; }
+bool joins_vertices() { return tag_offset >= 0 || border_offset >= 0; }
 int vertex_table() { return joins_edges() ? 2 * slot_count : 0; }
-int edge_slots() { return vertex_table() + (tag_offset >= 0 ? 2 * slot_count : 0); }
+int edge_slots() { return vertex_table() + (joins_vertices() ? 2 * slot_count : 0); }
 int vertex_slots() { return edge_slots() + (joins_edges() ? 3 * triangle_bound : 0); }
-int turn_table() { return vertex_slots() + (tag_offset >= 0 ? 3 * triangle_bound : 0); }
+int turn_table() { return vertex_slots() + (joins_vertices() ? 3 * triangle_bound : 0); }
+int border_table() { return turn_table() + (turn_offset >= 0 ? slot_count : 0); }
 
 // A side of an edge is named by its half-edge, the number of the corner where it begins, and by whether that is the higher of its ends:
 // all sides have the lower end first.
@@ -132,6 +137,12 @@ bool is_edge_of(Edge edge, uint side) {
          same_key(low, end_of_side(edge.side, false));
 }
 
+uvec2 coordinate_of(int corner) { return uvec2(word_of(corner, coordinate_offset), word_of(corner, coordinate_offset + 1)); }
+
+uvec4 coordinates_of(uint side) {
+  return border_offset < 0 ? uvec4(0u) : uvec4(coordinate_of(end_of_side(side, false)), coordinate_of(end_of_side(side, true)));
+}
+
 // -1: the edge's own side comes before the other, 1: behind it.
 int order_of(Edge edge, uint other) {
   uvec4 low = plane_of(end_of_side(other, false));
@@ -139,7 +150,12 @@ int order_of(Edge edge, uint other) {
   if (low != edge.low_plane) {
     return before(edge.low_plane, low) ? -1 : 1;
   }
-  return high == edge.high_plane ? 0 : before(edge.high_plane, high) ? -1 : 1;
+  if (high != edge.high_plane) {
+    return before(edge.high_plane, high) ? -1 : 1;
+  }
+  uvec4 own = coordinates_of(edge.side);
+  uvec4 others = coordinates_of(other);
+  return own == others ? 0 : before(own, others) ? -1 : 1;
 }
 
 // Puts the side in the place of another that comes behind it (direction -1) or before it (1).
@@ -151,6 +167,10 @@ void rank_side(int word, Edge edge, uint now, int direction) {
     }
     now = seen;
   }
+}
+
+uvec3 normal_words(int corner) {
+  return uvec3(word_of(corner, normal_offset), word_of(corner, normal_offset + 1), word_of(corner, normal_offset + 2));
 }
 
 vec3 normal_of(int corner) {
@@ -251,10 +271,16 @@ void insert_vertex(int corner) {
       break;
     }
   }
-  float tag = uintBitsToFloat(word_of(corner, tag_offset));
-  atomicMax(tables[vertex_table() + 2 * slot + 1], tag > 0.0 ? floatBitsToUint(tag) : 0u);
+  if (tag_offset >= 0) {
+    float tag = uintBitsToFloat(word_of(corner, tag_offset));
+    atomicMax(tables[vertex_table() + 2 * slot + 1], tag > 0.0 ? floatBitsToUint(tag) : 0u);
+  }
   tables[vertex_slots() + corner] = uint(slot);
 }
+
+int slot_of_place(int corner) { return int(tables[vertex_slots() + corner]); }
+
+#include "glark/core/weld/border.glsl"
 
 vec3 unit_of(uvec4 plane) { return glark_pn_unit(uintBitsToFloat(plane.xyz)); }
 
@@ -321,9 +347,8 @@ void write_edge(int half_edge) {
   }
 }
 
-void write_vertex(int corner) {
-  int slot = int(tables[vertex_slots() + corner]);
-  records[record_offset + corner * corner_words + tag_offset] = tables[vertex_table() + 2 * slot + 1];
+void write_tag(int corner) {
+  records[record_offset + corner * corner_words + tag_offset] = tables[vertex_table() + 2 * slot_of_place(corner) + 1];
 }
 
 void clear(int slot) {
@@ -334,9 +359,12 @@ void clear(int slot) {
   if (turn_offset >= 0) {
     tables[turn_table() + slot] = 0u;
   }
-  if (tag_offset >= 0) {
+  if (joins_vertices()) {
     tables[vertex_table() + 2 * slot] = 0u;
     tables[vertex_table() + 2 * slot + 1] = 0u;
+  }
+  for (int i = 0; border_offset >= 0 && i < 5; ++i) {
+    tables[border_table() + 5 * slot + i] = 0u;
   }
 }
 
@@ -344,8 +372,11 @@ void insert(int corner) {
   if (joins_edges()) {
     insert_edge(corner);
   }
-  if (tag_offset >= 0) {
+  if (joins_vertices()) {
     insert_vertex(corner);
+  }
+  if (border_offset >= 0) {
+    insert_border(corner);
   }
 }
 
@@ -356,8 +387,11 @@ void write(int corner) {
   if (turn_offset >= 0) {
     write_turn(corner);
   }
+  if (border_offset >= 0) {
+    write_border(corner);
+  }
   if (tag_offset >= 0) {
-    write_vertex(corner);
+    write_tag(corner);
   }
 }
 

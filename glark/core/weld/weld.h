@@ -6,6 +6,8 @@
 // - Edges: the control points of curved PN triangles, from the normals of all sides (weld.glsl), at Layout::control_offset.
 //   Where normals are measured, which of the sides turns most, at Layout::turn_offset.
 // - Vertices: the greatest of the depth tags that meet in a position.
+// - For displacement, the texture coordinates of one of an edge's sides, and a normal and a texture coordinate of each position, at
+//   Layout::border_offset.
 #pragma once
 
 #include <array>
@@ -45,7 +47,7 @@ class WeldStage {
   void release();
 
  private:
-  static constexpr std::size_t uniform_count = 12;
+  static constexpr std::size_t uniform_count = 14;
   struct Pass {
     GLuint program = 0;
     std::array<GLint, uniform_count> uniform{};

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/surfel/bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glark::surfel {
+namespace {
+
+constexpr float no_cone = 2;
+constexpr float slack = 1e-3F;  // radians: cones stay around what they hold in spite of rounding
+
+Vector normal_of(const Layer& layer, const StripTriangle& triangle) {
+  const Vector a = layer.surfel(triangle[0]).position;
+  return unit(cross(layer.surfel(triangle[1]).position - a, layer.surfel(triangle[2]).position - a));
+}
+
+float angle_between(Vector a, Vector b) { return std::acos(std::clamp(dot(a, b), -1.0F, 1.0F)); }
+
+// Both cones within one about the mean of their axes.
+void join_cones(const Node& a, const Node& b, Node& node) {
+  node.cone_sine = no_cone;
+  const Vector first = to_vector(a.cone_axis), second = to_vector(b.cone_axis);
+  const Vector axis = unit(first + second);
+  node.cone_axis = to_array(axis);
+  if (a.cone_sine >= 1 || b.cone_sine >= 1 || axis == Vector{}) return;
+  const float half_angle = slack + std::max(std::asin(a.cone_sine) + angle_between(axis, first),
+                                            std::asin(b.cone_sine) + angle_between(axis, second));
+  constexpr float right_angle = 1.5707F;
+  if (half_angle < right_angle) node.cone_sine = std::sin(half_angle);
+}
+
+bool draws_nothing(const Node& node) { return node.low[0] > node.high[0]; }
+
+void describe_leaf(const Layer& layer, const LayerOptions& options, std::uint32_t leaf, Node& node) {
+  const Patch& patch = layer.patches[leaf];
+  node.low = to_array(patch.box.empty() ? patch.box.low : patch.box.low * options.unit);
+  node.high = to_array(patch.box.empty() ? patch.box.high : patch.box.high * options.unit);
+  node.cone_axis = to_array(patch.cone_axis);
+  const float half_angle = std::acos(std::clamp(patch.cone_cosine, -1.0F, 1.0F)) + slack;
+  node.cone_sine = options.oriented && patch.cone_cosine > 2 * slack ? std::sin(half_angle) : no_cone;
+  node.first = patch.strip.first;
+  node.count = patch.strip.count;
+}
+
+void describe_inner(const Node& left, const Node& right, Node& node) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    node.low[k] = std::min(left.low[k], right.low[k]);
+    node.high[k] = std::max(left.high[k], right.high[k]);
+  }
+  if (draws_nothing(left) || draws_nothing(right)) {
+    const Node& one = draws_nothing(left) ? right : left;
+    node.cone_axis = one.cone_axis;
+    node.cone_sine = one.cone_sine;
+  } else {
+    join_cones(left, right, node);
+  }
+}
+
+}  // namespace
+
+void bound(const Layer& layer, std::span<const StripTriangle> triangles, Patch& patch) {
+  patch.box = {};
+  Vector sum;
+  for (const StripTriangle& triangle : triangles) {
+    for (const std::uint32_t corner : triangle) patch.box.add(layer.surfel(corner).position);
+    sum = sum + normal_of(layer, triangle);
+  }
+  patch.cone_axis = unit(sum);
+  patch.cone_cosine = 1;
+  for (const StripTriangle& triangle : triangles) {
+    const Vector normal = normal_of(layer, triangle);
+    if (!(normal == Vector{})) patch.cone_cosine = std::min(patch.cone_cosine, dot(normal, patch.cone_axis));
+  }
+}
+
+void describe(Layer& layer, std::uint32_t number, const LayerOptions& options) {
+  const TreeNode& tree_node = layer.tree.nodes[number];
+  Node node{};
+  node.left = tree_node.left;
+  node.right = tree_node.right;
+  node.representative = tree_node.representative == none ? none : layer.name(tree_node.representative);
+  if (tree_node.leaf != none) {
+    describe_leaf(layer, options, tree_node.leaf, node);
+  } else {
+    describe_inner(layer.nodes[node.left], layer.nodes[node.right], node);
+  }
+  layer.nodes[number] = node;
+}
+
+}  // namespace glark::surfel

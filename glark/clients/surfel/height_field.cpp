@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/surfel/height_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace glark::surfel {
+namespace {
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+// One of Jacobi's rotations, in the plane of axes p and q.
+void rotate(Matrix& a, Matrix& vectors, std::size_t p, std::size_t q) {
+  if (a[p][q] == 0) return;
+  const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
+  const double tangent = std::copysign(1 / (std::fabs(theta) + std::sqrt(theta * theta + 1)), theta);
+  const double cosine = 1 / std::sqrt(tangent * tangent + 1);
+  const double sine = tangent * cosine;
+  const std::size_t r = 3 - p - q;
+  const double app = a[p][p];
+  const double aqq = a[q][q];
+  const double apq = a[p][q];
+  const double apr = a[p][r];
+  const double aqr = a[q][r];
+  a[p][p] = app - tangent * apq;
+  a[q][q] = aqq + tangent * apq;
+  a[p][q] = a[q][p] = 0;
+  a[p][r] = a[r][p] = cosine * apr - sine * aqr;
+  a[q][r] = a[r][q] = sine * apr + cosine * aqr;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double vp = vectors[k][p];
+    const double vq = vectors[k][q];
+    vectors[k][p] = cosine * vp - sine * vq;
+    vectors[k][q] = sine * vp + cosine * vq;
+  }
+}
+
+// The eigenvector of the least eigenvalue of the positions' covariance, with its largest coordinate positive.
+Vector least_direction(std::span<const Surfel> surfels, Vector centre) {
+  Matrix a{};
+  for (const Surfel& surfel : surfels) {
+    const Vector d = surfel.position - centre;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) a[i][j] += double{d[i]} * double{d[j]};
+    }
+  }
+  Matrix vectors{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  constexpr int sweeps = 8;  // each squares what is off the diagonal
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    rotate(a, vectors, 0, 1);
+    rotate(a, vectors, 0, 2);
+    rotate(a, vectors, 1, 2);
+  }
+  const std::size_t best = a[2][2] <= a[0][0] && a[2][2] <= a[1][1] ? 2 : a[1][1] <= a[0][0] ? 1 : 0;
+  const Vector normal = unit({static_cast<float>(vectors[0][best]), static_cast<float>(vectors[1][best]),
+                              static_cast<float>(vectors[2][best])});
+  const float largest = std::max({normal.x, normal.y, normal.z});
+  return -std::min({normal.x, normal.y, normal.z}) > largest ? normal * -1 : normal;
+}
+
+}  // namespace
+
+Plane fit_plane(std::span<const Surfel> surfels) {
+  std::array<double, 3> sum{};
+  Vector normal;
+  for (const Surfel& surfel : surfels) {
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += double{surfel.position[k]};
+    normal = normal + surfel.normal;
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(surfels.size(), 1));
+  Plane plane;
+  plane.centre = {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count),
+                  static_cast<float>(sum[2] / count)};
+  constexpr float opposed = 1e-3F;  // a mean so short is the rounding of normals that cancel
+  plane.normal = length(normal) > opposed ? unit(normal) : least_direction(surfels, plane.centre);
+  if (plane.normal == Vector{}) plane.normal = {0, 0, 1};
+  return plane;
+}
+
+Shape shape_of(std::span<const Surfel> surfels, const Plane& plane, const TreeOptions& options) {
+  float radius = 0;
+  float height = 0;
+  bool folded = false;
+  for (const Surfel& surfel : surfels) {
+    const Vector d = surfel.position - plane.centre;
+    radius = std::max(radius, dot(d, d));
+    height = std::max(height, std::fabs(dot(d, plane.normal)));
+    folded = folded || (!(surfel.normal == Vector{}) && dot(surfel.normal, plane.normal) < options.delta_a);
+  }
+  if (folded) return Shape::folded;
+  return height > options.delta_d * std::sqrt(radius) ? Shape::thick : Shape::height_field;
+}
+
+std::size_t split_by_normals(std::span<Surfel> surfels, const Plane& plane) {
+  const auto farthest_from = [&](Vector normal) {
+    Vector farthest = normal;
+    float cosine = 2;
+    for (const Surfel& surfel : surfels) {
+      if (surfel.normal == Vector{} || !(dot(surfel.normal, normal) < cosine)) continue;
+      cosine = dot(surfel.normal, normal);
+      farthest = surfel.normal;
+    }
+    return farthest;
+  };
+  const Vector first = farthest_from(plane.normal);
+  const Vector second = farthest_from(first);
+  const Vector between = first - second;
+  const auto border = std::stable_partition(surfels.begin(), surfels.end(),
+                                            [&](const Surfel& surfel) { return dot(surfel.normal, between) > 0; });
+  return static_cast<std::size_t>(border - surfels.begin());
+}
+
+}  // namespace glark::surfel

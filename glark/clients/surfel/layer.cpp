@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/surfel/layer.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "glark/clients/surfel/bounds.h"
+#include "glark/clients/surfel/decimation.h"
+
+namespace glark::surfel {
+namespace {
+
+constexpr std::size_t leaves_a_piece = 64;
+
+// What a worker makes of a run of leaves, one after the other.
+template <typename Item>
+struct Piece {
+  std::vector<Item> items;
+  std::vector<std::uint32_t> counts;
+};
+
+// Room for `count` items: where they were if they fit there, at the end otherwise.
+template <typename Item>
+void make_room(Slot& slot, std::size_t count, std::vector<Item>& array) {
+  slot.count = static_cast<std::uint32_t>(count);
+  if (count <= slot.capacity) return;
+  slot.first = static_cast<std::uint32_t>(array.size());
+  slot.capacity = slot.count;
+  array.resize(array.size() + count);
+}
+
+// Runs make(leaf, piece) for all leaves, and puts what it appends to the pieces into the leaves' slots.
+template <typename Item, typename SlotOf, typename MakeRun>
+void fill_slots(std::span<const std::uint32_t> leaves, const Workers& workers, std::vector<Item>& array,
+                const SlotOf& slot_of, const MakeRun& make_run) {
+  std::vector<Piece<Item>> pieces((leaves.size() + leaves_a_piece - 1) / leaves_a_piece);
+  workers.each(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+    make_run(leaves.subspan(begin, end - begin), pieces[begin / leaves_a_piece]);
+  });
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    make_room(slot_of(leaves[i]), pieces[i / leaves_a_piece].counts[i % leaves_a_piece], array);
+  }
+  workers.each(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+    auto from = pieces[begin / leaves_a_piece].items.begin();
+    for (std::size_t i = begin; i < end; ++i) {
+      const Slot& slot = slot_of(leaves[i]);
+      std::copy_n(from, slot.count, array.begin() + slot.first);
+      from += slot.count;
+    }
+  });
+}
+
+// Of a few points, the one nearest to their mean, whose number is kept; of many, those of either half.
+void keep_middles(std::span<Surfel> surfels, std::vector<Surfel>& kept) {
+  constexpr std::size_t few = 5;
+  if (surfels.size() > few) {
+    Box box;
+    for (const Surfel& surfel : surfels) box.add(surfel.position);
+    const std::size_t axis = box.widest_axis();
+    const std::size_t half = surfels.size() / 2;
+    std::nth_element(surfels.begin(), surfels.begin() + static_cast<std::ptrdiff_t>(half), surfels.end(),
+                     [axis](const Surfel& a, const Surfel& b) {
+                       return std::pair(a.position[axis], a.index) < std::pair(b.position[axis], b.index);
+                     });
+    keep_middles(surfels.first(half), kept);
+    keep_middles(surfels.subspan(half), kept);
+    return;
+  }
+  Vector mean;
+  for (const Surfel& surfel : surfels) mean = mean + surfel.position * (1 / static_cast<float>(surfels.size()));
+  const auto away = [&](const Surfel& surfel) { return std::pair(length(surfel.position - mean), surfel.index); };
+  kept.push_back(*std::min_element(surfels.begin(), surfels.end(),
+                                   [&](const Surfel& a, const Surfel& b) { return away(a) < away(b); }));
+}
+
+}  // namespace
+
+void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers) {
+  fill_slots(
+      leaves, workers, layer.candidates, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].candidates; },
+      [&](std::span<const std::uint32_t> run, Piece<Candidate>& piece) {
+        Patcher patcher(layer.tree);
+        for (const std::uint32_t leaf : run) {
+          patcher.make(leaf);
+          piece.items.insert(piece.items.end(), patcher.candidates.begin(), patcher.candidates.end());
+          piece.counts.push_back(static_cast<std::uint32_t>(patcher.candidates.size()));
+          layer.patches[leaf].outer = patcher.outer;
+          std::span<Surfel> surfels = layer.tree.used(layer.tree.leaves[leaf]);
+          for (std::size_t i = 0; i < surfels.size(); ++i) surfels[i].spacing = patcher.spacings[i];
+        }
+      });
+}
+
+void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                 const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
+  fill_slots(
+      leaves, workers, indices, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].strip; },
+      [&](std::span<const std::uint32_t> run, Piece<std::uint32_t>& piece) {
+        std::vector<StripTriangle> triangles;
+        Stripper stripper;
+        for (const std::uint32_t leaf : run) {
+          decimate(layer, leaf, options, layer.patches[leaf], triangles);
+          bound(layer, triangles, layer.patches[leaf]);
+          const auto strip = stripper.strip(triangles);
+          for (const std::uint32_t point : strip) piece.items.push_back(layer.name(point));
+          piece.counts.push_back(static_cast<std::uint32_t>(strip.size()));
+        }
+      });
+  for (const std::uint32_t leaf : leaves) {
+    const Slot& slot = layer.patches[leaf].strip;
+    if (slot.count > 0) changed.push_back({slot.first, slot.count});
+  }
+}
+
+Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names, const LayerOptions& options,
+                  const Workers& workers, std::vector<std::uint32_t>& indices) {
+  Layer layer;
+  layer.names = std::move(names);
+  const std::size_t count = surfels.size();
+  layer.tree = build_tree(std::move(surfels), options.tree, workers);
+  layer.owner.resize(count);
+  layer.place.resize(count);
+  layer.patches.resize(layer.tree.leaves.size());
+  std::vector<std::uint32_t> leaves(layer.tree.leaves.size());
+  std::iota(leaves.begin(), leaves.end(), 0U);
+  workers.each(leaves.size(), 4 * leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t leaf = begin; leaf < end; ++leaf) layer.find_owners(static_cast<std::uint32_t>(leaf));
+  });
+  make_candidates(layer, leaves, workers);
+  std::vector<Range> changed;
+  make_strips(layer, leaves, options, workers, indices, changed);
+  layer.nodes.resize(layer.tree.nodes.size());
+  for (auto node = static_cast<std::uint32_t>(layer.nodes.size()); node-- > 0;) describe(layer, node, options);
+  return layer;
+}
+
+std::vector<Surfel> coarser(const Layer& layer, std::vector<std::uint32_t>& names) {
+  std::vector<Surfel> kept;
+  std::vector<Surfel> own;
+  for (const Leaf& leaf : layer.tree.leaves) {
+    const auto used = layer.tree.used(leaf);
+    if (used.empty()) continue;
+    own.assign(used.begin(), used.end());
+    keep_middles(own, kept);
+  }
+  std::sort(kept.begin(), kept.end(), [](const Surfel& a, const Surfel& b) { return a.index < b.index; });
+  names.clear();
+  for (Surfel& surfel : kept) {
+    names.push_back(layer.name(surfel.index));
+    surfel.index = static_cast<std::uint32_t>(names.size() - 1);
+  }
+  return kept;
+}
+
+}  // namespace glark::surfel

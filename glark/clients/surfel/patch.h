@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The triangulation of a leaf, inflated by points of its neighbours.
+// Based on: Boubekeur 2007, ch. 5.2.1 and 5.2.2.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "glark/clients/surfel/delaunay.h"
+#include "glark/clients/surfel/stripping_tree.h"
+
+namespace glark::surfel {
+
+using Corners = std::array<std::uint32_t, 3>;  // points, ascending
+
+// A triangle with a point of its leaf, which may be drawn.
+struct Candidate {
+  Corners corners;
+  Corners across;  // the point beyond the edge opposite to each corner, or `none`
+  bool reversed;   // the corners are clockwise seen from outside
+};
+
+// Makes patches, one after the other, in memory that it keeps.
+class Patcher {
+ public:
+  explicit Patcher(const StrippingTree& tree) : tree_(tree) {}
+
+  // Afterwards the members below are of this leaf.
+  void make(std::uint32_t leaf);
+
+  std::vector<Candidate> candidates;  // ascending by corners
+  std::vector<float> spacings;        // of the leaf's used points
+  std::size_t outer = 0;              // triangles without any of these
+
+  // Leaves of which points are taken in, or that take in points of this one.
+  static void neighbours(const StrippingTree& tree, std::uint32_t leaf, std::vector<std::uint32_t>& found);
+
+ private:
+  struct Member {
+    Vector position;
+    std::uint32_t index;
+    Vector normal;
+  };
+
+  void inflate(std::uint32_t leaf);
+  void project(const Leaf& leaf);
+  void relax();
+  bool prefers_other_diagonal(std::uint32_t triangle, std::uint32_t side) const;
+  void collect();
+  void measure_spacings();
+
+  const StrippingTree& tree_;
+  std::size_t own_ = 0;
+  std::vector<std::uint32_t> neighbours_;
+  std::vector<Member> members_;  // the leaf's own first
+  std::vector<std::array<float, 2>> plane_;
+  std::vector<Delaunay::Point> points_;
+  std::vector<std::array<float, 3>> shortest_;
+  Delaunay delaunay_;
+};
+
+}  // namespace glark::surfel

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace glark::surfel {
+
+struct Vector {
+  float x = 0, y = 0, z = 0;
+
+  float operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+};
+
+inline Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vector operator*(Vector a, float s) { return {a.x * s, a.y * s, a.z * s}; }
+inline bool operator==(Vector a, Vector b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+inline float dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vector cross(Vector a, Vector b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline float length(Vector a) { return std::sqrt(dot(a, a)); }
+inline Vector least(Vector a, Vector b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
+inline Vector greatest(Vector a, Vector b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+inline std::array<float, 3> to_array(Vector a) { return {a.x, a.y, a.z}; }
+inline Vector to_vector(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
+
+// Zero stays zero, without overflow or underflow of the squares.
+inline Vector unit(Vector a) {
+  const float size = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+  if (!(size > 0)) return {};
+  const Vector scaled = {a.x / size, a.y / size, a.z / size};
+  return scaled * (1 / length(scaled));
+}
+
+// Of unit length, perpendicular to a vector of unit length.
+inline Vector perpendicular(Vector normal) {
+  const Vector along = std::fabs(normal.x) < 0.6F ? Vector{1, 0, 0} : Vector{0, 1, 0};
+  return unit(cross(normal, along));
+}
+
+struct Box {
+  static constexpr float far = std::numeric_limits<float>::max();
+  Vector low{far, far, far};
+  Vector high{-far, -far, -far};
+
+  bool empty() const { return low.x > high.x; }
+  Vector extent() const { return empty() ? Vector{} : high - low; }
+  Vector centre() const { return empty() ? Vector{} : low + (high - low) * 0.5F; }
+  void add(Vector point) {
+    low = least(low, point);
+    high = greatest(high, point);
+  }
+  void add(const Box& other) {
+    low = least(low, other.low);
+    high = greatest(high, other.high);
+  }
+  std::size_t widest_axis() const {
+    const Vector size = extent();
+    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  }
+};
+
+inline float squared_distance(const Box& box, Vector point) {
+  const Vector outside = greatest(greatest(box.low - point, point - box.high), Vector{});
+  return dot(outside, outside);
+}
+inline float squared_distance(const Box& a, const Box& b) {
+  const Vector apart = greatest(greatest(a.low - b.high, b.low - a.high), Vector{});
+  return dot(apart, apart);
+}
+
+}  // namespace glark::surfel

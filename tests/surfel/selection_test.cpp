@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tests/surfel/clouds.h"
+
+namespace glark::surfel::test {
+namespace {
+
+using Matrix = std::array<float, 16>;
+
+// Looks along -z from (x, y, z).
+Matrix perspective(float x, float y, float z, float slope = 0.5F) {
+  const float near = 0.01F, far = 100;
+  const float a = -(far + near) / (far - near), b = -2 * far * near / (far - near);
+  return {1 / slope, 0, 0, 0, 0, 1 / slope, 0, 0, 0, 0, a, -1, -x / slope, -y / slope, -z * a + b, z};
+}
+
+Matrix parallel(float half_width) {
+  return {1 / half_width, 0, 0, 0, 0, 1 / half_width, 0, 0, 0, 0, -0.01F, 0, 0, 0, 0, 1};
+}
+
+std::array<float, 4> clip(const Matrix& m, const float* p) {
+  std::array<float, 4> at{};
+  for (std::size_t r = 0; r < 4; ++r) at[r] = m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r];
+  return at;
+}
+
+// Whether a triangle could be seen: not wholly beyond a plane, and counter-clockwise on the screen.
+bool can_be_seen(const Points& points, const Matrix& matrix, const Triangle& triangle) {
+  std::array<std::array<float, 4>, 3> p{};
+  for (std::size_t k = 0; k < 3; ++k) p[k] = clip(matrix, &points.positions[3 * triangle[k]]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (std::all_of(p.begin(), p.end(), [&](const auto& c) { return c[axis] > c[3]; })) return false;
+    if (std::all_of(p.begin(), p.end(), [&](const auto& c) { return c[axis] < -c[3]; })) return false;
+  }
+  const double determinant = double{p[0][0]} * (double{p[1][1]} * p[2][3] - double{p[1][3]} * p[2][1]) -
+                             double{p[0][1]} * (double{p[1][0]} * p[2][3] - double{p[1][3]} * p[2][0]) +
+                             double{p[0][3]} * (double{p[1][0]} * p[2][1] - double{p[1][1]} * p[2][0]);
+  return determinant > 0;
+}
+
+// No triangle that could be seen is left out.
+void expect_complete(const Points& points, const Strips& strips, const Matrix& matrix) {
+  Frame frame;
+  strips.select({.clip_from_object = matrix, .width = 100, .height = 100, .point_pixels = 0}, frame);
+  std::set<std::size_t> drawn;
+  for (const void* offset : frame.offsets) drawn.insert(reinterpret_cast<std::uintptr_t>(offset) / 4);
+  std::size_t leaf = 0;
+  const auto all = patches(strips);
+  for (const Node& node : strips.nodes()) {
+    if (node.left != none || node.count == 0) continue;
+    for (const Triangle& triangle : all[leaf]) {
+      ASSERT_TRUE(drawn.contains(node.first) || !can_be_seen(points, matrix, triangle)) << "patch " << leaf;
+    }
+    ++leaf;
+  }
+}
+
+TEST(Selection, LeavesNothingOutThatIsSeen) {
+  const Points points = torus(20000);
+  const Strips strips(points.cloud());
+  for (const float z : {0.2F, 1.0F, 3.0F, 20.0F}) {
+    expect_complete(points, strips, perspective(0.3F, 0, z));
+    expect_complete(points, strips, perspective(1, 0.2F, z, 2));
+  }
+  expect_complete(points, strips, parallel(0.5F));
+  expect_complete(points, strips, parallel(3));
+}
+
+TEST(Selection, LeavesOutHalfOfASphere) {
+  const Strips strips(sphere(50000).cloud());
+  Frame frame;
+  View view{.clip_from_object = parallel(2), .width = 2000, .height = 2000};
+  strips.select(view, frame);
+  EXPECT_GT(frame.back_faces, 0U);
+  EXPECT_LT(frame.indices, strips.indices().size() * 60 / 100);
+  EXPECT_GT(frame.indices, strips.indices().size() * 45 / 100);
+  view.cull_back_faces = false;
+  strips.select(view, frame);
+  EXPECT_EQ(frame.indices, strips.indices().size());
+}
+
+TEST(Selection, LeavesOutWhatIsBesideTheView) {
+  const Strips strips(sphere(50000).cloud());
+  Frame frame;
+  View view{.clip_from_object = perspective(0, 0, 1.2F, 0.2F), .width = 500, .height = 500};
+  strips.select(view, frame);
+  EXPECT_GT(frame.out_of_frustum, 0U);
+  EXPECT_LT(frame.indices, strips.indices().size() / 20);
+  EXPECT_LT(frame.visited, strips.nodes().size() / 10) << "whole subtrees are left out";
+  view.cull_frustum = false;
+  view.cull_back_faces = false;
+  strips.select(view, frame);
+  EXPECT_EQ(frame.indices, strips.indices().size());
+}
+
+TEST(Selection, WhatIsFarIsPoints) {
+  const Points points = sphere(50000);
+  const Strips strips(points.cloud());
+  Frame frame;
+  strips.select({.clip_from_object = perspective(0, 0, 90), .width = 100, .height = 100}, frame);
+  EXPECT_EQ(frame.strips, 0U);
+  EXPECT_GT(frame.points.size(), 0U);
+  EXPECT_LT(frame.points.size(), 100U);
+  for (const std::uint32_t point : frame.points) EXPECT_LT(point, points.size());
+  strips.select({.clip_from_object = perspective(0, 0, 3), .width = 1000, .height = 1000}, frame);
+  EXPECT_TRUE(frame.points.empty());
+}
+
+TEST(Selection, WhatIsFarIsOfACoarserLevel) {
+  const Strips strips(sphere(50000).cloud(), {.levels = 4});
+  Frame frame;
+  unsigned before = 0;
+  for (const float z : {1.5F, 6.0F, 30.0F, 95.0F}) {
+    strips.select({.clip_from_object = perspective(0, 0, z), .width = 500, .height = 500, .point_pixels = 0}, frame);
+    EXPECT_GE(frame.level, before);
+    before = frame.level;
+    EXPECT_GT(frame.strips, 0U);
+  }
+  EXPECT_EQ(before, 3U);
+  strips.select(
+      {.clip_from_object = perspective(0, 0, 95), .width = 500, .height = 500, .point_pixels = 0, .level_pixels = 0},
+      frame);
+  EXPECT_EQ(frame.level, 0U);
+}
+
+}  // namespace
+}  // namespace glark::surfel::test

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tests/surfel/clouds.h"
+
+namespace glark::surfel::test {
+namespace {
+
+double area_facing_up(const Points& points, const std::vector<Triangle>& all) {
+  double sum = 0;
+  for (const auto& [a, b, c] : all) {
+    const auto x = [&](std::uint32_t i) { return double{points.positions[3 * i]}; };
+    const auto y = [&](std::uint32_t i) { return double{points.positions[3 * i + 1]}; };
+    sum += 0.5 * ((x(b) - x(a)) * (y(c) - y(a)) - (y(b) - y(a)) * (x(c) - x(a)));
+  }
+  return sum;
+}
+
+TEST(Strips, ASphereIsClosed) {
+  const Points points = sphere(20000);
+  const Strips strips(points.cloud());
+  const Edges edges = count_edges(strips);
+  EXPECT_GT(edges.border_matched, 1000U);
+  EXPECT_LT(static_cast<double>(edges.border_other), 0.005 * static_cast<double>(edges.border_matched));
+  EXPECT_NEAR(static_cast<double>(triangles(strips).size()), 2.0 * 20000 - 4, 40);
+}
+
+TEST(Strips, ATorusOfRandomPointsMatchesAtItsBorders) {
+  const Points points = torus(20000);
+  const Edges edges = count_edges(Strips(points.cloud()));
+  EXPECT_LT(static_cast<double>(edges.border_other), 0.2 * static_cast<double>(edges.border_matched));
+}
+
+// Squares of a grid have two diagonals that are equally good: leaves have to choose the same.
+TEST(Strips, AGridIsCoveredOnce) {
+  const Points points = plane(100, 0);
+  const Strips strips(points.cloud());
+  EXPECT_EQ(triangles(strips).size(), 2U * 99 * 99);
+  EXPECT_NEAR(area_facing_up(points, triangles(strips)), 1, 1e-4);
+  const Edges edges = count_edges(strips);
+  EXPECT_EQ(edges.single, 4U * 99);
+  EXPECT_EQ(edges.other, 0U);
+}
+
+TEST(Strips, ANoisyPlaneIsCovered) {
+  const Points points = plane(100, 0.004F);
+  const Strips strips(points.cloud());
+  EXPECT_NEAR(area_facing_up(points, triangles(strips)), 1, 0.03);
+  EXPECT_LT(count_edges(strips).other, 60U);
+}
+
+TEST(Strips, TwoLayersStayApart) {
+  const Points points = two_layers(60, 0.004F);  // a quarter of the points' distance
+  const Strips strips(points.cloud());
+  std::size_t across = 0;
+  for (const Triangle& triangle : triangles(strips)) {
+    const auto above = [](std::uint32_t i) { return i < 3600; };
+    across += above(triangle[0]) != above(triangle[1]) || above(triangle[1]) != above(triangle[2]) ? 1 : 0;
+  }
+  EXPECT_EQ(across, 0U);
+  EXPECT_NEAR(static_cast<double>(triangles(strips).size()), 4.0 * 59 * 59, 50);
+}
+
+// No leaf sees both sides of all edges; what bends away is unrolled.
+TEST(Strips, TheEdgesOfACubeAreClosed) {
+  const Points points = cube(40);
+  const Edges edges = count_edges(Strips(points.cloud()));
+  EXPECT_LT(edges.single, 40U) << "of " << 12 * 40 * 2 << " edges along those of the cube";
+}
+
+TEST(Strips, EveryPointOfASurfaceIsDrawn) {
+  const Points points = torus(5000);
+  const Strips strips(points.cloud());
+  std::set<std::uint32_t> drawn(strips.indices().begin(), strips.indices().end());
+  EXPECT_EQ(drawn.size(), points.size());
+}
+
+TEST(Strips, TrianglesFaceWhereNormalsPoint) {
+  const Points points = sphere(5000);
+  for (const auto& [a, b, c] : triangles(Strips(points.cloud()))) {
+    std::array<float, 3> u{}, v{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      u[k] = points.positions[3 * b + k] - points.positions[3 * a + k];
+      v[k] = points.positions[3 * c + k] - points.positions[3 * a + k];
+    }
+    const float outwards = (u[1] * v[2] - u[2] * v[1]) * points.positions[3 * a] +
+                           (u[2] * v[0] - u[0] * v[2]) * points.positions[3 * a + 1] +
+                           (u[0] * v[1] - u[1] * v[0]) * points.positions[3 * a + 2];
+    ASSERT_GT(outwards, 0) << a << ' ' << b << ' ' << c;
+  }
+}
+
+TEST(Strips, LeavesHaveTwentyToFortyPoints) {
+  const Strips strips(sphere(10000).cloud());
+  const std::size_t leaves = strips.counts().strips;
+  EXPECT_GE(leaves, 10000U / 40);
+  EXPECT_LE(leaves, 10000U / 20);
+}
+
+TEST(Strips, CountsAreThoseOfTheStrips) {
+  const Strips strips(torus(5000).cloud());
+  const Counts counts = strips.counts();
+  EXPECT_EQ(counts.valid, triangles(strips).size());
+  EXPECT_EQ(counts.indices, strips.indices().size());
+  EXPECT_EQ(counts.strips, patches(strips).size());
+  EXPECT_GT(counts.outer, 0U);
+  EXPECT_GT(counts.redundant, 0U);
+}
+
+TEST(Strips, AreTheSameForAnyNumberOfThreads) {
+  const Points points = torus(50000);
+  const Strips one(points.cloud(), {.levels = 3, .threads = 1});
+  for (const unsigned threads : {2U, 5U, 0U}) {
+    const Strips other(points.cloud(), {.levels = 3, .threads = threads});
+    EXPECT_TRUE(std::ranges::equal(one.indices(), other.indices())) << threads;
+  }
+}
+
+TEST(Strips, AreTheSameAtAnyScale) {
+  Points points = torus(5000);
+  const Strips strips(points.cloud());
+  for (float& x : points.positions) x *= 1024;
+  EXPECT_TRUE(std::ranges::equal(strips.indices(), Strips(points.cloud()).indices()));
+  for (float& x : points.positions) x *= 0x1p-100F;
+  EXPECT_TRUE(std::ranges::equal(strips.indices(), Strips(points.cloud()).indices()));
+}
+
+TEST(Strips, LevelsHaveAQuarterOfThePoints) {
+  const Points points = sphere(20000);
+  const Strips strips(points.cloud(), {.levels = 3});
+  ASSERT_EQ(strips.level_count(), 3U);
+  for (unsigned level = 1; level < 3; ++level) {
+    const auto finer = triangles(strips, level - 1), coarser = triangles(strips, level);
+    EXPECT_GT(coarser.size(), finer.size() / 6);
+    EXPECT_LT(coarser.size(), finer.size() / 3);
+  }
+}
+
+TEST(Strips, WithoutNormalsAPlaneIsCovered) {
+  const Points points = plane(50, 0.002F);
+  const Strips strips({points.positions, {}});
+  EXPECT_NEAR(std::fabs(area_facing_up(points, triangles(strips))), 1, 0.03);
+  for (const Node& node : strips.nodes()) EXPECT_GE(node.cone_sine, 1);
+}
+
+class Scans : public testing::TestWithParam<const char*> {};
+
+TEST_P(Scans, PatchesMatch) {
+  const auto points = scan(GetParam());
+  if (!points) GTEST_SKIP() << GetParam() << ".ply.zst is not in ../shared/data, or zstd is missing";
+  const Strips strips(points->cloud());
+  const Edges edges = count_edges(strips);
+  const auto matched = static_cast<double>(edges.border_matched), other = static_cast<double>(edges.border_other);
+  EXPECT_GT(matched / (matched + other), 0.97) << other << " edges do not match";
+}
+
+INSTANTIATE_TEST_SUITE_P(Closed, Scans, testing::Values("igea", "bunny", "horse"));
+
+}  // namespace
+}  // namespace glark::surfel::test

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "tests/surfel/clouds.h"
+
+namespace glark::surfel::test {
+namespace {
+
+// The cap above z = 0.8 goes up, the middle the most.
+std::vector<std::uint32_t> pull(Points& points, float by) {
+  std::vector<std::uint32_t> moved;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    float& z = points.positions[3 * i + 2];
+    if (z < 0.8F) continue;
+    z += by * (z - 0.8F);
+    moved.push_back(i);
+  }
+  return moved;
+}
+
+void expect_closed(const Strips& strips, std::size_t points) {
+  const Edges edges = count_edges(strips);
+  EXPECT_LT(static_cast<double>(edges.border_other), 0.02 * static_cast<double>(edges.border_matched));
+  EXPECT_NEAR(static_cast<double>(triangles(strips).size()), 2.0 * static_cast<double>(points),
+              0.01 * static_cast<double>(points));
+}
+
+TEST(Update, AGrowingCapStaysClosed) {
+  Points points = sphere(20000);
+  Strips strips(points.cloud());
+  for (int step = 0; step < 5; ++step) {
+    const auto moved = pull(points, 0.3F);
+    strips.update(points.cloud(), moved);
+    expect_closed(strips, points.size());
+  }
+}
+
+TEST(Update, TouchesOnlyWhatMoved) {
+  Points points = sphere(20000);
+  Strips strips(points.cloud());
+  const std::vector<std::uint32_t> before(strips.indices().begin(), strips.indices().end());
+  const auto moved = pull(points, 0.1F);
+  const auto changed = strips.update(points.cloud(), moved);
+  std::vector<bool> may_differ(strips.indices().size(), false);
+  std::size_t sum = 0;
+  for (const Range& range : changed) {
+    sum += range.count;
+    for (std::size_t i = range.first; i < range.first + range.count; ++i) may_differ[i] = true;
+  }
+  EXPECT_LT(sum, before.size() / 3) << "a tenth of the points moved";
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    ASSERT_TRUE(may_differ[i] || strips.indices()[i] == before[i]) << i;
+  }
+}
+
+TEST(Update, NothingMovedChangesNothing) {
+  const Points points = sphere(5000);
+  Strips strips(points.cloud());
+  const std::vector<std::uint32_t> before(strips.indices().begin(), strips.indices().end());
+  EXPECT_TRUE(strips.update(points.cloud(), {}).empty());
+  EXPECT_TRUE(std::ranges::equal(strips.indices(), before));
+}
+
+TEST(Update, ThereAndBackHasTheSameTriangles) {
+  const Points rest = sphere(10000);
+  Strips strips(rest.cloud());
+  auto before = triangles(strips);
+  Points points = rest;
+  const auto moved = pull(points, 0.05F);
+  strips.update(points.cloud(), moved);
+  strips.update(rest.cloud(), moved);
+  auto after = triangles(strips);
+  for (auto* list : {&before, &after}) {
+    for (Triangle& t : *list) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    std::sort(list->begin(), list->end());
+  }
+  std::vector<Triangle> differing;
+  std::ranges::set_symmetric_difference(before, after, std::back_inserter(differing));
+  EXPECT_LT(differing.size(), 20U);
+}
+
+TEST(Update, PointsMoveToEmptySpaceAndNewOnesCome) {
+  Points points = sphere(10000);
+  Strips strips(points.cloud(), {.levels = 2});
+  std::vector<std::uint32_t> moved;
+  for (std::uint32_t i = 0; i < 2000; ++i) {  // the top of the sphere becomes a ball of its own
+    for (std::size_t k = 0; k < 3; ++k) points.positions[3 * i + k] += k == 2 ? 3.0F : 0.0F;
+    moved.push_back(i);
+  }
+  const Points more = sphere(3000);
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    const float* p = &more.positions[3 * i];
+    points.add({p[0] - 5, p[1], p[2]}, {p[0], p[1], p[2]});
+  }
+  strips.update(points.cloud(), moved);
+  EXPECT_EQ(strips.point_count(), 13000U);
+  std::size_t of_new = 0, across = 0;
+  for (const Triangle& t : triangles(strips)) {
+    const auto body = [](std::uint32_t i) { return i < 2000 ? 0 : i < 10000 ? 1 : 2; };
+    across += body(t[0]) != body(t[1]) || body(t[1]) != body(t[2]) ? 1 : 0;
+    of_new += body(t[0]) == 2 ? 1 : 0;
+  }
+  EXPECT_EQ(across, 0U);
+  EXPECT_NEAR(static_cast<double>(of_new), 2.0 * 3000, 60);
+  EXPECT_LT(strips.nodes().size(), 3 * 13000U / 10);
+}
+
+TEST(Update, AnEmptyCloudGrows) {
+  Strips strips({});
+  const Points points = sphere(1000);
+  strips.update(points.cloud(), {});
+  EXPECT_NEAR(static_cast<double>(triangles(strips).size()), 2000, 20);
+}
+
+TEST(Update, PointsThatJumpAboutNeitherCrashNorPileUp) {
+  Points points = sphere(3000);
+  Strips strips(points.cloud(), {.levels = 2});
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> any(-2, 2);
+  for (int round = 0; round < 16; ++round) {
+    std::vector<std::uint32_t> moved;
+    for (int i = 0; i < 300; ++i) {
+      const auto point = static_cast<std::uint32_t>(random() % points.size());
+      moved.push_back(point);
+      for (std::size_t k = 0; k < 3; ++k) points.positions[3 * point + k] = round % 7 == 0 ? 0.5F : any(random);
+    }
+    strips.update(points.cloud(), moved);
+    for (const std::uint32_t point : strips.indices()) ASSERT_LT(point, points.size());
+  }
+  EXPECT_LT(strips.indices().size(), 100000U);
+}
+
+TEST(Update, TheSameForAnyNumberOfThreads) {
+  std::vector<std::uint32_t> first;
+  for (const unsigned threads : {1U, 3U}) {
+    Points points = sphere(20000);
+    Strips strips(points.cloud(), {.threads = threads});
+    const auto moved = pull(points, 0.2F);
+    strips.update(points.cloud(), moved);
+    if (first.empty()) first.assign(strips.indices().begin(), strips.indices().end());
+    EXPECT_TRUE(std::ranges::equal(strips.indices(), first));
+  }
+}
+
+TEST(Update, WrongOnesChangeNothing) {
+  Points points = sphere(1000);
+  Strips strips(points.cloud());
+  const std::vector<std::uint32_t> before(strips.indices().begin(), strips.indices().end());
+  const std::vector<std::uint32_t> beyond = {1000};
+  EXPECT_THROW(strips.update(points.cloud(), beyond), Error);
+  const Points fewer = sphere(999);
+  EXPECT_THROW(strips.update(fewer.cloud(), {}), Error);
+  EXPECT_THROW(strips.update({points.positions, {}}, {}), Error);
+  const std::vector<std::uint32_t> moved = {7};
+  points.positions[3 * 7] = std::nanf("");
+  EXPECT_THROW(strips.update(points.cloud(), moved), Error);
+  EXPECT_TRUE(std::ranges::equal(strips.indices(), before));
+}
+
+}  // namespace
+}  // namespace glark::surfel::test
