@@ -4,12 +4,12 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "glark/tool/run.h"
 
@@ -21,7 +21,14 @@ namespace fs = std::filesystem;
 constexpr const char* scan = "glark-scan";
 // `glark info` without a file is the launcher's.
 constexpr std::string_view info = "info";
-constexpr std::array<OtherCommand, 0> commands{};
+const std::vector<OtherCommand> commands {
+#if GLARK_HAS_VSTREE
+  {"simplify", scan, "Fewer triangles, or points where there are no triangles: glark simplify FILE -o OUT"},
+#endif
+#if GLARK_HAS_SURFEL
+      {"strip", scan, "Triangle strips that interpolate points: glark strip FILE -o OUT"},
+#endif
+};
 
 }  // namespace
 

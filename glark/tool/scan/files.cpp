@@ -23,6 +23,8 @@ void describe_output(CLI::App& command, Files& files) {
   command.add_flag("--text", files.text, "Write PLY as text");
 }
 
+void check_output(const Files& files) { geometry::check_writable(files.output); }
+
 geometry::Geometry load(const std::string& file, const Files& files) {
   Progress progress("reading " + file);
   geometry::Reading reading = geometry::read_file(file, {.skip_invalid = files.skip_invalid},

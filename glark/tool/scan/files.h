@@ -23,6 +23,8 @@ struct Files {
 void describe_input(CLI::App& command, Files& files);
 void describe_output(CLI::App& command, Files& files);
 
+// Throws where the output cannot be written: before the work.
+void check_output(const Files& files);
 // With progress; warnings go to standard error.
 geometry::Geometry load(const std::string& file, const Files& files);
 void store(const geometry::Geometry& geometry, const Files& files);

@@ -8,9 +8,9 @@
 #include <limits>
 #include <memory>
 
-#include "glark/clients/geometry/topology.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
+#include "glark/tool/scan/quality.h"
 
 namespace glark::tool {
 namespace {
@@ -32,22 +32,7 @@ Report bounds_of(const geometry::Geometry& geometry) {
   return report;
 }
 
-Report topology_report(const geometry::Geometry& geometry) {
-  const geometry::Topology topology = geometry::topology_of(geometry);
-  Report report;
-  report["points_at_the_place_of_another"] = geometry.point_count() - topology.places;
-  if (geometry.triangles.empty()) return report;
-  report["points_without_triangles"] = topology.unused_points;
-  report["degenerate_triangles"] = topology.degenerate_triangles;
-  report["boundary_edges"] = topology.boundary_edges;
-  report["non_manifold_edges"] = topology.non_manifold_edges;
-  report["components"] = topology.components;
-  report["triangles_of_the_largest"] = topology.largest_component;
-  report["closed"] = topology.boundary_edges == 0 && topology.non_manifold_edges == 0;
-  return report;
-}
-
-void info(const Files& files) {
+void info(const Files& files, const std::string& reference) {
   const geometry::Geometry geometry = load(files.input, files);
   Report report;
   report["file"] = files.input;
@@ -55,6 +40,7 @@ void info(const Files& files) {
   report["bounding_box"] = bounds_of(geometry);
   if (geometry.origin != std::array<double, 3>{}) report["origin"] = geometry.origin;
   report["topology"] = topology_report(geometry);
+  if (!reference.empty()) report["quality"] = quality_report(geometry, reference, files);
   print(report, files.json);
 }
 
@@ -63,8 +49,10 @@ void info(const Files& files) {
 void add_info(CLI::App& app) {
   CLI::App* command = app.add_subcommand("info", "Say what a file of points or triangles has");
   const auto files = std::make_shared<Files>();
+  const auto reference = std::make_shared<std::string>();
   describe_input(*command, *files);
-  command->callback([files] { info(*files); });
+  describe_measure(*command, *reference);
+  command->callback([files, reference] { info(*files, *reference); });
 }
 
 }  // namespace glark::tool

@@ -26,6 +26,12 @@ int main(int argc, char** argv) {
   CLI::App app("glark: points and triangles in files", "glark");
   app.require_subcommand(1);
   glark::tool::add_info(app);
+#if GLARK_HAS_VSTREE
+  glark::tool::add_simplify(app);
+#endif
+#if GLARK_HAS_SURFEL
+  glark::tool::add_strip(app);
+#endif
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0) return complain("the report cannot be written to standard output", exit_failure);
