@@ -27,6 +27,8 @@ const std::vector<OtherCommand> commands {
 #endif
 #if GLARK_HAS_SURFEL
       {"strip", scan, "Triangle strips that interpolate points: glark strip FILE -o OUT"},
+      {"view", "glark-view",
+       "Show points or triangles in a window, or write a picture: glark view FILE [--offscreen OUT.png]"},
 #endif
 };
 
