@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Records sorted into the cells of a regular grid of 2^levels cells a side, and the cells of all coarser levels.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "glark/clients/vstree/moments.h"
+#include "glark/clients/vstree/workers.h"
+
+namespace glark::vstree {
+
+// Of bits up to 10: bit i goes to 3 i, or to 2 i.
+inline std::uint32_t every_third_bit(std::uint32_t x) {
+  x = (x | (x << 16)) & 0x030000FFU;
+  x = (x | (x << 8)) & 0x0300F00FU;
+  x = (x | (x << 4)) & 0x030C30C3U;
+  return (x | (x << 2)) & 0x09249249U;
+}
+inline std::uint32_t every_second_bit(std::uint32_t x) {
+  x = (x | (x << 8)) & 0x00FF00FFU;
+  x = (x | (x << 4)) & 0x0F0F0F0FU;
+  x = (x | (x << 2)) & 0x33333333U;
+  return (x | (x << 1)) & 0x55555555U;
+}
+
+// One that has samples.
+struct Cell {
+  std::uint32_t key = 0;          // on its level
+  std::uint32_t begin = 0;        // of its records
+  std::uint32_t first_child = 0;  // on the next finer level, where its children are neighbours
+  Moments moments;
+};
+
+struct Cells {
+  // [levels + 1], the coarsest first, each sorted by key, with one more cell at the end that has only `begin` and `first_child`.
+  std::vector<std::vector<Cell>> levels;
+};
+
+// Where each record of a run goes: filled by the caller for the records begin .. end - 1 of it.
+using KeyFunction = std::function<void(std::size_t begin, std::size_t end, std::uint32_t* keys)>;
+// Moves records begin .. end - 1 of the run, record i to destination[slots[i - begin]].
+using MoveFunction = std::function<void(std::size_t begin, std::size_t end, const std::uint32_t* slots)>;
+
+// Counting sort, stable, so that the result does not depend on the number of threads. Gives the begin of every cell and the end.
+std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, const KeyFunction& key, const MoveFunction& move,
+                                       const Workers& workers);
+
+// `begins` as from sort_by_key(), for records that are sorted; key_bits: 3 for cubes, 2 for rectangles.
+Cells cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels, unsigned key_bits,
+               const Workers& workers);
+
+}  // namespace glark::vstree

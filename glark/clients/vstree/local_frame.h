@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The frame of a transition node within the unit cube, and the grid of its quadtree.
+#pragma once
+
+#include <glark/vstree.h>
+
+#include <span>
+
+#include "glark/clients/vstree/moments.h"
+
+namespace glark::vstree {
+
+struct LocalFrame {
+  Float4 origin{};
+  Float4 columns[3];  // column i: the i-th coordinates of u, v and the normal
+  float low[2] = {};  // of the bounding rectangle
+  float size[2] = {};
+  float scale[2] = {};  // to the quadtree's last level; 0 for a rectangle without extent
+
+  Float4 turn(Float4 direction) const {
+    return splat<0>(direction) * columns[0] + splat<1>(direction) * columns[1] + splat<2>(direction) * columns[2];
+  }
+  Float4 inside(Float4 point) const { return turn(point - origin); }
+
+  // Of a position inside the frame, on the grid of the last level; clamped to the rectangle.
+  std::array<std::uint32_t, 2> cell(Float4 position) const {
+    constexpr float last = (1U << quadtree_levels) - 1;
+    const float u = std::min(std::max((position[0] - low[0]) * scale[0], 0.0F), last);
+    const float v = std::min(std::max((position[1] - low[1]) * scale[1], 0.0F), last);
+    return {static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v)};
+  }
+
+  Frame in_space(const Cube& cube, std::uint32_t node) const;
+};
+
+// Turns the records into the frame.
+LocalFrame enter_frame(std::span<Record> records, const Moments& moments);
+
+}  // namespace glark::vstree

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The nearest neighbours of every sample.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "glark/clients/vstree/float4.h"
+#include "glark/clients/vstree/workers.h"
+
+namespace glark::vstree {
+
+// [each * points], nearest first, the sample itself among them; `each` is no more than there are points.
+std::vector<std::uint32_t> nearest(std::span<const Float4> points, std::size_t each, const Workers& workers);
+
+}  // namespace glark::vstree

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Quadratic error functions: sums of the squared distances of a point from planes.
+// Source: M. Garland, P. Heckbert, Surface Simplification Using Quadric Error Metrics, 1997.
+#pragma once
+
+#include <span>
+
+#include "glark/clients/vstree/moments.h"
+
+namespace glark::vstree {
+
+// About an origin that its user keeps: the error at x is x^T A x + 2 b x + c.
+struct Quadric {
+  Float4 rows[3] = {};  // of A; the fourth column is b
+  float constant = 0;
+
+  // The plane through `point` with the unit normal, its share times `weight`.
+  void add_plane(Float4 point, Float4 normal, float weight) {
+    Float4 plane = without_fourth(normal);
+    plane[3] = -dot(plane, point);
+    const Float4 weighted = plane * weight;
+    rows[0] += splat<0>(plane) * weighted;
+    rows[1] += splat<1>(plane) * weighted;
+    rows[2] += splat<2>(plane) * weighted;
+    constant += plane[3] * weighted[3];
+  }
+  void add(const Quadric& other) {
+    for (int i = 0; i < 3; ++i) rows[i] += other.rows[i];
+    constant += other.constant;
+  }
+  float weight() const { return rows[0][0] + rows[1][1] + rows[2][2]; }  // of all planes
+  // About an origin that lies `by` further.
+  Quadric moved(Float4 by) const;
+  float error_at(Float4 point) const;
+  // The point of the least error; along directions that the planes leave open it stays at the origin.
+  Float4 best_point() const;
+};
+
+// The mean of the squared distances of the best point from the tangent planes of the records that have normals.
+float best_point_error(std::span<const Record> records, const Moments& moments);
+
+}  // namespace glark::vstree

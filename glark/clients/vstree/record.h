@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A sample as the construction moves it about, and the bounding cube.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "glark/clients/vstree/float4.h"
+
+namespace glark::vstree {
+
+// Within the unit cube, or in the frame of a transition node (without its origin). The fourth of the position holds the bits of the
+// sample's index, that of the normal is 1 if there is a normal.
+struct Record {
+  Float4 position;
+  Float4 normal;
+
+  std::uint32_t index() const { return std::bit_cast<std::uint32_t>(static_cast<float>(position[3])); }
+  // Without the index, which as a number may be anything.
+  Float4 point() const { return without_fourth(position); }
+};
+
+// From the positions' unit to the unit cube.
+struct Cube {
+  Float4 low{};
+  float side = 1;
+  float scale = 1;     // 1 / side
+  float diagonal = 1;  // of the bounding box, by the side
+
+  Float4 inside(const float* position) const {
+    return (Float4{position[0], position[1], position[2], 0} - low) * scale;
+  }
+};
+
+inline constexpr unsigned octree_levels = 21;    // the last level's cubes are as small as a float resolves
+inline constexpr unsigned quadtree_levels = 16;
+
+// The position on the grid of the octree's last level.
+inline std::array<std::uint32_t, 3> octree_cell(Float4 position) {
+  constexpr float cells = 1U << octree_levels;
+  constexpr Float4 last{cells - 1, cells - 1, cells - 1, 0};
+  const Float4 scaled = least(position * cells, last);
+  return {static_cast<std::uint32_t>(scaled[0]), static_cast<std::uint32_t>(scaled[1]), static_cast<std::uint32_t>(scaled[2])};
+}
+
+}  // namespace glark::vstree

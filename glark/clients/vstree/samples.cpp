@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/vstree/samples.h"
+
+#include <limits>
+#include <mutex>
+
+namespace glark::vstree {
+namespace {
+
+constexpr float largest = 1e18F;  // so that squares stay in range
+constexpr std::size_t grain = 1 << 16;
+
+std::string numbered(Element element, std::size_t index) {
+  switch (element) {
+    case Element::point: return "glark-vstree: point " + std::to_string(index) + " ";
+    case Element::triangle: return "glark-vstree: triangle " + std::to_string(index) + " ";
+    case Element::array: return "glark-vstree: array ";
+    case Element::option: break;
+  }
+  return "glark-vstree: option ";
+}
+
+void check_size(std::size_t points, std::size_t size, std::size_t each, const char* name) {
+  if (size == 0 || size == points * each) return;
+  throw Error(Element::array, 0,
+              std::string(name) + " has " + std::to_string(size) + " elements for " + std::to_string(points) +
+                  " points; give " + std::to_string(each) + " a point, or none");
+}
+
+// The first element of `numbers` beyond the limit; `numbers.size()` if there is none. A NaN compares false.
+std::size_t first_beyond(std::span<const float> numbers, float limit, const Workers& workers) {
+  std::size_t first = numbers.size();
+  std::mutex mutex;
+  workers.each(numbers.size(), 4 * grain, [&](std::size_t begin, std::size_t end) {
+    bool sound = true;
+    for (std::size_t i = begin; i < end; ++i) sound &= std::abs(numbers[i]) <= limit;
+    if (sound) return;
+    while (std::abs(numbers[begin]) <= limit) ++begin;
+    const std::lock_guard lock(mutex);
+    first = std::min(first, begin);
+  });
+  return first;
+}
+
+}  // namespace
+
+Error::Error(Element element, std::size_t index, const std::string& what)
+    : std::invalid_argument(numbered(element, index) + what), element_(element), index_(index) {}
+
+void check(const PointSet& points, const Workers& workers) {
+  if (points.positions.size() % 3 != 0) {
+    throw Error(Element::array, 0,
+                "positions has " + std::to_string(points.positions.size()) + " numbers; give three for each point");
+  }
+  const std::size_t count = points.positions.size() / 3;
+  if (count > (std::size_t{1} << 31))
+    throw Error(Element::array, 0, "positions has " + std::to_string(count) + " points; 2^31 are possible: split it");
+  check_size(count, points.normals.size(), 3, "normals");
+  check_size(count, points.colours.size(), 3, "colours");
+  check_size(count, points.texcoords.size(), 2, "texcoords");
+  const std::size_t position = first_beyond(points.positions, largest, workers);
+  if (position < points.positions.size()) {
+    throw Error(Element::point, position / 3,
+                "has the coordinate " + std::to_string(points.positions[position]) +
+                    "; finite ones up to 1e18 are possible: remove the point");
+  }
+  const std::size_t normal = first_beyond(points.normals, std::numeric_limits<float>::max(), workers);
+  if (normal < points.normals.size()) {
+    throw Error(Element::point, normal / 3, "has a normal that is not finite; make it zero to say that there is none");
+  }
+  const std::size_t texcoord = first_beyond(points.texcoords, std::numeric_limits<float>::max(), workers);
+  if (texcoord < points.texcoords.size())
+    throw Error(Element::point, texcoord / 2, "has a texture coordinate that is not finite; remove the point");
+}
+
+void check(const Options& options) {
+  const auto within = [](float value, float most, const char* name) {
+    if (value >= 0 && value <= most) return;
+    throw Error(Element::option, 0,
+                std::string(name) + " is " + std::to_string(value) + "; 0 to " + std::to_string(most) + " is possible");
+  };
+  within(options.threshold, 1e18F, "threshold");
+  within(options.delta_a, 1, "delta_a");
+  within(options.delta_d, 1, "delta_d");
+}
+
+void check_triangles(std::span<const std::uint32_t> triangles, std::size_t points) {
+  if (triangles.size() % 3 != 0) {
+    throw Error(Element::array, 0, "triangles has " + std::to_string(triangles.size()) + " indices; give three for each");
+  }
+  bool sound = true;
+  for (const std::uint32_t index : triangles) sound &= index < points;
+  if (sound) return;
+  const auto wrong = std::find_if(triangles.begin(), triangles.end(), [&](std::uint32_t index) { return index >= points; });
+  throw Error(Element::triangle, static_cast<std::size_t>(wrong - triangles.begin()) / 3,
+              "has index " + std::to_string(*wrong) + " of " + std::to_string(points) +
+                  " points; remove it, or give all points");
+}
+
+Cube bounding_cube(std::span<const float> positions, const Workers& workers) {
+  Cube cube;
+  const std::size_t count = positions.size() / 3;
+  if (count == 0) return cube;
+  Float4 low{positions[0], positions[1], positions[2], 0};
+  Float4 high = low;
+  std::mutex mutex;
+  workers.each(count, grain, [&](std::size_t begin, std::size_t end) {
+    Float4 my_low{positions[3 * begin], positions[3 * begin + 1], positions[3 * begin + 2], 0};
+    Float4 my_high = my_low;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Float4 p{positions[3 * i], positions[3 * i + 1], positions[3 * i + 2], 0};
+      my_low = least(my_low, p);
+      my_high = greatest(my_high, p);
+    }
+    const std::lock_guard lock(mutex);
+    low = least(low, my_low);
+    high = greatest(high, my_high);
+  });
+  const Float4 extent = high - low;
+  cube.low = low;
+  const float side = std::max({extent[0], extent[1], extent[2]});
+  if (!(side > 0) || !std::isfinite(1 / side)) return cube;  // as good as one point
+  cube.side = side;
+  cube.scale = 1 / side;
+  cube.diagonal = std::sqrt(dot(extent * cube.scale, extent * cube.scale));
+  return cube;
+}
+
+}  // namespace glark::vstree

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "tests/vstree/shapes.h"
+
+namespace glark::vstree::test {
+namespace {
+
+// The least dot product of an estimated normal with the true one.
+float agreement(const std::vector<float>& estimated, const std::vector<float>& normals) {
+  float least = 1;
+  for (std::size_t i = 0; i < normals.size(); i += 3) {
+    least = std::min(least, estimated[i] * normals[i] + estimated[i + 1] * normals[i + 1] + estimated[i + 2] * normals[i + 2]);
+  }
+  return least;
+}
+
+TEST(EstimatedNormals, PointOutOfClosedSurfaces) {
+  for (const Shape& shape : {torus(150, 0), sphere(5000), sphere(5000, 0.005F)}) {
+    EXPECT_GT(agreement(estimate_normals({.positions = shape.positions}), shape.normals), 0.8F);
+  }
+}
+
+TEST(EstimatedNormals, PointToTheScanner) {
+  const Shape shape = sphere(3000);
+  const std::array<float, 3> inside{0.1F, 0, 0};
+  const std::vector<float> normals = estimate_normals({.positions = shape.positions}, {.scanner = &inside});
+  std::vector<float> inwards = shape.normals;
+  for (float& number : inwards) number = -number;
+  EXPECT_GT(agreement(normals, inwards), 0.9F);
+}
+
+TEST(EstimatedNormals, KeepThoseThatAreGivenAndAgreeWithThem) {
+  const Shape shape = sphere(3000);
+  std::vector<float> given(shape.normals.size());
+  for (std::size_t k = 0; k < 3; ++k) given[k] = -2 * shape.normals[k];  // one, inwards, too long
+  const std::vector<float> normals = estimate_normals({.positions = shape.positions, .normals = given});
+  std::vector<float> inwards = shape.normals;
+  for (float& number : inwards) number = -number;
+  EXPECT_GT(agreement(normals, inwards), 0.9F);
+  EXPECT_NEAR(normals[0], inwards[0], 1e-5);
+}
+
+TEST(EstimatedNormals, OfTwoPartsAreEachRight) {
+  Shape shape = sphere(2000);
+  const Shape other = sphere(2000);
+  for (std::size_t i = 0; i < other.positions.size(); ++i) {
+    shape.positions.push_back(other.positions[i] + (i % 3 == 2 ? -9.0F : 0.0F));
+    shape.normals.push_back(other.normals[i]);
+  }
+  EXPECT_GT(agreement(estimate_normals({.positions = shape.positions}), shape.normals), 0.8F);
+}
+
+TEST(EstimatedNormals, AreTheSameForAnyNumberOfThreads) {
+  const Shape shape = torus(100);
+  const PointSet points{.positions = shape.positions};
+  EXPECT_EQ(estimate_normals(points, {.threads = 1}), estimate_normals(points, {.threads = 4}));
+}
+
+TEST(EstimatedNormals, AreMissingWhereThereIsNoPlane) {
+  const std::vector<float> line{0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3};
+  for (const float number : estimate_normals({.positions = line})) EXPECT_EQ(number, 0);
+}
+
+}  // namespace
+}  // namespace glark::vstree::test
