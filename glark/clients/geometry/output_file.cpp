@@ -20,7 +20,7 @@ constexpr mode_t permissions = 0666;  // less the umask
 
 fs::path resolved(const fs::path& file) {
   std::error_code error;
-  const fs::path real = fs::weakly_canonical(file, error);  // a link stays a link, its file is replaced
+  const fs::path real = fs::weakly_canonical(fs::absolute(file), error);  // a link stays a link, its file is replaced
   return error ? fs::absolute(file) : real;
 }
 
