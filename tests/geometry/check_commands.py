@@ -9,6 +9,7 @@ import math
 import pathlib
 import pty
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -124,6 +125,24 @@ class Commands(unittest.TestCase):
         result = subprocess.run([GLARK, "view", self.sphere], capture_output=True, text=True, env=display)
         self.assertEqual(1, result.returncode)
         self.assertIn("--offscreen", result.stderr)
+
+    def test_window(self):
+        """Keys choose what is drawn, take a screenshot and end."""
+        self.needs("view")
+        if not shutil.which("xvfb-run") or not shutil.which("xdotool"):
+            self.assertNotEqual("true", os.environ.get("CI"), "xvfb or xdotool is not installed; run scripts/install_packages")
+            self.skipTest("xvfb or xdotool is not installed")
+        script = f"""
+            "{GLARK}" view sphere.ply --mode strip --width 200 --height 150 & program=$!
+            window=$(xdotool search --sync --onlyvisible --name "glark sphere" | head -1)
+            until xdotool getwindowname "$window" | grep -q "turned away"; do sleep 0.1; done
+            xdotool windowfocus --sync "$window"
+            for key in 5 plus u c s q; do xdotool key --window "$window" "$key"; sleep 0.5; done
+            wait $program"""
+        result = subprocess.run(["xvfb-run", "-a", "timeout", "60", "bash", "-c", script], capture_output=True, text=True, cwd=self.path)
+        self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+        self.assertIn("glark-1.png", result.stdout)
+        self.assertEqual(b"\x89PNG", (self.path / "glark-1.png").read_bytes()[:4])
 
     def test_wrong_words(self):
         for arguments in (["info", "--nonsense"], ["simplify"], ["strip", "a.ply"], ["strip", "a.ply", "-o", "b.ply", "--reach", "-1"]):
