@@ -22,6 +22,7 @@
 #define GLARK_VSTREE_H
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -69,7 +70,7 @@ struct Options {
   // The height-field indicator: each normal has a dot product with the mean normal above delta_a, 0 to 1, and each sample a distance from
   // the mean plane below delta_d, 0 to 1, of the greatest distance from the centroid.
   float delta_a = 0;
-  float delta_d = 0.25F;  // the thesis has 1/6; this divides the octree less deep
+  float delta_d = 0.25F;            // the thesis has 1/6; this divides the octree less deep
   std::uint32_t least_samples = 1;  // a node with this many samples or fewer is a leaf
   std::uint32_t most_leaves = 0;    // not 0: instead of the threshold, the leaves with the least greatest error
   unsigned threads = 0;             // at most; 0: as many as the machine has, 1: none but the caller's
@@ -85,14 +86,22 @@ inline constexpr std::uint32_t none = 0xFFFFFFFF;
 
 struct Node {
   std::uint32_t begin = 0, end = 0;  // its samples, in Tree::order()
-  std::uint32_t first_child = 0;     // children with samples follow one another, as the bits of `children` do; 0: a leaf
-  std::uint32_t frame = none;        // of the transition node that it is or lies under
-  float error = 0;                   // by the tree's metric
+  std::uint32_t first_child = 0;  // children with samples follow one another, as the bits of `children` do; 0: a leaf
+  std::uint32_t frame = none;     // of the transition node that it is or lies under
+  float error = 0;                // by the tree's metric
   Kind kind = Kind::volume;
   std::uint8_t level = 0;     // the root has 0
-  std::uint8_t children = 0;  // which of the 8 or 4 have samples: bit 0 towards -x, bit 1 -y, bit 2 -z (or -u, -v)
+  std::uint8_t children = 0;  // which octants (x + 2 y + 4 z) or quadrants (u + 2 v) have samples
+  // Quadrants that are one leaf, two by two, where the surface bends one way only: bit 0 for 0 and 1, bit 1 for 2 and 3, bit 2 for
+  // 0 and 2, bit 3 for 1 and 3.
+  std::uint8_t joined = 0;
 
   bool is_leaf() const { return first_child == 0; }
+  unsigned child_count() const {
+    return static_cast<unsigned>(std::popcount(children)) - static_cast<unsigned>(std::popcount(joined));
+  }
+  // Of an octant or quadrant with samples.
+  std::uint32_t child(unsigned which) const;
   std::uint32_t size() const { return end - begin; }
 };
 
@@ -117,8 +126,8 @@ class Tree {
   // Owned by the tree; the root is first, and a parent comes before its children.
   std::span<const Node> nodes() const;
   std::span<const Frame> frames() const;
-  std::span<const std::uint32_t> order() const;                      // [samples], so that those of a node are neighbours
-  std::span<const std::uint32_t> samples(const Node& node) const;    // indices of samples
+  std::span<const std::uint32_t> order() const;                    // [samples], so that those of a node are neighbours
+  std::span<const std::uint32_t> samples(const Node& node) const;  // indices of samples
   std::size_t leaf_count() const;
   std::size_t bytes() const;  // of all arrays
   float diagonal() const;     // of the bounding box, in the positions' unit
@@ -181,9 +190,11 @@ struct SimplifyOptions {
 struct Simplified {
   std::vector<float> positions, normals;
   std::vector<std::uint8_t> colours;  // the means of a cluster, as the normals
-  std::vector<float> texcoords;       // those of the sample nearest to the representative: a mean would mix charts of a texture
+  std::vector<float>
+      texcoords;  // those of the sample nearest to the representative: a mean would mix charts of a texture
   std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t> representatives;  // [points of the input]: which stands for each; none where no triangle uses it
+  std::vector<std::uint32_t>
+      representatives;  // [points of the input]: which stands for each; none where no triangle uses it
 };
 
 // Clusters vertices; the triangles whose corners are in three clusters stay, each once, and without pairs that face each other.

@@ -83,7 +83,10 @@ TEST(BadPoints, OnALineAreDivided) {
 
 TEST(BadPoints, OnAPlaneAreOneHeightField) {
   std::vector<float> positions;
-  for (int i = 0; i < 900; ++i) positions.insert(positions.end(), {static_cast<float>(i % 30), static_cast<float>(i / 30), 5});
+  for (int i = 0; i < 900; ++i) {
+    const int row = i / 30;
+    positions.insert(positions.end(), {static_cast<float>(i % 30), static_cast<float>(row), 5});
+  }
   expect_sound(positions);
   const Tree tree({.positions = positions});
   EXPECT_EQ(tree.leaf_count(), 1U);

@@ -11,7 +11,8 @@ namespace {
 float agreement(const std::vector<float>& estimated, const std::vector<float>& normals) {
   float least = 1;
   for (std::size_t i = 0; i < normals.size(); i += 3) {
-    least = std::min(least, estimated[i] * normals[i] + estimated[i + 1] * normals[i + 1] + estimated[i + 2] * normals[i + 2]);
+    least = std::min(least,
+                     estimated[i] * normals[i] + estimated[i + 1] * normals[i + 1] + estimated[i + 2] * normals[i + 2]);
   }
   return least;
 }

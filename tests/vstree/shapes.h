@@ -21,7 +21,9 @@ struct Shape {
   PointSet points() const { return {.positions = positions, .normals = normals}; }
   Mesh mesh() const { return {points(), triangles}; }
   std::size_t size() const { return positions.size() / 3; }
-  std::array<float, 3> position(std::size_t i) const { return {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}; }
+  std::array<float, 3> position(std::size_t i) const {
+    return {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]};
+  }
 };
 
 // n times n vertices around a torus of radii 1 and 0.4, a little bumpy and tilted, so that it lies along no axis.

@@ -10,14 +10,16 @@ namespace glark::vstree::test {
 namespace {
 
 class Simplify : public testing::TestWithParam<Clustering> {};
-INSTANTIATE_TEST_SUITE_P(All, Simplify, testing::Values(Clustering::volume_surface, Clustering::octree, Clustering::grid));
+INSTANTIATE_TEST_SUITE_P(All, Simplify,
+                         testing::Values(Clustering::volume_surface, Clustering::octree, Clustering::grid));
 
 TEST_P(Simplify, ComesCloseToTheTargetFromBelow) {
   const Shape shape = torus(200);
   for (const std::size_t target : {200U, 2000U, 20000U}) {
     const Simplified few = simplify(shape.mesh(), {.clustering = GetParam(), .target = target});
     EXPECT_LE(few.triangles.size() / 3, target);
-    EXPECT_GE(static_cast<double>(few.triangles.size()) / 3, (GetParam() == Clustering::grid ? 0.6 : 0.9) * static_cast<double>(target));
+    EXPECT_GE(static_cast<double>(few.triangles.size()) / 3,
+              (GetParam() == Clustering::grid ? 0.6 : 0.9) * static_cast<double>(target));
   }
 }
 
@@ -167,8 +169,9 @@ TEST(Simplified, OfAnOpenMeshKeepsItsBorderOnly) {
   std::vector<float> positions;
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t i = 0; i < 40 * 40; ++i) {
-    positions.insert(positions.end(), {static_cast<float>(i % 40), static_cast<float>(i / 40), 0});
-    if (i % 40 < 39 && i / 40 < 39) triangles.insert(triangles.end(), {i, i + 1, i + 41, i, i + 41, i + 40});
+    const std::uint32_t row = i / 40;
+    positions.insert(positions.end(), {static_cast<float>(i % 40), static_cast<float>(row), 0});
+    if (i % 40 < 39 && row < 39) triangles.insert(triangles.end(), {i, i + 1, i + 41, i, i + 41, i + 40});
   }
   const Simplified few = simplify({{.positions = positions}, triangles}, {.target = 200});
   EXPECT_GT(few.triangles.size() / 3, 100U);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 #include "tests/vstree/shapes.h"
@@ -28,7 +27,8 @@ struct Plane {
 Plane mean_plane(const Shape& shape, std::span<const std::uint32_t> samples) {
   Plane plane;
   for (const std::uint32_t i : samples) {
-    plane.centroid = plus(plane.centroid, scaled(vector(shape.positions, i), 1.0 / static_cast<double>(samples.size())));
+    plane.centroid =
+        plus(plane.centroid, scaled(vector(shape.positions, i), 1.0 / static_cast<double>(samples.size())));
     plane.normal = plus(plane.normal, vector(shape.normals, i));
   }
   plane.normal = scaled(plane.normal, 1 / std::sqrt(dot(plane.normal, plane.normal)));
@@ -78,9 +78,8 @@ TEST(Tree, HasTheSamplesOfAParentInItsChildren) {
   for (const Node& node : tree.nodes()) {
     if (node.is_leaf()) continue;
     std::uint32_t begin = node.begin;
-    const int count = std::popcount(node.children);
-    for (int k = 0; k < count; ++k) {
-      const Node& child = tree.nodes()[node.first_child + static_cast<std::uint32_t>(k)];
+    for (unsigned k = 0; k < node.child_count(); ++k) {
+      const Node& child = tree.nodes()[node.first_child + k];
       EXPECT_EQ(child.begin, begin);
       EXPECT_EQ(child.level, node.level + 1);
       EXPECT_TRUE((child.kind == Kind::surface) == (node.kind != Kind::volume));
@@ -189,7 +188,8 @@ bool same(const Tree& a, const Tree& b) {
          std::memcmp(a.order().data(), b.order().data(), a.order().size_bytes()) == 0 &&
          std::equal(a.nodes().begin(), a.nodes().end(), b.nodes().begin(), [](const Node& p, const Node& q) {
            return p.begin == q.begin && p.end == q.end && p.first_child == q.first_child && p.frame == q.frame &&
-                  p.error == q.error && p.kind == q.kind && p.level == q.level && p.children == q.children;
+                  p.error == q.error && p.kind == q.kind && p.level == q.level && p.children == q.children &&
+                  p.joined == q.joined;
          });
 }
 
@@ -225,7 +225,8 @@ TEST(Tree, TakesSixteenBytesASampleAtMost) {
 TEST(Tree, OfAHeightFieldIsAQuadtree) {
   Shape field = torus(64);
   for (std::size_t i = 0; i < field.positions.size(); i += 3) {
-    field.positions[i] = static_cast<float>(i / 3 / 64);
+    const std::size_t row = i / 3 / 64;
+    field.positions[i] = static_cast<float>(row);
     field.positions[i + 1] = static_cast<float>(i / 3 % 64);
     field.positions[i + 2] = std::sin(0.2F * field.positions[i]);
     field.normals[i] = -0.2F * std::cos(0.2F * field.positions[i]);
@@ -240,7 +241,7 @@ TEST(Tree, OfAHeightFieldIsAQuadtree) {
 TEST(Tree, HasFewerLeavesThanAnOctree) {
   const Shape shape = torus(700);
   const Tree tree(shape.points(), {.threshold = 3e-4F}), octree(shape.points(), {.surface = false, .threshold = 3e-4F});
-  EXPECT_LT(static_cast<double>(tree.leaf_count()), 0.9 * static_cast<double>(octree.leaf_count()));
+  EXPECT_LT(static_cast<double>(tree.leaf_count()), 0.68 * static_cast<double>(octree.leaf_count()));
 }
 
 TEST(Tree, HasNoMoreLeavesThanAskedFor) {

@@ -22,7 +22,8 @@ std::vector<std::uint32_t> slots_of(std::vector<std::uint32_t>& counts, std::siz
   return begins;
 }
 
-std::vector<Cell> finest(std::span<const Record> sorted, std::span<const std::uint32_t> begins, const Workers& workers) {
+std::vector<Cell> finest(std::span<const Record> sorted, std::span<const std::uint32_t> begins,
+                         const Workers& workers) {
   std::vector<Cell> cells;
   for (std::uint32_t key = 0; key + 1 < begins.size(); ++key) {
     if (begins[key] == begins[key + 1]) continue;
@@ -61,8 +62,8 @@ std::vector<Cell> coarser(const std::vector<Cell>& fine, unsigned key_bits) {
 
 }  // namespace
 
-std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, const KeyFunction& key, const MoveFunction& move,
-                                       const Workers& workers) {
+std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, const KeyFunction& key,
+                                       const MoveFunction& move, const Workers& workers) {
   thread_local std::vector<std::uint32_t> kept_keys;
   std::vector<std::uint32_t> keys = std::exchange(kept_keys, {});  // another task may run here while this one waits
   keys.resize(std::max(keys.size(), count));
@@ -88,8 +89,8 @@ std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, con
   return begins;
 }
 
-Cells cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels, unsigned key_bits,
-               const Workers& workers) {
+Cells cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels,
+               unsigned key_bits, const Workers& workers) {
   Cells result;
   result.levels.resize(levels + 1);
   result.levels[levels] = finest(sorted, begins, workers);

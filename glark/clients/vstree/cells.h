@@ -47,11 +47,11 @@ using KeyFunction = std::function<void(std::size_t begin, std::size_t end, std::
 using MoveFunction = std::function<void(std::size_t begin, std::size_t end, const std::uint32_t* slots)>;
 
 // Counting sort, stable, so that the result does not depend on the number of threads. Gives the begin of every cell and the end.
-std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, const KeyFunction& key, const MoveFunction& move,
-                                       const Workers& workers);
+std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, const KeyFunction& key,
+                                       const MoveFunction& move, const Workers& workers);
 
 // `begins` as from sort_by_key(), for records that are sorted; key_bits: 3 for cubes, 2 for rectangles.
-Cells cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels, unsigned key_bits,
-               const Workers& workers);
+Cells cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels,
+               unsigned key_bits, const Workers& workers);
 
 }  // namespace glark::vstree

@@ -3,7 +3,6 @@
 #include "glark/clients/vstree/clusters.h"
 
 #include <algorithm>
-#include <bit>
 #include <unordered_map>
 
 #include "glark/clients/vstree/construction.h"
@@ -58,14 +57,14 @@ Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> o
       for (std::uint32_t k = node.begin; k < node.end; ++k) clusters.of[order[k]] = cluster_of[i];
     }
     if (node.is_leaf() || cluster_of[i] == none) continue;
-    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(std::popcount(node.children)); ++k)
-      cluster_of[node.first_child + k] = cluster_of[i];
+    for (std::uint32_t k = 0; k < node.child_count(); ++k) cluster_of[node.first_child + k] = cluster_of[i];
   }
   return clusters;
 }
 
 // Of each node, its leaves' samples and triangles.
-std::vector<Shape> node_shapes(const Surface& surface, std::span<const Node> nodes, std::span<const std::uint32_t> order) {
+std::vector<Shape> node_shapes(const Surface& surface, std::span<const Node> nodes,
+                               std::span<const std::uint32_t> order) {
   std::vector<std::uint32_t> groups(order.size());
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     if (!nodes[i].is_leaf()) continue;
@@ -74,8 +73,7 @@ std::vector<Shape> node_shapes(const Surface& surface, std::span<const Node> nod
   std::vector<Shape> shapes = shapes_of(surface, groups, nodes.size());
   for (std::size_t i = nodes.size(); i-- > 0;) {
     if (nodes[i].is_leaf()) continue;
-    const std::span<const Shape> children{&shapes[nodes[i].first_child],
-                                          static_cast<std::size_t>(std::popcount(nodes[i].children))};
+    const std::span<const Shape> children{&shapes[nodes[i].first_child], nodes[i].child_count()};
     Shape shape;
     for (const Shape& child : children) shape.sum += child.sum;
     for (const Shape& child : children) {
@@ -97,7 +95,7 @@ std::vector<float> whole_errors(std::span<const Node> nodes, std::span<const Sha
     const Shape& shape = shapes[i];
     const float extent = shape.radius * shape.radius * (shape.quadric.weight() + 1e-12F * shape.sum[3]);
     errors[i] = shape.quadric.error_at(shape.best_step()) + 1e-6F * extent;
-    const std::size_t children = nodes[i].is_leaf() ? 0 : static_cast<std::size_t>(std::popcount(nodes[i].children));
+    const std::size_t children = nodes[i].is_leaf() ? 0 : nodes[i].child_count();
     for (std::size_t k = 0; k < children; ++k) errors[i] = std::max(errors[i], errors[nodes[i].first_child + k]);
   }
   return errors;

@@ -21,7 +21,7 @@ struct Surface {
 
 // A cluster's quadric about its centroid.
 struct Shape {
-  Float4 sum{};  // of the points; the fourth is their number
+  Float4 sum{};      // of the points; the fourth is their number
   float radius = 0;  // all points are so near to the centroid
   Quadric quadric;
 

@@ -7,9 +7,9 @@
 #include "glark/clients/vstree/construction.h"
 
 #include <algorithm>
-#include <utility>
 #include <memory>
 #include <new>
+#include <utility>
 
 #include "glark/clients/vstree/cells.h"
 #include "glark/clients/vstree/height_field.h"
@@ -20,7 +20,7 @@ namespace glark::vstree {
 namespace {
 
 constexpr std::size_t samples_alone = 1 << 15;  // a sort of so many hands its tasks to other threads
-constexpr std::size_t samples_a_cube = 64;      // of the finest cells, aimed at: many cubes become transition nodes earlier
+constexpr std::size_t samples_a_cube = 64;  // of the finest cells, aimed at: many cubes become transition nodes earlier
 constexpr std::size_t samples_a_rectangle = 6;
 constexpr unsigned most_cube_levels = 6;  // at a time: 2^18 counters
 constexpr unsigned most_rectangle_levels = 8;
@@ -38,8 +38,8 @@ struct Task {
   std::size_t begin = 0, end = 0;
   unsigned buffer = 0;  // in which its records are
   bool enters_surface = false;
-  Moments moments = {};    // of a node that does
-  unsigned depth = 0;      // below the root of the octree or the quadtree
+  Moments moments = {};   // of a node that does
+  unsigned depth = 0;     // below the root of the octree or the quadtree
   LocalFrame frame = {};  // of one below
 
   std::size_t size() const { return end - begin; }
@@ -53,7 +53,7 @@ class Construction {
     order.resize(count);
     const std::size_t bytes = std::max<std::size_t>(1, count) * sizeof(Record);
     for (auto& buffer : buffers_) {  // stays as it is until written, so that threads share that
-      buffer.reset(static_cast<Record*>(operator new(bytes, std::align_val_t{alignof(Record)})));
+      buffer.reset(static_cast<Record*>(operator new (bytes, std::align_val_t{alignof(Record)})));
     }
   }
 
@@ -75,10 +75,10 @@ class Construction {
   void finish(Nodes& out, std::vector<Task>& tasks);
   float error_of(const Moments& moments, std::span<const Record> records) const;
   bool is_leaf(const Node& node, const Moments& moments) const;
-  void close(const Node& node, std::span<const Record> records);
+  void close(std::uint32_t begin, std::span<const Record> records);
 
   struct Release {
-    void operator()(Record* records) const { operator delete(records, std::align_val_t{alignof(Record)}); }
+    void operator()(Record* records) const { operator delete (records, std::align_val_t{alignof(Record)}); }
   };
   std::size_t count_;
   Options options_;
@@ -102,9 +102,9 @@ bool Construction::is_leaf(const Node& node, const Moments& moments) const {
   return node.error <= options_.threshold || node.size() <= options_.least_samples || moments.at_one_point();
 }
 
-void Construction::close(const Node& node, std::span<const Record> records) {
-  std::uint32_t at = node.begin;
-  for (const Record& record : records) order_[at++] = record.index();
+// The samples of a leaf, in their order from now on.
+void Construction::close(std::uint32_t begin, std::span<const Record> records) {
+  for (const Record& record : records) order_[begin++] = record.index();
 }
 
 // Nodes from the cells of one sort, the coarsest first.
@@ -118,6 +118,7 @@ class Emission {
     const std::vector<Cell>& fine = cells_.levels[level + 1];
     const std::uint32_t first = cells_.levels[level][index].first_child;
     const std::uint32_t last = cells_.levels[level][index + 1].first_child;
+    if (kind_ == Kind::surface && last - first > 1 && close_in_pairs(slot, {&fine[first], last - first})) return;
     const auto first_slot = static_cast<std::uint32_t>(out_.nodes.size());
     Node child;
     child.frame = out_.nodes[slot].frame;
@@ -143,13 +144,14 @@ class Emission {
     const Options& options = owner_.options_;
     node.error = owner_.error_of(moments, records);
     const unsigned depth = sorted_.depth + level;
-    if (kind_ == Kind::volume && options.surface && is_height_field(records, moments, options.delta_a, options.delta_d)) {
+    if (kind_ == Kind::volume && options.surface &&
+        is_height_field(records, moments, options.delta_a, options.delta_d)) {
       Task task = task_of(slot, depth);
       task.enters_surface = true;
       task.moments = moments;
       hand_over(task);
     } else if (owner_.is_leaf(node, moments) || depth == (kind_ == Kind::volume ? octree_levels : quadtree_levels)) {
-      owner_.close(node, records);
+      owner_.close(node.begin, records);
     } else if (level + 1 < cells_.levels.size()) {
       children_of(slot, level, index);
     } else {
@@ -161,6 +163,67 @@ class Emission {
   void finish() { owner_.finish(out_, tasks_); }
 
  private:
+  // Whether two quadrants together are a leaf already; its error then.
+  bool are_leaf(const Cell* const a, const Cell* const b, float& error) const {
+    if (a == nullptr || b == nullptr) return false;
+    Moments moments = a->moments;
+    moments.add(b->moments);
+    error = owner_.error_of(moments, {});
+    return error <= owner_.options_.threshold;
+  }
+
+  // The quadrants of a node as leaves of two, if that is all that it takes. False if not: nothing has changed then.
+  bool close_in_pairs(std::uint32_t slot, std::span<const Cell> children) {
+    if (owner_.options_.metric == Metric::qef) return false;  // its errors do not add up
+    const Cell* quadrants[4] = {};
+    for (const Cell& child : children) quadrants[child.key & 3U] = &child;
+    constexpr unsigned pairs[2][2][2] = {{{0, 1}, {2, 3}}, {{0, 2}, {1, 3}}};
+    for (unsigned way = 0; way < 2; ++way) {
+      float errors[2] = {};
+      bool joined[2] = {};
+      bool enough = true;
+      for (unsigned i = 0; i < 2; ++i) {
+        const Cell* const a = quadrants[pairs[way][i][0]];
+        const Cell* const b = quadrants[pairs[way][i][1]];
+        joined[i] = are_leaf(a, b, errors[i]);
+        if (joined[i] || (a == nullptr && b == nullptr)) continue;
+        const Cell* const only = a != nullptr ? a : b;
+        errors[i] = owner_.error_of(only->moments, {});
+        enough &= (a == nullptr || b == nullptr) && errors[i] <= owner_.options_.threshold;
+      }
+      if (!enough || !(joined[0] || joined[1])) continue;
+      write_pairs(slot, quadrants, pairs[way], errors);
+      out_.nodes[slot].joined = static_cast<std::uint8_t>(((joined[0] ? 1U : 0U) | (joined[1] ? 2U : 0U)) << (2 * way));
+      return true;
+    }
+    return false;
+  }
+
+  void write_pairs(std::uint32_t slot, const Cell* const (&quadrants)[4], const unsigned (&pairs)[2][2],
+                   const float (&errors)[2]) {
+    Node child;
+    child.frame = out_.nodes[slot].frame;
+    child.kind = kind_;
+    child.level = static_cast<std::uint8_t>(out_.nodes[slot].level + 1);
+    child.end = out_.nodes[slot].begin;
+    out_.nodes[slot].first_child = static_cast<std::uint32_t>(out_.nodes.size());
+    // In the order of their first quadrants with samples.
+    const unsigned first = quadrants[0] == nullptr && pairs[1][0] == 1 ? 1 : 0;
+    for (const unsigned i : {first, 1 - first}) {
+      child.begin = child.end;
+      child.error = errors[i];
+      for (const unsigned quadrant : pairs[i]) {
+        const Cell* const cell = quadrants[quadrant];
+        if (cell == nullptr) continue;
+        const std::size_t begin = sorted_.begin + cell->begin, end = sorted_.begin + (cell + 1)->begin;
+        owner_.close(child.end, owner_.records(sorted_.buffer, begin, end));
+        child.end += static_cast<std::uint32_t>(end - begin);
+        out_.nodes[slot].children = static_cast<std::uint8_t>(out_.nodes[slot].children | (1U << quadrant));
+      }
+      if (child.end > child.begin) out_.nodes.push_back(child);
+    }
+  }
+
   Task task_of(std::uint32_t slot, unsigned depth) const {
     Task task;
     task.slot = slot;
@@ -199,7 +262,7 @@ void Construction::carry_out(Nodes& out, Task& task) {
     out.frames.push_back(task.frame);
     out.frame_nodes.push_back(task.slot);
     if (is_leaf(node, task.moments)) {
-      close(node, mine);
+      close(node.begin, mine);
       return;
     }
   }

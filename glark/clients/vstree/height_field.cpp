@@ -7,7 +7,7 @@
 namespace glark::vstree {
 namespace {
 
-constexpr std::size_t run = 32;      // records between two looks at the angles
+constexpr std::size_t run = 32;     // records between two looks at the angles
 constexpr std::size_t stride = 64;  // between records of the first, coarse look
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace glark::vstree {
 // The products are about the mean: small numbers, so that single precision will do.
 // Based on: Chan, Golub, LeVeque, Updating Formulae and a Pairwise Algorithm for Computing Sample Variances, 1979.
 struct Moments {
-  Float4 mean{};        // the fourth is the number of samples
+  Float4 mean{};         // the fourth is the number of samples
   Float4 products[3]{};  // row i: the sums of (p - mean)_i * (p - mean)
-  Float4 normals{};     // the sum; the fourth is their number
+  Float4 normals{};      // the sum; the fourth is their number
 
   float count() const { return mean[3]; }
   Float4 normal() const { return unit(normals); }

@@ -23,7 +23,8 @@ struct Cloud {
 
 std::vector<std::uint32_t> nearest(std::span<const Float4> points, std::size_t each, const Workers& workers) {
   const Cloud cloud{points};
-  using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3, std::uint32_t>;
+  using Index =
+      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3, std::uint32_t>;
   Index index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16));
   index.buildIndex();
   std::vector<std::uint32_t> result(points.size() * each);

@@ -40,8 +40,7 @@ std::vector<float> estimate_normals(const PointSet& points, const NormalOptions&
   const Workers workers(options.threads);
   check(points, workers);
   if (options.neighbours < 3 || options.neighbours > 256) {
-    throw Error(Element::option, 0,
-                "neighbours is " + std::to_string(options.neighbours) + "; 3 to 256 are possible");
+    throw Error(Element::option, 0, "neighbours is " + std::to_string(options.neighbours) + "; 3 to 256 are possible");
   }
   const Cube cube = bounding_cube(points.positions, workers);
   const std::size_t count = points.positions.size() / 3;

@@ -3,8 +3,8 @@
 #include "glark/clients/vstree/orientation.h"
 
 #include <algorithm>
-#include <utility>
 #include <numeric>
+#include <utility>
 
 namespace glark::vstree {
 namespace {
@@ -56,7 +56,8 @@ struct Edge {
   std::uint32_t from, to;
 };
 
-std::vector<Edge> edges_of(std::span<const Float4> normals, std::span<const std::uint32_t> neighbours, std::size_t each) {
+std::vector<Edge> edges_of(std::span<const Float4> normals, std::span<const std::uint32_t> neighbours,
+                           std::size_t each) {
   std::vector<Edge> edges;
   edges.reserve(neighbours.size());
   for (std::uint32_t i = 0; i < normals.size(); ++i) {

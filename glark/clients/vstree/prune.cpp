@@ -3,21 +3,14 @@
 #include "glark/clients/vstree/prune.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace glark::vstree {
-namespace {
-
-std::uint32_t child_count(const Node& node) { return static_cast<std::uint32_t>(std::popcount(node.children)); }
-
-}  // namespace
-
 std::vector<float> monotone_errors(std::span<const Node> nodes) {
   std::vector<float> errors(nodes.size());
   for (std::size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
     errors[i] = nodes[i].error;
     if (nodes[i].is_leaf()) continue;
-    for (std::uint32_t k = 0; k < child_count(nodes[i]); ++k)
+    for (std::uint32_t k = 0; k < nodes[i].child_count(); ++k)
       errors[i] = std::max(errors[i], errors[nodes[i].first_child + k]);
   }
   return errors;
@@ -26,9 +19,10 @@ std::vector<float> monotone_errors(std::span<const Node> nodes) {
 LeafCounts::LeafCounts(std::span<const Node> nodes, std::span<const float> errors) {
   divisions_.reserve(nodes.size() / 2);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!nodes[i].is_leaf()) divisions_.push_back({errors[i], child_count(nodes[i]) - 1});
+    if (!nodes[i].is_leaf()) divisions_.push_back({errors[i], nodes[i].child_count() - 1});
   }
-  std::sort(divisions_.begin(), divisions_.end(), [](const Division& a, const Division& b) { return a.error > b.error; });
+  std::sort(divisions_.begin(), divisions_.end(),
+            [](const Division& a, const Division& b) { return a.error > b.error; });
   std::uint32_t leaves = 1;
   for (std::size_t i = 0; i < divisions_.size();) {
     const std::size_t begin = i;  // what has one error is divided together
@@ -52,10 +46,10 @@ void prune(Nodes& tree, std::span<const float> errors, float threshold) {
     if (moved[i] == none || node.is_leaf()) continue;
     if (errors[i] <= threshold) {
       node.first_child = 0;
-      node.children = 0;
+      node.children = node.joined = 0;
       continue;
     }
-    for (std::uint32_t k = 0; k < child_count(node); ++k) moved[node.first_child + k] = kept++;
+    for (std::uint32_t k = 0; k < node.child_count(); ++k) moved[node.first_child + k] = kept++;
   }
   std::vector<Node> nodes(kept);
   std::vector<std::uint32_t> frame_moved(tree.frames.size(), none);

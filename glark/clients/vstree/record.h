@@ -35,7 +35,7 @@ struct Cube {
   }
 };
 
-inline constexpr unsigned octree_levels = 21;    // the last level's cubes are as small as a float resolves
+inline constexpr unsigned octree_levels = 21;  // the last level's cubes are as small as a float resolves
 inline constexpr unsigned quadtree_levels = 16;
 
 // The position on the grid of the octree's last level.
@@ -43,7 +43,8 @@ inline std::array<std::uint32_t, 3> octree_cell(Float4 position) {
   constexpr float cells = 1U << octree_levels;
   constexpr Float4 last{cells - 1, cells - 1, cells - 1, 0};
   const Float4 scaled = least(position * cells, last);
-  return {static_cast<std::uint32_t>(scaled[0]), static_cast<std::uint32_t>(scaled[1]), static_cast<std::uint32_t>(scaled[2])};
+  return {static_cast<std::uint32_t>(scaled[0]), static_cast<std::uint32_t>(scaled[1]),
+          static_cast<std::uint32_t>(scaled[2])};
 }
 
 }  // namespace glark::vstree

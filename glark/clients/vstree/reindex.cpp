@@ -35,7 +35,8 @@ std::vector<std::uint32_t> reindex(std::span<const std::uint32_t> triangles, std
   }
   // Lists of the triangles whose least corner a cluster is: they have the few to compare with.
   std::vector<std::uint32_t> first(cluster_count, 0xFFFFFFFF), next(all.size() / 3, 0xFFFFFFFF);
-  std::vector<int> balance(all.size() / 3);  // of all with its corners, at the first: those that run its way less the others
+  std::vector<int> balance(all.size() /
+                           3);  // of all with its corners, at the first: those that run its way less the others
   for (std::uint32_t t = 0; t < balance.size(); ++t) {
     const Triangle mine = sorted(&all[3 * std::size_t{t}]);
     std::uint32_t same = first[mine[0]];

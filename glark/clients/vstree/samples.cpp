@@ -87,12 +87,14 @@ void check(const Options& options) {
 
 void check_triangles(std::span<const std::uint32_t> triangles, std::size_t points) {
   if (triangles.size() % 3 != 0) {
-    throw Error(Element::array, 0, "triangles has " + std::to_string(triangles.size()) + " indices; give three for each");
+    throw Error(Element::array, 0,
+                "triangles has " + std::to_string(triangles.size()) + " indices; give three for each");
   }
   bool sound = true;
   for (const std::uint32_t index : triangles) sound &= index < points;
   if (sound) return;
-  const auto wrong = std::find_if(triangles.begin(), triangles.end(), [&](std::uint32_t index) { return index >= points; });
+  const auto wrong =
+      std::find_if(triangles.begin(), triangles.end(), [&](std::uint32_t index) { return index >= points; });
   throw Error(Element::triangle, static_cast<std::size_t>(wrong - triangles.begin()) / 3,
               "has index " + std::to_string(*wrong) + " of " + std::to_string(points) +
                   " points; remove it, or give all points");

@@ -57,8 +57,8 @@ std::vector<Float4> representatives(const Surface& surface, Clusters& clusters, 
   return points;
 }
 
-void write_attributes(const Mesh& mesh, const Surface& surface, const Clusters& clusters, std::span<const Float4> points,
-                      std::span<const std::uint32_t> cluster_of, Simplified& result) {
+void write_attributes(const Mesh& mesh, const Surface& surface, const Clusters& clusters,
+                      std::span<const Float4> points, std::span<const std::uint32_t> cluster_of, Simplified& result) {
   std::vector<Float4> normals(clusters.count), colours(mesh.points.colours.empty() ? 0 : clusters.count);
   std::vector<std::uint32_t> nearest(mesh.points.texcoords.empty() ? 0 : clusters.count, none);
   const auto squared = [&](std::uint32_t sample, std::uint32_t cluster) {
@@ -70,7 +70,8 @@ void write_attributes(const Mesh& mesh, const Surface& surface, const Clusters& 
     normals[cluster] += surface.normals[i];
     if (!colours.empty()) {
       const std::uint8_t* const colour = &mesh.points.colours[3 * std::size_t{i}];
-      colours[cluster] += Float4{static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2]), 1};
+      colours[cluster] +=
+          Float4{static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2]), 1};
     }
     if (!nearest.empty() && (nearest[cluster] == none || squared(i, cluster) < squared(nearest[cluster], cluster)))
       nearest[cluster] = i;

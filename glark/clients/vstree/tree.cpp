@@ -3,7 +3,6 @@
 //
 // The tree behind its public face.
 #include <algorithm>
-#include <bit>
 
 #include "glark/clients/vstree/construction.h"
 #include "glark/clients/vstree/prune.h"
@@ -52,6 +51,21 @@ Tree::State::State(PointSet points, const Options& options) {
     frames.push_back(tree.frames[i].in_space(cube, tree.frame_nodes[i]));
 }
 
+std::uint32_t Node::child(unsigned which) const {
+  if (joined == 0) return first_child + static_cast<std::uint32_t>(std::popcount(children & ((1U << which) - 1)));
+  const auto first_of_pair = [&](unsigned quadrant) {
+    constexpr std::array<std::array<unsigned, 2>, 4> pairs{{{0, 1}, {2, 3}, {0, 2}, {1, 3}}};
+    for (unsigned i = 0; i < pairs.size(); ++i) {
+      if ((joined & (1U << i)) != 0 && pairs[i][1] == quadrant) return pairs[i][0];
+    }
+    return quadrant;
+  };
+  std::uint32_t result = first_child;
+  for (unsigned before = 0; before < first_of_pair(which); ++before)
+    result += (children & (1U << before)) != 0 && first_of_pair(before) == before ? 1 : 0;
+  return result;
+}
+
 Tree::Tree(const PointSet& points, const Options& options) : state_(std::make_unique<State>(points, options)) {}
 Tree::~Tree() = default;
 Tree::Tree(Tree&& other) noexcept = default;
@@ -60,7 +74,9 @@ Tree& Tree::operator=(Tree&& other) noexcept = default;
 std::span<const Node> Tree::nodes() const { return state_->tree.nodes; }
 std::span<const Frame> Tree::frames() const { return state_->frames; }
 std::span<const std::uint32_t> Tree::order() const { return state_->order; }
-std::span<const std::uint32_t> Tree::samples(const Node& node) const { return order().subspan(node.begin, node.size()); }
+std::span<const std::uint32_t> Tree::samples(const Node& node) const {
+  return order().subspan(node.begin, node.size());
+}
 
 std::size_t Tree::leaf_count() const {
   return static_cast<std::size_t>(
@@ -102,7 +118,7 @@ std::uint32_t Tree::leaf_of(const std::array<float, 3>& position) const {
       which = ((uv[0] >> shift) & 1) | (((uv[1] >> shift) & 1) << 1);
     }
     if ((node.children & (1U << which)) == 0) return at;
-    at = node.first_child + static_cast<std::uint32_t>(std::popcount(node.children & ((1U << which) - 1)));
+    at = node.child(which);
     ++depth;
   }
 }
