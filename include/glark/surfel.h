@@ -61,7 +61,7 @@ struct Options {
   // and the greatest distance of a point from the leaf's plane, in radii of the leaf.
   float delta_a = 0.0F;
   float delta_d = 1.0F / 3;
-  float inflation = 2.0F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
+  float inflation = 2.5F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
   float reach = 5.0F;    // the longest edge of a triangle, in the distance to neighbours that its points have; 1 to 100
   unsigned levels = 1;   // of detail, 1 to 16; each has about a quarter of the points of the one before
   unsigned threads = 0;  // at most; 0: as many as the machine has, 1: none but the caller's

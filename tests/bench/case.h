@@ -26,6 +26,7 @@ void add_scene_cases(std::vector<Case>& cases);
 void add_adaptive_cases(std::vector<Case>& cases);
 void add_qas_cases(std::vector<Case>& cases);  // where glark-qas is built
 void add_qas_draw_cases(std::vector<Case>& cases);
+void add_surfel_cases(std::vector<Case>& cases);  // where glark-surfel is built
 void add_shape_cases(std::vector<Case>& cases);
 void add_figure_cases(std::vector<Case>& cases);
 void add_weld_cases(std::vector<Case>& cases);

@@ -79,6 +79,9 @@ std::vector<glark::bench::Case> all_cases() {
   glark::bench::add_qas_cases(cases);
   glark::bench::add_qas_draw_cases(cases);
 #endif
+#ifdef GLARK_BENCH_SURFEL
+  glark::bench::add_surfel_cases(cases);
+#endif
   glark::bench::add_shape_cases(cases);
   glark::bench::add_figure_cases(cases);
   glark::bench::add_weld_cases(cases);

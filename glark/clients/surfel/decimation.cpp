@@ -4,41 +4,27 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+
+#include "glark/clients/surfel/comparison.h"
 
 namespace glark::surfel {
 namespace {
 
-Corners sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  if (a > b) std::swap(a, b);
-  if (b > c) std::swap(b, c);
-  if (a > b) std::swap(a, b);
-  return {a, b, c};
-}
-
 class Decimator {
  public:
-  Decimator(const Layer& layer, std::uint32_t leaf, float reach) : layer_(layer), leaf_(leaf), reach_(reach) {}
-
-  // The length that the points' distances allow is the same for all leaves, so that they agree on what is a hole.
-  bool in_reach(const Corners& corners) const {
-    const Surfel& a = layer_.surfel(corners[0]);
-    const Surfel& b = layer_.surfel(corners[1]);
-    const Surfel& c = layer_.surfel(corners[2]);
-    const float most = reach_ * std::max({a.spacing, b.spacing, c.spacing});
-    const auto squared = [](Vector v) { return dot(v, v); };
-    return std::max({squared(a.position - b.position), squared(b.position - c.position),
-                     squared(c.position - a.position)}) <= most * most;
+  Decimator(const Layer& layer, std::uint32_t leaf, float reach) : layer_(layer), leaf_(leaf), reach_(reach) {
+    const Patch& patch = layer.patches[leaf];
+    if (patch.gaps > 0) find_superseded(patch);
   }
 
   bool redundant(const Corners& corners) const {
-    for (const std::uint32_t corner : corners) {
+    return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
       const std::uint32_t other = layer_.owner[corner];
-      if (other < leaf_ && has(other, corners)) return true;
-    }
-    return false;
+      return other < leaf_ && find(layer_, other, corners) != not_found;
+    });
   }
 
+  // The triangle and one beside it are a quadrilateral of which another leaf has the other diagonal.
   bool dual(const Candidate& candidate) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t beyond = candidate.across[k];
@@ -48,25 +34,62 @@ class Decimator {
       const Corners one = sorted(apex, beyond, a), other = sorted(apex, beyond, b);
       for (const std::uint32_t point : {a, b, apex, beyond}) {
         const std::uint32_t leaf = layer_.owner[point];
-        if (leaf >= leaf_ || !has(leaf, one) || !has(leaf, other)) continue;
-        if (in_reach(one) && in_reach(other)) return true;
+        if (leaf >= leaf_ || find(layer_, leaf, one) == not_found || find(layer_, leaf, other) == not_found) continue;
+        if (in_reach(layer_, one, reach_) && in_reach(layer_, other, reach_)) return true;
       }
     }
     return false;
   }
 
+  bool superseded(const Candidate& candidate) const { return superseded_[candidate.gap]; }
+
  private:
-  bool has(std::uint32_t leaf, const Corners& corners) const {
-    const auto candidates = layer_.candidates_of(leaf);
-    const auto found = std::lower_bound(candidates.begin(), candidates.end(), corners,
-                                        [](const Candidate& a, const Corners& b) { return a.corners < b; });
-    return found != candidates.end() && found->corners == corners;
+  // Gaps of which all edges are those of gaps that other leaves close: the dual of more triangles than two. Of leaves that all
+  // close one, the first does.
+  void find_superseded(const Patch& patch) {
+    std::vector<std::vector<std::uint32_t>> owners(patch.gaps);
+    std::vector<bool> closed(patch.gaps, false);
+    for (const Candidate& candidate : layer_.candidates_of(leaf_)) {
+      if (candidate.gap == none) continue;
+      closed[candidate.gap] = candidate.state == State::closes_gap;
+      for (const std::uint32_t corner : candidate.corners) {
+        const std::uint32_t owner = layer_.owner[corner];
+        if (owner != leaf_) owners[candidate.gap].push_back(owner);
+      }
+    }
+    for (auto& list : owners) {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    std::vector<std::size_t> edges(patch.gaps, 0), filled(patch.gaps, 0);
+    for (const GapEdge& edge : patch.gap_edges) {
+      ++edges[edge.gap];
+      filled[edge.gap] += std::any_of(owners[edge.gap].begin(), owners[edge.gap].end(), [&](std::uint32_t owner) {
+        return (owner < leaf_ || !closed[edge.gap]) && closes(owner, edge.ends);
+      });
+    }
+    for (std::uint32_t gap = 0; gap < patch.gaps; ++gap) {
+      superseded_.push_back(edges[gap] > 0 && filled[gap] == edges[gap]);
+    }
+  }
+
+  bool closes(std::uint32_t leaf, const std::array<std::uint32_t, 2>& ends) const {
+    const auto& edges = layer_.patches[leaf].gap_edges;
+    const auto found =
+        std::lower_bound(edges.begin(), edges.end(), ends,
+                         [](const GapEdge& a, const std::array<std::uint32_t, 2>& b) { return a.ends < b; });
+    return found != edges.end() && found->ends == ends && found->closed;
   }
 
   const Layer& layer_;
   std::uint32_t leaf_;
   float reach_;
+  std::vector<bool> superseded_;  // of the gaps
 };
+
+bool first_owner(const Layer& layer, std::uint32_t leaf, const Corners& corners) {
+  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) { return layer.owner[corner] >= leaf; });
+}
 
 }  // namespace
 
@@ -76,11 +99,14 @@ void decimate(const Layer& layer, std::uint32_t leaf, const LayerOptions& option
   valid.clear();
   patch.redundant = patch.dual = patch.valid = patch.out_of_reach = 0;
   for (const Candidate& candidate : layer.candidates_of(leaf)) {
-    if (!decimator.in_reach(candidate.corners)) {
+    const bool contested = candidate.state == State::contested;
+    if (candidate.state == State::out_of_reach) {
       ++patch.out_of_reach;
-    } else if (decimator.redundant(candidate.corners)) {
+    } else if (contested ? decimator.redundant(candidate.corners)
+                         : candidate.state == State::agreed && !first_owner(layer, leaf, candidate.corners)) {
       ++patch.redundant;
-    } else if (decimator.dual(candidate)) {
+    } else if (candidate.state != State::agreed &&
+               (decimator.superseded(candidate) || (contested && decimator.dual(candidate)))) {
       ++patch.dual;
     } else {
       ++patch.valid;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "glark/clients/surfel/bounds.h"
+#include "glark/clients/surfel/comparison.h"
 #include "glark/clients/surfel/decimation.h"
 
 namespace glark::surfel {
@@ -93,6 +94,13 @@ void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const 
       });
 }
 
+void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                         const Workers& workers) {
+  workers.each(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) agree(layer, leaves[i], options.reach);
+  });
+}
+
 void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
                  const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
   fill_slots(
@@ -129,6 +137,7 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
     for (std::size_t leaf = begin; leaf < end; ++leaf) layer.find_owners(static_cast<std::uint32_t>(leaf));
   });
   make_candidates(layer, leaves, workers);
+  agree_on_candidates(layer, leaves, options, workers);
   std::vector<Range> changed;
   make_strips(layer, leaves, options, workers, indices, changed);
   layer.nodes.resize(layer.tree.nodes.size());

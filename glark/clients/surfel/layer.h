@@ -14,12 +14,23 @@
 
 namespace glark::surfel {
 
+// Between an agreed and a contested triangle.
+struct GapEdge {
+  std::array<std::uint32_t, 2> ends;  // ascending
+  std::uint32_t gap;
+  bool closed;  // the leaf's contested triangles there close it
+
+  bool operator==(const GapEdge&) const = default;
+};
+
 // What is known of a leaf's patch.
 struct Patch {
   Slot candidates;
   Slot strip;
   std::size_t outer = 0, redundant = 0, dual = 0, valid = 0, out_of_reach = 0;
-  Box box;  // of what is drawn
+  std::uint32_t gaps = 0;
+  std::vector<GapEdge> gap_edges;  // ascending; few leaves have any
+  Box box;                         // of what is drawn
   Vector cone_axis;
   float cone_cosine = -2;  // 2: nothing is drawn
 };
@@ -59,8 +70,10 @@ struct LayerOptions {
 Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names, const LayerOptions& options,
                   const Workers& workers, std::vector<std::uint32_t>& indices);
 
-// Candidates, then strips, of leaves that are named; strips that grow move to the end of `indices`. Appends what changed there.
+// Candidates, then what others say of them, then strips, of leaves that are named; strips that grow move to the end of `indices`. Appends what changed there.
 void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers);
+void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                         const Workers& workers);
 void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
                  const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
 

@@ -189,12 +189,20 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
   Mover mover(layer, moved, options);
   mover.run();
   make_candidates(layer, mover.leaves.list(), workers);
-  // Those that share triangles with them compare anew.
+  // Those that share triangles with them compare anew, and those that share gaps with these.
   Marked drawn;
   std::vector<std::uint32_t> found;
   for (const std::uint32_t leaf : mover.leaves.list()) {
     drawn.add(leaf);
     Patcher::neighbours(layer.tree, leaf, found);
+    for (const std::uint32_t neighbour : found) drawn.add(neighbour);
+  }
+  std::vector<std::vector<GapEdge>> before;
+  for (const std::uint32_t leaf : drawn.list()) before.push_back(layer.patches[leaf].gap_edges);
+  agree_on_candidates(layer, drawn.list(), options, workers);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (layer.patches[drawn.list()[i]].gap_edges == before[i]) continue;
+    Patcher::neighbours(layer.tree, drawn.list()[i], found);
     for (const std::uint32_t neighbour : found) drawn.add(neighbour);
   }
   make_strips(layer, drawn.list(), options, workers, indices, changed);

@@ -10,9 +10,9 @@
 namespace glark::surfel {
 namespace {
 
-constexpr float opposite = -0.5F;        // the cosine to the leaf's normal below which a point is of another sheet
-constexpr std::size_t most_taken = 256;  // points that a leaf takes in, for one that is sparse among dense ones
-constexpr int most_passes = 4;           // of turning edges; few turn twice
+constexpr float opposite = -0.5F;         // the cosine to the leaf's normal below which a point is of another sheet
+constexpr std::size_t most_taken = 256;   // points that a leaf takes in, for one that is sparse among dense ones
+constexpr std::size_t most_turned = 256;  // edges
 
 // The sum of the cotangents of the angles opposite to edge ab in triangles abp and abd: negative where Delaunay's criterion fails.
 float cotangents(Vector a, Vector b, Vector p, Vector d) {
@@ -21,6 +21,16 @@ float cotangents(Vector a, Vector b, Vector p, Vector d) {
     return dot(s, t) / std::max(length(cross(s, t)), std::numeric_limits<float>::min());
   };
   return cotangent(p) + cotangent(d);
+}
+
+// Whether the angles of abp and abd at p and d are below 60 degrees: then no other diagonal is better, on any plane.
+bool surely_delaunay(Vector a, Vector b, Vector p, Vector d) {
+  const auto narrow = [&](Vector at) {
+    const Vector s = a - at, t = b - at;
+    const float cosine = dot(s, t);
+    return cosine > 0 && 4 * cosine * cosine > dot(s, s) * dot(t, t);
+  };
+  return narrow(p) && narrow(d);
 }
 
 }  // namespace
@@ -120,31 +130,48 @@ bool Patcher::prefers_other_diagonal(std::uint32_t number, std::uint32_t side) c
   const Member* b = member(corners[(side + 2) % 3]);
   if (a->index > b->index) std::swap(a, b);
   if (p->index > d->index) std::swap(p, d);
+  if (surely_delaunay(a->position, b->position, p->position, d->position)) return false;
   const float now = cotangents(a->position, b->position, p->position, d->position);
   const float other = cotangents(p->position, d->position, a->position, b->position);
   return other > now || (other == now && p->index < a->index);
 }
 
+bool Patcher::turn(std::uint32_t number, std::uint32_t side) {
+  const Delaunay::Triangle& triangle = delaunay_.triangles()[number];
+  const std::uint32_t other = triangle.neighbours[side];
+  if (other == Delaunay::none || !delaunay_.finite(delaunay_.triangles()[other])) return false;
+  const std::uint32_t nearest = std::min({triangle.corners[0], triangle.corners[1], triangle.corners[2]});
+  if (nearest >= own_ && delaunay_.across(number, side) >= own_) return false;
+  if (!prefers_other_diagonal(number, side) || !delaunay_.can_flip(number, side)) return false;
+  pending_.push_back(number);
+  pending_.push_back(other);
+  delaunay_.flip(number, side);
+  return true;
+}
+
 // Delaunay's criterion once more, for the triangles in space: planes of neighbouring leaves differ, the points do not.
 void Patcher::relax() {
-  bool turned = true;
-  for (int pass = 0; pass < most_passes && turned; ++pass) {
-    turned = false;
-    const auto count = static_cast<std::uint32_t>(delaunay_.triangles().size());
-    for (std::uint32_t number = 0; number < count; ++number) {
-      for (std::uint32_t side = 0; side < 3; ++side) {
-        const Delaunay::Triangle triangle = delaunay_.triangles()[number];
-        const std::uint32_t other = triangle.neighbours[side];
-        if (other == Delaunay::none || (other < number && pass == 0)) continue;
-        if (!delaunay_.finite(triangle) || !delaunay_.finite(delaunay_.triangles()[other])) continue;
-        const std::uint32_t nearest = std::min({triangle.corners[0], triangle.corners[1], triangle.corners[2]});
-        if (nearest >= own_ && delaunay_.across(number, side) >= own_) continue;
-        if (!prefers_other_diagonal(number, side) || !delaunay_.can_flip(number, side)) continue;
-        delaunay_.flip(number, side);
-        turned = true;
-      }
+  pending_.clear();
+  const auto count = static_cast<std::uint32_t>(delaunay_.triangles().size());
+  for (std::uint32_t number = 0; number < count; ++number) {
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const Delaunay::Triangle& triangle = delaunay_.triangles()[number];
+      if (triangle.neighbours[side] > number && delaunay_.finite(triangle)) turn(number, side);
     }
   }
+  // Around those that were turned; in space edges could turn for ever.
+  for (std::size_t next = 0; next < pending_.size() && pending_.size() < most_turned; ++next) {
+    for (std::uint32_t side = 0; side < 3; ++side) turn(pending_[next], side);
+  }
+}
+
+// At sharp creases a triangle can be the wrong way round in the leaf's plane: the points' normals know better.
+bool Patcher::faces_away(const Delaunay::Triangle& triangle) const {
+  const Member& a = members_[triangle.corners[0]];
+  const Member& b = members_[triangle.corners[1]];
+  const Member& c = members_[triangle.corners[2]];
+  const Vector normal = cross(b.position - a.position, c.position - a.position);
+  return dot(normal, a.normal + b.normal + c.normal) < 0;
 }
 
 void Patcher::collect() {
@@ -159,6 +186,7 @@ void Patcher::collect() {
       continue;
     }
     Candidate candidate{};
+    candidate.reversed = faces_away(triangle);
     std::array<std::uint32_t, 3> order = {0, 1, 2};
     const auto index = [&](std::uint32_t i) { return members_[triangle.corners[i]].index; };
     const auto sort_two = [&](std::uint32_t i, std::uint32_t j) {

@@ -16,11 +16,20 @@ namespace glark::surfel {
 
 using Corners = std::array<std::uint32_t, 3>;  // points, ascending
 
+enum class State : std::uint8_t {
+  contested,
+  agreed,        // all leaves that could have the triangle have it
+  closes_gap,    // of contested triangles between agreed ones
+  out_of_reach,  // an edge is too long
+};
+
 // A triangle with a point of its leaf, which may be drawn.
 struct Candidate {
   Corners corners;
-  Corners across;  // the point beyond the edge opposite to each corner, or `none`
-  bool reversed;   // the corners are clockwise seen from outside
+  Corners across;     // the point beyond the edge opposite to each corner, or `none`
+  std::uint32_t gap;  // number among those of the leaf, of a contested triangle
+  bool reversed;      // the corners are clockwise seen from outside
+  State state;
 };
 
 // Makes patches, one after the other, in memory that it keeps.
@@ -47,15 +56,18 @@ class Patcher {
 
   void inflate(std::uint32_t leaf);
   void project(const Leaf& leaf);
+  bool turn(std::uint32_t triangle, std::uint32_t side);
   void relax();
   bool prefers_other_diagonal(std::uint32_t triangle, std::uint32_t side) const;
+  bool faces_away(const Delaunay::Triangle& triangle) const;
   void collect();
   void measure_spacings();
 
   const StrippingTree& tree_;
   std::size_t own_ = 0;
   std::vector<std::uint32_t> neighbours_;
-  std::vector<Member> members_;  // the leaf's own first
+  std::vector<std::uint32_t> pending_;  // triangles whose edges may turn
+  std::vector<Member> members_;         // the leaf's own first
   std::vector<std::array<float, 2>> plane_;
   std::vector<Delaunay::Point> points_;
   std::vector<std::array<float, 3>> shortest_;

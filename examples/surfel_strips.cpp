@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A cloud of points, drawn as triangle strips without reconstructing its surface, with the library glark-surfel. On the left are the points,
+// in the middle the strips that they have in this view, a colour for each, and on the right the same strips with curved triangles, by
+// GL_CURVED_PN_ARK. One glMultiDrawElements draws them: strips that face away or lie beside the picture are not among its counts.
+//
+//   surfel_strips OUT.png [SECONDS]      the moment of the animation: a bulge that grows, of which only its own strips are made anew
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/osmesa.h>
+#include <glark/surfel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image_write.h>
+
+#include <GL/glark.h>
+
+namespace {
+
+constexpr int width = 1536, height = 512;
+constexpr unsigned deepest = 2;
+
+struct Points {
+  std::vector<float> positions, normals;  // x y z
+};
+
+// A knot of 6000 points: evenly spread, in no order that a mesh would have.
+Points make_knot() {
+  constexpr int count = 6000;
+  constexpr float turn = 6.2831853F, thickness = 0.32F;
+  Points points;
+  for (int i = 0; i < count; ++i) {
+    const float along = turn * std::fmod(float(i) * 0.7548777F, 1.0F),
+                around = turn * std::fmod(float(i) * 0.5698403F, 1.0F);
+    const auto curve = [](float t, float* at) {
+      const float r = 1 + 0.35F * std::cos(3 * t);
+      at[0] = r * std::cos(2 * t), at[1] = r * std::sin(2 * t), at[2] = 0.45F * std::sin(3 * t);
+    };
+    float middle[3], ahead[3], tangent[3];
+    curve(along, middle);
+    curve(along + 0.01F, ahead);
+    float size = 0;
+    for (int k = 0; k < 3; ++k) tangent[k] = ahead[k] - middle[k];
+    for (const float t : tangent) size += t * t;
+    for (float& t : tangent) t /= std::sqrt(size);
+    // Two directions across the curve: away from the z axis as far as possible, and the other.
+    float across[3] = {std::cos(2 * along), std::sin(2 * along), 0}, other[3];
+    const float overlap = across[0] * tangent[0] + across[1] * tangent[1];
+    for (int k = 0; k < 3; ++k) across[k] -= overlap * tangent[k];
+    const float length = std::sqrt(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]);
+    for (float& a : across) a /= length;
+    for (int k = 0; k < 3; ++k)
+      other[k] = tangent[(k + 1) % 3] * across[(k + 2) % 3] - tangent[(k + 2) % 3] * across[(k + 1) % 3];
+    for (int k = 0; k < 3; ++k) {
+      const float normal = std::cos(around) * across[k] + std::sin(around) * other[k];
+      points.normals.push_back(normal);
+      points.positions.push_back(middle[k] + thickness * normal);
+    }
+  }
+  return points;
+}
+
+// Points near the tip of the x axis move outwards, the nearest the farthest, and their normals turn; which ones they are.
+std::vector<std::uint32_t> bulge(Points& points, float by) {
+  std::vector<std::uint32_t> moved;
+  for (std::uint32_t i = 0; i < points.positions.size() / 3; ++i) {
+    float* const p = &points.positions[3UL * i];
+    float* const n = &points.normals[3UL * i];
+    const float d[3] = {p[0] - 1.35F, p[1], p[2]};
+    const float near = 1 - (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 0.5F;
+    if (near <= 0) continue;
+    const float along = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
+    for (int k = 0; k < 3; ++k) {
+      p[k] += by * near * near * n[k];
+      n[k] += by * 8 * near * (d[k] - along * n[k]);  // less the slope of near * near across the normal
+    }
+    moved.push_back(i);
+  }
+  return moved;
+}
+
+void look(int column) {
+  glViewport(column * width / 3, 0, width / 3, height);
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glFrustum(-0.36, 0.36, -0.36, 0.36, 1, 20);
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
+  glTranslatef(0, 0, -5.6F);
+  glRotatef(-50, 1, 0, 0);
+}
+
+// What the library has to know of the view: projection times model-view, and the size in pixels.
+glark::surfel::View current_view() {
+  float projection[16], model_view[16];
+  glGetFloatv(GL_PROJECTION_MATRIX, projection);
+  glGetFloatv(GL_MODELVIEW_MATRIX, model_view);
+  glark::surfel::View view{.width = width / 3, .height = height};
+  for (unsigned column = 0; column < 4; ++column) {
+    for (unsigned row = 0; row < 4; ++row) {
+      for (unsigned k = 0; k < 4; ++k)
+        view.clip_from_object[4 * column + row] += projection[4 * k + row] * model_view[4 * column + k];
+    }
+  }
+  return view;
+}
+
+void draw(const glark::surfel::Frame& frame) {
+  glMultiDrawElements(GL_TRIANGLE_STRIP, frame.counts.data(), GL_UNSIGNED_INT, frame.offsets.data(), frame.draws());
+}
+
+// One by one, for the sake of the colours.
+void draw_coloured(const glark::surfel::Frame& frame) {
+  for (std::size_t i = 0; i < frame.counts.size(); ++i) {
+    const auto shade = [&](std::size_t prime) { return 0.35F + 0.6F * float(i * prime % 97) / 97; };
+    glColor3f(shade(31), shade(57), shade(83));
+    glDrawElements(GL_TRIANGLE_STRIP, frame.counts[i], GL_UNSIGNED_INT, frame.offsets[i]);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2 && argc != 3) {
+    std::fprintf(stderr, "usage: %s OUT.png [SECONDS]\n", argv[0]);
+    return 2;
+  }
+  std::vector<unsigned char> pixels(4UL * width * height);
+  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
+  if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE) return 1;
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_LIGHTING);
+  glEnable(GL_LIGHT0);
+  glEnable(GL_NORMALIZE);
+  glEnable(GL_COLOR_MATERIAL);
+  glEnable(GL_CULL_FACE);
+  glClearColor(1, 1, 1, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glARKinit(deepest);
+
+  // Once: the strips. Their indices go to a buffer; the points are drawn from where they are, in the order in which they are.
+  Points points = make_knot();
+  glark::surfel::Strips strips({points.positions, points.normals});
+  GLuint index_buffer = 0;
+  glGenBuffers(1, &index_buffer);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
+
+  // When points move: their strips, and no others. (A program with much to draw uploads the ranges that update() returns.)
+  const float seconds = argc == 3 ? std::strtof(argv[2], nullptr) : 0.5F;
+  const std::vector<std::uint32_t> moved = bulge(points, seconds);
+  strips.update({points.positions, points.normals}, moved);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(strips.indices().size_bytes()), strips.indices().data(),
+               GL_STATIC_DRAW);
+  glVertexPointer(3, GL_FLOAT, 0, points.positions.data());
+  glNormalPointer(GL_FLOAT, 0, points.normals.data());
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnableClientState(GL_NORMAL_ARRAY);
+
+  // Every frame: what is seen.
+  look(0);
+  glColor3f(0.2F, 0.35F, 0.6F);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(points.positions.size() / 3));
+  glark::surfel::Frame frame;
+  strips.select(current_view(), frame);
+  look(1);
+  draw_coloured(frame);
+  look(2);
+  glColor3f(0.9F, 0.6F, 0.3F);
+  glEnable(GL_ARK);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, deepest);
+  draw(frame);
+  glFinish();
+
+  std::printf("%zu of %zu strips in %d draws of one call\n", frame.strips, strips.counts().strips, frame.draws());
+  stbi_flip_vertically_on_write(1);
+  const int written = stbi_write_png(argv[1], width, height, 4, pixels.data(), 4 * width);
+  OSMesaDestroyContext(context);
+  return written != 0 ? 0 : 1;
+}

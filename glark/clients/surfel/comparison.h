@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What leaves look up in one another's triangulations.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "glark/clients/surfel/layer.h"
+
+namespace glark::surfel {
+
+// Ascending.
+Corners sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+inline constexpr std::size_t not_found = static_cast<std::size_t>(-1);
+
+// Among a leaf's candidates.
+std::size_t find(const Layer& layer, std::uint32_t leaf, const Corners& corners);
+
+// Whether no edge is too long for the distances of the corners: the same for all leaves, so that they agree on what is a hole.
+bool in_reach(const Layer& layer, const Corners& corners, float reach);
+
+// Fills in the states of a leaf's candidates, and its gaps. Reads no states of others.
+void agree(Layer& layer, std::uint32_t leaf, float reach);
+
+}  // namespace glark::surfel
