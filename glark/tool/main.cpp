@@ -3,11 +3,14 @@
 //
 // glark run [options] [--] PROGRAM ARGUMENTS: runs an unmodified program with refinement.
 // glark info: says what refinement finds on this machine.
+// Commands for files are programs of their own.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "glark/tool/exec.h"
 #include "glark/tool/info.h"
 #include "glark/tool/run.h"
 
@@ -75,13 +78,19 @@ int complain(const std::string& problem) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const char* program = glark::tool::program_of(std::span(argv + 1, argv + argc)))
+    return glark::tool::become(program, argv);
   CLI::App app("glark refines the triangles of unmodified OpenGL programs.", "glark");
   app.set_version_flag("--version", "glark " GLARK_VERSION);
   glark::tool::RunOptions options;
   CLI::App* run =
       app.add_subcommand("run", "Run a program with refinement: glark run [options] [--] PROGRAM [ARGUMENTS]");
   describe_run(*run, options);
-  CLI::App* info = app.add_subcommand("info", "Say what OpenGL is here and whether glark can refine with it");
+  CLI::App* info = app.add_subcommand(
+      "info",
+      "Say what OpenGL is here and whether glark can refine with it; with a FILE, what points and triangles it has");
+  for (const glark::tool::OtherCommand& command : glark::tool::other_commands())
+    if (glark::tool::find_program(command.program)) app.add_subcommand(command.name, command.help);
 
   std::vector<std::string> words(argv + 1, argv + argc);
   std::vector<std::string> program;

@@ -71,6 +71,10 @@ def complaint_about(name: str, included: str, quoted: bool) -> str:
     elif name.startswith("glark/settings/"):
         if ours and not included.startswith(("glark/settings/", CORE + "refinement.h", CORE + "report.h")):
             return "the settings include only themselves and what they set: glark/core/refinement.h and report.h"
+    elif name.startswith(("glark/tool/scan/", "glark/tool/view/")):
+        allowed = ("glark/clients/geometry/", "glark/tool/scan/", name[:len("glark/tool/scan/")])
+        if ours and not included.startswith(allowed) and not PUBLIC_HEADER.fullmatch(included):
+            return "the commands for files use the readers and writers of glark/clients/geometry and the public headers"
     elif name.startswith("glark/tool/"):
         if ours and not included.startswith(("glark/settings", "glark/tool/")):
             return "the launcher includes only glark/settings"
@@ -115,6 +119,9 @@ class Includes(unittest.TestCase):
             ("glark/core/context.h", '#include "glark/core/capture/capture.h"'),
             ("shim/glx.cpp", "#include <GL/osmesa.h>"),
             ("glark/tool/run.cpp", '#include "glark/core/report.h"'),
+            ("glark/tool/run.cpp", '#include "glark/clients/geometry/formats.h"'),
+            ("glark/tool/scan/info.cpp", '#include "glark/clients/qas/topology.h"'),
+            ("glark/tool/scan/info.cpp", '#include "glark/tool/view/camera.h"'),
             ("examples/a.cpp", '#include "glark/core/report.h"'),
             ("glark/clients/depth/a.cpp", '#include "glark/core/report.h"'),
             ("tests/clients/a.c", '#include "glark/gl/types.h"'),
@@ -136,6 +143,9 @@ class Includes(unittest.TestCase):
             ("examples/a.cpp", "#include <glark/qas.h>"),
             ("glark/clients/qas/a.cpp", "#include <glark/qas.h>"),
             ("glark/clients/qas/a.cpp", '#include "glark/clients/qas/topology.h"'),
+            ("glark/tool/scan/info.cpp", '#include "glark/clients/geometry/formats.h"'),
+            ("glark/tool/scan/strip.cpp", "#include <glark/surfel.h>"),
+            ("glark/tool/view/main.cpp", '#include "glark/tool/scan/files.h"'),
             ("examples/a.cpp", "#include <glark/depth.h>"),
             ("glark/clients/depth/a.cpp", "#include <glark/depth.h>"),
         ]:

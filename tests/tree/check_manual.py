@@ -14,6 +14,7 @@ import unittest
 from tracked import ROOT, text_of, tracked_files
 
 PAGE = "docs/man/glark.1"
+SCAN_PAGE = "docs/man/glark-scan.1"
 GLARK = ""
 
 
@@ -37,6 +38,17 @@ class Manual(unittest.TestCase):
     def setUp(self):
         self.page = plain(text_of(PAGE))
         self.help = subprocess.run([GLARK, "run", "--help"], check=True, capture_output=True, text=True).stdout
+
+    def test_commands_for_files(self):
+        """Those of them that were built."""
+        listed = subprocess.run([GLARK, "--help"], check=True, capture_output=True, text=True).stdout
+        page = plain(text_of(SCAN_PAGE))
+        for command in ("simplify", "strip", "reconstruct", "view"):
+            if not re.search(rf"^  {command} ", listed, re.MULTILINE):
+                continue
+            help_text = subprocess.run([GLARK, command, "--help"], check=True, capture_output=True, text=True).stdout
+            self.assertGreater(len(options_of(help_text)), 4)
+            self.assertEqual([], missing(options_of(help_text) | {f"glark {command}"}, page))
 
     def test_every_option(self):
         options = options_of(self.help)
@@ -62,9 +74,10 @@ class Manual(unittest.TestCase):
             self.assertNotEqual("true", os.environ.get("CI"), "man is not installed; run scripts/install_packages")
             self.skipTest("man is not installed")
         environment = dict(os.environ, MANROFFSEQ="", MANWIDTH="80", LC_ALL="C.UTF-8")
-        result = subprocess.run(["man", "--warnings", "--encoding=UTF-8", "--troff-device=utf8", "--local-file", str(ROOT / PAGE)],
-                                capture_output=True, text=True, env=environment)
-        self.assertEqual(("", 0), (result.stderr, result.returncode))
+        for page in (PAGE, SCAN_PAGE):
+            result = subprocess.run(["man", "--warnings", "--encoding=UTF-8", "--troff-device=utf8", "--local-file", str(ROOT / page)],
+                                    capture_output=True, text=True, env=environment)
+            self.assertEqual(("", 0), (result.stderr, result.returncode))
         name = subprocess.run(["lexgrog", str(ROOT / PAGE)], capture_output=True, text=True)
         self.assertIn("glark - run OpenGL programs", name.stdout)
 

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/geometry/formats.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "glark/clients/geometry/assimp_reader.h"
+#include "glark/clients/geometry/input.h"
+#include "glark/clients/geometry/ply_reader.h"
+#include "glark/clients/geometry/text_points.h"
+#include "glark/clients/geometry/writers.h"
+
+namespace glark::geometry {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+std::string ending_of(const fs::path& file) {
+  const std::string ending = lower(file.extension().string());
+  return ending == ".zst" ? lower(file.stem().extension().string()) : ending;
+}
+
+Reading read_as(const std::string& ending, Input& input, const ReadOptions& options) {
+  if (ending == ".ply") return read_ply(input, options);
+  if (ending == ".obj") return read_by_assimp(input, MeshFormat::obj, options);
+  if (ending == ".stl") return read_by_assimp(input, MeshFormat::stl, options);
+  if (ending == ".pts") return read_text_points(input, TextPoints::pts, options);
+  if (ending == ".xyz" || ending == ".txt" || ending == ".asc" || ending == ".csv")
+    return read_text_points(input, TextPoints::xyz, options);
+  throw Error(input.name() + ": the ending \"" + ending +
+              "\" names no format that glark reads; use .ply, .obj, .stl, .xyz or .pts (or one of these and .zst)");
+}
+
+void check_ending(const fs::path& file) {
+  const std::string ending = lower(file.extension().string());
+  for (const char* known : {".ply", ".obj", ".stl", ".xyz", ".pts", ".glb"})
+    if (ending == known) return;
+  throw Error(file.string() + ": the ending \"" + ending +
+              "\" names no format that glark writes; use .ply, .obj, .stl, .xyz, .pts or .glb");
+}
+
+}  // namespace
+
+Reading read_file(const fs::path& file, const ReadOptions& options, const Progress& progress) {
+  Input input = open_input(file);
+  if (progress) {
+    const double size = input.remaining() ? static_cast<double>(*input.remaining()) : 0;
+    input.on_progress(
+        [&progress, size](std::uint64_t bytes) { progress(size > 0 ? static_cast<double>(bytes) / size : -1); });
+  }
+  return read_as(ending_of(file), input, options);
+}
+
+void check_writable(const fs::path& file) {
+  check_ending(file);
+  const OutputFile trial(file);
+}
+
+void write_file(const fs::path& file, const Geometry& geometry, const WriteOptions& options) {
+  check_ending(file);
+  const std::string ending = lower(file.extension().string());
+  OutputFile output(file);
+  if (ending == ".ply") write_ply(output, geometry, options.text ? PlyEncoding::text : PlyEncoding::binary);
+  if (ending == ".obj") write_obj(output, geometry);
+  if (ending == ".stl") write_stl(output, geometry, file.string());
+  if (ending == ".xyz") write_xyz(output, geometry);
+  if (ending == ".pts") write_pts(output, geometry);
+  if (ending == ".glb") write_glb(output, geometry, file.string());
+  output.commit();
+}
+
+}  // namespace glark::geometry

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Acquired geometry as the readers give it and the writers take it: points with attributes, and triangles where there are any.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace glark::geometry {
+
+// Of a file: what() names the file, the element and the remedy.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Geometry {
+  // Georeferenced coordinates have more digits than a float: a position is `origin` plus three floats. Zero where floats do.
+  std::array<double, 3> origin{};
+  std::vector<float> positions;            // 3 a point
+  std::vector<float> normals;              // 3 a point, or none; zero where a point has no normal
+  std::vector<std::uint8_t> colours;       // red, green, blue, alpha, 4 a point, or none
+  std::vector<float> texture_coordinates;  // 2 a point, or none
+  std::vector<std::uint32_t> triangles;    // 3 indices a triangle, or none
+  // To be written instead of triangles, where a format has them (PLY): strips one after the other, and how long each is.
+  std::vector<std::uint32_t> strips;
+  std::vector<std::uint32_t> strip_sizes;
+
+  std::size_t point_count() const { return positions.size() / 3; }
+  std::size_t triangle_count() const { return triangles.size() / 3; }
+};
+
+struct ReadOptions {
+  bool skip_invalid =
+      false;  // leave out points with NaN or infinite coordinates, and their triangles, instead of an error
+};
+
+struct Reading {
+  Geometry geometry;
+  std::vector<std::string> warnings;  // what the file has and the geometry has not
+};
+
+// What points and triangles of a file will take, against this machine's memory. Throws where it is too much.
+void require_memory(const std::string& file, double bytes);
+
+}  // namespace glark::geometry

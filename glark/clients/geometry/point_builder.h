@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What every reader does with the points and polygons that it finds: checks them, chooses the origin, counts what is left out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "glark/clients/geometry/geometry.h"
+
+namespace glark::geometry {
+
+struct Attributes {
+  bool normals = false;
+  bool colours = false;
+  bool texture_coordinates = false;
+};
+
+struct Point {
+  std::array<double, 3> position{};
+  std::array<float, 3> normal{};
+  std::array<std::uint8_t, 4> colour{0, 0, 0, 255};
+  std::array<float, 2> texture_coordinate{};
+};
+
+class PointBuilder {
+ public:
+  // `element`: what the format calls a point, for messages.
+  PointBuilder(std::string file, std::string element, Attributes attributes, const ReadOptions& options);
+
+  // Throws where the machine's memory is too small for them.
+  void expect(std::uint64_t points, std::uint64_t triangles);
+  // `needs_double`: the file has more digits than a float.
+  void add_point(const Point& point, bool needs_double);
+  // Polygons become fans of their first corner. Indices are checked against the points of finish().
+  void add_polygon(std::span<const std::int64_t> corners);
+  void warn(std::string text) { warnings_.push_back(std::move(text)); }
+
+  Reading finish();
+
+ private:
+  void choose_origin(const Point& point);
+  void check_triangles() const;
+  void leave_out_invalid();
+
+  std::string file_;
+  std::string element_;
+  Attributes attributes_;
+  ReadOptions options_;
+  Geometry geometry_;
+  std::vector<std::string> warnings_;
+  std::vector<std::uint32_t> invalid_;  // points with coordinates that are not finite
+  std::uint64_t bad_normals_ = 0;
+  std::uint64_t real_normals_ = 0;
+  std::uint64_t small_polygons_ = 0;
+  std::uint64_t polygons_ = 0;
+};
+
+}  // namespace glark::geometry

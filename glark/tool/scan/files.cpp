@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/tool/scan/files.h"
+
+#include "glark/clients/geometry/formats.h"
+
+namespace glark::tool {
+
+void describe_input(CLI::App& command, Files& files) {
+  command
+      .add_option("FILE", files.input,
+                  "Points or a mesh: .ply, .obj, .stl, .xyz, .pts, or one of these compressed, .zst")
+      ->required();
+  command.add_flag("--skip-invalid", files.skip_invalid,
+                   "Leave out points with NaN or infinite coordinates instead of stopping");
+  command.add_flag("--json", files.json, "Report as JSON on standard output");
+}
+
+void describe_output(CLI::App& command, Files& files) {
+  command.add_option("-o,--output", files.output, "Where the result goes: .ply, .obj, .stl, .xyz, .pts or .glb")
+      ->type_name("OUT")
+      ->required();
+  command.add_flag("--text", files.text, "Write PLY as text");
+}
+
+void check_output(const Files& files) { geometry::check_writable(files.output); }
+
+geometry::Geometry load(const std::string& file, const Files& files) {
+  Progress progress("reading " + file);
+  geometry::Reading reading = geometry::read_file(file, {.skip_invalid = files.skip_invalid},
+                                                  [&](double fraction) { progress.show(fraction); });
+  for (const std::string& warning : reading.warnings) warn(file + ": " + warning);
+  return std::move(reading.geometry);
+}
+
+void store(const geometry::Geometry& geometry, const Files& files) {
+  const Progress progress("writing " + files.output);
+  geometry::write_file(files.output, geometry, {.text = files.text});
+}
+
+Report contents_of(const geometry::Geometry& geometry) {
+  Report report;
+  report["points"] = geometry.point_count();
+  report["triangles"] = geometry.triangle_count();
+  Report attributes = Report::array();
+  if (!geometry.normals.empty()) attributes.push_back("normals");
+  if (!geometry.colours.empty()) attributes.push_back("colours");
+  if (!geometry.texture_coordinates.empty()) attributes.push_back("texture_coordinates");
+  report["attributes"] = attributes;
+  return report;
+}
+
+}  // namespace glark::tool

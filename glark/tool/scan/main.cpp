@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// glark-scan: the commands of `glark` that work on files of points and triangles. A program of its own, since the libraries that it
+// takes would make `glark run` slow to start.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "glark/tool/scan/commands.h"
+
+namespace {
+
+constexpr int exit_failure = 1;
+constexpr int exit_usage = 2;
+
+int complain(const char* problem, int status) {
+  std::fprintf(stderr, "glark: %s\n", problem);
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("glark: points and triangles in files", "glark");
+  app.require_subcommand(1);
+  glark::tool::add_info(app);
+#if GLARK_HAS_VSTREE
+  glark::tool::add_simplify(app);
+#endif
+#if GLARK_HAS_SURFEL
+  glark::tool::add_strip(app);
+#endif
+  try {
+    app.parse(argc, argv);
+    if (std::fflush(stdout) != 0) return complain("the report cannot be written to standard output", exit_failure);
+  } catch (const CLI::Success& wanted) {  // --help
+    return app.exit(wanted);
+  } catch (const CLI::ParseError& error) {
+    return complain((std::string(error.what()) + "; glark COMMAND --help lists the options").c_str(), exit_usage);
+  } catch (const std::bad_alloc&) {
+    return complain("the memory is too small for this file; split it into tiles or thin it first", exit_failure);
+  } catch (const std::exception& error) {
+    return complain(error.what(), exit_failure);
+  }
+  return 0;
+}

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The libraries take colours without alpha.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace glark::tool {
+
+inline std::vector<std::uint8_t> rgb_of(const std::vector<std::uint8_t>& rgba) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(rgba.size() / 4 * 3);
+  for (std::size_t i = 0; i < rgba.size(); i += 4)
+    rgb.insert(rgb.end(), rgba.begin() + static_cast<std::ptrdiff_t>(i),
+               rgba.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+  return rgb;
+}
+
+inline std::vector<std::uint8_t> rgba_of(const std::vector<std::uint8_t>& rgb) {
+  constexpr std::uint8_t opaque = 255;
+  std::vector<std::uint8_t> rgba;
+  rgba.reserve(rgb.size() / 3 * 4);
+  for (std::size_t i = 0; i < rgb.size(); i += 3) rgba.insert(rgba.end(), {rgb[i], rgb[i + 1], rgb[i + 2], opaque});
+  return rgba;
+}
+
+}  // namespace glark::tool

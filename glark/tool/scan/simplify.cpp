@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// glark simplify FILE -o OUT: fewer triangles, or points where there are no triangles.
+#include <glark/vstree.h>
+
+#include <map>
+#include <memory>
+
+#include "glark/tool/scan/commands.h"
+#include "glark/tool/scan/files.h"
+#include "glark/tool/scan/quality.h"
+#include "glark/tool/scan/rgb.h"
+
+namespace glark::tool {
+namespace {
+
+struct Simplify {
+  Files files;
+  std::string reference;
+  vstree::SimplifyOptions options;
+};
+
+geometry::Geometry simplified(const geometry::Geometry& geometry, const vstree::SimplifyOptions& options) {
+  const std::vector<std::uint8_t> colours = rgb_of(geometry.colours);
+  vstree::Simplified result = vstree::simplify(
+      {{geometry.positions, geometry.normals, colours, geometry.texture_coordinates}, geometry.triangles}, options);
+  geometry::Geometry coarse;
+  coarse.origin = geometry.origin;
+  coarse.positions = std::move(result.positions);
+  coarse.normals = std::move(result.normals);
+  coarse.colours = rgba_of(result.colours);
+  coarse.texture_coordinates = std::move(result.texcoords);
+  coarse.triangles = std::move(result.triangles);
+  return coarse;
+}
+
+void simplify(const Simplify& command) {
+  check_output(command.files);
+  const geometry::Geometry geometry = load(command.files.input, command.files);
+  geometry::Geometry coarse;
+  double seconds = 0;
+  {
+    Progress progress("simplifying");
+    progress.show(-1);
+    coarse = simplified(geometry, command.options);
+    seconds = progress.seconds();
+  }
+  store(coarse, command.files);
+  Report report;
+  report["input"] = contents_of(geometry);
+  report["output"] = contents_of(coarse);
+  report["seconds"] = seconds;
+  if (!command.reference.empty()) {
+    report["topology"] = topology_report(coarse);
+    report["quality"] = quality_report(coarse, command.reference, command.files);
+  }
+  print(report, command.files.json);
+}
+
+}  // namespace
+
+void add_simplify(CLI::App& app) {
+  using vstree::Clustering;
+  using vstree::Metric;
+  using vstree::Representative;
+  CLI::App* command = app.add_subcommand("simplify", "Fewer triangles, or points where there are no triangles");
+  const auto simplification = std::make_shared<Simplify>();
+  vstree::SimplifyOptions& options = simplification->options;
+  describe_input(*command, simplification->files);
+  describe_output(*command, simplification->files);
+  describe_measure(*command, simplification->reference);
+  CLI::Option* target =
+      command->add_option("--target", options.target, "No more triangles than this, or points of a set of points")
+          ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--error", options.threshold,
+                   "Where there is no target: the error of a cluster, for l2 and qef by the bounding box's diagonal; "
+                   "1e-4 if not given")
+      ->check(CLI::PositiveNumber)
+      ->excludes(target);
+  command
+      ->add_option("--clustering", options.clustering,
+                   "What the clusters are cells of: vstree, octree or grid; vstree if not given")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Clustering>{
+          {"vstree", Clustering::volume_surface}, {"octree", Clustering::octree}, {"grid", Clustering::grid}}))
+      ->type_name("KIND");
+  command
+      ->add_option("--metric", options.metric,
+                   "The error: l2, l21 (normals), qef or density (samples); l2 if not given")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Metric>{
+          {"l2", Metric::l2}, {"l21", Metric::l21}, {"qef", Metric::qef}, {"density", Metric::density}}))
+      ->type_name("METRIC");
+  command
+      ->add_option("--representative", options.representative,
+                   "Where the point of a cluster lies: qef or centroid; qef if not given")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Representative>{{"qef", Representative::qef}, {"centroid", Representative::centroid}}))
+      ->type_name("KIND");
+  command->callback([simplification] { simplify(*simplification); });
+}
+
+}  // namespace glark::tool

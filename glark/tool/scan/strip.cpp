@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// glark strip FILE -o OUT: the points as they are, with triangle strips that interpolate them.
+#include <glark/surfel.h>
+
+#include <memory>
+
+#include "glark/tool/scan/commands.h"
+#include "glark/tool/scan/files.h"
+#include "glark/tool/scan/quality.h"
+
+namespace glark::tool {
+namespace {
+
+struct Strip {
+  Files files;
+  std::string reference;
+  surfel::Options options;
+  unsigned level = 0;
+};
+
+// A strip for each leaf, and its triangles less those without area, which join its parts.
+void add_strip(geometry::Geometry& geometry, std::span<const std::uint32_t> strip) {
+  geometry.strips.insert(geometry.strips.end(), strip.begin(), strip.end());
+  geometry.strip_sizes.push_back(static_cast<std::uint32_t>(strip.size()));
+  for (std::size_t i = 2; i < strip.size(); ++i) {
+    const std::uint32_t a = strip[i - 2];
+    const std::uint32_t b = strip[i - 1];
+    const std::uint32_t c = strip[i];
+    if (a == b || b == c || c == a) continue;
+    const bool turned = i % 2 == 1;
+    geometry.triangles.insert(geometry.triangles.end(), {a, turned ? c : b, turned ? b : c});
+  }
+}
+
+void strip(const Strip& command) {
+  check_output(command.files);
+  geometry::Geometry geometry = load(command.files.input, command.files);
+  geometry.triangles = {};
+  if (geometry.normals.empty())
+    warn(command.files.input + ": it has no normals; strips have no common orientation without");
+  std::optional<surfel::Strips> strips;
+  double seconds = 0;
+  {
+    Progress progress("stripping");
+    progress.show(-1);
+    surfel::Options options = command.options;
+    options.levels = command.level + 1;
+    strips.emplace(surfel::Cloud{geometry.positions, geometry.normals}, options);
+    seconds = progress.seconds();
+  }
+  const unsigned level = std::min(command.level, strips->level_count() - 1);
+  if (level < command.level) warn("the coarsest level of detail is " + std::to_string(level) + ", which is taken");
+  for (const surfel::Node& node : strips->nodes(level))
+    if (node.left == surfel::none && node.count > 0)
+      add_strip(geometry, strips->indices().subspan(node.first, node.count));
+  store(geometry, command.files);
+  const surfel::Counts counts = strips->counts(level);
+  Report report;
+  report["output"] = contents_of(geometry);
+  report["strips"] = counts.strips;
+  report["indices"] = counts.indices;
+  if (!geometry.triangles.empty())
+    report["indices_per_triangle"] =
+        static_cast<double>(counts.indices) / static_cast<double>(geometry.triangle_count());
+  report["seconds"] = seconds;
+  if (!command.reference.empty()) {
+    report["topology"] = topology_report(geometry);
+    report["quality"] = quality_report(geometry, command.reference, command.files);
+  }
+  print(report, command.files.json);
+}
+
+}  // namespace
+
+void add_strip(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "strip", "Triangle strips that interpolate the points; PLY has them as tristrips, other formats as triangles");
+  const auto stripping = std::make_shared<Strip>();
+  describe_input(*command, stripping->files);
+  describe_output(*command, stripping->files);
+  describe_measure(*command, stripping->reference);
+  command
+      ->add_option("--leaf-points", stripping->options.leaf_points,
+                   "Points of a strip at most, 8 to 128; 40 if not given")
+      ->check(CLI::Range(8, 128));
+  command
+      ->add_option("--reach", stripping->options.reach,
+                   "The longest edge, in distances of neighbouring points, 1 to 100; 5 if not given")
+      ->check(CLI::Range(1.0, 100.0));
+  command
+      ->add_option("--inflation", stripping->options.inflation,
+                   "How far strips overlap before they are cut, in distances of points, 0.5 to 8; 2 if not given")
+      ->check(CLI::Range(0.5, 8.0));
+  command
+      ->add_option("--level", stripping->level,
+                   "Level of detail, 0 to 15, each with a quarter of the points; 0 if not given")
+      ->check(CLI::Range(0, 15));
+  command->callback([stripping] { strip(*stripping); });
+}
+
+}  // namespace glark::tool

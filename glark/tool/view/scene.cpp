@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/tool/view/scene.h"
+
+#define GL_GLEXT_PROTOTYPES 1
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "glark/tool/view/shading.h"
+
+#include <GL/glark.h>
+
+namespace glark::tool {
+namespace {
+
+constexpr float splat_overlap = 1.8F;
+constexpr std::size_t most_points_to_strip_unasked = 1000000;
+constexpr int deepest_level = 4;
+
+const void* offset(std::size_t bytes) { return std::bit_cast<const void*>(bytes); }
+
+template <class Value>
+std::uint32_t make_buffer(GLenum target, std::span<const Value> values) {
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), GL_STATIC_DRAW);
+  return buffer;
+}
+
+}  // namespace
+
+Scene::Scene(geometry::Geometry geometry) : geometry_(std::move(geometry)) {
+  low_.fill(std::numeric_limits<float>::infinity());
+  high_.fill(-std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < geometry_.positions.size(); ++i) {
+    low_[i % 3] = std::min(low_[i % 3], geometry_.positions[i]);
+    high_[i % 3] = std::max(high_[i % 3], geometry_.positions[i]);
+  }
+  spacing_ = estimated_spacing(geometry_.positions, low_, high_);
+  if (geometry_.normals.empty() && !geometry_.triangles.empty()) geometry_.normals = normals_of_triangles(geometry_);
+  has_lighting_ = !geometry_.normals.empty();
+  if (!has_lighting_ && geometry_.colours.empty())
+    geometry_.colours = colours_by_height(geometry_.positions, low_[2], high_[2]);
+  upload();
+}
+
+Scene::~Scene() {
+  for (const GLuint buffer : {points_buffer_, triangles_buffer_, strips_buffer_}) glDeleteBuffers(1, &buffer);
+}
+
+Mode Scene::default_mode() const {
+  if (!geometry_.triangles.empty()) return Mode::mesh;
+  return geometry_.point_count() > most_points_to_strip_unasked ? Mode::splat : Mode::strip;
+}
+
+Camera Scene::default_camera() const {
+  Camera camera;
+  float square = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    camera.target[axis] = (low_[axis] + high_[axis]) / 2;
+    square += (high_[axis] - low_[axis]) * (high_[axis] - low_[axis]);
+  }
+  camera.radius = std::max(std::sqrt(square) / 2, std::numeric_limits<float>::min() * 1e6F);
+  // Flat in z, as terrain is: seen from above.
+  camera.z_is_up = 4 * (high_[2] - low_[2]) < std::min(high_[0] - low_[0], high_[1] - low_[1]);
+  if (camera.z_is_up) camera.pitch = 40;
+  return camera;
+}
+
+void Scene::upload() {
+  const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
+  glGenBuffers(1, &points_buffer_);
+  glBindBuffer(GL_ARRAY_BUFFER, points_buffer_);
+  const std::size_t normals_at = bytes(geometry_.positions);
+  const std::size_t colours_at = normals_at + bytes(geometry_.normals);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours_at + bytes(geometry_.colours)), nullptr,
+               GL_STATIC_DRAW);
+  const auto put = [&](std::size_t at, const auto& values) {
+    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(at), static_cast<GLsizeiptr>(bytes(values)), values.data());
+  };
+  put(0, geometry_.positions);
+  put(normals_at, geometry_.normals);
+  put(colours_at, geometry_.colours);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(3, GL_FLOAT, 0, nullptr);
+  if (has_lighting_) {
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glNormalPointer(GL_FLOAT, 0, offset(normals_at));
+  }
+  if (!geometry_.colours.empty()) {
+    glEnableClientState(GL_COLOR_ARRAY);
+    glColorPointer(4, GL_UNSIGNED_BYTE, 0, offset(colours_at));
+  }
+  if (!geometry_.triangles.empty())
+    triangles_buffer_ = make_buffer(GL_ELEMENT_ARRAY_BUFFER, std::span<const std::uint32_t>(geometry_.triangles));
+}
+
+void Scene::make_strips() {
+  if (strips_) return;
+  strips_.emplace(surfel::Cloud{geometry_.positions, geometry_.normals});
+  strips_buffer_ = make_buffer(GL_ELEMENT_ARRAY_BUFFER, strips_->indices());
+}
+
+void Scene::set_up(const Camera& camera, int width, int height) const {
+  glViewport(0, 0, width, height);
+  glClearColor(0.16F, 0.17F, 0.19F, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  glMatrixMode(GL_PROJECTION);
+  glLoadMatrixf(camera.projection(width, height).data());
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
+  const GLfloat direction[4] = {0.3F, 0.5F, 1, 0};  // over the viewer's shoulder
+  const GLfloat shine[4] = {0.15F, 0.15F, 0.15F, 1};
+  glLightfv(GL_LIGHT0, GL_POSITION, direction);
+  glLoadMatrixf(camera.view().data());
+  glColor3f(0.78F, 0.76F, 0.72F);
+  glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
+  glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, shine);
+  glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 30);
+  glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+  for (const GLenum capability : {GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_NORMALIZE})
+    if (has_lighting_)
+      glEnable(capability);
+    else
+      glDisable(capability);
+}
+
+void Scene::draw_splats(const Camera& camera, int height) const {
+  const float pixels =
+      std::max(spacing_ * splat_overlap * camera.pixels_per_length(height), std::numeric_limits<float>::min());
+  const GLfloat attenuation[3] = {0, 0, 1 / (pixels * pixels)};
+  glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+  glPointParameterf(GL_POINT_SIZE_MIN, 1);
+  glPointSize(1);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(geometry_.point_count()));
+}
+
+void Scene::draw_triangles() const {
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_buffer_);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(geometry_.triangles.size()), GL_UNSIGNED_INT, nullptr);
+}
+
+Statistics Scene::draw_strips(const Camera& camera, int width, int height) {
+  make_strips();
+  surfel::View view;
+  view.clip_from_object = product(camera.projection(width, height), camera.view());
+  view.width = static_cast<unsigned>(width);
+  view.height = static_cast<unsigned>(height);
+  view.cull_frustum = cull;
+  view.cull_back_faces = cull && has_lighting_;
+  strips_->select(view, frame_);
+  const GLfloat none[3] = {1, 0, 0};
+  glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, none);
+  glPointSize(1);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, strips_buffer_);
+  glMultiDrawElements(GL_TRIANGLE_STRIP, frame_.counts.data(), GL_UNSIGNED_INT, frame_.offsets.data(), frame_.draws());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  glDrawElements(GL_POINTS, static_cast<GLsizei>(frame_.points.size()), GL_UNSIGNED_INT, frame_.points.data());
+  return {
+      1, frame_.indices, frame_.points.size(), frame_.strips, frame_.visited, frame_.out_of_frustum, frame_.back_faces};
+}
+
+Statistics Scene::draw(const Camera& camera, Mode mode, int width, int height) {
+  set_up(camera, width, height);
+  if (mode == Mode::splat) {
+    draw_splats(camera, height);
+    return {1, 0, geometry_.point_count(), 0, 0, 0, 0};
+  }
+  if (mode == Mode::refined) {
+    const int level = std::min(refinement_level, deepest_level);
+    glARKinit(deepest_level);
+    glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+    glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
+    glARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? GL_CURVED_PN_ARK : GL_LINEAR_OUTPUTS_ARK);
+    glEnable(GL_ARK);
+  }
+  glPolygonMode(GL_FRONT_AND_BACK, mode == Mode::wireframe ? GL_LINE : GL_FILL);
+  Statistics statistics{1, geometry_.triangles.size(), 0, 0, 0, 0, 0};
+  if (geometry_.triangles.empty() || mode == Mode::strip)
+    statistics = draw_strips(camera, width, height);
+  else
+    draw_triangles();
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  if (mode == Mode::refined) glDisable(GL_ARK);
+  return statistics;
+}
+
+}  // namespace glark::tool

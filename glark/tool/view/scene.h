@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What glark view draws: points as splats, surfel strips, or the triangles of the file; by the fixed functions of OpenGL, so that the
+// extension refines them as they are.
+#pragma once
+
+#include <glark/surfel.h>
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "glark/clients/geometry/geometry.h"
+#include "glark/tool/view/camera.h"
+
+namespace glark::tool {
+
+enum class Mode { splat, strip, mesh, wireframe, refined };
+
+struct Statistics {
+  std::size_t draws = 0;
+  std::size_t indices = 0;
+  std::size_t points = 0;
+  std::size_t strips = 0;
+  std::size_t nodes_visited = 0;
+  std::size_t nodes_out_of_frustum = 0;
+  std::size_t nodes_back_facing = 0;
+};
+
+class Scene {
+ public:
+  // A context of OpenGL must be current, then and later.
+  explicit Scene(geometry::Geometry geometry);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  Mode default_mode() const;
+  Camera default_camera() const;
+  Statistics draw(const Camera& camera, Mode mode, int width, int height);
+
+  bool cull = true;
+  int refinement_level = 2;
+
+ private:
+  void add_missing_normals();
+  void colour_by_height();
+  void upload();
+  void make_strips();
+  void set_up(const Camera& camera, int width, int height) const;
+  void draw_splats(const Camera& camera, int height) const;
+  void draw_triangles() const;
+  Statistics draw_strips(const Camera& camera, int width, int height);
+
+  geometry::Geometry geometry_;
+  std::array<float, 3> low_{}, high_{};
+  float spacing_ = 0;  // between neighbouring points, about
+  bool has_lighting_ = false;
+  std::optional<surfel::Strips> strips_;
+  surfel::Frame frame_;
+  std::uint32_t points_buffer_ = 0;
+  std::uint32_t triangles_buffer_ = 0;
+  std::uint32_t strips_buffer_ = 0;
+};
+
+}  // namespace glark::tool

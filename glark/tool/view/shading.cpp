@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/tool/view/shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glark::tool {
+namespace {
+
+constexpr std::size_t grid = 128;  // cubes along the longest side
+
+}  // namespace
+
+std::vector<float> normals_of_triangles(const geometry::Geometry& geometry) {
+  std::vector<float> normals(geometry.positions.size());
+  for (std::size_t i = 0; i < geometry.triangles.size(); i += 3) {
+    const std::array<std::size_t, 3> at{3 * std::size_t{geometry.triangles[i]},
+                                        3 * std::size_t{geometry.triangles[i + 1]},
+                                        3 * std::size_t{geometry.triangles[i + 2]}};
+    std::array<float, 3> u{};
+    std::array<float, 3> v{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      u[axis] = geometry.positions[at[1] + axis] - geometry.positions[at[0] + axis];
+      v[axis] = geometry.positions[at[2] + axis] - geometry.positions[at[0] + axis];
+    }
+    const std::array<float, 3> normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    for (const std::size_t corner : at)
+      for (std::size_t axis = 0; axis < 3; ++axis) normals[corner + axis] += normal[axis];
+  }
+  for (std::size_t i = 0; i < normals.size(); i += 3) {
+    const float length = std::hypot(normals[i], normals[i + 1], normals[i + 2]);
+    for (std::size_t axis = 0; axis < 3 && length > 0; ++axis) normals[i + axis] /= length;
+  }
+  return normals;
+}
+
+std::vector<std::uint8_t> colours_by_height(std::span<const float> positions, float low, float high) {
+  constexpr std::array<std::array<float, 3>, 3> stops{{{70, 110, 170}, {90, 160, 110}, {230, 215, 170}}};
+  std::vector<std::uint8_t> colours;
+  colours.reserve(positions.size() / 3 * 4);
+  for (std::size_t i = 2; i < positions.size(); i += 3) {
+    const float height = high > low ? 2 * (positions[i] - low) / (high - low) : 1;
+    const std::size_t from = height < 1 ? 0 : 1;
+    const float share = height - static_cast<float>(from);
+    for (std::size_t k = 0; k < 3; ++k)
+      colours.push_back(static_cast<std::uint8_t>(stops[from][k] + share * (stops[from + 1][k] - stops[from][k])));
+    colours.push_back(255);
+  }
+  return colours;
+}
+
+float estimated_spacing(std::span<const float> positions, const std::array<float, 3>& low,
+                        const std::array<float, 3>& high) {
+  const float longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  if (!(longest > 0)) return 0;
+  const float side = longest / grid;
+  std::vector<bool> taken(grid * grid * grid);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < positions.size(); i += 3) {
+    std::size_t cube = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      cube = cube * grid + std::min(static_cast<std::size_t>((positions[i + axis] - low[axis]) / side), grid - 1);
+    count += taken[cube] ? 0 : 1;
+    taken[cube] = true;
+  }
+  // A surface crosses about one and a half cubes for each face's worth of area.
+  const double area = static_cast<double>(count) * side * side / 1.5;
+  return static_cast<float>(std::sqrt(area / (static_cast<double>(positions.size()) / 3)));
+}
+
+}  // namespace glark::tool

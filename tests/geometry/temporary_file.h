@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A folder of its own for each test's files, and small geometry to put into them.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <string_view>
+
+#include "glark/clients/geometry/formats.h"
+
+namespace glark::geometry {
+
+class TemporaryFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("glark-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
+               std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+
+  std::filesystem::path made(const std::string& name, std::string_view contents) const {
+    std::ofstream(path(name), std::ios::binary) << contents;
+    return path(name);
+  }
+
+  std::size_t file_count() const {
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
+  }
+
+  // What reading says is wrong; empty if it reads.
+  static std::string problem_with(const std::filesystem::path& file, const ReadOptions& options = {}) {
+    try {
+      read_file(file, options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+// Points on a grid with a bit of noise, with what is asked for.
+struct Shape {
+  bool normals = false;
+  bool colours = false;
+  bool texture_coordinates = false;
+  bool triangles = false;
+};
+
+inline Geometry random_geometry(unsigned seed, const Shape& shape) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> noise(-1, 1);
+  constexpr std::uint32_t side = 7;
+  Geometry geometry;
+  for (std::uint32_t i = 0; i < side * side; ++i) {
+    const std::uint32_t row = i / side;
+    const float x = static_cast<float>(i % side);
+    const auto y = static_cast<float>(row);
+    geometry.positions.insert(geometry.positions.end(),
+                              {x + 0.3F * noise(random), y + 0.3F * noise(random), 1e-3F * noise(random)});
+    if (shape.normals) {
+      const float slope = 0.6F * noise(random);
+      geometry.normals.insert(geometry.normals.end(), {slope, 0, std::sqrt(1 - slope * slope)});
+    }
+    if (shape.colours)
+      for (int k = 0; k < 4; ++k) geometry.colours.push_back(k == 3 ? 255 : static_cast<std::uint8_t>(random() & 255U));
+    if (shape.texture_coordinates)
+      geometry.texture_coordinates.insert(geometry.texture_coordinates.end(), {x / side, y / side});
+  }
+  for (std::uint32_t i = 0; shape.triangles && i < side * side; ++i) {
+    if (i % side == side - 1 || i / side == side - 1) continue;
+    geometry.triangles.insert(geometry.triangles.end(), {i, i + 1, i + side, i + 1, i + side + 1, i + side});
+  }
+  return geometry;
+}
+
+}  // namespace glark::geometry
