@@ -83,8 +83,7 @@ SurfaceDistance::SurfaceDistance(std::span<const float> positions, std::span<con
       }
       for (int z = first[2]; z <= last[2]; ++z) {
         for (int y = first[1]; y <= last[1]; ++y) {
-          for (int x = first[0]; x <= last[0]; ++x)
-            visit(static_cast<std::size_t>((z * cells_[1] + y) * cells_[0] + x), static_cast<std::uint32_t>(t / 3));
+          for (int x = first[0]; x <= last[0]; ++x) visit(index_of({x, y, z}), static_cast<std::uint32_t>(t / 3));
         }
       }
     }
@@ -96,11 +95,16 @@ SurfaceDistance::SurfaceDistance(std::span<const float> positions, std::span<con
   each_cell([&](std::size_t cell, std::uint32_t triangle) { entries_[begins_[cell + 1]++] = triangle; });
 }
 
+std::size_t SurfaceDistance::index_of(const std::array<int, 3>& cell) const {
+  const std::size_t row = static_cast<std::size_t>(cell[2]) * cells_[1] + cell[1];
+  return row * cells_[0] + cell[0];
+}
+
 void SurfaceDistance::look_into(std::array<int, 3> cell, const Point& point, double& best) const {
   for (std::size_t k = 0; k < 3; ++k) {
     if (cell[k] < 0 || cell[k] >= cells_[k]) return;
   }
-  const auto index = static_cast<std::size_t>((cell[2] * cells_[1] + cell[1]) * cells_[0] + cell[0]);
+  const std::size_t index = index_of(cell);
   for (std::uint32_t i = begins_[index]; i < begins_[index + 1]; ++i) {
     const std::size_t t = std::size_t{3} * entries_[i];
     best = std::min(best, squared_distance(point, at(positions_, triangles_[t]), at(positions_, triangles_[t + 1]),

@@ -22,6 +22,7 @@ class SurfaceDistance {
 
  private:
   using Point = std::array<double, 3>;
+  std::size_t index_of(const std::array<int, 3>& cell) const;
   void look_into(std::array<int, 3> cell, const Point& point, double& best) const;
 
   std::span<const float> positions_;

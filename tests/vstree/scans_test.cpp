@@ -62,7 +62,8 @@ TEST_F(Scans, HaveNormalsLikeTheirMeshes) {
         normals[i] * scan.normals[i] + normals[i + 1] * scan.normals[i + 1] + normals[i + 2] * scan.normals[i + 2];
     alike += cosine > 0.8F ? 1 : 0;
   }
-  EXPECT_GT(static_cast<double>(alike), 0.97 * static_cast<double>(normals.size() / 3));
+  const std::size_t points = normals.size() / 3;
+  EXPECT_GT(static_cast<double>(alike), 0.97 * static_cast<double>(points));
 }
 
 }  // namespace
