@@ -169,7 +169,7 @@ bool Pipeline::adds_specular_colors(const Plan& plan) const {
 
 // The current one; our vertex arrays have no array of them.
 void Pipeline::raise_edge_flag() {
-  if (!context_.is_compatibility() || (context_.bindings.polygon_mode == GL_FILL && !context_.options.wireframe)) {
+  if (!takes_edge_flags() && !(context_.is_compatibility() && context_.options.wireframe)) {
     return;
   }
   const CurrentValue* known = context_.current_values.find(edge_flag_slot);

@@ -153,7 +153,8 @@ class Pipeline {
   bool adds_specular_colors(const Plan& plan) const;
   void set_modes(const Plan& plan);  // that the refined draw needs otherwise than the application has them
   void reset_modes(const Plan& plan);
-  void raise_edge_flag();  // every edge of a refined triangle is a boundary edge
+  bool takes_edge_flags() const;  // by the application's modes
+  void raise_edge_flag();         // every edge of a refined triangle is a boundary edge
   void reset_edge_flag();
   struct Changed {
     bool indirect = false;
