@@ -29,6 +29,9 @@ bool Pipeline::ensure_pool() {
 }
 
 void Pipeline::count_passed(Cause cause) {
+  if (cause != Cause::not_triangles && cause != Cause::invalid_draw) {
+    hand_back_feedback();
+  }
   const auto index = static_cast<std::size_t>(cause);
   ++statistics().passed_through[index];
   if (!logged_[index]) {
