@@ -133,6 +133,35 @@ void check_executed_again(Test& t) {
     }
 }
 
+// A compiler may drop an input from an expression that it finds to be 0: what stands in its place must not be NaN.
+void check_removed_input(Test& t, GLenum refinement) {
+  const GLuint program = build_program(
+      t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 3) in vec4 a;\n"
+                    "layout(location = 1) in vec3 normal; layout(location = 2) in vec3 weights;\n"
+                    "out vec3 weights_out; out vec4 r; out vec4 colour;\n"
+                    "void main() { r = a + vec4(normal.z - normal.z); weights_out = weights; colour = a;\n"
+                    "  gl_Position = position * (1.0 + (normal.x - normal.x)); }\n",
+          .captured = {"gl_Position", "weights_out", "r"}});
+  gl.UseProgram(program);
+  upload(exact_triangle());
+  const auto corners = captured(t, 4, draw_triangle);
+  t.require(corners.size() == 3, "the unrefined triangle is captured");
+  refine_by_tags(4, refinement);
+  const auto vertices = captured(t, 4, draw_triangle);
+  t.require(vertices.size() > 3, "the triangle is refined");
+  for (const OutputVertex& vertex : vertices) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto refined = [&](float x, float y, float z) { return reference::refined(vertex.weights, x, y, z); };
+      const bool holds =
+          t.expect_near(vertex.r[i], refined(corners[0].r[i], corners[1].r[i], corners[2].r[i]), 1e-6, "the output") &&
+          t.expect_near(vertex.position[i],
+                        refined(corners[0].position[i], corners[1].position[i], corners[2].position[i]), 1e-6,
+                        "gl_Position");
+      if (!holds) return;
+    }
+  }
+}
+
 void check_noperspective(Test& t) {
   const GLuint program = output_program(t, "noperspective out vec4 r;", "r = a;", {"r"});
   gl.UseProgram(program);
@@ -298,6 +327,17 @@ Cases linear_outputs_cases() {
                    .plan = "A vertex stage squares its input: captured values are squares of refined inputs.",
                    .wrong = "Outputs are refined whatever REFINEMENT_ARK says.",
                    .check = check_executed_again});
+  for (const bool of_outputs : {false, true})
+    cases.push_back(
+        {.name = std::string("ark.linear.") + (of_outputs ? "outputs" : "inputs") + ".removed_input",
+         .clauses = {of_outputs ? "11.R.6-8" : "11.R.6-4"},
+         .plan =
+             "A vertex stage adds normal.z - normal.z, which a compiler may remove with the input. Outputs are those "
+             "of the corners, refined.",
+         .wrong = "The input is left without a value: outputs are NaN, or of no meaning.",
+         .check = [of_outputs](Test& t) {
+           check_removed_input(t, of_outputs ? GL_LINEAR_OUTPUTS_ARK : GL_LINEAR_INPUTS_ARK);
+         }});
   cases.push_back({.name = "ark.linear.outputs.noperspective",
                    .clauses = {"11.R.6-11"},
                    .plan = "Corners have w of 1, 2 and 1/2. A noperspective output is compared with the formula.",

@@ -92,6 +92,17 @@ void check_rect(Test& t) {
   expect_unchanged(t, [] { gl.Rectf(-0.6F, -0.5F, 0.5F, 0.7F); });
 }
 
+void check_rect_of_list(Test& t) {
+  gl.UseProgram(build_program(t, {.vertex = bending}));
+  gl.VertexAttrib4f(at_colour, 1, 0.5F, 0.25F, 1);
+  gl.ARKinit(3);
+  const GLuint list = gl.GenLists(1);
+  gl.NewList(list, GL_COMPILE);
+  gl.Rectf(-0.6F, -0.5F, 0.5F, 0.7F);
+  gl.EndList();
+  expect_unchanged(t, [list] { gl.CallList(list); });
+}
+
 void check_evaluator(Test& t) {
   gl.UseProgram(build_program(t, {.vertex = bending}));
   gl.VertexAttrib4f(at_colour, 1, 0.5F, 0.25F, 1);
@@ -150,6 +161,7 @@ Case unchanged_case(const char* leaf, const char* plan, void (*check)(Test&)) {
 Cases other_primitives_cases() {
   Cases cases = {
       unchanged_case("rect", "Draw Rectf with a program that bends what is refined.", check_rect),
+      unchanged_case("rect_of_list", "The same from a display list, compiled after ARKinit.", check_rect_of_list),
       unchanged_case("evaluator_mesh", "Draw an evaluator mesh with a program that bends what is refined.",
                      check_evaluator),
       unchanged_case("bitmap", "Draw a bitmap.", check_bitmap),

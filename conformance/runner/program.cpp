@@ -31,6 +31,7 @@ struct Options {
   bool is_list = false;
   bool is_json = false;
   bool is_must_pass = false;
+  bool fails_fast = false;
 };
 
 // An error whose exit status is known.
@@ -74,6 +75,7 @@ void describe(CLI::App& app, Options& options) {
                  "how often a case that fails is run again; it is a flake if it passes then")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
+  app.add_flag("--fail-fast", options.fails_fast, "begin no case after one that failed, and leave out the rest");
   app.add_option("--seed", options.run.seed, "of what is random")->capture_default_str();
   app.add_flag("--verbose", options.run.is_verbose, "every case, not only those that did not pass");
 }
@@ -184,6 +186,7 @@ int judge(Options& options, const std::vector<std::string>& command) {
     std::vector<Record> one = {record};
     apply_baseline(baseline, one);
     say(one.front(), done, names.size(), options.run.is_verbose);
+    return !(options.fails_fast && is_bad(one.front().verdict));
   });
   apply_baseline(baseline, report.records);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -20,6 +20,7 @@ struct Record {
   std::vector<std::string> messages;
   std::vector<std::string> images;  // paths of PNG files, relative to the report's directory
   std::string output;               // what its process wrote to stdout and stderr
+  bool is_over = false;
 };
 
 // Of the machine and the implementation, as the contexts say.

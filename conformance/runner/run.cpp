@@ -37,7 +37,7 @@ class Worker {
   double seconds_of_current() const { return std::chrono::duration<double>(Clock::now() - case_began_).count(); }
 
   // Reads what has come. False once the process has closed its report.
-  bool listen(const std::function<void(const Record&)>& progress) {
+  bool listen(const Progress& progress) {
     process_.read_output(output_);
     const bool open = process_.read_report(text_);
     for (std::size_t end = text_.find('\n'); end != std::string::npos; end = text_.find('\n')) {
@@ -48,7 +48,7 @@ class Worker {
   }
 
   // The case that was running, or that never began, when the process ended.
-  void blame(Verdict verdict, const std::string& why, const std::function<void(const Record&)>& progress) {
+  void blame(Verdict verdict, const std::string& why, const Progress& progress) {
     process_.read_output(output_);
     Record& record = current();
     record.messages.push_back(why);
@@ -62,7 +62,7 @@ class Worker {
     return texts;
   }
 
-  void take(const nlohmann::json& message, const std::function<void(const Record&)>& progress) {
+  void take(const nlohmann::json& message, const Progress& progress) {
     if (message.is_discarded() || is_finished()) return;
     if (message.contains("error")) {
       current().messages.push_back(message["error"]);
@@ -74,14 +74,15 @@ class Worker {
     }
   }
 
-  void finish(Record& record, Verdict verdict, const std::function<void(const Record&)>& progress) {
+  void finish(Record& record, Verdict verdict, const Progress& progress) {
     record.verdict = record.seen = verdict;
     record.seconds = seconds_of_current();
     record.output = std::move(output_);
     output_.clear();
     case_began_ = Clock::now();
+    record.is_over = true;
     ++done_;
-    progress(record);
+    if (!progress(record)) records_.resize(done_);
   }
 
   std::vector<Record*> records_;
@@ -100,8 +101,11 @@ std::string how_it_ended(int status) {
 // A process that ended, or whose time is up, takes the case that it was at with it; the others go to a new one.
 class Scheduler {
  public:
-  Scheduler(std::vector<Record>& records, const RunOptions& options, const std::function<void(const Record&)>& progress)
-      : options_(options), progress_(progress) {
+  Scheduler(std::vector<Record>& records, const RunOptions& options, const Progress& progress)
+      : options_(options), progress_([this, &progress](const Record& record) {
+          is_stopped_ = !progress(record) || is_stopped_;
+          return !is_stopped_;
+        }) {
     std::vector<Record*> batch;
     for (Record& record : records) {
       batch.push_back(&record);
@@ -125,6 +129,7 @@ class Scheduler {
           ++i;
         }
       }
+      if (is_stopped_) waiting_.clear();
     }
   }
 
@@ -161,7 +166,8 @@ class Scheduler {
   }
 
   const RunOptions& options_;
-  const std::function<void(const Record&)>& progress_;
+  const Progress progress_;
+  bool is_stopped_ = false;
   std::deque<std::vector<Record*>> waiting_;
   std::vector<std::unique_ptr<Worker>> workers_;
 };
@@ -175,7 +181,7 @@ void retry(std::vector<Record>& records, const RunOptions& options) {
     for (int i = 0; i < options.retries && is_worth_a_retry(record); ++i) {
       std::vector<Record> again(1);
       again.front().name = record.name;
-      Scheduler(again, options, [](const Record&) {}).run();
+      Scheduler(again, options, [](const Record&) { return true; }).run();
       if (is_bad(again.front().verdict)) continue;
       record.messages.push_back("passed when it was run again: " + std::string(name_of(record.verdict)) + " before");
       record.verdict = Verdict::flake;
@@ -207,11 +213,11 @@ Environment describe_environment(const RunOptions& options) {
   return message["environment"].get<Environment>();
 }
 
-std::vector<Record> run(const std::vector<std::string>& names, const RunOptions& options,
-                        const std::function<void(const Record&)>& progress) {
+std::vector<Record> run(const std::vector<std::string>& names, const RunOptions& options, const Progress& progress) {
   std::vector<Record> records;
   for (const std::string& name : names) records.emplace_back().name = name;
   Scheduler(records, options, progress).run();
+  std::erase_if(records, [](const Record& record) { return !record.is_over; });
   retry(records, options);
   return records;
 }

@@ -13,8 +13,10 @@ namespace glark::conformance {
 // Asks a process of its own. Throws std::runtime_error where no context can be made.
 Environment describe_environment(const RunOptions& options);
 
-// One record for every name, in their order. `progress` hears of each as it ends.
-std::vector<Record> run(const std::vector<std::string>& names, const RunOptions& options,
-                        const std::function<void(const Record&)>& progress);
+// Hears of each case as it ends; false: no other is begun.
+using Progress = std::function<bool(const Record&)>;
+
+// One record for every name, in their order, but for those that were not begun.
+std::vector<Record> run(const std::vector<std::string>& names, const RunOptions& options, const Progress& progress);
 
 }  // namespace glark::conformance

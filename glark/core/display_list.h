@@ -34,6 +34,7 @@ struct SegmentEffects {
   bool opaque = false;         // sets what we do not follow: to be executed each time
   bool late = false;           // a vertex after the first has more to it than those before
   bool touches_state = false;  // that refined draws depend on
+  bool draws_shapes = false;   // triangles that are left as they are
   bool changes_uniforms = false;
 
   void record(int slot, const CurrentValue& value, bool before_vertices) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "glark/core/context.h"
 #include "glark/core/refine/fixed_function_state.h"
@@ -120,10 +121,12 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   if (storage_changed_ || (!sorted && (plan.adaptive || plan.polygons))) {
     restore_storage();  // the vertex stage may read it
   }
+  raise_edge_flag();
   use_derived(plan);
   const bool captures = owns_feedback() && !b.transform_feedback_paused;
   if (captures) {
     gl_.ResumeTransformFeedback();
+    feedback_begun_ = true;
   }
   set_modes(plan);
   const bool stored = plan.derived->stored();
@@ -137,7 +140,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
                        plan.adaptive ? bins.records : records.triangles.buffer);
   }
   if (plan.adaptive) {
-    submit_.draw_binned(pool_, bins, stored ? 0 : plan.layout->chunk_count());
+    submit_.draw_binned(pool_, bins, {stored ? 0 : plan.layout->chunk_count(), plan.derived->numbered});
   } else {
     submit_.draw_uniform(pool_,
                          {records.triangles, plan.layout, stored, plan.level, plan.placed, records.count_command});
@@ -164,6 +167,34 @@ bool Pipeline::adds_specular_colors(const Plan& plan) const {
          fixed_function_state_.separate_specular && !fixed_function_state_.color_sum;
 }
 
+// The current one; our vertex arrays have no array of them.
+void Pipeline::raise_edge_flag() {
+  if (!takes_edge_flags() && !(context_.is_compatibility() && context_.options.wireframe)) {
+    return;
+  }
+  const CurrentValue* known = context_.current_values.find(edge_flag_slot);
+  if (known == nullptr) {
+    GLboolean flag = GL_TRUE;
+    gl_.GetBooleanv(GL_EDGE_FLAG, &flag);
+    const auto set = [](const gl::Dispatch& gl, GLuint, const void* components) {
+      gl.EdgeFlag(*static_cast<const GLboolean*>(components));
+    };
+    context_.current_values.set(edge_flag_slot, set, 0, &flag, sizeof(flag));
+    known = context_.current_values.find(edge_flag_slot);
+  }
+  edge_flag_raised_ = std::all_of(known->components.begin(), known->components.begin() + known->bytes,
+                                  [](unsigned char part) { return part == 0; });
+  if (edge_flag_raised_) {
+    gl_.EdgeFlag(GL_TRUE);
+  }
+}
+
+void Pipeline::reset_edge_flag() {
+  if (std::exchange(edge_flag_raised_, false)) {
+    gl_.EdgeFlag(GL_FALSE);
+  }
+}
+
 void Pipeline::set_modes(const Plan& plan) {
   if (selects_back_colors(plan)) {
     gl_.Enable(GL_VERTEX_PROGRAM_TWO_SIDE);
@@ -177,6 +208,7 @@ void Pipeline::set_modes(const Plan& plan) {
 }
 
 void Pipeline::reset_modes(const Plan& plan) {
+  reset_edge_flag();
   const Bindings& b = context_.bindings;
   if (context_.options.wireframe && gl_.PolygonMode != nullptr) {
     if (context_.is_compatibility()) {

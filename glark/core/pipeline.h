@@ -52,6 +52,8 @@ class Pipeline {
   // Begun while GL_ARK was disabled: if the first draw is glDrawARP, that takes it over.
   void await_feedback(GLenum mode) { awaited_feedback_ = mode; }
   void end_feedback();
+  // Before a draw that stays as it is: unless refined triangles were captured, it is captured, and so is all that follows.
+  void hand_back_feedback();
   bool watches_feedback() const { return owns_feedback() || awaited_feedback_ != GL_NONE; }
   // As it begins: notes how many vertices the buffers hold, for draws of them.
   void note_feedback_room();
@@ -151,6 +153,9 @@ class Pipeline {
   bool adds_specular_colors(const Plan& plan) const;
   void set_modes(const Plan& plan);  // that the refined draw needs otherwise than the application has them
   void reset_modes(const Plan& plan);
+  bool takes_edge_flags() const;  // by the application's modes
+  void raise_edge_flag();         // every edge of a refined triangle is a boundary edge
+  void reset_edge_flag();
   struct Changed {
     bool indirect = false;
     bool storage = false;
@@ -181,6 +186,8 @@ class Pipeline {
   bool immediate_exact_ = true;                              // its number of triangles is known without a query
   std::uint64_t immediate_bytes_ = std::uint64_t{32} << 20;  // grows where a strip or fan did not fit
   std::shared_ptr<DerivedProgram> feedback_program_;
+  GLenum feedback_mode_ = GL_NONE;
+  bool feedback_begun_ = false;  // it has captured
   GLenum awaited_feedback_ = GL_NONE;
   std::unordered_map<GLuint, std::uint64_t> feedback_vertices_;  // by transform feedback object
   using Drawing = std::pair<GLenum, GLenum>;                     // mode, provoking convention
@@ -196,6 +203,7 @@ class Pipeline {
   unsigned uncounted_level_ = 0;
   bool split_failed_ = false;
   bool storage_changed_ = false;  // by a weld, since it was restored
+  bool edge_flag_raised_ = false;
 };
 
 }  // namespace glark::core

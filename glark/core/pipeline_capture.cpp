@@ -203,12 +203,19 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
   return triangles;
 }
 
+bool Pipeline::takes_edge_flags() const {
+  return context_.is_compatibility() && context_.bindings.polygon_mode != GL_FILL;
+}
+
 void Pipeline::begin_capture(const Plan& plan, capture::Count count, GpuBuffer* own) {
   if (count == capture::Count::by_query && context_.options.read_counts) {
     read_uncounted();  // its query is used again
   }
   if (plan.last_vertex_convention) {
     gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+  }
+  if (takes_edge_flags()) {
+    gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);  // Mesa 22 captures nothing of vertices with edge flags of their own
   }
   capture_.begin(plan.capture_program, context_.bindings, count, own);
 }
@@ -218,6 +225,10 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
   const capture::CoarseTriangles captured = capture_.end(*plan.layout, triangles, b);
   if (plan.last_vertex_convention) {
     gl_.ProvokingVertex(b.provoking_vertex);
+  }
+  if (takes_edge_flags()) {
+    gl_.PolygonMode(GL_FRONT, b.front_polygon_mode);
+    gl_.PolygonMode(GL_BACK, b.back_polygon_mode);
   }
   // The application's queries have counted the capture too. Only here, and if GL alone knows the number, it is read back.
   if (b.primitives_generated_query != 0 || b.primitives_written_query != 0) {

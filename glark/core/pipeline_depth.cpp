@@ -13,14 +13,16 @@
 namespace glark::core {
 namespace {
 
-bool current_tag_is_whole(const Context& context) {
+bool current_tag_is_zero(const Context& context) {
   const CurrentValue* value = context.current_values.find(static_cast<int>(context.ark.tag_attribute));
   if (value != nullptr && value->again == set_tag) {
-    return true;
+    GLuint tag = 0;
+    std::memcpy(&tag, value->components.data(), sizeof(tag));
+    return tag == 0;
   }
   GLfloat current[4] = {0, 0, 0, 0};
   context.supported.GetVertexAttribfv(context.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, current);
-  return std::floor(current[0]) == current[0];
+  return !(current[0] > 0);
 }
 
 }  // namespace
@@ -81,9 +83,9 @@ void Pipeline::plan_wanted_depth(const DrawCall& call, Plan& plan) const {
     plan.level = ark.uniform_level;
     return;
   }
-  plan.adaptive = call.tags_vary || feedback_tagged() ||
-                  context_.attribute_source(static_cast<int>(ark.tag_attribute)).enabled ||
-                  (ark.geomorph && !current_tag_is_whole(context_));
+  plan.adaptive =
+      call.tags_vary || feedback_tagged() || context_.attribute_source(static_cast<int>(ark.tag_attribute)).enabled ||
+      (ark.geomorph && !current_tag_is_zero(context_));  // uniform patterns are cut otherwise: that would pop
   if (!plan.adaptive) {
     plan.level = current_tag();
   }

@@ -48,6 +48,21 @@ std::uint64_t bytes_bound(const gl::Dispatch& gl, GLuint index) {
   return static_cast<std::uint64_t>(std::max<GLint64>(size, 0));
 }
 
+// What transform feedback takes of triangles that go through this program; GL_NONE: the program takes no triangles.
+GLenum feedback_mode(const gl::Dispatch& gl, const Program& owner, GLuint derived) {
+  if (!owner.has_stage(GL_GEOMETRY_SHADER)) {
+    return GL_TRIANGLES;
+  }
+  GLint input = 0;
+  GLint output = 0;
+  gl.GetProgramiv(derived, GL_GEOMETRY_INPUT_TYPE, &input);
+  gl.GetProgramiv(derived, GL_GEOMETRY_OUTPUT_TYPE, &output);
+  if (input != GL_TRIANGLES) {
+    return GL_NONE;
+  }
+  return output == GL_POINTS ? GL_POINTS : output == GL_LINE_STRIP ? GL_LINES : GL_TRIANGLES;
+}
+
 }  // namespace
 
 bool Pipeline::begin_feedback(GLenum mode) {
@@ -57,7 +72,8 @@ bool Pipeline::begin_feedback(GLenum mode) {
   plan.for_feedback = true;
   const bool tagged = context_.ark.depth_source == DepthSource::tag;
   const DrawCall call{.mode = GL_TRIANGLES, .tags_vary = tagged, .issue = nothing};
-  if (mode != GL_TRIANGLES || plan_draw(call, plan) != Cause::count_ || plan.pipeline != nullptr) {
+  if (plan_draw(call, plan) != Cause::count_ || plan.pipeline != nullptr ||
+      (plan.owner != nullptr ? feedback_mode(gl_, *plan.owner, plan.derived->name) : GL_TRIANGLES) != mode) {
     return false;
   }
   use_derived(plan);
@@ -65,7 +81,24 @@ bool Pipeline::begin_feedback(GLenum mode) {
   gl_.PauseTransformFeedback();
   use_application_program();
   feedback_program_ = plan.derived;
+  feedback_mode_ = mode;
+  feedback_begun_ = false;
   return true;
+}
+
+void Pipeline::hand_back_feedback() {
+  if (!owns_feedback() || feedback_begun_) {
+    return;
+  }
+  context_.refresh_bindings();
+  if (context_.bindings.transform_feedback_paused || !context_.bindings.transform_feedback_active) {
+    return;
+  }
+  const Quiet quiet = context_.quiet();
+  gl_.EndTransformFeedback();
+  feedback_program_ = nullptr;
+  gl_.BeginTransformFeedback(feedback_mode_);
+  context_.update_refining();
 }
 
 void Pipeline::end_feedback() {
@@ -84,7 +117,9 @@ void Pipeline::take_awaited_feedback() {
     return;
   }
   awaited_feedback_ = GL_NONE;
-  if (context_.ark.enabled) {  // nothing has been captured: it may begin again, with another program
+  if (context_.ark.enabled &&
+      context_.bindings
+          .transform_feedback_active) {  // nothing has been captured: it may begin again, with another program
     gl_.EndTransformFeedback();
     context_.bindings_stale = true;
     if (!begin_feedback(mode)) {

@@ -29,6 +29,9 @@ bool Pipeline::ensure_pool() {
 }
 
 void Pipeline::count_passed(Cause cause) {
+  if (cause != Cause::not_triangles && cause != Cause::invalid_draw) {
+    hand_back_feedback();
+  }
   const auto index = static_cast<std::size_t>(cause);
   ++statistics().passed_through[index];
   if (!logged_[index]) {
@@ -265,13 +268,15 @@ bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {
   bins_ready_ = bins_ready_ || bins_.prepare(pool_);
   ordered_.reserve(*plan.layout, triangles);  // without it, all goes through the bins
   return bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest) &&
-         (!plan.measured || measure_.reserve(triangles));
+         (!plan.measured || measure_.reserve(triangles)) &&
+         (!plan.derived->numbered || submit_.number(bins_.capacity()));
 }
 
 bool Pipeline::has_adaptive_room(const Plan& plan, std::uint64_t triangles) const {
   const auto count = static_cast<std::uint32_t>(triangles);
   return bins_ready_ && ordered_.has_room(*plan.layout, count) && bins_.has_room(*plan.layout, count, plan.deepest) &&
-         (!plan.measured || measure_.has_room(count));
+         (!plan.measured || measure_.has_room(count)) &&
+         (!plan.derived->numbered || submit_.has_numbers(bins_.capacity()));
 }
 
 Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {

@@ -77,6 +77,7 @@ struct DerivedProgram {
   GLint height_channel = -1;
   GLint height_range = -1;
   GLint first_word = -1;                   // location, in a program that reads the records from the storage block
+  bool numbered = false;                   // such a program, and its instances are numbered by an attribute
   std::vector<GLint> location_of;          // application location -> ours, -1 where we have none
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
   std::vector<SubroutineTable> subroutines;

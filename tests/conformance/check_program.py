@@ -60,6 +60,15 @@ class Verdicts(Folder):
         done, records = self.judge("--case", "ark.fake.unsteady", "--retry", 1)
         self.assertEqual(("Flake", 0), (records["unsteady"]["verdict"], done.returncode))
 
+    def test_fail_fast_leaves_out_what_was_not_begun(self):
+        chosen = [word for name in ("es_only", "fail", "pass", "pass_too") for word in ("--case", f"ark.fake.{name}")]
+        for batch in (1, 100):
+            done, records = self.judge("--fail-fast", "--jobs", 1, "--batch", batch, *chosen)
+            self.assertEqual(["es_only", "fail"], list(records))
+            self.assertEqual(1, done.returncode)
+        _, records = self.judge("--fail-fast", "--jobs", 1, "--baseline", self.written("known", "ark.fake.fail,Fail\n"), *chosen)
+        self.assertEqual(["es_only", "fail", "pass", "pass_too"], list(records))
+
     def test_shards_are_the_whole(self):
         names = [call("--list", "--shard", f"{i}/3").stdout.split() for i in (1, 2, 3)]
         self.assertEqual(sorted(f"ark.fake.{name}" for name in VERDICTS), sorted(sum(names, [])))

@@ -284,10 +284,15 @@ TEST_F(DrawsLists, CallListsInsideBegin) {
   });
 }
 
+// It stays as it is, as without a list.
 TEST_F(DrawsLists, Rectangle) {
   const GLuint list = compile([] { glRectf(-0.5F, -0.5F, 0.75F, 0.5F); });
   glColor3f(1, 0, 0);
-  expect_same_scene({2}, [list] { glCallList(list); });
+  const Picture plain = picture_of([list] { glCallList(list); });
+  const GLuint primitives = generated_primitives;
+  refine_uniformly(2, GL_LINEAR_INPUTS_ARK);
+  EXPECT_EQ(differing_pixels(plain, picture_of([list] { glCallList(list); })), 0);
+  EXPECT_EQ(generated_primitives, primitives);
 }
 
 TEST_F(DrawsLists, UniformsChangedByAList) {
@@ -379,7 +384,10 @@ TEST_F(DrawsLists, UniformsOfListsThatAreExecuted) {
     for (const bool right : {false, true}) {
       glNewList(1, GL_COMPILE_AND_EXECUTE);
       glUniform4f(tint, right ? 1.0F : 0.0F, 1.0F, 0.0F, 1.0F);
-      glRectf(right ? 0.0F : -1.0F, -1.0F, right ? 1.0F : 0.0F, 1.0F);
+      glBegin(GL_QUADS);
+      for (const int corner : {0, 1, 3, 2})
+        glVertex2f((right ? 0.0F : -1.0F) + static_cast<float>(corner % 2), corner < 2 ? -1.0F : 1.0F);
+      glEnd();
       glEndList();
     }
   });

@@ -4,17 +4,7 @@
 // The quartic through 15 points, for positions and for normals. Of every corner comes a matrix: in its columns the point of the
 // corner and those at 1/4, 2/4 and 3/4 of the edge to the next corner, and in its last row the inner point next to the corner. What
 // belongs to other edges is zero on an edge, and what comes from its two ends is added first: the sum is the same from both sides.
-#extension GL_ARB_gpu_shader5 : enable
-#ifdef GL_ES
-#define glark_qas_precise_from 320
-#else
-#define glark_qas_precise_from 400
-#endif
-#if __VERSION__ >= glark_qas_precise_from || (!defined GL_ES && defined GL_ARB_gpu_shader5)
-#define glark_qas_precise precise
-#else
-#define glark_qas_precise
-#endif
+#include "glark/clients/qas/precise.glsl"
 // Of the points 1/4 to 4/4 away.
 vec4 glark_qas_weights(float x) {
   glark_qas_precise float x4 = 4.0 * x;

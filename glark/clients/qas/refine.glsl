@@ -7,17 +7,7 @@
 // same from both sides of it, as long as nothing is fused.
 //
 // Based on: Boubekeur 2007, ch. 9.2.4, with the edge indices that the text of the chapter means.
-#extension GL_ARB_gpu_shader5 : enable
-#ifdef GL_ES
-#define glark_qas_precise_from 320
-#else
-#define glark_qas_precise_from 400
-#endif
-#if __VERSION__ >= glark_qas_precise_from || (!defined GL_ES && defined GL_ARB_gpu_shader5)
-#define glark_qas_precise precise
-#else
-#define glark_qas_precise
-#endif
+#include "glark/clients/qas/precise.glsl"
 vec3 glark_qas_quadratic(vec3 c0, vec3 c1, vec3 c2, vec3 e01, vec3 e12, vec3 e20) {
   float w = ark_barycentric.x;
   float u = ark_barycentric.y;

@@ -39,6 +39,7 @@ class BinStage {
   // Room for the instances of a draw; false without memory.
   bool reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag);
   bool has_room(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) const;
+  std::uint32_t capacity() const { return capacity_; }  // instances of any draw
   // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer bindings 0 to
   // 3, which the caller restores.
   BinnedInstances sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings);

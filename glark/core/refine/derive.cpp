@@ -69,8 +69,9 @@ class Deriver {
 
   // Names that the contract fixes and that the application may have taken: its variable gets another name, unless the API can see it.
   bool resolve_collisions() {
-    IdentifierSet fixed = {lattice_input,      patch_input,        records_block,          words_member,
-                           first_word_uniform, height_map_uniform, height_channel_uniform, height_range_uniform};
+    IdentifierSet fixed = {lattice_input,          patch_input,          records_block,
+                           words_member,           first_word_uniform,   height_map_uniform,
+                           height_channel_uniform, height_range_uniform, instance_input};
     for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
     for (const std::string& name : application_identifiers_) {
       const bool ours =
@@ -227,16 +228,23 @@ class Deriver {
     for (std::size_t u = 0; u < units_.size(); ++u) {
       const VertexUnit& unit = units_[u];
       resets_.emplace_back();
+      idle_inputs_.emplace_back();
       for (const Declaration& declaration : unit.interface.declarations) {
         for (const Variable& variable : declaration.variables) {
+          if (declaration.storage == Storage::input && !is_held(variable.name)) idle_inputs_[u].push_back(variable);
           if (!may_need_reset(declaration, variable)) continue;
           const bool depends = mentions_any(unit.tokens, variable, varying);
           if (depends) varying.insert(variable.name);
           if (depends || runs_again) resets_[u].push_back(variable);
         }
       }
-      plan_.resets.push_back(!resets_[u].empty());
+      plan_.resets.push_back(!resets_[u].empty() || !idle_inputs_[u].empty());
     }
+  }
+
+  bool is_held(const std::string& input) const {
+    const std::vector<capture::Field>& fields = request_.layout.fields;
+    return std::any_of(fields.begin(), fields.end(), [&](const capture::Field& field) { return field.name == input; });
   }
 
   static bool mentions_any(const Tokens& tokens, const Variable& variable, const IdentifierSet& names) {
@@ -279,12 +287,12 @@ class Deriver {
     for (const std::string& name : mentioned) {
       const BuiltInInput* const input = built_in_input(name);
       if (input == nullptr || is_declared(units_[u].interface, name)) continue;
-      // One that the record does not hold is constant for the draw, or the draw could not be refined.
+      // One that the record does not hold is constant for the draw, or no value of it matters, if it is a number.
       const bool captured = std::any_of(plan_.inputs.begin(), plan_.inputs.end(), [&](const InputVariable& variable) {
         return variable.field.name == input->field;
       });
       lines.insert(std::string(input->type) + " " + global_name("@", *input) +
-                   (input->system_value && !captured ? " = 0;\n" : ";\n"));
+                   (captured ? ";\n" : " = " + std::string(input->type) + "(0);\n"));
     }
     std::string text;
     for (const std::string& line : lines) text += line;
@@ -312,9 +320,17 @@ class Deriver {
     return text;
   }
 
+  std::string set_to_zero(const Variable& input) const {
+    const std::string name = "  " + new_names_(input.name);
+    const std::string zero = " = " + input.type + "(0);";
+    if (input.sizes.empty()) return name + zero + "\n";
+    return "  for (int @i = 0; @i < int(" + input.sizes[0] + "); ++@i) {" + name + "[@i]" + zero + " }\n";
+  }
+
   std::string reset_function(std::size_t u) const {
-    if (resets_[u].empty()) return {};
+    if (!plan_.resets[u]) return {};
     std::string text = "\nvoid @reset_" + std::to_string(u) + "() {\n";
+    for (const Variable& input : idle_inputs_[u]) text += set_to_zero(input);
     for (const Variable& variable : resets_[u]) {
       text += "  { " + variable.type + " @initial";
       for (const std::string& size : variable.sizes) text += "[" + size + "]";
@@ -333,6 +349,8 @@ class Deriver {
   NewNames new_names_;
   EpiloguePlan plan_;
   std::vector<std::vector<Variable>> resets_;
+  std::vector<std::vector<Variable>>
+      idle_inputs_;  // that the application's compiler has removed; to be numbers all the same
   std::string refinement_extensions_;
   std::string error_;
 };

@@ -25,6 +25,8 @@ inline constexpr const char* records_block = "glark_Records";
 inline constexpr const char* words_member = "glark_words";
 inline constexpr const char* first_word_uniform = "glark_first_word";
 inline constexpr unsigned records_binding = 4;
+// uint, in OpenGL ES and with a placement: the number of the instance among those of all bins. Its place is that of the first chunk.
+inline constexpr const char* instance_input = "glark_instance";
 
 // Of displacement: a sampler; a vec4 that picks the channel of the texel; a vec2 of scale and bias.
 inline constexpr const char* height_map_uniform = "glark_height_map";

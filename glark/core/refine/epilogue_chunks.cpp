@@ -52,14 +52,17 @@ std::string element_name(const InputVariable& input, int element) {
   return input.field.is_array ? input.global + "[" + std::to_string(element) + "]" : input.global;
 }
 
-// With a placement, instances are those of all bins: a bin's begin at its base instance.
+// With a placement, instances are those of all bins: a bin's begin at its base instance, which GLSL ES cannot read.
 std::string storage_declarations(const EpiloguePlan& plan) {
   const std::string layout = plan.version.es ? "std430, binding = " + std::to_string(records_binding) : "std430";
-  const std::string instance = plan.placed ? "(gl_InstanceID + gl_BaseInstanceARB)" : "gl_InstanceID";
-  return "layout(" + layout + ") readonly buffer " + records_block + " { float " + words_member +
-         "[]; };\nuniform int " + first_word_uniform +
-         ";\nint @record;\nvoid @find_record() { @record = " + first_word_uniform + " + " + instance + " * " +
-         std::to_string(3 * plan.corner_words) + "; }\nfloat @w(int word) { return " + words_member +
+  const bool numbered = plan.placed && plan.version.es;
+  const std::string instance = numbered      ? std::string("int(") + instance_input + ")"
+                               : plan.placed ? "(gl_InstanceID + gl_BaseInstanceARB)"
+                                             : "gl_InstanceID";
+  return (numbered ? std::string("in highp uint ") + instance_input + ";\n" : "") + "layout(" + layout +
+         ") readonly buffer " + records_block + " { float " + words_member + "[]; };\nuniform int " +
+         first_word_uniform + ";\nint @record;\nvoid @find_record() { @record = " + first_word_uniform + " + " +
+         instance + " * " + std::to_string(3 * plan.corner_words) + "; }\nfloat @w(int word) { return " + words_member +
          "[@record + word]; }\n";
 }
 

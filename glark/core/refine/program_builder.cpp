@@ -233,6 +233,7 @@ void ProgramBuilder::bind_inputs(GLuint name, const core::DerivedKey& key) const
     gl_.BindAttribLocation(name, traits_.lattice_location, lattice_input);
     if (key.placed) {
       gl_.BindAttribLocation(name, traits_.patch_location, patch_input);
+      gl_.BindAttribLocation(name, traits_.first_chunk_location, instance_input);
     }
   }
   for (GLuint chunk = 0; first_chunk + chunk < static_cast<GLuint>(traits_.max_vertex_attributes); ++chunk) {
@@ -363,6 +364,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   slot->height_range = gl_.GetUniformLocation(name, height_range_uniform);
   if (request.stored) {
     slot->first_word = gl_.GetUniformLocation(name, first_word_uniform);
+    slot->numbered = gl_.GetAttribLocation(name, instance_input) >= 0;
     if (gl_.ShaderStorageBlockBinding != nullptr) {
       gl_.ShaderStorageBlockBinding(name, gl_.GetProgramResourceIndex(name, GL_SHADER_STORAGE_BLOCK, records_block),
                                     records_binding);

@@ -6,6 +6,9 @@
 #include "glark/core/submit/submit.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
 
 namespace glark::submit {
 namespace {
@@ -48,6 +51,11 @@ void SubmitStage::bind_vertex_array(int chunks, Source source, GLuint indices) {
     gl_.VertexBindingDivisor(patch_binding, source == Source::uniform ? never_advance : 1);
     location = first_chunk_location;
   }
+  if (source == Source::numbered) {
+    gl_.EnableVertexAttribArray(location);
+    gl_.VertexAttribIFormat(location, 1, GL_UNSIGNED_INT, 0);
+    gl_.VertexAttribBinding(location, record_binding);
+  }
   for (int chunk = 0; chunk < chunks; ++chunk, ++location) {
     gl_.EnableVertexAttribArray(location);
     gl_.VertexAttribFormat(location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(chunk * chunk_bytes));
@@ -89,11 +97,24 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
   }
 }
 
-void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, int chunks) {
-  bind_vertex_array(chunks, Source::binned, pool.indices());
+bool SubmitStage::number(std::uint32_t instances) {
+  if (has_numbers(instances)) {
+    return true;
+  }
+  std::vector<std::uint32_t> numbers(instances);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers_.allocate(gl_, GLsizeiptr{4} * instances, numbers.data(), GL_STATIC_DRAW);
+}
+
+void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, BinnedInputs inputs) {
+  bind_vertex_array(inputs.chunks, inputs.numbered ? Source::numbered : Source::binned, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
   gl_.BindVertexBuffer(patch_binding, bins.patches, bins.patches_offset, patch_bytes);
-  gl_.BindVertexBuffer(record_binding, bins.records, bins.records_offset, bins.record_stride);
+  if (inputs.numbered) {
+    gl_.BindVertexBuffer(record_binding, numbers_.name(), 0, sizeof(std::uint32_t));
+  } else {
+    gl_.BindVertexBuffer(record_binding, bins.records, bins.records_offset, bins.record_stride);
+  }
   gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, bins.commands);
   const auto multi_draw = gl_.MultiDrawElementsIndirect;
   if (multi_draw != nullptr) {
@@ -112,6 +133,7 @@ void SubmitStage::release() {
     gl_.DeleteVertexArrays(1, &array.name);
   }
   arrays_.clear();
+  numbers_.release(gl_);
 }
 
 }  // namespace glark::submit

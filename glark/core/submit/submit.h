@@ -4,11 +4,13 @@
 // Draws refined triangles: the vertex arrays of lattice, patch and coarse record, and the draw calls. The caller binds the program.
 #pragma once
 
+#include <cstdint>
 #include <map>
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/record.h"
 #include "glark/core/depth/binned_instances.h"
+#include "glark/core/gpu_buffer.h"
 #include "glark/core/pattern/gpu_pool.h"
 
 namespace glark::submit {
@@ -34,12 +36,19 @@ class SubmitStage {
   // Every coarse triangle at the same level: one instanced draw for each tile of the level. Binds a vertex array of ours;
   // with a count on the GPU also GL_DRAW_INDIRECT_BUFFER.
   void draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw);
-  // Binds a vertex array of ours and GL_DRAW_INDIRECT_BUFFER. `chunks`: of a record that are attributes of the program.
-  void draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, int chunks);
+  struct BinnedInputs {
+    int chunks = 0;         // of a record that are attributes of the program
+    bool numbered = false;  // the program takes the number of the instance; see number()
+  };
+  // Binds a vertex array of ours and GL_DRAW_INDIRECT_BUFFER.
+  void draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, BinnedInputs inputs);
+  // For programs whose instances are numbered: so many numbers. False without memory.
+  bool number(std::uint32_t instances);
+  bool has_numbers(std::uint32_t instances) const { return numbers_.size() >= GLsizeiptr{4} * instances; }
   void release();
 
  private:
-  enum class Source { whole, uniform, binned };
+  enum class Source { whole, uniform, binned, numbered };
   void bind_vertex_array(int chunks, Source source, GLuint indices);
 
   const gl::Dispatch& gl_;
@@ -53,6 +62,7 @@ class SubmitStage {
     GLuint indices = 0;
   };
   std::map<Key, VertexArray> arrays_;
+  core::GpuBuffer numbers_;  // 0, 1, 2, ...
 };
 
 }  // namespace glark::submit

@@ -136,8 +136,12 @@ void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, 
 }
 
 // The extension leaves rectangles and evaluator meshes as they are; in a program that does not know of it they are triangles, too.
-GLenum mode_of_shape(const Context& context, GLenum mode) {
-  return context.options.transparent || context.compiling_list ? mode : GL_LINES;
+GLenum mode_of_shape(Context& context, GLenum mode) {
+  if (context.options.transparent) {
+    return mode;
+  }
+  context.list.segment.draws_shapes = true;
+  return GL_LINES;
 }
 
 void draw_rectangle(Context& context, Issue issue) {

@@ -117,6 +117,9 @@ void call_list(Context& c, GLuint name, int depth) {
     c.immediate_vertices += vertices_of(c, name, depth);
   }
   if (list == nullptr || !list->refinable || !c.refining || c.immediate.open) {
+    if (c.refining && !c.immediate.open) {
+      c.pipeline->hand_back_feedback();  // it may draw
+    }
     c.gl.CallList(name);
     forget_state(c, list != nullptr && !list->calls_lists ? list.get() : nullptr);
     return;

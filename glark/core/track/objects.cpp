@@ -228,8 +228,7 @@ void BeginTransformFeedback(Context& c, GLenum mode) {
   if (!c.refining || c.options.transparent || !c.pipeline->begin_feedback(mode)) {
     c.gl.BeginTransformFeedback(mode);
     c.bindings_stale = true;  // GL may have refused
-    if (c.capabilities.refinable && !c.options.transparent && !c.ark.enabled && c.ark.pool_level >= 0 &&
-        mode == GL_TRIANGLES) {
+    if (c.capabilities.refinable && !c.options.transparent && !c.ark.enabled && c.ark.pool_level >= 0) {
       c.pipeline->await_feedback(mode);
       c.update_refining();
     }

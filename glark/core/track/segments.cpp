@@ -25,6 +25,9 @@ void forget_uniforms(Context& c) {
 }
 
 void run_state(Context& c, const ListSegment& segment) {
+  if (segment.effects.draws_shapes) {
+    c.pipeline->hand_back_feedback();
+  }
   c.gl.CallList(segment.list);
   if (segment.effects.touches_state) {
     c.bindings_stale = true;

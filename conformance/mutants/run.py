@@ -1,0 +1,295 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""Implementations broken on purpose: builds each mutant of the *.toml files here and judges it with glark-conformance.
+
+    conformance/mutants/run.py [--build build/release] [--filter GLOB] [--table docs/conformance.md]
+
+The sources are copied to BUILD/mutants/source, one mutant at a time is made there, and only the library is built. First comes
+the true implementation: a case that it fails catches nothing. A mutant is caught where a case fails; those that cite its
+sentence are tried first, and all others only where these pass. Exit status: 0 where the true implementation passes and every
+mutant is caught, 1 otherwise, 2 where a mutant cannot be made.
+"""
+import argparse
+import contextlib
+import dataclasses
+import fnmatch
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+import tomllib
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+COPIED = ("CMakeLists.txt", "LICENSE", "cmake", "docs/man", "glark", "include", "shim")
+PASSING = {"Pass", "NotSupported", "QualityWarning", "Unimplemented"}
+MARKERS = ("<!-- mutants -->", "<!-- /mutants -->")
+
+
+class Complaint(Exception):
+    pass
+
+
+@dataclasses.dataclass
+class Mutant:
+    name: str
+    clause: str
+    what: str
+    edits: list
+    api: str = ""
+
+    def apis(self) -> list:
+        return [self.api] if self.api else ["gl-compat", "gl-core"]
+
+
+@dataclasses.dataclass
+class Outcome:
+    mutant: Mutant
+    failed: list  # names of cases, the first that failed first
+    by_clause: bool  # whether they cite its sentence
+    seconds: float
+    problem: str = ""  # it could not be built
+
+    def caught_by(self) -> str:
+        if self.problem:
+            return self.problem
+        if not self.failed:
+            return "NOT CAUGHT"
+        return self.failed[0] + ("" if self.by_clause else " (of another sentence)")
+
+
+def read_mutants() -> list:
+    mutants = []
+    for path in sorted(HERE.glob("*.toml")):
+        try:
+            entries = tomllib.loads(path.read_text())["mutant"]
+        except (tomllib.TOMLDecodeError, KeyError) as error:
+            raise Complaint(f"{path.name}: {error}") from error
+        for entry in entries:
+            if "edits" not in entry:
+                entry["edits"] = [{key: entry.pop(key, "") for key in ("file", "old", "new")}]
+            try:
+                mutants.append(Mutant(**entry))
+            except TypeError as error:
+                raise Complaint(f"{path.name}: {entry.get('name', 'a mutant without a name')}: {error}") from error
+    return mutants
+
+
+def mutated(mutant: Mutant, folder: pathlib.Path) -> dict:
+    """The texts of the files that the mutant changes."""
+    texts = {}
+    for edit in mutant.edits:
+        path = folder / edit["file"]
+        if not path.is_file():
+            raise Complaint(f"{mutant.name}: there is no {edit['file']}")
+        text = texts.get(path) or path.read_text()
+        found = text.count(edit["old"])
+        if not edit["old"] or found != 1 or edit["old"] == edit["new"]:
+            raise Complaint(f"{mutant.name}: what it replaces occurs {found} times in {edit['file']}: {edit['old']!r}")
+        texts[path] = text.replace(edit["old"], edit["new"])
+    return texts
+
+
+def check(mutants: list) -> None:
+    clauses = {line.split(" ", 1)[0] for line in (HERE.parent / "clauses/clauses.txt").read_text().splitlines()}
+    complaints = []
+    names = [mutant.name for mutant in mutants]
+    complaints += [f"{name}: two mutants have this name" for name in sorted({n for n in names if names.count(n) > 1})]
+    for mutant in mutants:
+        if mutant.clause not in clauses:
+            complaints.append(f"{mutant.name}: there is no sentence {mutant.clause}")
+        if mutant.api not in ("", "gl-compat", "gl-core", "gles"):
+            complaints.append(f"{mutant.name}: there is no API {mutant.api}")
+        try:
+            mutated(mutant, ROOT)
+        except Complaint as complaint:
+            complaints.append(str(complaint))
+    if complaints:
+        raise Complaint("\n".join(complaints))
+
+
+def copy_sources(source: pathlib.Path) -> None:
+    """Only what differs, so that ninja builds no more than a mutant touches."""
+    listed = subprocess.run(["git", "ls-files", "-z", *COPIED], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    names = {name for name in listed.split("\0") if name and (ROOT / name).is_file()}
+    for old in [path for path in source.rglob("*") if path.is_file() and str(path.relative_to(source)) not in names]:
+        old.unlink()
+    for name in sorted(names):
+        path = source / name
+        if not path.is_file() or path.read_bytes() != (ROOT / name).read_bytes():
+            path.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, path)
+
+
+@contextlib.contextmanager
+def made(mutant: Mutant, source: pathlib.Path):
+    texts = mutated(mutant, source)
+    before = {path: path.read_text() for path in texts}
+    try:
+        for path, text in texts.items():
+            path.write_text(text)
+        yield
+    finally:
+        for path, text in before.items():
+            path.write_text(text)
+
+
+class Laboratory:
+    def __init__(self, arguments: argparse.Namespace):
+        build = pathlib.Path(arguments.build).resolve()
+        self.jobs = arguments.jobs
+        self.quick = arguments.quick
+        self.suite = build / "bin/glark-conformance"
+        if not self.suite.is_file():
+            raise Complaint(f"{self.suite} is missing: build the target glark-conformance first")
+        self.folder = build / "mutants"
+        self.source = self.folder / "source"
+        self.library = self.folder / "build/lib/libGLARK.so"
+        self.known = {}  # of each API, the cases that the true implementation fails
+        cases = json.loads(self.call("--list", "--json").stdout)["cases"]
+        self.cases = {case["name"]: case["clauses"] for case in cases if case["written"]}
+
+    def call(self, *arguments) -> subprocess.CompletedProcess:
+        return subprocess.run([self.suite, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+    def configure(self) -> None:
+        copy_sources(self.source)
+        compiler_cache = []
+        if shutil.which("ccache"):
+            compiler_cache = ["-DCMAKE_C_COMPILER_LAUNCHER=ccache", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"]
+        command = ["cmake", "-S", self.source, "-B", self.folder / "build", "-G", "Ninja", "-DGLARK_MUTANT=ON", "-DGLARK_TESTS=OFF",
+                   "-DGLARK_BENCH=OFF", "-DGLARK_WERROR=OFF", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
+                   f"-DPython3_EXECUTABLE={sys.executable}", *compiler_cache]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise Complaint(f"the copy cannot be configured:\n{done.stdout}{done.stderr}")
+
+    def make_library(self) -> str:
+        """What went wrong, or nothing."""
+        command = ["cmake", "--build", self.folder / "build", "--target", "GLARK", "--parallel", str(self.jobs)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        errors = [line for line in done.stdout.splitlines() if "error" in line]
+        return "" if done.returncode == 0 else "DOES NOT BUILD: " + (errors[0] if errors else done.stdout[-300:])
+
+    def judge(self, api: str, names: list, *options) -> list:
+        """The names of those that failed and should not, in the order of the run."""
+        names = [name for name in names if name not in self.known.get(api, ())]
+        if not names:
+            return []
+        report = self.folder / "report"
+        shutil.rmtree(report, ignore_errors=True)
+        case_list = self.folder / "cases"
+        case_list.write_text("\n".join(names) + "\n")
+        platform = "egl" if api == "gles" else "osmesa"
+        done = self.call("--platform", platform, "--api", api, "--implementation", self.library, "--caselist", case_list, "--jobs",
+                         self.jobs, "--batch", 25, "--report", report, *options)
+        if not (report / "results.json").is_file():
+            raise Complaint(f"glark-conformance has not judged anything:\n{done.stderr}")
+        records = json.loads((report / "results.json").read_text())["results"]
+        return [record["name"] for record in records if record["verdict"] not in PASSING]
+
+    def judge_truth(self, apis: list) -> list:
+        problem = self.make_library()
+        if problem:
+            raise Complaint(f"the true implementation: {problem}")
+        for api in apis:
+            failed = self.judge(api, list(self.cases))
+            self.known[api] = set(failed)
+            print(f"the true implementation, {api}: {len(self.cases)} cases, {len(failed)} failed", flush=True)
+            for name in failed:
+                print(f"    {name}", flush=True)
+        return [name for failed in self.known.values() for name in failed]
+
+    def try_mutant(self, mutant: Mutant) -> Outcome:
+        began = time.monotonic()
+        outcome = Outcome(mutant, [], True, 0)
+        with made(mutant, self.source):
+            outcome.problem = self.make_library()
+            citing = [name for name, clauses in self.cases.items() if mutant.clause in clauses]
+            others = [name for name in self.cases if name not in citing]
+            rounds = [(citing, ())] + ([] if self.quick else [(others, ("--fail-fast",))])
+            for names, options in [] if outcome.problem else rounds:
+                for api in mutant.apis():
+                    outcome.failed = outcome.failed or self.judge(api, names, *options)
+                if outcome.failed:
+                    break
+                outcome.by_clause = False
+        outcome.seconds = time.monotonic() - began
+        return outcome
+
+
+def table_of(outcomes: list) -> str:
+    lines = ["| mutant | sentence | what is wrong | caught by | failed |", "|---|---|---|---|---|"]
+    for outcome in outcomes:
+        mutant = outcome.mutant
+        lines.append(f"| `{mutant.name}` | {mutant.clause} | {mutant.what} | {outcome.caught_by()} | {len(outcome.failed)} |")
+    caught = sum(1 for outcome in outcomes if outcome.failed)
+    return f"{caught} of {len(outcomes)} mutants are caught.\n\n" + "\n".join(lines) + "\n"
+
+
+def write_table(path: pathlib.Path, outcomes: list) -> None:
+    text = path.read_text()
+    begin, end = (text.find(marker) for marker in MARKERS)
+    if begin < 0 or end < begin:
+        raise Complaint(f"{path} has no {MARKERS[0]} before a {MARKERS[1]}")
+    path.write_text(text[:begin] + MARKERS[0] + "\n" + table_of(outcomes) + text[end:])
+
+
+def run(arguments: argparse.Namespace, mutants: list) -> int:
+    if arguments.table and not pathlib.Path(arguments.table).is_file():
+        raise Complaint(f"{arguments.table} is missing")
+    laboratory = Laboratory(arguments)
+    laboratory.configure()
+    wrong = laboratory.judge_truth(sorted({api for mutant in mutants for api in mutant.apis()}))
+    outcomes = []
+    for mutant in mutants:
+        outcome = laboratory.try_mutant(mutant)
+        outcomes.append(outcome)
+        print(f"{mutant.name:32} {mutant.clause:14} {outcome.seconds:6.1f} s {len(outcome.failed):4}  {outcome.caught_by()}", flush=True)
+    missed = [outcome for outcome in outcomes if not outcome.failed]
+    print(f"{len(outcomes) - len(missed)} of {len(outcomes)} mutants are caught")
+    for outcome in missed:
+        print(f"    {outcome.mutant.name}: {outcome.mutant.clause}: {outcome.mutant.what}")
+    if arguments.table:
+        write_table(pathlib.Path(arguments.table), outcomes)
+    if any(outcome.problem for outcome in outcomes):
+        return 2
+    return 1 if missed or wrong else 0
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--build", default=str(ROOT / "build/release"), help="directory with a built glark-conformance")
+    parser.add_argument("--filter", action="append", metavar="GLOB", help="only mutants of such names; may be repeated")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="processes at a time")
+    parser.add_argument("--quick", action="store_true", help="leave out the cases that do not cite the mutant's sentence")
+    parser.add_argument("--list", action="store_true", help="print the mutants")
+    parser.add_argument("--check", action="store_true", help="only check that every mutant can be made")
+    parser.add_argument("--table", metavar="FILE", help="write the table between the markers of this document")
+    arguments = parser.parse_args()
+    try:
+        mutants = read_mutants()
+        if arguments.check:
+            check(mutants)
+            print(f"{len(mutants)} mutants can be made")
+            return 0
+        globs = arguments.filter or ["*"]
+        mutants = [mutant for mutant in mutants if any(fnmatch.fnmatchcase(mutant.name, glob) for glob in globs)]
+        if not mutants:
+            raise Complaint("no mutant has such a name: " + " ".join(globs))
+        if arguments.list:
+            for mutant in mutants:
+                print(f"{mutant.name:32} {mutant.clause:14} {mutant.what}")
+            return 0
+        return run(arguments, mutants)
+    except Complaint as complaint:
+        print(f"run.py: {complaint}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())
