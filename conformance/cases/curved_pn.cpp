@@ -161,6 +161,21 @@ Case simple_case(const char* leaf, std::vector<std::string> clauses, const char*
           .check = check};
 }
 
+void check_one_place(Test& t) {
+  gl.UseProgram(surface_program(t));
+  Mesh mesh = bent_mesh();
+  mesh.resize(3);
+  for (MeshVertex& vertex : mesh) vertex.position = {0.1F, -0.7F, 0.3F, 1};
+  upload(mesh);
+  refine_uniformly(4, GL_CURVED_PN_ARK);
+  const auto vertices = capture_surface(t, mesh);
+  t.require(vertices.size() == 768, "the triangle is refined");
+  for (const SurfaceVertex& vertex : vertices)
+    if (!t.expect(std::equal(vertex.position.begin(), vertex.position.begin() + 3, mesh[0].position.begin()),
+                  "every refined vertex has the bits of P_0"))
+      return;
+}
+
 }  // namespace
 
 Cases curved_pn_cases() {
@@ -196,6 +211,9 @@ Cases curved_pn_cases() {
       simple_case("formula.shared_edge", {"11.R.7-9", "11.R.7-13", "11.R.8-3"},
                   "Two triangles that share an edge from opposite ends have the same positions along it, by bits.",
                   "Sums that depend on the order of corners: cracks of one ulp.", check_shared_edge),
+      simple_case("formula.one_place", {"11.R.7-17"},
+                  "All corners in one place: every refined vertex is there, by bits.",
+                  "Rounding moves them; D . D = 0 gives NaN.", check_one_place),
       {.name = "ark.pn.missing.normal",
        .clauses = {"11.R.7-6"},
        .plan = "A vertex stage without a normal: positions are those of (11.R.1).",

@@ -326,6 +326,35 @@ void check_names(Test& t, const char* name, bool is_coordinate) {
   expect_displaced(t, d, mesh, capture_surface(t, mesh));
 }
 
+void check_texture_matrix(Test& t) {
+  displacement_texture();
+  gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
+  gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0.4F);
+  refine_uniformly(3);
+  const auto picture = [](float scale) {
+    for (const GLenum at : {GL_TEXTURE0, GL_TEXTURE0 + unit}) {
+      gl.ActiveTexture(at);
+      gl.MatrixMode(GL_TEXTURE);
+      gl.LoadIdentity();
+      gl.Scalef(scale, 2 - scale, 1);
+    }
+    gl.ActiveTexture(GL_TEXTURE0);
+    clear_surface();
+    gl.Begin(GL_TRIANGLES);
+    for (const MeshVertex& vertex : one_triangle()) {
+      gl.TexCoord2f(0.13F + vertex.position[0] * 0.57F, 0.29F + vertex.position[1] * 0.61F);
+      gl.Normal3f(vertex.position[1], -vertex.position[0], 0.3F);
+      gl.Vertex3f(vertex.position[0], vertex.position[1], 0);
+    }
+    gl.End();
+    return read_picture(surface_size, surface_size);
+  };
+  const Picture expected = picture(1);
+  t.expect_same_picture(picture(0.3F), expected, "with another texture matrix");
+  gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, -1);
+  t.expect(count_different(picture(1), expected, 0) > 100, "displacement shows in the picture");
+}
+
 }  // namespace
 
 Cases displacement_cases() {
@@ -365,6 +394,12 @@ Cases displacement_cases() {
                    .plan = "With LINEAR_OUTPUTS_ARK nothing is displaced.",
                    .wrong = "Displaced all the same.",
                    .check = [](Test& t) { expect_not_displaced(t, {}, GL_LINEAR_OUTPUTS_ARK); }});
+  cases.push_back({.name = "ark.displacement.texture_matrix",
+                   .clauses = {"11.R.7b-4"},
+                   .plan = "A texture matrix that is not the identity changes nothing, fixed function.",
+                   .wrong = "T is transformed by the matrix of unit 0, or of the displacement's unit.",
+                   .apis = {Api::gl_compat},
+                   .check = check_texture_matrix});
   return cases;
 }
 

@@ -111,13 +111,13 @@ void check_uniform(Test& t, GLenum interior, GLenum source) {
 }
 
 // The finest that a pool holds: counted, not captured.
-void check_deepest(Test& t) {
+void check_deepest(Test& t, GLuint level) {
   GLint deepest = 0;
   gl.GetIntegerv(GL_MAX_DEPTH_ARK, &deepest);
   t.require(deepest >= 11, "MAX_DEPTH_ARK is at least 11");
   gl.UseProgram(colour_program(t));
   upload(one_triangle());
-  refine_uniformly(9);
+  refine_uniformly(level);
   GLuint query = 0;
   gl.GenQueries(1, &query);
   gl.Enable(GL_RASTERIZER_DISCARD);
@@ -128,7 +128,7 @@ void check_deepest(Test& t) {
   GLuint count = 0;
   gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
   gl.DeleteQueries(1, &query);
-  t.expect_equal(count, 1U << 18U, "triangles at uniform depth 9");
+  t.expect_equal(count, 1U << (2 * level), "triangles at uniform depth " + std::to_string(level));
 }
 
 // The levels of a smaller pool have the patterns of a greater one.
@@ -236,7 +236,15 @@ Cases patterns_cases() {
                    .plan = "Count the primitives of one triangle at uniform depth 9.",
                    .wrong = "A limit on triangles; numbers of 16 bits.",
                    .control = check_unrefined_count,
-                   .check = check_deepest});
+                   .check = [](Test& t) { check_deepest(t, 9); }});
+  for (const GLuint level : {10U, 11U})
+    cases.push_back(
+        {.name = "ark.pattern.uniform.deep_count_" + std::to_string(level),
+         .clauses = {"11.R.5-11"},
+         .plan = "Count the primitives of one triangle at a uniform depth of " + std::to_string(level) + ".",
+         .wrong = "A limit on triangles; a product of 16-bit numbers; a record that is too small.",
+         .control = check_unrefined_count,
+         .check = [level](Test& t) { check_deepest(t, level); }});
   cases.push_back({.name = "ark.pattern.small_pools",
                    .clauses = {"11.R.5-1", "11.R.5-12"},
                    .plan = "Judge patterns with the greatest depth of pools of level 0 to 5.",

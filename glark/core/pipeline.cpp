@@ -122,8 +122,11 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
     restore_storage();  // the vertex stage may read it
   }
   raise_edge_flag();
-  use_derived(plan);
   const bool captures = owns_feedback() && !b.transform_feedback_paused;
+  if (captures && feedback_mode_ != GL_TRIANGLES) {
+    capture_.set_feedback_mode(plan.capture_program, feedback_mode_, b);
+  }
+  use_derived(plan);
   if (captures) {
     gl_.ResumeTransformFeedback();
     feedback_begun_ = true;

@@ -107,6 +107,15 @@ void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count c
   gl_.BeginTransformFeedback(GL_TRIANGLES);
 }
 
+void CaptureStage::set_feedback_mode(GLuint program, GLenum mode, const core::Bindings& bindings) const {
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
+  bind_target(ring_.name(), 0, ring_.size(), bindings);
+  gl_.UseProgram(program);
+  gl_.BeginTransformFeedback(mode);
+  gl_.EndTransformFeedback();
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
+}
+
 CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings) {
   gl_.EndTransformFeedback();
   CoarseTriangles result{target_, target_offset_, static_cast<std::uint32_t>(triangles), false};

@@ -36,6 +36,8 @@ class CaptureStage {
   bool reserve(const Layout& layout, std::uint64_t triangles);
   // From here to end() the draws of the application are captured.
   void begin(GLuint program, const core::Bindings& bindings, Count count, core::GpuBuffer* own_buffer);
+  // Mesa 22 has one mode of transform feedback a context, that of the last one to begin: makes it this one again.
+  void set_feedback_mode(GLuint program, GLenum mode, const core::Bindings& bindings) const;
   CoarseTriangles end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings);
 
   // Triangles of the last capture that was not exact; waits for the GPU.

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// WELD_ARK (11.R.15): instances, creases, and one angle for all sides of an edge.
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "conformance/cases/cases.h"
+#include "conformance/support/surface.h"
+
+namespace glark::conformance {
+namespace {
+
+// Instances of one triangle, each with a tag of its own: 0, 2 and 1.
+void check_instances(Test& t, bool by_attribute) {
+  gl.UseProgram(build_program(
+      t, {.vertex = std::string("layout(location = 0) in vec4 position; layout(location = 7) in vec4 shift;\n"
+                                "out vec4 colour; void main() { colour = vec4(1.0); gl_Position = position + ") +
+                    (by_attribute ? "shift" : "vec4(0.1 * float(gl_InstanceID), 0.0, 0.0, 0.0)") + "; }\n",
+          .captured = {"gl_Position"}}));
+  upload(one_triangle(), false);
+  const float tags[] = {0, 2, 1};
+  const float shifts[] = {0, 0.1F, 0.2F};
+  GLint tag = 0;
+  gl.GetIntegerv(GL_DEPTH_TAG_ATTRIBUTE_ARK, &tag);
+  for (const auto& [index, values] : {std::pair<GLuint, const float*>{static_cast<GLuint>(tag), tags}, {7, shifts}}) {
+    GLuint buffer = 0;
+    gl.GenBuffers(1, &buffer);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl.BufferData(GL_ARRAY_BUFFER, sizeof(tags), values, GL_STATIC_DRAW);
+    gl.VertexAttribPointer(index, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+    gl.EnableVertexAttribArray(index);
+    gl.VertexAttribDivisor(index, 1);
+  }
+  refine_by_tags(3);
+  gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
+  const auto vertices = capture_as<Vec4>(t, 1000, [] { gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, 3); });
+  t.expect_equal(vertices.size() / 3, std::size_t{1 + 16 + 4}, "triangles of instances with the tags 0, 2 and 1");
+}
+
+// A sharp edge, both of whose ends are tagged: the control points are those without WELD_ARK.
+void check_crease(Test& t) {
+  const Mesh mesh = bent_mesh();
+  ShapeTags tags;
+  tags.discontinuities.assign(6, Vec4{0, 0, 0, 1});
+  tags.scalars.assign(6, Vec3{0.75F, 0.25F, 0.5F});
+  tags.discontinuities[0] = tags.discontinuities[5] = {0.25F, -0.5F, 0.125F, 3};
+  tags.discontinuities[2] = tags.discontinuities[3] = {-0.125F, 0.25F, 0.5F, 3};
+  gl.UseProgram(surface_program(t));
+  upload(mesh);
+  upload_shape_tags(tags);
+  refine_uniformly(3, GL_SCALAR_TAGGED_PN_ARK);
+  gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
+  const auto vertices = capture_surface(t, mesh);
+  expect_surface(t, vertices, mesh, tags, reference::scalar_tagged_pn, 5e-6);
+  std::array<std::vector<Vec4>, 2> sides = {std::vector<Vec4>(9), std::vector<Vec4>(9)};
+  for (const SurfaceVertex& vertex : vertices) {
+    const bool is_second = vertex.triangle >= 1;
+    if (vertex.weights[1] == 0)
+      sides[is_second ? 1 : 0][static_cast<std::size_t>(std::lround(8 * vertex.weights[is_second ? 0 : 2]))] =
+          vertex.position;
+  }
+  for (std::size_t i = 0; i < 9; ++i)
+    t.expect(same_position(sides[0][i], sides[1][i]), "both sides of a crease are the same, by bits");
+}
+
+Vec3 turned(double degrees) {
+  const double angle = degrees * std::acos(-1.0) / 180;
+  return {static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle))};
+}
+
+// One side turns by 5 degrees, the other by 35: with 10 degrees a level, depths 0 and 2.
+void check_turns(Test& t, GLenum refinement) {
+  gl.UseProgram(surface_program(t));
+  Mesh mesh = bent_mesh();
+  for (MeshVertex& vertex : mesh) vertex.normal = turned(0);
+  mesh[2].normal = turned(5);
+  mesh[3].normal = turned(35);
+  upload(mesh);
+  refine_by_tags(4, refinement);
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 0);
+  gl.ARKParameteriARK(GL_EDGE_DEGREES_ARK, 10);
+  for (const bool is_welded : {false, true}) {
+    gl.ARKParameteriARK(GL_WELD_ARK, is_welded ? GL_TRUE : GL_FALSE);
+    std::array<std::set<float>, 2> sides;
+    for (const SurfaceVertex& vertex : capture_surface(t, mesh))
+      if (vertex.weights[1] == 0) sides[vertex.triangle >= 1 ? 1 : 0].insert(vertex.weights[0]);
+    const std::string what = is_welded ? "welded, vertices on the side that turns by " : "vertices on the side of ";
+    t.expect_equal(sides[0].size(), is_welded ? 5U : 2U, what + "5 degrees");
+    t.expect_equal(sides[1].size(), 5U, what + "35 degrees");
+  }
+}
+
+}  // namespace
+
+Cases welded_sides_cases() {
+  Cases cases;
+  for (const bool by_attribute : {false, true})
+    cases.push_back({.name = std::string("ark.weld.instances.") + (by_attribute ? "attribute" : "number"),
+                     .clauses = {"11.R.15-5"},
+                     .plan = "Three instances of one triangle, each with a tag of its own.",
+                     .wrong = "The greatest tag of all instances, as if they were in one place.",
+                     .check = [by_attribute](Test& t) { check_instances(t, by_attribute); }});
+  cases.push_back({.name = "ark.weld.tagged.crease",
+                   .clauses = {"11.R.15-16"},
+                   .plan = "Two triangles along a crease: their surfaces are those without WELD_ARK, the same along it "
+                           "by bits.",
+                   .wrong = "Tagged corners are welded, too, and lose their crease.",
+                   .check = check_crease});
+  for (const auto& [leaf, refinement] : {std::pair<const char*, GLenum>{"linear", GL_LINEAR_INPUTS_ARK},
+                                         {"outputs", GL_LINEAR_OUTPUTS_ARK},
+                                         {"curved", GL_CURVED_PN_ARK},
+                                         {"tagged", GL_SCALAR_TAGGED_PN_ARK}})
+    cases.push_back({.name = std::string("ark.weld.measured_turns.") + leaf,
+                     .clauses = {"11.R.15-17", "11.R.15-18"},
+                     .plan = "Two sides of an edge whose normals turn by 5 and by 35 degrees have the greater depth.",
+                     .wrong = "Each side its own: a T-junction; the lesser.",
+                     .check = [mode = refinement](Test& t) { check_turns(t, mode); }});
+  return cases;
+}
+
+}  // namespace glark::conformance
