@@ -286,6 +286,22 @@ void check_current_group(Test& t) {
   t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "another group does not restore it");
 }
 
+// No query in between: what the draws go by.
+void check_current_group_draws(Test& t) {
+  set_up(t);
+  upload(one_triangle(), false);
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  for (const GLbitfield mask : {GLbitfield{GL_CURRENT_BIT}, GLbitfield{GL_ALL_ATTRIB_BITS}}) {
+    gl.DepthTag1i(3);
+    gl.PushAttrib(mask);
+    gl.DepthTag1i(1);
+    t.expect_equal(count_generated(draw), 4U, "triangles with the tag 1");
+    gl.PopAttrib();
+    t.expect_equal(count_generated(draw), 64U, "triangles after PopAttrib");
+    t.expect_equal(triangles_of(t, draw), 64U, "triangles after PopAttrib, captured");
+  }
+}
+
 void check_client_group(Test& t) {
   set_everything(t);
   const Snapshot before = take_snapshot(t);
@@ -393,6 +409,8 @@ Cases lists_cases() {
                 "IsEnabled is right, draws are not.", check_enable_group_draws),
       of_compat("ark.group.current", {"chapter-22-2"}, "PushAttrib and PopAttrib of CURRENT_BIT, and draws.",
                 "A copy of the tag beside the attribute is not restored.", check_current_group),
+      of_compat("ark.group.current_draws", {"chapter-22-2"}, "Draw with two tags, one of them within PushAttrib.",
+                "The query answers right, draws have the tag of before.", check_current_group_draws),
       of_compat("ark.group.client", {"chapter-22-3"}, "PushClientAttrib and PopClientAttrib of the array.",
                 "A copy of the array's state is not restored.", check_client_group, false),
       of_compat(
