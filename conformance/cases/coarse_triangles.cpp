@@ -175,6 +175,27 @@ void check_centroid(Test& t, GLenum mode) {
       t, uniform, [mode] { gl.DrawArrays(mode, 0, 8); }, "eight vertices, uniformly");
 }
 
+// Values that no sum or quotient leaves exact: the order of the sum, the division and the place of the centroid among the corners
+// show in the last bits.
+void check_centroid_bits(Test& t, GLenum mode, std::size_t count) {
+  use_readable_tags();
+  gl.UseProgram(draw_program(t));
+  for (int round = 0; round < 4; ++round) {
+    Mesh mesh = mode == GL_POLYGON ? polygon() : mesh_for(mode);
+    for (MeshVertex& vertex : mesh) {
+      for (std::size_t k = 0; k < 2; ++k) vertex.position[k] += t.random_float(-0.02F, 0.02F);
+      vertex.position[2] = t.random_float(-0.9F, 0.9F);
+      for (float& channel : vertex.colour) channel = t.random_float(0, 1);
+      vertex.tag = static_cast<float>(t.random_int(0, 3));
+    }
+    upload(mesh);
+    split_at_centroids(4);
+    expect_triangles(
+        t, split(mesh, mode, count, 4), [=] { gl.DrawArrays(mode, 0, static_cast<GLsizei>(count)); },
+        std::to_string(count) + " vertices");
+  }
+}
+
 // Edges that differ much from the face depth: triples that tags of vertices alone do not give.
 void check_steep_depths(Test& t) {
   use_readable_tags();
@@ -327,6 +348,17 @@ Cases coarse_triangles_cases() {
                        .wrong = "Triangles split in three.",
                        .check = [mode](Test& t) { check_triangles_stay(t, mode.mode); }});
   }
+  for (const auto& [leaf, mode, count] : {std::tuple<const char*, GLenum, std::size_t>{"polygon_5", GL_POLYGON, 5},
+                                          {"polygon_6", GL_POLYGON, 6},
+                                          {"polygon_7", GL_POLYGON, 7},
+                                          {"quads", GL_QUADS, 8},
+                                          {"quad_strip", GL_QUAD_STRIP, 8}})
+    cases.push_back({.name = std::string("ark.coarse.centroid.bits.") + leaf,
+                     .clauses = {"11.R.3-7", "11.R.3-8"},
+                     .plan = "Primitives of random vertices, split at the centroid, captured: equal by bits.",
+                     .wrong = "Summed from the last vertex, multiplied by 1 / n, or with another corner order.",
+                     .apis = compat,
+                     .check = [mode = mode, count = count](Test& t) { check_centroid_bits(t, mode, count); }});
   cases.push_back({.name = "ark.coarse.centroid.steep",
                    .clauses = {"11.R.4-16", "11.R.5-1"},
                    .plan = "One edge of depth 6 among edges of 0: the inner edges have the mean.",

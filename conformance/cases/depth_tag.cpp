@@ -7,6 +7,7 @@
 
 #include "conformance/cases/cases.h"
 #include "conformance/support/capture.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/state.h"
 
 namespace glark::conformance {
@@ -68,6 +69,60 @@ void check_rounding(Test& t, const Rounding& rounding) {
   gl.ARKinit(5);
   t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), rounding.tag, "with a pool of level 5");
   t.expect_no_error("the queries");
+}
+
+// By a draw, with tags and, for comparison, at a uniform depth, which takes no notice of them.
+void check_drawn(Test& t, const Rounding& rounding) {
+  gl.UseProgram(capture_program(t));
+  upload(one_triangle(), false);
+  refine_by_tags(5);
+  gl.VertexAttrib4f(tag_attribute(), rounding.value, 3, 4, 5);
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  const GLuint triangles = GLuint{1} << (2 * rounding.tag);
+  t.expect_equal(count_generated(draw), triangles, "triangles");
+  t.expect_equal(capture(t, draw).size() / 3, std::size_t{triangles}, "triangles of transform feedback");
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  for (const GLint level : {0, 1, 3}) {
+    gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
+    t.expect_equal(count_generated(draw), GLuint{1} << (2 * level), "triangles of a uniform depth");
+    t.expect_equal(capture(t, draw).size() / 3, std::size_t{1} << (2 * level), "captured ones of a uniform depth");
+  }
+  t.expect_no_error("the draws");
+}
+
+Case drawn_case(const Rounding& rounding) {
+  return {
+      .name = std::string("ark.tag.drawn.") + rounding.leaf,
+      .clauses = {"10.R.1-3", "10.R.1-4", "10.R.1-5", "11.R.4-1"},
+      .plan = "Draw with " + as_text(rounding.value) +
+              " as the current value of the attribute, by tags and at three "
+              "uniform depths, and count triangles, on the screen and in transform feedback.",
+      .wrong = "Rounded down, or to even; not clamped; not a number is the greatest tag; tags count at uniform depths.",
+      .check = [rounding](Test& t) { check_drawn(t, rounding); }};
+}
+
+// Tags of 4, 1 and 2 between Begin and End: 12 triangles, whatever was current before.
+void check_drawn_between(Test& t) {
+  gl.UseProgram(capture_program(t));
+  refine_by_tags(4);
+  const auto draw = [] {
+    const Mesh mesh = one_triangle();
+    const GLuint tags[] = {4, 1, 2};
+    gl.Begin(GL_TRIANGLES);
+    for (std::size_t i = 0; i < 3; ++i) {
+      gl.DepthTag1i(tags[i]);
+      gl.VertexAttrib4fv(at_weights,
+                         std::array<float, 4>{mesh[i].weights[0], mesh[i].weights[1], mesh[i].weights[2]}.data());
+      gl.VertexAttrib4fv(0, mesh[i].position.data());
+    }
+    gl.End();
+  };
+  for (const GLuint tag : {0U, 4U}) {
+    gl.DepthTag1i(tag);
+    t.expect_equal(count_generated(draw), 12U, "triangles");
+    gl.DepthTag1i(tag);
+    t.expect_equal(capture(t, draw).size(), 36U, "vertices of transform feedback");
+  }
 }
 
 Case rounding_case(const Rounding& rounding) {
@@ -237,8 +292,22 @@ Cases depth_tag_cases() {
            {"infinite", Limits::infinity(), 5},
            {"minus_infinite", -Limits::infinity(), 0},
            {"not_a_number", Limits::quiet_NaN(), 0},
-       })
+       }) {
     cases.push_back(rounding_case(rounding));
+    cases.push_back(drawn_case(rounding));
+  }
+  cases.push_back(
+      {.name = "ark.tag.drawn.between",
+       .clauses = {"10.R.1-13", "10.R.2-2"},
+       .plan = "Another tag at each vertex between Begin and End: count on the screen and in transform feedback.",
+       .wrong = "The tag at Begin, or the last one, for all vertices.",
+       .apis = {Api::gl_compat},
+       .control =
+           [](Test& t) {
+             gl.UseProgram(capture_program(t));
+             t.expect_equal(count_generated([] { gl.DrawArrays(GL_TRIANGLES, 0, 3); }), 1U, "triangles unrefined");
+           },
+       .check = check_drawn_between});
   return cases;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 
 namespace glark::conformance {
@@ -176,6 +177,26 @@ void check_neither(Test& t) {
   t.expect(found == Depths{2, 2, 2}, "degrees without a normal: depths " + text_of(found));
 }
 
+// Pixels do not apply in front of a geometry shader; degrees do.
+void check_geometry_shader(Test& t) {
+  gl.UseProgram(build_program(
+      t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 1) in vec3 normal; out vec4 between;\n"
+                    "void main() { between = vec4(abs(normal), 1.0); gl_Position = position; }\n",
+          .geometry = "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\n"
+                      "in vec4 between[]; out vec4 colour;\n"
+                      "void main() { for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position;\n"
+                      "  colour = between[i]; EmitVertex(); } EndPrimitive(); }\n"}));
+  upload(bent_triangle());
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  for (const GLint level : {0, 1, 3}) {
+    measure_by(7, 0);
+    gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
+    t.expect_equal(count_generated(draw), GLuint{1} << (2 * level), "triangles where no measure applies");
+  }
+  measure_by(1, 180);
+  t.expect_equal(count_generated(draw), 1U, "triangles where only degrees apply");
+}
+
 GLuint triangles_in_a_frame(Test& t, const Mesh& mesh) {
   GLuint query = 0;
   GLuint count = 0;
@@ -206,6 +227,14 @@ void check_budget(Test& t, GLint budget) {
   gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, budget);
   GLuint last = triangles_in_a_frame(t, mesh);
   for (int frame = 0; frame < 40; ++frame) last = triangles_in_a_frame(t, mesh);
+  const auto draw = [&] { gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(mesh.size())); };
+  for (int frame = 0; frame < 6; ++frame) {
+    const GLuint first = count_generated(draw);
+    for (int again = 0; again < 3; ++again)
+      t.expect_equal(count_generated(draw), first, "triangles of the same draw later in the frame");
+    t.context().end_frame();
+  }
+  for (int frame = 0; frame < 20; ++frame) last = triangles_in_a_frame(t, mesh);
   const auto most = static_cast<GLuint>(budget);
   t.expect(last <= std::max(most, 16U), std::to_string(last) + " triangles with a budget of " + std::to_string(most));
   t.expect(last >= std::min(most / 4, free), std::to_string(last) + " triangles are at least a quarter of the budget");
@@ -246,6 +275,9 @@ Cases depths_cases() {
                  check_pool_level),
       depth_case("tags_ignored", {"11.R.4-1", "11.R.4-3"}, "Uniform and measured depths with an array of tags enabled.",
                  "Depths of the tags.", check_tags_ignored),
+      depth_case("measured.geometry_shader", {"11.R.4-4", "11.R.4-10"},
+                 "Pixels with a geometry shader do not apply: the uniform depth; degrees do.",
+                 "Measured in front of the geometry shader all the same.", check_geometry_shader),
       depth_case("measured.neither", {"11.R.4-10"}, "No measure, or degrees without a normal.", "Depth 0; tags.",
                  check_neither)};
   for (const GLint budget : {500, 2000})

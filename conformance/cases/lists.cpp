@@ -6,13 +6,18 @@
 
 #include "conformance/cases/cases.h"
 #include "conformance/support/capture.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/state.h"
 
 namespace glark::conformance {
 namespace {
 
 // One triangle of immediate mode, drawn by draw() to transform feedback.
-std::size_t triangles_of(Test& t, const std::function<void()>& draw) { return capture(t, draw).size() / 3; }
+std::size_t triangles_of(Test& t, const std::function<void()>& draw) {
+  const std::size_t triangles = capture(t, draw).size() / 3;
+  t.expect_equal(std::size_t{count_generated(draw)}, triangles, "triangles without transform feedback");
+  return triangles;
+}
 
 void triangle() {
   gl.Begin(GL_TRIANGLES);
@@ -68,7 +73,10 @@ void check_tags_of_list(Test& t) {
     triangle();
   });
   gl.DepthTag1i(4);
-  t.expect_equal(triangles_of_list(t, with), 16U + 4U, "triangles of a list with tags");
+  for (const GLuint tag : {4U, 0U}) {
+    gl.DepthTag1i(tag);
+    t.expect_equal(triangles_of_list(t, with), 16U + 4U, "triangles of a list with tags");
+  }
   t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 1, "the tag that the list leaves");
   const GLuint without = compile(triangle);
   for (const GLuint tag : {3U, 0U, 2U}) {
@@ -278,6 +286,22 @@ void check_current_group(Test& t) {
   t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "another group does not restore it");
 }
 
+// No query in between: what the draws go by.
+void check_current_group_draws(Test& t) {
+  set_up(t);
+  upload(one_triangle(), false);
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  for (const GLbitfield mask : {GLbitfield{GL_CURRENT_BIT}, GLbitfield{GL_ALL_ATTRIB_BITS}}) {
+    gl.DepthTag1i(3);
+    gl.PushAttrib(mask);
+    gl.DepthTag1i(1);
+    t.expect_equal(count_generated(draw), 4U, "triangles with the tag 1");
+    gl.PopAttrib();
+    t.expect_equal(count_generated(draw), 64U, "triangles after PopAttrib");
+    t.expect_equal(triangles_of(t, draw), 64U, "triangles after PopAttrib, captured");
+  }
+}
+
 void check_client_group(Test& t) {
   set_everything(t);
   const Snapshot before = take_snapshot(t);
@@ -294,6 +318,36 @@ void check_client_group(Test& t) {
   gl.Enable(GL_DEPTH_TAG_ARRAY_ARK);
   gl.PopAttrib();
   t.expect_equal(int{gl.IsEnabled(GL_DEPTH_TAG_ARRAY_ARK)}, int{GL_TRUE}, "nor does a group of the server");
+}
+
+// Three times the triangle, by an array of tags and by another, or none, in between.
+void check_client_group_draws(Test& t) {
+  set_up(t);
+  upload(one_triangle({2, 2, 2}));
+  const GLubyte other_tags[] = {3, 3, 3};
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, sizeof(other_tags), other_tags, GL_STATIC_DRAW);
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  gl.DepthTag1i(1);
+  for (const bool is_disabled : {true, false}) {
+    t.expect_equal(triangles_of(t, draw), 16U, "triangles with the array");
+    gl.PushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+    if (is_disabled)
+      gl.Disable(GL_DEPTH_TAG_ARRAY_ARK);
+    else
+      gl.DepthTagPointerARK(GL_UNSIGNED_BYTE, 0, nullptr);
+    t.expect_equal(triangles_of(t, draw), is_disabled ? 4U : 64U, "triangles in between");
+    gl.PopClientAttrib();
+    t.expect_equal(triangles_of(t, draw), 16U, "triangles after PopClientAttrib");
+  }
+  gl.Disable(GL_DEPTH_TAG_ARRAY_ARK);
+  t.expect_equal(triangles_of(t, draw), 4U, "triangles without the array");
+  gl.PushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+  gl.Enable(GL_DEPTH_TAG_ARRAY_ARK);
+  gl.PopClientAttrib();
+  t.expect_equal(triangles_of(t, draw), 4U, "triangles after the array was enabled in between");
 }
 
 void check_no_group(Test& t) {
@@ -355,8 +409,14 @@ Cases lists_cases() {
                 "IsEnabled is right, draws are not.", check_enable_group_draws),
       of_compat("ark.group.current", {"chapter-22-2"}, "PushAttrib and PopAttrib of CURRENT_BIT, and draws.",
                 "A copy of the tag beside the attribute is not restored.", check_current_group),
+      of_compat("ark.group.current_draws", {"chapter-22-2"}, "Draw with two tags, one of them within PushAttrib.",
+                "The query answers right, draws have the tag of before.", check_current_group_draws),
       of_compat("ark.group.client", {"chapter-22-3"}, "PushClientAttrib and PopClientAttrib of the array.",
                 "A copy of the array's state is not restored.", check_client_group, false),
+      of_compat(
+          "ark.group.client_draws", {"chapter-22-3"},
+          "Draw with the array before PushClientAttrib, with another or none in between, and after PopClientAttrib.",
+          "The state is right, draws are not.", check_client_group_draws),
       of_compat("ark.group.none", {"chapter-22-4"}, "Push all groups, set every parameter, and pop.",
                 "Parameters are restored.", check_no_group, false),
   };

@@ -265,7 +265,7 @@ Cases order_cases() {
     for (const bool is_smooth : {false, true})
       cases.push_back({.name = std::string("ark.watertight.closed.") + (is_curved ? "curved_pn" : "linear") +
                                (is_smooth ? ".smooth" : ".minimum"),
-                       .clauses = {"11.R.8-3", "11.R.8-4", "overview-4"},
+                       .clauses = {"11.R.5-9", "11.R.8-3", "11.R.8-4", "overview-4"},
                        .plan = "Add up the front faces and the back faces of a closed mesh of random tags: the same in "
                                "every pixel.",
                        .wrong = "Pixels along cracks differ.",

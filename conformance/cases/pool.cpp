@@ -173,7 +173,7 @@ void check_enable_draws(Test& t) {
 Cases pool_cases() {
   return {
       {.name = "ark.pool.levels",
-       .clauses = {"11.R.1-1", "11.R.1-2", "functions-1", "limits-1", "tokens-4", "tokens-5"},
+       .clauses = {"11.R.1-1", "11.R.1-2", "11.R.1-9", "functions-1", "limits-1", "tokens-4", "tokens-5"},
        .plan = "ARKinit of every level from 0 to MAX_DEPTH_ARK; the depth tag may be as great as the level.",
        .wrong = "MAX_DEPTH_ARK itself is refused; a level of 0 is.",
        .check = check_levels},
@@ -226,12 +226,12 @@ Cases pool_cases() {
        .wrong = "Parameters are reset; refinement is disabled; the array is.",
        .check = check_nothing_else},
       {.name = "ark.pool.enable_first",
-       .clauses = {"11.R.1-14", "errors-5"},
+       .clauses = {"11.R.1-14", "errors-2", "errors-5"},
        .plan = "Enable(ARK) before ARKinit, and after one that failed.",
        .wrong = "Enabled without a pool; Disable gives an error, too.",
        .check = check_enable_first},
       {.name = "ark.pool.enable",
-       .clauses = {"11.R.1-12"},
+       .clauses = {"11.R.1-12", "11.R.1-13"},
        .plan = "Count triangles before Enable(ARK), after it and after Disable(ARK).",
        .wrong = "Refined from ARKinit on.",
        .control = draws_one_triangle,

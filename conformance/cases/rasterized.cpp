@@ -245,12 +245,12 @@ void check_two_sided(Test& t) {
   t.expect(picture.at(surface_size / 4, surface_size / 2)[1] == 255, "the left one its back");
 }
 
-void check_clip_distances(Test& t, GLenum refinement) {
+void check_clip_distances(Test& t, GLenum refinement, bool is_redeclared = true) {
   gl.UseProgram(build_program(
       t,
       {.vertex =
-           "layout(location = 0) in vec4 position; layout(location = 3) in vec4 tint; out vec4 colour;\n"
-           "out float gl_ClipDistance[2];\n"
+           std::string("layout(location = 0) in vec4 position; layout(location = 3) in vec4 tint; out vec4 colour;\n") +
+           (is_redeclared ? "out float gl_ClipDistance[2];\n" : "") +
            "void main() { gl_ClipDistance[0] = position.x + 0.3 * position.y; gl_ClipDistance[1] = 0.25 - position.y;\n"
            "  colour = tint; gl_Position = position; }\n"}));
   upload(one_triangle({2, 4, 3}));
@@ -324,6 +324,10 @@ Cases rasterized_cases() {
           "clip_distance.outputs", {"chapter-14-14", "11.R.6-9"}, "Two clip distances, outputs refined.",
           "Not clipped, or only by the first.", [](Test& t) { check_clip_distances(t, GL_LINEAR_OUTPUTS_ARK); },
           desktop),
+      raster_case(
+          "clip_distance.outputs_of_language", {"chapter-14-14", "11.R.6-9"},
+          "Two clip distances as the language declares them, outputs refined.", "The distances of one corner.",
+          [](Test& t) { check_clip_distances(t, GL_LINEAR_OUTPUTS_ARK, false); }, desktop),
   };
   const std::pair<const char*, GLenum> refinements[] = {{"picture.inputs", GL_LINEAR_INPUTS_ARK},
                                                         {"picture.outputs", GL_LINEAR_OUTPUTS_ARK},

@@ -4,6 +4,7 @@
 // The depth tag array as state of vertex array objects, and what else applies to an array of an attribute (10.R.1).
 #include "conformance/cases/cases.h"
 #include "conformance/support/capture.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/state.h"
 
 namespace glark::conformance {
@@ -11,7 +12,11 @@ namespace {
 
 using Draw = std::function<void()>;
 
-std::size_t triangles_of(Test& t, const Draw& draw) { return capture(t, draw).size() / 3; }
+std::size_t triangles_of(Test& t, const Draw& draw) {
+  const std::size_t triangles = capture(t, draw).size() / 3;
+  t.expect_equal(std::size_t{count_generated(draw)}, triangles, "triangles without transform feedback");
+  return triangles;
+}
 
 void draw_one() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
 

@@ -105,9 +105,20 @@ void draw_fixed() {
   gl.End();
 }
 
+// Refined, the triangle would be out of sight.
+void hide_when_refined(Test& t) {
+  const char* const source = "void refine() { gl_Vertex.xyz += vec3(5.0); }";
+  gl.RefinementShaderSourceARK(0, 1, &source, nullptr);
+  clear_surface();
+  draw_fixed();
+  const Picture picture = read_picture(surface_size, surface_size);
+  t.expect_same_picture(picture, Picture(surface_size, surface_size), "the refinement shader moves it out of sight");
+}
+
 void check_feedback(Test& t) {
   std::vector<GLfloat> buffer(1000, 0);
   refine_uniformly(2);
+  hide_when_refined(t);
   gl.FeedbackBuffer(1000, GL_2D, buffer.data());
   gl.RenderMode(GL_FEEDBACK);
   draw_fixed();
@@ -121,6 +132,7 @@ void check_feedback(Test& t) {
 void check_selection(Test& t) {
   GLuint buffer[64] = {};
   refine_uniformly(2);
+  hide_when_refined(t);
   gl.SelectBuffer(64, buffer);
   gl.RenderMode(GL_SELECT);
   gl.InitNames();
@@ -140,6 +152,14 @@ void check_bad_refinement_shader(Test& t, const char* source) {
   GLint status = GL_TRUE;
   gl.GetRefinementivARK(program, GL_REFINEMENT_STATUS_ARK, &status);
   t.expect_equal(status, GL_FALSE, "REFINEMENT_STATUS_ARK");
+  GLint length = -1;
+  GLsizei written = -1;
+  char log[8000] = "";
+  gl.GetRefinementivARK(program, GL_REFINEMENT_LOG_LENGTH_ARK, &length);
+  gl.GetRefinementInfoLogARK(program, sizeof(log), &written, log);
+  t.expect(written > 0 && written + 1 < static_cast<GLsizei>(sizeof(log)), "there is a log");
+  t.expect_equal(length, written + 1, "REFINEMENT_LOG_LENGTH_ARK, with the null terminator");
+  t.expect_equal(std::string(log).size(), static_cast<std::size_t>(written), "characters of the log");
 }
 
 void check_assembly(Test& t) {
@@ -269,8 +289,8 @@ Cases unrefined_cases() {
            check_feedback, {Api::gl_compat}),
       made("render_mode.select", {"11.R.11-4"}, "One hit record.", "None, as nothing is drawn.", check_selection,
            {Api::gl_compat}),
-      made("refinement_shader.syntax", {"11.R.11-1", "11.R.11-5"}, "The refinement shader has a syntax error.",
-           "An error, or nothing is drawn.",
+      made("refinement_shader.syntax", {"11.R.11-1", "11.R.11-5", "11.R.9-30"},
+           "The refinement shader has a syntax error.", "An error, or nothing is drawn.",
            [](Test& t) { check_bad_refinement_shader(t, "void refine() { position += ; }"); }),
       made("refinement_shader.inactive_input", {"11.R.11-5", "11.R.9-17"}, "It uses what is no input.",
            "An error, or nothing is drawn.",

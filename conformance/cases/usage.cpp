@@ -250,6 +250,11 @@ void check_split_without_effect(Test& t) {
 
 void check_requirements(Test& t) {
   t.expect(t.has_extension("GL_ARK_adaptive_refinement"), "the name is among the extensions");
+  if (t.is_compat() || t.is_gles()) {
+    const auto* const text = reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS));
+    const std::string names = " " + std::string(text == nullptr ? "" : text) + " ";
+    t.expect(names.find(" GL_ARK_adaptive_refinement ") != std::string::npos, "the name is in GetString(EXTENSIONS)");
+  }
   t.expect(t.version() >= (t.is_gles() ? 32 : 43), "the version is OpenGL 4.3 or OpenGL ES 3.2 at least");
   t.expect(integer_of(GL_MAX_DEPTH_ARK) >= 11, "MAX_DEPTH_ARK is at least 11");
   t.expect_no_error("the queries");

@@ -106,6 +106,102 @@ void check_changed_uniform(Test& t) {
   }
 }
 
+// The block is given another binding, and a binding another buffer, between draws.
+void check_changed_block(Test& t) {
+  const GLuint program = record_program(t, "layout(std140) uniform Block { vec4 value; };", "value");
+  gl.UseProgram(program);
+  upload(one_triangle());
+  refine_uniformly(1);
+  GLuint buffers[3] = {};
+  gl.GenBuffers(3, buffers);
+  for (GLuint i = 0; i < 3; ++i) {
+    const GLfloat value[4] = {static_cast<GLfloat>(i + 1), 0, 0, 1};
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, i, buffers[i]);
+    gl.BufferData(GL_UNIFORM_BUFFER, sizeof(value), value, GL_STATIC_DRAW);
+  }
+  const auto expect = [&](float value, const char* what) {
+    for (const Record& record : capture_as<Record>(t, 1000, draw_one))
+      if (!t.expect_equal(record[4], value, what)) return;
+  };
+  expect(1, "the initial binding");
+  const GLuint block = gl.GetUniformBlockIndex(program, "Block");
+  for (const GLuint binding : {2U, 1U, 0U}) {
+    gl.UniformBlockBinding(program, block, binding);
+    expect(static_cast<float>(binding + 1), "after UniformBlockBinding");
+  }
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, buffers[2]);
+  expect(3, "after BindBufferBase");
+}
+
+struct Capability {
+  GLenum name;
+  const char* what;
+};
+
+void lit_triangle() {
+  clear_surface();
+  gl.Begin(GL_TRIANGLES);
+  for (const MeshVertex& vertex : one_triangle()) {
+    gl.Color4f(0.2F + 0.5F * vertex.colour[0], 0.9F - 0.6F * vertex.colour[1], 0.3F, 1);
+    gl.SecondaryColor3f(0.1F, 0.3F * vertex.colour[2], 0.5F);
+    gl.Normal3f(vertex.position[0], 2 * vertex.position[1], 3);
+    gl.TexCoord2f(vertex.position[0], vertex.position[1]);
+    gl.FogCoordf(0.7F);
+    gl.Vertex4f(vertex.position[0], vertex.position[1], 0.4F, 1);
+  }
+  gl.End();
+}
+
+// A capability is enabled and disabled between refined draws, each of which gives what the unrefined one gives.
+void check_changed_capability(Test& t, const std::vector<GLenum>& before, GLenum capability) {
+  const GLfloat colour[] = {0.1F, 0.8F, 0.6F, 1};
+  const GLfloat position[] = {0.2F, 0.4F, 1, 0};
+  gl.Fogfv(GL_FOG_COLOR, colour);
+  gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
+  gl.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+  for (const GLenum each : before) gl.Enable(each);
+  const auto picture = [&](bool is_enabled, bool is_refined) {
+    (is_enabled ? gl.Enable : gl.Disable)(capability);
+    (is_refined ? gl.Enable : gl.Disable)(GL_ARK);
+    lit_triangle();
+    return read_picture(surface_size, surface_size);
+  };
+  refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
+  const Picture without = picture(false, false);
+  const Picture with = picture(true, false);
+  t.expect(count_different(with, without, 8) > 1000, "the capability shows");
+  gl.Disable(capability);
+  gl.Enable(GL_ARK);
+  for (const bool is_enabled : {false, true, false, true}) {
+    (is_enabled ? gl.Enable : gl.Disable)(capability);
+    lit_triangle();
+    t.expect_same_picture(read_picture(surface_size, surface_size), is_enabled ? with : without,
+                          is_enabled ? "enabled" : "disabled", 3, 40);
+  }
+}
+
+// The refinement shader of the fixed-function stage moves the triangle, whatever that stage does.
+void check_fixed_function_shader(Test& t) {
+  const char* const source = "void refine() { gl_Vertex.xyz += vec3(5.0); }";
+  refine_uniformly(2);
+  gl.RefinementShaderSourceARK(0, 1, &source, nullptr);
+  const Picture nothing(surface_size, surface_size);
+  const auto expect_moved = [&](const char* what) {
+    lit_triangle();
+    t.expect_same_picture(read_picture(surface_size, surface_size), nothing, what);
+  };
+  expect_moved("the initial state");
+  for (const GLenum capability : {GL_LIGHTING, GL_FOG, GL_COLOR_SUM, GL_NORMALIZE}) {
+    gl.Enable(static_cast<GLenum>(capability));
+    expect_moved("with more state enabled");
+  }
+  gl.Disable(GL_LIGHTING);
+  expect_moved("with lighting disabled again");
+  gl.RefinementShaderSourceARK(0, 0, nullptr, nullptr);
+  lit_triangle();
+  t.expect(count_different(read_picture(surface_size, surface_size), nothing, 8) > 1000, "without a refinement shader");
+}
+
 void check_program_kept(Test& t) {
   const GLuint program =
       record_program(t, "layout(location = 3) in vec4 c; uniform vec4 u; uniform float v;", "u * v + c");
@@ -285,6 +381,26 @@ Cases vertex_stage_cases() {
       check_changed_uniform, everywhere);
   add("reads.fixed_function", {"11.R.10-1"}, "Draw with matrices of the fixed-function stage.", "Other matrices.",
       check_fixed_function, {Api::gl_compat});
+  add("reads.changed_block", {"11.R.10-1"}, "Change the binding of a uniform block, and of a buffer, between draws.",
+      "The binding of the first draw.", check_changed_block, everywhere);
+  for (const auto& [leaf, before, capability] :
+       {std::tuple<const char*, std::vector<GLenum>, GLenum>{"lighting", {GL_LIGHT0}, GL_LIGHTING},
+        {"light_0", {GL_LIGHTING}, GL_LIGHT0},
+        {"normalize", {GL_LIGHTING, GL_LIGHT0}, GL_NORMALIZE},
+        {"fog", {}, GL_FOG},
+        {"color_sum", {}, GL_COLOR_SUM}})
+    cases.push_back({.name = std::string("ark.stage.reads.changed_") + leaf,
+                     .clauses = {"11.R.10-1"},
+                     .plan = "Enable and disable it between refined draws, and compare with unrefined ones.",
+                     .wrong = "The state of the first draw.",
+                     .apis = {Api::gl_compat},
+                     .check = [before = before, capability = capability](Test& t) {
+                       check_changed_capability(t, before, capability);
+                     }});
+  add("refinement_shader_of_fixed_function", {"11.R.9-4"},
+      "A refinement shader of program 0 moves the triangle out of sight, in several states of the fixed-function "
+      "stage.",
+      "The shader is lost when state changes.", check_fixed_function_shader, {Api::gl_compat});
   add("program_kept", {"11.R.10-2"}, "Query the program before and after a refined draw.",
       "More uniforms; another current program; locations that moved.", check_program_kept, everywhere);
   add("vertex_id", {"11.R.10-3", "11.R.10-4"},
