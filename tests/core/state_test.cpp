@@ -253,7 +253,7 @@ TEST_P(StateCompatibility, DisplayList) {
   draw_immediate(strip());
   glRectf(-1, -1, 1, 1);
   glEndList();
-  expect_state_kept(6 * 16, [list] { glCallList(list); });
+  expect_state_kept(4 * 16 + 1, [list] { glCallList(list); });
 }
 
 // The control: the snapshot sees each of these.
