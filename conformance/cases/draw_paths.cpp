@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Every drawing command with every mode that has triangles (10.R.2): what it gives refined follows from what it gives unrefined.
+#include <cstring>
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 
 namespace glark::conformance {
@@ -206,10 +208,92 @@ Case command_case(const Command& command, const Mode& mode) {
           .check = [&command, mode](Test& t) { check_command(t, command, mode.mode); }};
 }
 
+// One command again and again, then another that differs in one argument: each gives the picture that it gives unrefined.
+void check_alternating(Test& t) {
+  gl.UseProgram(colour_program(t));
+  upload(draw_mesh());
+  const GLushort indices[] = {0, 1, 2, 4, 3, 5, 7, 6, 2};
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof(indices), indices, GL_STATIC_DRAW);
+  const Input in;
+  const std::function<void()> draws[] = {
+      [&] { gl.DrawElements(GL_TRIANGLES, 6, in.index_type, nullptr); },
+      [&] { gl.DrawElementsBaseVertex(GL_TRIANGLES, 6, in.index_type, nullptr, 5); },
+      [&] { gl.DrawElementsBaseVertex(GL_TRIANGLES, 6, in.index_type, nullptr, 14); },
+      [&] { gl.DrawElements(GL_TRIANGLES, 6, in.index_type, in.index(3)); },
+      [&] { gl.DrawElements(GL_TRIANGLES, 3, in.index_type, nullptr); },
+      [&] { gl.DrawElements(GL_TRIANGLE_STRIP, 6, in.index_type, nullptr); },
+      [&] { gl.DrawArrays(GL_TRIANGLES, 0, 6); },
+      [&] { gl.DrawArrays(GL_TRIANGLES, 7, 6); },
+  };
+  const auto picture = [](const std::function<void()>& draw) {
+    clear_surface();
+    draw();
+    return read_picture(surface_size, surface_size);
+  };
+  std::vector<Picture> expected;
+  for (const auto& draw : draws) expected.push_back(picture(draw));
+  for (const bool is_uniform : {false, true}) {
+    if (is_uniform)
+      refine_uniformly(2);
+    else
+      refine_by_tags(3);
+    for (std::size_t i = 0; i < std::size(draws); ++i)
+      for (int again = 0; again < 4; ++again)
+        t.expect_same_picture(picture(draws[i]), expected[i], "command " + std::to_string(i), 3, 60);
+    for (std::size_t i = 0; i < std::size(draws); ++i)
+      t.expect_same_picture(picture(draws[i]), expected[i], "command " + std::to_string(i) + " in turn", 3, 60);
+  }
+}
+
+// The buffer of the tags changes between repeated draws, by every way to write to it.
+void check_changed_tags(Test& t) {
+  gl.UseProgram(colour_program(t));
+  upload(one_triangle(), false);
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, 4, nullptr, GL_DYNAMIC_DRAW);
+  gl.DepthTagPointerARK(GL_UNSIGNED_BYTE, 0, nullptr);
+  gl.Enable(GL_DEPTH_TAG_ARRAY_ARK);
+  refine_by_tags(4);
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  for (GLubyte round = 0; round < 9; ++round) {
+    const GLubyte tags[4] = {static_cast<GLubyte>(round % 4), static_cast<GLubyte>((round + 1) % 5), 2, 0};
+    if (round % 3 == 0) gl.BufferSubData(GL_ARRAY_BUFFER, 0, sizeof(tags), tags);
+    if (round % 3 == 1) gl.BufferData(GL_ARRAY_BUFFER, sizeof(tags), tags, GL_DYNAMIC_DRAW);
+    if (round % 3 == 2) {
+      void* const mapped = gl.MapBufferRange(GL_ARRAY_BUFFER, 0, sizeof(tags), GL_MAP_WRITE_BIT);
+      t.require(mapped != nullptr, "the buffer can be mapped");
+      std::memcpy(mapped, tags, sizeof(tags));
+      gl.UnmapBuffer(GL_ARRAY_BUFFER);
+    }
+    const auto expected = reference::minimum_triangles(reference::edge_depths({tags[0], tags[1], tags[2]}));
+    for (int again = 0; again < 4; ++again) {
+      draw();
+      t.expect_equal(std::int64_t{count_generated(draw)}, std::int64_t{expected}, "triangles with the tags of now");
+    }
+  }
+}
+
 }  // namespace
 
 Cases draw_paths_cases() {
-  Cases cases;
+  Cases cases = {
+      {.name = "ark.draw.again.other_command",
+       .clauses = {"10.R.2-2", "11.R.13-1"},
+       .plan = "Repeat commands that differ in one argument, one after the other and in turn, by tags and "
+               "uniformly: the pictures of the unrefined ones.",
+       .wrong = "What was kept of one command is taken for another with another base vertex, offset, count or "
+                "mode.",
+       .check = check_alternating},
+      {.name = "ark.draw.again.other_tags",
+       .clauses = {"10.R.1-18", "11.R.13-1"},
+       .plan = "Repeat a draw, and write other tags to its buffer in three ways.",
+       .wrong = "The tags that the buffer held before.",
+       .check = check_changed_tags}};
   for (const Command& command : commands())
     for (const Mode& mode : modes) cases.push_back(command_case(command, mode));
   return cases;

@@ -118,7 +118,6 @@ void hide_when_refined(Test& t) {
 void check_feedback(Test& t) {
   std::vector<GLfloat> buffer(1000, 0);
   refine_uniformly(2);
-  hide_when_refined(t);
   gl.FeedbackBuffer(1000, GL_2D, buffer.data());
   gl.RenderMode(GL_FEEDBACK);
   draw_fixed();

@@ -133,10 +133,27 @@ void check_changed_block(Test& t) {
   expect(3, "after BindBufferBase");
 }
 
-struct Capability {
-  GLenum name;
-  const char* what;
-};
+void check_changed_storage(Test& t) {
+  GLint blocks = 0;
+  gl.GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &blocks);
+  if (blocks < 1) t.not_supported("no storage blocks in vertex stages");
+  const GLuint program = record_program(t, "layout(std430, binding = 2) buffer Store { vec4 value; };", "value");
+  gl.UseProgram(program);
+  upload(one_triangle());
+  refine_uniformly(1);
+  GLuint buffers[4] = {};
+  gl.GenBuffers(4, buffers);
+  for (GLuint i = 0; i < 4; ++i) {
+    const GLfloat value[4] = {static_cast<GLfloat>(i + 1), 0, 0, 1};
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i]);
+    gl.BufferData(GL_SHADER_STORAGE_BUFFER, sizeof(value), value, GL_STATIC_DRAW);
+  }
+  for (const GLuint binding : {2U, 1U, 3U, 0U}) {
+    if (binding != 2) gl.ShaderStorageBlockBinding(program, 0, binding);
+    for (const Record& record : capture_as<Record>(t, 1000, draw_one))
+      if (!t.expect_equal(record[4], static_cast<float>(binding + 1), "after ShaderStorageBlockBinding")) return;
+  }
+}
 
 void lit_triangle() {
   clear_surface();
@@ -397,6 +414,8 @@ Cases vertex_stage_cases() {
                      .check = [before = before, capability = capability](Test& t) {
                        check_changed_capability(t, before, capability);
                      }});
+  add("reads.changed_storage_block", {"11.R.10-1"}, "Change the binding of a storage block between draws.",
+      "The binding of the first draw.", check_changed_storage, {Api::gl_compat, Api::gl_core});
   add("refinement_shader_of_fixed_function", {"11.R.9-4"},
       "A refinement shader of program 0 moves the triangle out of sight, in several states of the fixed-function "
       "stage.",

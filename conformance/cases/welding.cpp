@@ -84,6 +84,24 @@ void check_formula(Test& t) {
   expect_ridge(t, mesh, edge);
 }
 
+// Welded and not, the refined vertices are the same but for rounding.
+void expect_not_welded(Test& t, const Mesh& mesh, const char* what) {
+  const Edge with = ridge_of(welded(t, mesh, GL_CURVED_PN_ARK));
+  const Edge without = ridge_of(welded(t, mesh, GL_CURVED_PN_ARK, false));
+  for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t i = 0; i <= shared_steps; ++i)
+      if (!t.expect(reference::length(reference::vector_of(with[side][i].position) -
+                                      reference::vector_of(without[side][i].position)) < 3e-6,
+                    std::string(what) + ": step " + std::to_string(i) + " of the ridge"))
+        return;
+}
+
+void check_fourth_component(Test& t) {
+  Mesh mesh = hard_roof();
+  for (const std::size_t i : {3U, 5U}) mesh[i].position[3] = 1.25F;
+  expect_not_welded(t, mesh, "positions with another fourth component");
+}
+
 void check_faint(Test& t) {
   // S . S is large, R . R below c: the planes are nearly one.
   Mesh mesh = bent_mesh();
@@ -295,6 +313,9 @@ Cases welding_cases() {
                 "same bits.",
                 "The mean of the normals; S and R not divided by their squares; each side keeps its own.",
                 check_formula),
+      weld_case("curved.fourth_component", {"11.R.15-4"},
+                "The ends of the ridge differ in their fourth component alone: nothing is welded.",
+                "Three components are compared.", check_fourth_component),
       weld_case("curved.faint", {"11.R.15-10"}, "Normals that differ little, so that R . R is below c.",
                 "A division by R . R throws the edge about.", check_faint),
       weld_case("curved.off", {"11.R.15-2", "issues-42"}, "Without WELD_ARK the same two triangles come apart.",
