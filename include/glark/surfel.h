@@ -131,8 +131,8 @@ class Strips {
   std::span<const Node> nodes(unsigned level = 0) const;
   Counts counts(unsigned level = 0) const;
 
-  // The stripping tree from top to bottom: culling by boxes and cones, points for what is small, strips for the rest. Strips
-  // that lie side by side in indices() are one draw. Errors: Error for a view without size, or a matrix that is not finite.
+  // The stripping tree from top to bottom: culling by boxes and cones, points for what is small, strips for the rest, each a
+  // draw of the multi-draw. Errors: Error for a view without size, or a matrix that is not finite.
   void select(const View& view, Frame& frame) const;
 
   // Points that moved or whose normals changed: `moved` are their indices, and `cloud` has the same points otherwise, or more, which
