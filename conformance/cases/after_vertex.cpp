@@ -195,7 +195,9 @@ void check_feedback_order(Test& t) {
   const auto vertices = capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 60); });
   t.require(vertices.size() == 20U * 64 * 3, "all are refined");
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (!t.expect_equal(vertices[i].triangle, static_cast<float>(i / 192), "coarse triangles keep their order")) return;
+    if (const std::size_t coarse = i / 192;
+        !t.expect_equal(vertices[i].triangle, static_cast<float>(coarse), "coarse triangles keep their order"))
+      return;
 }
 
 void check_feedback_separate(Test& t) {

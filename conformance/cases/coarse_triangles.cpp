@@ -41,7 +41,8 @@ Mesh polygon() {
 Mesh ladder() {
   Mesh mesh = polygon();
   for (std::size_t i = 0; i < mesh.size(); ++i) {
-    const auto n = static_cast<float>(i / 2);
+    const std::size_t pair = i / 2;
+    const auto n = static_cast<float>(pair);
     mesh[i].position = {-0.75F + 0.5F * n + (i % 2 == 0 ? 0.0F : 0.0625F), i % 2 == 0 ? 0.5F + n / 16 : -0.5F - n / 8,
                         0, 1};
   }

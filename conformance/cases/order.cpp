@@ -40,7 +40,8 @@ Mesh grid(Test& t, int n, int greatest_tag) {
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x) {
       const auto at = [&](int right, int up) {
-        return vertices[static_cast<std::size_t>((y + up) * (n + 1) + x + right)];
+        const int index = (y + up) * (n + 1) + x + right;
+        return vertices[static_cast<std::size_t>(index)];
       };
       const bool turned = t.random_int(0, 1) == 1;
       const std::array<MeshVertex, 6> corners =

@@ -217,7 +217,7 @@ Cases patterns_cases() {
   std::vector<std::string> minimum = every;
   minimum.insert(minimum.end(), {"11.R.5-12", "11.R.5-13"});
   std::vector<std::string> smooth = every;
-  smooth.push_back("11.R.5-14");
+  smooth.emplace_back("11.R.5-14");
   Cases cases = uniform_cases();
   const std::string all = "Capture a triangle for every triple of tags from 0 to 4 and judge each pattern exactly.";
   const std::string deep = "Capture triples of tags up to 11 whose inside stays coarse and judge each pattern exactly.";

@@ -57,7 +57,7 @@ std::string name_in(const std::string& declaration) { return declaration.substr(
 
 // The value of an input, in whichever type, as a vec4.
 std::string as_vec4(const std::string& declaration) {
-  const std::string name = name_in(declaration);
+  std::string name = name_in(declaration);
   const std::string type = declaration.substr(0, declaration.find(' '));
   if (type == "vec4") return name;
   if (type == "vec3") return "vec4(" + name + ", 1.0)";

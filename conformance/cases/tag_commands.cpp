@@ -219,7 +219,8 @@ void check_immediate(Test& t) {
   const auto vertex = [](std::size_t i) {
     const MeshVertex at = one_triangle()[i % 3];
     gl.VertexAttrib3f(at_weights, at.weights[0], at.weights[1], at.weights[2]);
-    gl.VertexAttrib1f(at_extra, static_cast<float>(i / 3));
+    const auto triangle = i / 3;
+    gl.VertexAttrib1f(at_extra, static_cast<float>(triangle));
     gl.Vertex4f(at.position[0], at.position[1], at.position[2], at.position[3]);
   };
   gl.DepthTag1i(5);

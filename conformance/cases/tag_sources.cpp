@@ -165,7 +165,7 @@ std::vector<float> beside_one(const std::vector<float>& values) {
 }
 
 Case float_case(const char* leaf, std::vector<std::string> clauses, const std::string& plan, const std::string& wrong,
-                std::vector<float> values) {
+                const std::vector<float>& values) {
   return {.name = std::string("ark.tags.rounding.") + leaf,
           .clauses = std::move(clauses),
           .plan = plan,

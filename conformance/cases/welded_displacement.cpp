@@ -72,7 +72,7 @@ std::vector<SurfaceVertex> drawn(Test& t, const Mesh& mesh, GLenum refinement, f
   set_displacement(constant);
   refine_uniformly(3, refinement);
   gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
-  const auto vertices = capture_surface(t, mesh);
+  auto vertices = capture_surface(t, mesh);
   t.require(vertices.size() == mesh.size() << 6U, "the mesh is refined");
   return vertices;
 }

@@ -108,7 +108,7 @@ std::vector<std::string> selected_names(const Options& options) {
   std::vector<std::string> all;
   for (const Case& each : all_cases()) all.push_back(each.name);
   try {
-    const auto names = select(all, selection);
+    auto names = select(all, selection);
     if (names.empty()) throw Complaint{exit_status::no_case, "no case is selected"};
     return names;
   } catch (const std::invalid_argument& error) {
@@ -182,7 +182,6 @@ int judge(Options& options, const std::vector<std::string>& command) {
   std::size_t done = 0;
   report.records = run(names, options.run, [&](const Record& record) {
     ++done;
-    Record judged = record;
     std::vector<Record> one = {record};
     apply_baseline(baseline, one);
     say(one.front(), done, names.size(), options.run.is_verbose);

@@ -29,7 +29,8 @@ Mesh one_triangle(std::array<float, 3> tags) {
 void number_triangles(Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     mesh[i].weights = {i % 3 == 0 ? 1.0F : 0.0F, i % 3 == 1 ? 1.0F : 0.0F, i % 3 == 2 ? 1.0F : 0.0F};
-    mesh[i].triangle = static_cast<float>(i / 3);
+    const std::size_t triangle = i / 3;
+    mesh[i].triangle = static_cast<float>(triangle);
   }
 }
 

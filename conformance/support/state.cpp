@@ -3,6 +3,7 @@
 #include "conformance/support/state.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace glark::conformance {
 
@@ -137,7 +138,8 @@ void add_refinement_shader(Snapshot& snapshot, GLuint program) {
   gl.GetRefinementivARK(program, GL_REFINEMENT_LOG_LENGTH_ARK, &length);
   std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
   gl.GetRefinementInfoLogARK(program, length, nullptr, log.data());
-  snapshot["log"] = log.c_str();
+  log.resize(std::strlen(log.data()));
+  snapshot["log"] = log;
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ void upload(const ControlMesh& mesh, const Surface& surface, const std::vector<G
   surface.write_quartic_corners(corners);
   std::vector<Vertex> vertices;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    vertices.push_back({corners[i], {}, static_cast<GLfloat>(i / 3), tags[mesh.triangles[i]]});
+    const std::size_t triangle = i / 3;
+    vertices.push_back({corners[i], {}, static_cast<GLfloat>(triangle), tags[mesh.triangles[i]]});
     vertices.back().weights[i % 3] = 1;
   }
   vertices.front().corner.points[1][0] += torn;

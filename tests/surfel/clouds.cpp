@@ -73,8 +73,8 @@ Points plane(unsigned side, float noise, float at) {
   const float step = 1 / static_cast<float>(side - 1);
   for (unsigned i = 0; i < side * side; ++i) {
     const float dx = shake(random), dy = shake(random), dz = shake(random);
-    points.add({static_cast<float>(i % side) * step + dx, static_cast<float>(i / side) * step + dy, at + dz},
-               {0, 0, 1});
+    const unsigned row = i / side;
+    points.add({static_cast<float>(i % side) * step + dx, static_cast<float>(row) * step + dy, at + dz}, {0, 0, 1});
   }
   return points;
 }

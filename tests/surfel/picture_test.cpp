@@ -129,12 +129,14 @@ int holes(const std::vector<GLuint>& splats, const std::vector<GLuint>& strips, 
   int count = 0;
   for (int y = margin; y < size - margin; ++y) {
     for (int x = margin; x < size - margin; ++x) {
-      const auto pixel = static_cast<std::size_t>(y * size + x);
+      const int at = y * size + x;
+      const auto pixel = static_cast<std::size_t>(at);
       if (strips[pixel] != 0 || both_sides[pixel] == 0) continue;
       bool inside = true;
       for (int dy = -margin; dy <= margin && inside; ++dy) {
         for (int dx = -margin; dx <= margin && inside; ++dx) {
-          inside = splats[static_cast<std::size_t>((y + dy) * size + x + dx)] != 0;
+          const int beside = (y + dy) * size + x + dx;
+          inside = splats[static_cast<std::size_t>(beside)] != 0;
         }
       }
       count += inside ? 1 : 0;

@@ -40,7 +40,7 @@ class Mover {
     }
     add_neighbours();
     take_out();
-    for (std::size_t i = 0; i < moved_.size(); ++i) arrivals_.push_back({host_of(moved_[i]), i});
+    for (std::size_t i = 0; i < moved_.size(); ++i) arrivals_.emplace_back(host_of(moved_[i]), i);
     for (const auto& [leaf, i] : arrivals_) touched_.add(leaf);
     add_neighbours();
     std::stable_sort(arrivals_.begin(), arrivals_.end(),
