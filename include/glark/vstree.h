@@ -97,9 +97,7 @@ struct Node {
   std::uint8_t joined = 0;
 
   bool is_leaf() const { return first_child == 0; }
-  unsigned child_count() const {
-    return ones(children) - ones(joined);
-  }
+  unsigned child_count() const { return ones(children) - ones(joined); }
   // std::popcount is a call where the compiler may not use the instruction.
   static unsigned ones(std::uint8_t bits) {
     constexpr std::uint64_t of_four_bits = 0x4332322132212110;

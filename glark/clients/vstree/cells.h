@@ -28,6 +28,12 @@ inline std::uint32_t every_second_bit(std::uint32_t x) {
   return (x | (x << 1)) & 0x55555555U;
 }
 
+// The key of a cube on the level above the last one by `shift`.
+inline std::uint32_t cube_key(const std::array<std::uint32_t, 3>& cell, unsigned shift) {
+  return every_third_bit(cell[0] >> shift) | (every_third_bit(cell[1] >> shift) << 1) |
+         (every_third_bit(cell[2] >> shift) << 2);
+}
+
 // One that has samples.
 struct Cell {
   std::uint32_t key = 0;          // on its level

@@ -401,8 +401,7 @@ std::vector<std::uint32_t> Construction::fill(unsigned levels) {
   const std::span<Record> to = buffers_[0].all();
   const auto key = [&](std::size_t begin, std::size_t end, std::uint32_t* keys) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto [x, y, z] = octree_cell(cube_.inside(&points_.positions[3 * i]));
-      *keys++ = every_third_bit(x >> shift) | (every_third_bit(y >> shift) << 1) | (every_third_bit(z >> shift) << 2);
+      *keys++ = cube_key(octree_cell(cube_.inside(&points_.positions[3 * i])), shift);
     }
   };
   const auto move = [&](std::size_t begin, std::size_t end, const std::uint32_t* slots) {
