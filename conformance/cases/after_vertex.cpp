@@ -256,15 +256,7 @@ void check_feedback_mode(Test& t) {
   gl.EndTransformFeedback();
 }
 
-Case after_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                void (*check)(Test&), std::vector<Api> apis = {Api::gl_compat, Api::gl_core, Api::gles}) {
-  return {.name = std::string("ark.after_vertex.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .apis = std::move(apis),
-          .check = check};
-}
+constexpr Area after_case{"ark.after_vertex."};
 
 }  // namespace
 
