@@ -27,6 +27,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 COPIED = ("CMakeLists.txt", "LICENSE", "cmake", "docs/man", "glark", "include", "shim")
 PASSING = {"Pass", "NotSupported", "QualityWarning", "Unimplemented"}
+BATCH = 25  # cases in one process, where there are many
 MARKERS = ("<!-- mutants -->", "<!-- /mutants -->")
 
 
@@ -175,7 +176,7 @@ class Laboratory:
         errors = [line for line in done.stdout.splitlines() if "error" in line]
         return "" if done.returncode == 0 else "DOES NOT BUILD: " + (errors[0] if errors else done.stdout[-300:])
 
-    def judge(self, api: str, names: list, *options) -> list:
+    def judge(self, api: str, names: list, batch: int, *options) -> list:
         """The names of those that failed and should not, in the order of the run."""
         names = [name for name in names if name not in self.known.get(api, ())]
         if not names:
@@ -186,7 +187,7 @@ class Laboratory:
         case_list.write_text("\n".join(names) + "\n")
         platform = "egl" if api == "gles" else "osmesa"
         done = self.call("--platform", platform, "--api", api, "--implementation", self.library, "--caselist", case_list, "--jobs",
-                         self.jobs, "--batch", 25, "--report", report, *options)
+                         self.jobs, "--batch", batch, "--report", report, *options)
         if not (report / "results.json").is_file():
             raise Complaint(f"glark-conformance has not judged anything:\n{done.stderr}")
         records = json.loads((report / "results.json").read_text())["results"]
@@ -197,7 +198,7 @@ class Laboratory:
         if problem:
             raise Complaint(f"the true implementation: {problem}")
         for api in apis:
-            failed = self.judge(api, list(self.cases))
+            failed = self.judge(api, list(self.cases), BATCH)
             self.known[api] = set(failed)
             print(f"the true implementation, {api}: {len(self.cases)} cases, {len(failed)} failed", flush=True)
             for name in failed:
@@ -211,7 +212,7 @@ class Laboratory:
             outcome.problem = self.make_library()
             citing = [name for name, clauses in self.cases.items() if mutant.clause in clauses]
             others = [name for name in self.cases if name not in citing]
-            rounds = [(citing, ())] + ([] if self.quick else [(others, ("--fail-fast",))])
+            rounds = [(citing, (1,))] + ([] if self.quick else [(others, (BATCH, "--fail-fast"))])
             for names, options in [] if outcome.problem else rounds:
                 for api in mutant.apis():
                     outcome.failed = outcome.failed or self.judge(api, names, *options)
