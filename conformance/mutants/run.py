@@ -223,21 +223,27 @@ class Laboratory:
         return outcome
 
 
-def table_of(outcomes: list) -> str:
-    lines = ["| mutant | sentence | what is wrong | caught by | failed |", "|---|---|---|---|---|"]
-    for outcome in outcomes:
-        mutant = outcome.mutant
-        lines.append(f"| `{mutant.name}` | {mutant.clause} | {mutant.what} | {outcome.caught_by()} | {len(outcome.failed)} |")
-    caught = sum(1 for outcome in outcomes if outcome.failed)
-    return f"{caught} of {len(outcomes)} mutants are caught.\n\n" + "\n".join(lines) + "\n"
+def row_of(outcome: Outcome) -> str:
+    mutant = outcome.mutant
+    return f"| `{mutant.name}` | {mutant.clause} | {mutant.what} | {outcome.caught_by()} | {len(outcome.failed)} |"
+
+
+def table_of(rows: list) -> str:
+    caught = sum(1 for row in rows if not row.endswith("| 0 |"))
+    lines = ["| mutant | sentence | what is wrong | caught by | failed |", "|---|---|---|---|---|", *rows]
+    return f"{caught} of {len(rows)} mutants are caught.\n\n" + "\n".join(lines) + "\n"
 
 
 def write_table(path: pathlib.Path, outcomes: list) -> None:
+    """Of mutants that were not tried now, the rows stay."""
     text = path.read_text()
     begin, end = (text.find(marker) for marker in MARKERS)
     if begin < 0 or end < begin:
         raise Complaint(f"{path} has no {MARKERS[0]} before a {MARKERS[1]}")
-    path.write_text(text[:begin] + MARKERS[0] + "\n" + table_of(outcomes) + text[end:])
+    rows = {line.split("`")[1]: line for line in text[begin:end].splitlines() if line.startswith("| `")}
+    rows |= {outcome.mutant.name: row_of(outcome) for outcome in outcomes}
+    table = table_of([rows[mutant.name] for mutant in read_mutants() if mutant.name in rows])
+    path.write_text(text[:begin] + MARKERS[0] + "\n" + table + text[end:])
 
 
 def run(arguments: argparse.Namespace, mutants: list) -> int:
@@ -270,7 +276,7 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true", help="leave out the cases that do not cite the mutant's sentence")
     parser.add_argument("--list", action="store_true", help="print the mutants")
     parser.add_argument("--check", action="store_true", help="only check that every mutant can be made")
-    parser.add_argument("--table", metavar="FILE", help="write the table between the markers of this document")
+    parser.add_argument("--table", metavar="FILE", help="write the rows of the mutants tried into the table between the markers of this document")
     arguments = parser.parse_args()
     try:
         mutants = read_mutants()
