@@ -13,7 +13,8 @@
 
 namespace glark::vstree {
 
-// [each * points], nearest first, the sample itself among them; `each` is no more than there are points.
+// [each * points], nearest first, the sample itself among them; `each` is no more than there are points. Near ones should
+// have near numbers: then what one search looks at is in the cache for the next.
 std::vector<std::uint32_t> nearest(std::span<const Float4> points, std::size_t each, const Workers& workers);
 
 }  // namespace glark::vstree

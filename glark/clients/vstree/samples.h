@@ -36,4 +36,12 @@ inline Float4 unit_normal(const float* normal) {
   return n;
 }
 
+inline Record record_of(const PointSet& points, const Cube& cube, std::uint32_t i) {
+  Record record;
+  record.position = cube.inside(&points.positions[3 * std::size_t{i}]);
+  record.position[3] = std::bit_cast<float>(i);
+  record.normal = unit_normal(&points.normals[3 * std::size_t{i}]);
+  return record;
+}
+
 }  // namespace glark::vstree
