@@ -174,19 +174,34 @@ bool Patcher::faces_away(const Delaunay::Triangle& triangle) const {
   return dot(normal, a.normal + b.normal + c.normal) < 0;
 }
 
+// Of a triangle that reaches beyond all points, the edge that does not, if it is one of the leaf's points.
+void Patcher::collect_rim(const Delaunay::Triangle& triangle) {
+  std::array<std::uint32_t, 2> ends{};
+  std::size_t count = 0;
+  for (const std::uint32_t corner : triangle.corners) {
+    if (corner < members_.size() && count < 2) ends[count++] = corner;
+  }
+  if (count < 2 || std::min(ends[0], ends[1]) >= own_) return;
+  const auto [low, high] = std::minmax(members_[ends[0]].index, members_[ends[1]].index);
+  candidates.push_back({{low, high, high}, false, false, State::rim});
+}
+
 void Patcher::collect() {
   candidates.clear();
   outer = 0;
   const auto triangles = delaunay_.triangles();
   for (std::uint32_t number = 0; number < triangles.size(); ++number) {
     const Delaunay::Triangle& triangle = triangles[number];
-    if (!delaunay_.finite(triangle)) continue;
+    if (!delaunay_.finite(triangle)) {
+      collect_rim(triangle);
+      continue;
+    }
     if (*std::min_element(triangle.corners.begin(), triangle.corners.end()) >= own_) {
       ++outer;
       continue;
     }
     Candidate candidate{};
-    candidate.reversed = faces_away(triangle);
+    candidate.away = faces_away(triangle);
     std::array<std::uint32_t, 3> order = {0, 1, 2};
     const auto index = [&](std::uint32_t i) { return members_[triangle.corners[i]].index; };
     const auto sort_two = [&](std::uint32_t i, std::uint32_t j) {
@@ -199,9 +214,6 @@ void Patcher::collect() {
     sort_two(0, 1);
     for (std::size_t k = 0; k < 3; ++k) {
       candidate.corners[k] = index(order[k]);
-      const std::uint32_t beyond = triangle.neighbours[order[k]];
-      const bool finite = beyond != Delaunay::none && delaunay_.finite(triangles[beyond]);
-      candidate.across[k] = finite ? members_[delaunay_.across(number, order[k])].index : none;
     }
     candidates.push_back(candidate);
   }
@@ -227,9 +239,9 @@ void Patcher::measure_spacings() {
   }
   spacings.clear();
   for (const std::array<float, 3>& three : shortest_) {
-    float greatest = 0;
-    for (const float size : three) greatest = size < far ? std::max(greatest, size) : greatest;
-    spacings.push_back(std::sqrt(greatest));
+    constexpr float most = 25;  // squared: a gap around two or three points is not their distance
+    const float second = three[1] < far ? three[1] : three[0] < far ? three[0] : 0;
+    spacings.push_back(std::sqrt(std::min(three[2], most * second)));
   }
 }
 

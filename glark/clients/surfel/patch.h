@@ -17,18 +17,18 @@ namespace glark::surfel {
 using Corners = std::array<std::uint32_t, 3>;  // points, ascending
 
 enum class State : std::uint8_t {
-  contested,
+  contested,     // some leaf that could have it has it not
   agreed,        // all leaves that could have the triangle have it
-  closes_gap,    // of contested triangles between agreed ones
+  rejected,      // it is seen from behind, or has a point that is far from everything
   out_of_reach,  // an edge is too long
+  rim,           // no triangle, but an edge beyond which there is none: two of the corners are one
 };
 
 // A triangle with a point of its leaf, which may be drawn.
 struct Candidate {
   Corners corners;
-  Corners across;     // the point beyond the edge opposite to each corner, or `none`
-  std::uint32_t gap;  // number among those of the leaf, of a contested triangle
-  bool reversed;      // the corners are clockwise seen from outside
+  bool reversed;  // the corners are clockwise
+  bool away;      // by the normals of its points it is seen from behind
   State state;
 };
 
@@ -61,6 +61,7 @@ class Patcher {
   bool prefers_other_diagonal(std::uint32_t triangle, std::uint32_t side) const;
   bool faces_away(const Delaunay::Triangle& triangle) const;
   void collect();
+  void collect_rim(const Delaunay::Triangle& triangle);
   void measure_spacings();
 
   const StrippingTree& tree_;
