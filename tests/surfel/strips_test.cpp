@@ -89,7 +89,8 @@ TEST(Strips, ACoarseFoldHasNoHolesAndNothingTwice) {
   Points points;
   constexpr unsigned side = 60;
   for (unsigned i = 0; i < side * side; ++i) {
-    const float x = static_cast<float>(i % side), y = static_cast<float>(i / side) + 0.3F * static_cast<float>(i % 3);
+    const unsigned column = i % side, row = i / side;
+    const auto x = static_cast<float>(column), y = static_cast<float>(row) + 0.3F * static_cast<float>(i % 3);
     const float slope = 2.2F * std::cos(x * 1.1F);
     const float size = std::hypot(slope, 1.0F);
     points.add({x, y, 2 * std::sin(x * 1.1F)}, {-slope / size, 0, 1 / size});

@@ -29,7 +29,7 @@ Corners sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 }
 
 std::size_t find(const Layer& layer, std::uint32_t leaf, const Corners& corners) {
-  const auto candidates = layer.candidates_of(leaf);
+  const auto candidates = layer.candidates_of(leaf).first(layer.patches[leaf].shared);
   const auto found = std::lower_bound(candidates.begin(), candidates.end(), corners,
                                       [](const Candidate& a, const Corners& b) { return a.corners < b; });
   if (found == candidates.end() || found->corners != corners) return not_found;
@@ -43,11 +43,8 @@ float squared_size(const Layer& layer, const Corners& corners) {
 }
 
 bool in_reach(const Layer& layer, const Corners& corners, float reach) {
-  const float a = layer.surfel(corners[0]).spacing, b = layer.surfel(corners[1]).spacing;
-  const float c = layer.surfel(corners[2]).spacing;
-  const float middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
-  constexpr float sparser = 3;  // two isolated points have no triangle with one that is none
-  const float most = reach * std::min(middle, sparser * std::min({a, b, c}));
+  const float most = reach * spacing_of(layer.surfel(corners[0]).spacing, layer.surfel(corners[1]).spacing,
+                                        layer.surfel(corners[2]).spacing);
   return squared_size(layer, corners) <= most * most;
 }
 
@@ -56,8 +53,8 @@ std::uint32_t drawing_leaf(const Layer& layer, const Corners& corners) {
 }
 
 void agree(Layer& layer, std::uint32_t leaf, const LayerOptions& options) {
-  const Slot& slot = layer.patches[leaf].candidates;
-  for (Candidate& candidate : std::span(layer.candidates).subspan(slot.first, slot.count)) {
+  const Patch& patch = layer.patches[leaf];
+  for (Candidate& candidate : std::span(layer.candidates).subspan(patch.candidates.first, patch.shared)) {
     if (candidate.state == State::rim) continue;
     candidate.state = !in_reach(layer, candidate.corners, options.reach)          ? State::out_of_reach
                       : candidate.away                                            ? State::rejected

@@ -16,7 +16,7 @@ Corners sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
 inline constexpr std::size_t not_found = static_cast<std::size_t>(-1);
 
-// Among a leaf's candidates.
+// Among those of a leaf's candidates that other leaves could have.
 std::size_t find(const Layer& layer, std::uint32_t leaf, const Corners& corners);
 
 // Of its longest edge.

@@ -22,13 +22,15 @@ bool is_mended(const Layer& layer, const Corners& corners) {
 void decimate(const Layer& layer, std::uint32_t leaf, Patch& patch, std::vector<StripTriangle>& valid) {
   valid.clear();
   patch.redundant = patch.dual = patch.out_of_reach = 0;
-  for (const Candidate& candidate : layer.candidates_of(leaf)) {
+  const auto candidates = layer.candidates_of(leaf);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& candidate = candidates[i];
     if (candidate.state == State::rim) continue;
     if (candidate.state == State::out_of_reach) {
       ++patch.out_of_reach;
     } else if (candidate.state != State::agreed) {
       ++(is_mended(layer, candidate.corners) ? patch.redundant : patch.dual);
-    } else if (drawing_leaf(layer, candidate.corners) != leaf) {
+    } else if (i < patch.shared && drawing_leaf(layer, candidate.corners) != leaf) {
       ++patch.redundant;
     } else {
       const auto [a, b, c] = candidate.corners;

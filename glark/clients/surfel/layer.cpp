@@ -79,16 +79,18 @@ void keep_middles(std::span<Surfel> surfels, std::vector<Surfel>& kept) {
 
 }  // namespace
 
-void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers) {
+void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                     const Workers& workers) {
   fill_slots(
       leaves, workers, layer.candidates, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].candidates; },
       [&](std::span<const std::uint32_t> run, Piece<Candidate>& piece) {
-        Patcher patcher(layer.tree);
+        Patcher patcher(layer.tree, options.reach);
         for (const std::uint32_t leaf : run) {
           patcher.make(leaf);
           piece.items.insert(piece.items.end(), patcher.candidates.begin(), patcher.candidates.end());
           piece.counts.push_back(static_cast<std::uint32_t>(patcher.candidates.size()));
           layer.patches[leaf].outer = patcher.outer;
+          layer.patches[leaf].shared = patcher.shared;
           std::span<Surfel> surfels = layer.tree.used(layer.tree.leaves[leaf]);
           for (std::size_t i = 0; i < surfels.size(); ++i) surfels[i].spacing = patcher.spacings[i];
         }
@@ -138,7 +140,7 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
   workers.each(leaves.size(), 4 * leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t leaf = begin; leaf < end; ++leaf) layer.find_owners(static_cast<std::uint32_t>(leaf));
   });
-  make_candidates(layer, leaves, workers);
+  make_candidates(layer, leaves, options, workers);
   agree_on_candidates(layer, leaves, options, workers);
   mend(layer, leaves, options, workers);
   std::vector<Range> changed;

@@ -25,6 +25,7 @@ struct MendedTriangle {
 // What is known of a leaf's patch.
 struct Patch {
   Slot candidates;
+  std::uint32_t shared = 0;  // of the candidates, those that other leaves could have: they come first, ascending
   Slot strip;
   std::size_t outer = 0, redundant = 0, dual = 0, valid = 0, out_of_reach = 0;
   std::vector<MendedTriangle> mended;  // few leaves have any
@@ -73,7 +74,8 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
                   const Workers& workers, std::vector<std::uint32_t>& indices);
 
 // Candidates, then what others say of them, then strips, of leaves that are named; strips that grow move to the end of `indices`. Appends what changed there.
-void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers);
+void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                     const Workers& workers);
 void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
                          const Workers& workers);
 void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers,

@@ -191,7 +191,7 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
                   std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
   Mover mover(layer, moved, options);
   mover.run();
-  make_candidates(layer, mover.leaves.list(), workers);
+  make_candidates(layer, mover.leaves.list(), options, workers);
   // Those that share triangles with them compare anew, and those that share places of disagreement with these.
   Marked drawn;
   std::vector<std::uint32_t> found;
