@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/reconstruct/local_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glark::vstree {
+namespace {
+
+constexpr float least_facing = 0.2F;  // of a sample's normal and the one looked along
+constexpr float few = 3;              // samples
+
+struct Sums {
+  float weight = 0;
+  float count = 0;
+  Float4 offset{};  // from the point
+  Float4 normal{};
+  float heights = 0;  // above the point, of the samples' planes
+};
+
+void add(const Record* begin, const Record* end, Float4 point, Float4 normal, float scale, Sums& sums) {
+  for (const Record* record = begin; record != end; ++record) {
+    const Float4 d = without_fourth(record->position - point);
+    const float t = dot(d, d) * scale;
+    if (t >= 1 || dot(record->normal, normal) < least_facing) continue;
+    const float weight = (1 - t) * (1 - t);
+    sums.weight += weight;
+    sums.count += 1;
+    sums.offset += d * weight;
+    sums.normal += record->normal * weight;
+    sums.heights += dot(d, record->normal) * weight;
+  }
+}
+
+}  // namespace
+
+// The mean height of samples that a curved surface has around a point is as far on one side of it as that of their tangent planes on the
+// other; so half the sum has no error of second order, and no system of equations has to be solved.
+LocalEstimate LocalSurface::within(Float4 point, Float4 normal, float radius) const {
+  std::size_t depth = 0;
+  while (depth + 1 < octree_.levels.size() && octree_.levels[depth].side() < 2 * radius) ++depth;
+  const Level& level = octree_.levels[depth];
+  const auto cells = static_cast<float>(1U << level.level);
+  CellIndex low{};
+  for (int i = 0; i < 3; ++i)
+    low[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::floor(point[i] * cells - 0.5F));
+  Sums sums;
+  const float scale = 1 / (radius * radius);
+  for (std::int32_t which = 0; which < 8; ++which) {
+    const auto [begin, end] = level.records({low[0] + (which & 1), low[1] + ((which >> 1) & 1), low[2] + (which >> 2)});
+    add(octree_.records.data() + begin, octree_.records.data() + end, point, normal, scale, sums);
+  }
+  LocalEstimate estimate;
+  if (sums.count < few) return estimate;
+  estimate.normal = unit(without_fourth(sums.normal));
+  const float height = (dot(sums.offset, estimate.normal) + sums.heights) / (2 * sums.weight);
+  estimate.point = point + estimate.normal * height;
+  estimate.found = true;
+  return estimate;
+}
+
+LocalEstimate LocalSurface::near(Float4 point, Float4 normal, float radius) const {
+  const LocalEstimate estimate = within(point, normal, radius);
+  return estimate.found ? estimate : within(point, normal, 2 * radius);
+}
+
+}  // namespace glark::vstree
