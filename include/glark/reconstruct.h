@@ -33,12 +33,14 @@ struct ReconstructOptions {
   unsigned levels = 2;  // of refinement, at most, 0 to 6
   // How many samples a cube of the finest level has that the surface runs through, 1 to 1000: fewer find thinner parts, more close larger
   // gaps.
-  float node_samples = 4;
+  float node_samples = 6;
   // As in Options: what is no height field is divided as far as the finest level.
   float delta_a = 0;
   float delta_d = 0.25F;
   // Parts whose area is less than this of the whole are left out, 0 to 1.
   float least_part = 0.01F;
+  // Holes close whose border has so many edges of the coarse mesh or fewer, 0 to 1000; an edge is about a node long.
+  std::uint32_t gap_edges = 16;
   unsigned threads = 0;  // as in Options
 };
 

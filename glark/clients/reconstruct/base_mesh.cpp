@@ -13,6 +13,7 @@ namespace glark::vstree {
 namespace {
 
 constexpr std::size_t grain = 1024;
+constexpr float apart = 0.25F;  // of the way from a vertex that sheets share to the middle of the triangles of each
 
 class Sets {
  public:
@@ -111,7 +112,7 @@ void settle(BaseMesh& mesh, const Octree& octree, const Workers& workers) {
   mesh.normals = triangle_normals(mesh);
   workers.each(mesh.points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      for (const float radius : {1.0F, 0.6F}) {
+      for (const float radius : {1.0F, 0.7F}) {
         const LocalEstimate estimate = surface.near(mesh.points[i], mesh.normals[i], radius * side);
         if (!estimate.found) continue;
         mesh.points[i] = estimate.point;
@@ -153,11 +154,57 @@ void peel(BaseMesh& mesh, float least_weight) {
   mesh.triangles = std::move(kept);
 }
 
+// A fan of triangles in each hole with a border of so few edges.
+void close_gaps(BaseMesh& mesh, std::uint32_t most_edges) {
+  const std::vector<std::uint32_t> opposite = opposite_of(mesh.triangles, mesh.points.size());
+  std::vector<std::uint32_t> border(mesh.points.size(), none);  // of a vertex on one the half-edge that ends there
+  for (std::uint32_t i = 0; i < opposite.size(); ++i) {
+    if (opposite[i] == none) border[mesh.triangles[next_corner(i)]] = i;
+  }
+  std::vector<std::uint32_t> loop;
+  for (std::uint32_t start = 0; start < border.size(); ++start) {
+    loop.clear();
+    for (std::uint32_t at = start; border[at] != none; at = loop.back()) {
+      loop.push_back(mesh.triangles[border[at]]);
+      if (loop.back() == start || loop.size() > most_edges) break;
+    }
+    if (loop.size() < 3 || loop.back() != start) continue;
+    Float4 middle{}, normal{};
+    for (const std::uint32_t i : loop) {
+      middle += mesh.points[i];
+      normal += without_fourth(mesh.normals[i]);
+      border[i] = none;
+    }
+    const auto centre = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.push_back(Float4(middle / static_cast<float>(loop.size())));
+    mesh.normals.push_back(Float4(unit(normal)));
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t next = loop[(i + 1) % loop.size()];
+      mesh.triangles.insert(mesh.triangles.end(), {loop[i], next, centre});
+    }
+  }
+}
+
+// What was one vertex of several sheets becomes one for each, a little towards its own neighbours.
 void cut_sheets(BaseMesh& mesh) {
+  const std::size_t count = mesh.points.size();
   const std::vector<std::uint32_t> copies = cut(mesh.triangles, mesh.points);
-  for (std::size_t i = mesh.points.size(); i < copies.size(); ++i) {
+  if (copies.size() == count) return;
+  std::vector<bool> shared(copies.size());
+  for (std::size_t i = count; i < copies.size(); ++i) {
+    shared[i] = shared[copies[i]] = true;
     mesh.points.push_back(Float4(mesh.points[copies[i]]));
     if (!mesh.normals.empty()) mesh.normals.push_back(Float4(mesh.normals[copies[i]]));
+  }
+  std::vector<Float4> sums(copies.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    const std::uint32_t* const v = &mesh.triangles[t];
+    Float4 middle = (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]]) / 3;
+    middle[3] = 1;
+    for (int i = 0; i < 3; ++i) sums[v[i]] += middle;
+  }
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    if (shared[i] && sums[i][3] > 0) mesh.points[i] += (without_fourth(sums[i] / sums[i][3]) - mesh.points[i]) * apart;
   }
 }
 
@@ -216,6 +263,7 @@ BaseMesh base_mesh(const Contour& contour, const TransitionLayer& layer, const O
   settle(mesh, octree, workers);
   peel(mesh, 1);
   cut_sheets(mesh);
+  close_gaps(mesh, options.gap_edges);
   drop_parts(mesh, options.least_part);
   return mesh;
 }

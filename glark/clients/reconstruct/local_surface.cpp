@@ -10,6 +10,9 @@ namespace {
 
 constexpr float least_facing = 0.2F;  // of a sample's normal and the one looked along
 constexpr float few = 3;              // samples
+constexpr float sharpness = 0.01F;    // the least of what weights fall with
+constexpr float planes = 0.25F;       // share of the samples' planes in a height
+constexpr float noise_weight = 100;
 
 struct Sums {
   float weight = 0;
@@ -19,12 +22,12 @@ struct Sums {
   float heights = 0;  // above the point, of the samples' planes
 };
 
-void add(const Record* begin, const Record* end, Float4 point, Float4 normal, float scale, Sums& sums) {
+void add(const Record* begin, const Record* end, Float4 point, Float4 normal, float scale, float blur, Sums& sums) {
   for (const Record* record = begin; record != end; ++record) {
     const Float4 d = without_fourth(record->position - point);
     const float t = dot(d, d) * scale;
     if (t >= 1 || dot(record->normal, normal) < least_facing) continue;
-    const float weight = (1 - t) * (1 - t);
+    const float weight = (1 - t) * (1 - t) / (t + blur);
     sums.weight += weight;
     sums.count += 1;
     sums.offset += d * weight;
@@ -47,14 +50,16 @@ LocalEstimate LocalSurface::within(Float4 point, Float4 normal, float radius) co
     low[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::floor(point[i] * cells - 0.5F));
   Sums sums;
   const float scale = 1 / (radius * radius);
+  const float noise = noise_weight * octree_.noise * octree_.noise * scale;
+  const float blur = sharpness + noise * noise;
   for (std::int32_t which = 0; which < 8; ++which) {
     const auto [begin, end] = level.records({low[0] + (which & 1), low[1] + ((which >> 1) & 1), low[2] + (which >> 2)});
-    add(octree_.records.data() + begin, octree_.records.data() + end, point, normal, scale, sums);
+    add(octree_.records.data() + begin, octree_.records.data() + end, point, normal, scale, blur, sums);
   }
   LocalEstimate estimate;
   if (sums.count < few) return estimate;
   estimate.normal = unit(without_fourth(sums.normal));
-  const float height = (dot(sums.offset, estimate.normal) + sums.heights) / (2 * sums.weight);
+  const float height = (dot(sums.offset, estimate.normal) * (1 - planes) + sums.heights * planes) / sums.weight;
   estimate.point = point + estimate.normal * height;
   estimate.found = true;
   return estimate;

@@ -17,6 +17,9 @@ constexpr unsigned key_bits = 3 * cell_levels;
 constexpr unsigned digit_bits = 12;
 constexpr std::size_t grain = 1 << 15;
 constexpr unsigned coarser_levels = 2;
+constexpr std::size_t several = 8;  // samples
+constexpr std::size_t most_looked_at = 1 << 14;
+constexpr double sides_to_noise = 10;  // the least side of the finest cells, by the noise
 
 struct Entry {
   std::uint64_t key;
@@ -94,6 +97,46 @@ double side_for(const Occupancy& occupancy, double aim) {
   const double step = std::log2(occupancy.samples_a_cell(level) / occupancy.samples_a_cell(level + 1));
   const double part = step > 0 ? std::clamp(more / step, 0.0, 1.0) : 0;
   return std::exp2(-(level + part));
+}
+
+// The mean square of what is left of the samples' heights over their mean plane when the curvature is taken away that their normals show:
+// a curved surface of second order is as high over the plane as half the slope that the normals have says.
+float roughness(const std::vector<Record>& records) {
+  const Moments moments = Moments::of(records);
+  const Float4 normal = without_fourth(moments.normal()), centroid = without_fourth(moments.mean);
+  float sum = 0;
+  float squares = 0;
+  for (const Record& record : records) {
+    const float height = dot(record.point() - centroid, normal + record.normal) / 2;
+    sum += height;
+    squares += height * height;
+  }
+  const auto count = static_cast<float>(records.size());
+  return std::max(0.0F, squares - sum * sum / count) / (count - 3);
+}
+
+// How rough the samples are, within the unit cube: the median over cells with at least `several`.
+double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level) {
+  const unsigned shift = 3 * (cell_levels - level);
+  const std::size_t stride = std::max<std::size_t>(1, entries.size() / most_looked_at);
+  std::vector<float> errors;
+  std::vector<Record> records;
+  for (std::size_t at = 0; at < entries.size();) {
+    std::size_t end = at;
+    records.clear();
+    for (; end < entries.size() && entries[end].key >> shift == entries[at].key >> shift; ++end) {
+      if (records.size() >= most_looked_at) continue;
+      const std::size_t index = 3 * std::size_t{entries[end].index};
+      records.push_back({cube.inside(&points.positions[index]), unit_normal(&points.normals[index])});
+    }
+    if (records.size() >= several) errors.push_back(roughness(records));
+    at = std::max(end, std::min(at + several * stride, entries.size()));
+    while (at > end && at < entries.size() && entries[at].key >> shift == entries[at - 1].key >> shift) ++at;
+  }
+  if (errors.empty()) return 0;
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return std::sqrt(static_cast<double>(*middle));
 }
 
 // The cube that the box lies in the middle of, with cells of the side on some level, and room for a few cells around.
@@ -186,9 +229,15 @@ Octree sort_samples(const PointSet& points, const ReconstructOptions& options, c
   const Cube tight = bounding_cube(points.positions, workers);
   std::vector<Entry> entries = sorted_entries(points, tight, workers);
   if (entries.empty()) return octree;
-  const double side = side_for(occupancy_of(entries), static_cast<double>(options.node_samples));
+  const Occupancy occupancy = occupancy_of(entries);
+  double side = side_for(occupancy, static_cast<double>(options.node_samples));
+  const auto measured_at = static_cast<unsigned>(-std::log2(side_for(occupancy, 2 * several)));
+  const double noise = std::max(noise_of(points, tight, entries, std::min(measured_at, cell_levels)),
+                                static_cast<double>(options.threshold * tight.diagonal));
+  side = std::max(side, sides_to_noise * noise);
   unsigned level = 0;
   octree.cube = cube_with(tight, side, level);
+  octree.noise = static_cast<float>(noise) * tight.side / octree.cube.side;
   entries = {};
   entries = sorted_entries(points, octree.cube, workers);
   octree.levels.push_back(finest_level(entries, level));

@@ -2,33 +2,37 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/reconstruct/refinement.h"
 
+#include <cmath>
+
 #include "glark/clients/reconstruct/half_edges.h"
 
 namespace glark::vstree {
 namespace {
 
 constexpr std::size_t grain = 1024;
+constexpr float edges_to_noise = 6;  // shorter ones are not divided
 
 class Refinement {
  public:
   Refinement(const Octree& octree, const Workers& workers, BaseMesh& base)
-      : surface_(octree), workers_(workers), side_(octree.finest().side()) {
+      : octree_(octree), surface_(octree), workers_(workers), side_(octree.finest().side()) {
     mesh_.points = std::move(base.points);
     mesh_.normals = std::move(base.normals);
     mesh_.opposite = opposite_of(base.triangles, mesh_.points.size());
     mesh_.triangles = std::move(base.triangles);
   }
 
-  RefinedMesh run(unsigned levels) {
-    for (unsigned level = 0; level < levels; ++level) {
-      divide();
+  RefinedMesh run(const ReconstructOptions& options) {
+    for (float edge = side_; mesh_.levels < options.levels && edge > edges_to_noise * octree_.noise; edge /= 2) {
+      const double error = divide();
       ++mesh_.levels;
+      if (error <= static_cast<double>(options.error * octree_.cube.diagonal)) break;
     }
     return std::move(mesh_);
   }
 
  private:
-  static constexpr float radius = 0.6F;  // of the samples looked at, by the side of the finest nodes
+  static constexpr float radius = 0.7F;  // of the samples looked at, by the side of the finest nodes
 
   void move_to_surface(std::size_t i, float reach) {
     const LocalEstimate estimate = surface_.near(mesh_.points[i], mesh_.normals[i], reach);
@@ -50,7 +54,8 @@ class Refinement {
     move_to_surface(vertex, radius * side_);
   }
 
-  void divide() {
+  // Returns how far the mesh is from the surface now, about: the root of the mean square.
+  double divide() {
     const auto corners = static_cast<std::uint32_t>(mesh_.triangles.size());
     std::vector<std::uint32_t> middle(corners), edges;
     auto vertices = static_cast<std::uint32_t>(mesh_.points.size());
@@ -68,12 +73,21 @@ class Refinement {
     workers_.each(edges.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) insert(edges[i], first + static_cast<std::uint32_t>(i));
     });
+    double squares = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const Float4 middle_of_edge =
+          (mesh_.points[mesh_.triangles[edges[i]]] + mesh_.points[mesh_.triangles[next_corner(edges[i])]]) * 0.5F;
+      const Float4 d = mesh_.points[first + i] - middle_of_edge;
+      squares += static_cast<double>(dot(d, d));
+    }
     std::vector<std::uint32_t> triangles(4 * std::size_t{corners}), opposite(4 * std::size_t{corners});
     workers_.each(corners / 3, grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) children_of(static_cast<std::uint32_t>(t), middle, triangles, opposite);
     });
     mesh_.triangles = std::move(triangles);
     mesh_.opposite = std::move(opposite);
+    // The distance falls to a quarter where edges are halved.
+    return edges.empty() ? 0 : std::sqrt(squares / static_cast<double>(edges.size())) / 4;
   }
 
   // Child i keeps corner i; the last child is the one in the middle. Its half-edge i runs from the middle of edge i.
@@ -101,6 +115,7 @@ class Refinement {
     }
   }
 
+  const Octree& octree_;
   LocalSurface surface_;
   const Workers& workers_;
   const float side_;
@@ -110,7 +125,7 @@ class Refinement {
 }  // namespace
 
 RefinedMesh refine(BaseMesh base, const Octree& octree, const ReconstructOptions& options, const Workers& workers) {
-  return Refinement(octree, workers, base).run(options.levels);
+  return Refinement(octree, workers, base).run(options);
 }
 
 }  // namespace glark::vstree

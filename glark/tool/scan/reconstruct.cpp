@@ -94,6 +94,10 @@ void add_reconstruct(CLI::App& app) {
       ->add_option("--least-part", options.least_part,
                    "Leave out parts with less than this of the area, 0 to 1; 0.01 if not given")
       ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--gap-edges", options.gap_edges,
+                   "Close holes with so many edges of the coarse mesh around, 0 to 1000; 16 if not given")
+      ->check(CLI::Range(0, 1000));
   command->add_option("--threads", options.threads, "At most; as many as the machine has if not given");
   command->callback([reconstruction] { reconstruct(*reconstruction); });
 }
