@@ -112,12 +112,14 @@ void settle(BaseMesh& mesh, const Octree& octree, const Workers& workers) {
   mesh.normals = triangle_normals(mesh);
   workers.each(mesh.points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      bool supported = false;
       for (const float radius : {1.0F, 0.7F}) {
         const LocalEstimate estimate = surface.near(mesh.points[i], mesh.normals[i], radius * side);
         if (!estimate.found) continue;
         mesh.points[i] = estimate.point;
         mesh.normals[i] = estimate.normal;
-        mesh.normals[i][3] = 1;
+        mesh.normals[i][3] = estimate.near || supported ? 1.0F : 0.0F;
+        supported = estimate.near;
       }
     }
   });
@@ -125,14 +127,15 @@ void settle(BaseMesh& mesh, const Octree& octree, const Workers& workers) {
 
 // Takes triangles away from the border inwards that have a vertex far from all samples: there the planes only go on beyond the last of
 // these. Such triangles within the surface close a gap.
-void peel(BaseMesh& mesh, float least_weight) {
+// Then goes what only hangs on by one edge.
+void peel(BaseMesh& mesh) {
   const std::vector<std::uint32_t> opposite = opposite_of(mesh.triangles, mesh.points.size());
   const std::size_t count = mesh.triangles.size() / 3;
   std::vector<bool> gone(count);
   std::vector<std::uint32_t> at_border;
   const auto visit = [&](std::uint32_t t) {
     bool far = false;
-    for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) far |= mesh.normals[mesh.triangles[i]][3] < least_weight;
+    for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) far |= mesh.normals[mesh.triangles[i]][3] == 0;
     if (!far || gone[t]) return;
     gone[t] = true;
     at_border.push_back(t);
@@ -146,6 +149,15 @@ void peel(BaseMesh& mesh, float least_weight) {
     for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
       if (opposite[i] != none) visit(opposite[i] / 3);
     }
+  }
+  for (int round = 0; round < 2; ++round) {
+    std::vector<std::uint32_t> ears;
+    for (std::uint32_t t = 0; t < count; ++t) {
+      int edges = 0;
+      for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) edges += opposite[i] == none || gone[opposite[i] / 3] ? 1 : 0;
+      if (!gone[t] && edges > 1) ears.push_back(t);
+    }
+    for (const std::uint32_t t : ears) gone[t] = true;
   }
   std::vector<std::uint32_t> kept;
   for (std::size_t t = 0; t < count; ++t) {
@@ -261,7 +273,7 @@ BaseMesh base_mesh(const Contour& contour, const TransitionLayer& layer, const O
   }
   cut_sheets(mesh);
   settle(mesh, octree, workers);
-  peel(mesh, 1);
+  peel(mesh);
   cut_sheets(mesh);
   close_gaps(mesh, options.gap_edges);
   drop_parts(mesh, options.least_part);

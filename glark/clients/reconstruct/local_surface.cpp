@@ -66,7 +66,8 @@ LocalEstimate LocalSurface::within(Float4 point, Float4 normal, float radius) co
 }
 
 LocalEstimate LocalSurface::near(Float4 point, Float4 normal, float radius) const {
-  const LocalEstimate estimate = within(point, normal, radius);
+  LocalEstimate estimate = within(point, normal, radius);
+  estimate.near = estimate.found;
   return estimate.found ? estimate : within(point, normal, 2 * radius);
 }
 

@@ -11,6 +11,7 @@ namespace glark::vstree {
 struct LocalEstimate {
   Float4 point{}, normal{};
   bool found = false;
+  bool near = false;  // by samples within the radius, not within twice as far
 };
 
 class LocalSurface {
