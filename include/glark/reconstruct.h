@@ -10,7 +10,7 @@
 // ones stay open. The mesh is semi-regular: each triangle of a coarse mesh divided into four, `levels` times. The result depends neither
 // on the unit of length nor on the number of threads.
 //
-// Samples as they come: none, one, equal ones or samples on a line give no triangles; coplanar ones an open sheet. Samples without a
+// Samples as they come: none, one or equal ones give no triangles, those on a line none or a narrow strip, coplanar ones an open sheet. Samples without a
 // normal (zero) have no say; without any normals, estimate_normals() finds them first.
 //
 // Source: Boubekeur 2007, ch. 3.4. What differs is in docs/points.md.

@@ -115,6 +115,7 @@ void settle(BaseMesh& mesh, const Octree& octree, const Workers& workers) {
       bool supported = false;
       for (const float radius : {1.0F, 0.7F}) {
         const LocalEstimate estimate = surface.near(mesh.points[i], mesh.normals[i], radius * side);
+        if (estimate.opposed) mesh.normals[i][3] = -1;
         if (!estimate.found) continue;
         mesh.points[i] = estimate.point;
         mesh.normals[i] = estimate.normal;
@@ -127,7 +128,7 @@ void settle(BaseMesh& mesh, const Octree& octree, const Workers& workers) {
 
 // Takes triangles away from the border inwards that have a vertex far from all samples: there the planes only go on beyond the last of
 // these. Such triangles within the surface close a gap.
-// Then goes what only hangs on by one edge.
+// Between two sheets that both face one way there is a surface that faces the other: it goes too. So does what only hangs on by one edge.
 void peel(BaseMesh& mesh) {
   const std::vector<std::uint32_t> opposite = opposite_of(mesh.triangles, mesh.points.size());
   const std::size_t count = mesh.triangles.size() / 3;
@@ -135,13 +136,13 @@ void peel(BaseMesh& mesh) {
   std::vector<std::uint32_t> at_border;
   const auto visit = [&](std::uint32_t t) {
     bool far = false;
-    for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) far |= mesh.normals[mesh.triangles[i]][3] == 0;
+    for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) far |= mesh.normals[mesh.triangles[i]][3] <= 0;
     if (!far || gone[t]) return;
     gone[t] = true;
     at_border.push_back(t);
   };
   for (std::uint32_t i = 0; i < opposite.size(); ++i) {
-    if (opposite[i] == none) visit(i / 3);
+    if (opposite[i] == none || mesh.normals[mesh.triangles[i]][3] < 0) visit(i / 3);
   }
   while (!at_border.empty()) {
     const std::uint32_t t = at_border.back();

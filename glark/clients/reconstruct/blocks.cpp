@@ -10,6 +10,8 @@
 namespace glark::vstree {
 namespace {
 
+constexpr float least_band = 2.5F;  // of cells, on either side of a plane
+
 // Corners low .. high of the grid.
 struct Box {
   CellIndex low, high;
@@ -77,13 +79,15 @@ void evaluate_block(const std::vector<SupportPlane>& planes, std::span<const std
   values.fill(0);
   for (const std::uint32_t i : mine) {
     const SupportPlane& plane = planes[i];
+    const float band = std::max(least_band, 0.8F * plane.point[3] * cells);
     each_corner(plane, cells, place, [&](std::size_t corner, Float4 d, float t) {
       const float facing = dot(plane.normal, planes[nearest[corner]].normal);
-      if (facing <= 0) return;
+      const float height = dot(d, plane.normal);
+      if (facing <= 0 || std::abs(height) > band) return;
       const float away = 1 + t * (2 * std::sqrt(t) - 3);  // Hermite's kernel
       const float weight = away * facing * plane.normal[3];
       weights[corner] += weight;
-      values[corner] += weight * dot(d, plane.normal);
+      values[corner] += weight * height;
     });
   }
   for (std::size_t i = 0; i < block_corners; ++i) values[i] = weights[i] > 0 ? values[i] / weights[i] : no_value;

@@ -9,15 +9,17 @@ namespace glark::vstree {
 namespace {
 
 constexpr float least_facing = 0.2F;  // of a sample's normal and the one looked along
-constexpr float few = 3;              // samples
-constexpr float sharpness = 0.01F;    // the least of what weights fall with
-constexpr float planes = 0.25F;       // share of the samples' planes in a height
+constexpr float least_opposed = -0.8F;
+constexpr float few = 3;            // samples
+constexpr float sharpness = 0.01F;  // the least of what weights fall with
+constexpr float planes = 0.25F;     // share of the samples' planes in a height
 constexpr float noise_weight = 100;
 
 struct Sums {
   float weight = 0;
   float count = 0;
-  Float4 offset{};  // from the point
+  float opposed = 0;  // samples
+  Float4 offset{};    // from the point
   Float4 normal{};
   float heights = 0;  // above the point, of the samples' planes
 };
@@ -26,7 +28,12 @@ void add(const Record* begin, const Record* end, Float4 point, Float4 normal, fl
   for (const Record* record = begin; record != end; ++record) {
     const Float4 d = without_fourth(record->position - point);
     const float t = dot(d, d) * scale;
-    if (t >= 1 || dot(record->normal, normal) < least_facing) continue;
+    if (t >= 1) continue;
+    const float facing = dot(record->normal, normal);
+    if (facing < least_facing) {
+      sums.opposed += facing < least_opposed ? 1.0F : 0.0F;
+      continue;
+    }
     const float weight = (1 - t) * (1 - t) / (t + blur);
     sums.weight += weight;
     sums.count += 1;
@@ -57,6 +64,7 @@ LocalEstimate LocalSurface::within(Float4 point, Float4 normal, float radius) co
     add(octree_.records.data() + begin, octree_.records.data() + end, point, normal, scale, blur, sums);
   }
   LocalEstimate estimate;
+  estimate.opposed = sums.opposed >= few && sums.count == 0;
   if (sums.count < few) return estimate;
   estimate.normal = unit(without_fourth(sums.normal));
   const float height = (dot(sums.offset, estimate.normal) * (1 - planes) + sums.heights * planes) / sums.weight;

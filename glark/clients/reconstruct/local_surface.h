@@ -11,7 +11,8 @@ namespace glark::vstree {
 struct LocalEstimate {
   Float4 point{}, normal{};
   bool found = false;
-  bool near = false;  // by samples within the radius, not within twice as far
+  bool opposed = false;  // there are none such, but some that face the other way
+  bool near = false;     // by samples within the radius, not within twice as far
 };
 
 class LocalSurface {
