@@ -282,6 +282,10 @@ void Pipeline::draw(const DrawCall& call) {
   if (cause == Cause::count_ && call.triangles > 0) {
     cause = ensure_room(plan, call.triangles);
   }
+  if (cause == Cause::not_triangles && feedback_refuses(call.mode)) {
+    context_.raise(GL_INVALID_OPERATION);
+    return;
+  }
   if (cause != Cause::count_ || call.triangles == 0) {
     count_passed(cause != Cause::count_ ? cause : Cause::not_triangles);
     quiet.interrupt();

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "glark/clients/vstree/moments.h"
-#include "glark/clients/vstree/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 

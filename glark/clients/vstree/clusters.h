@@ -7,7 +7,7 @@
 #include <glark/vstree.h>
 
 #include "glark/clients/vstree/quadric.h"
-#include "glark/clients/vstree/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "glark/clients/vstree/float4.h"
-#include "glark/clients/vstree/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "glark/clients/vstree/record.h"
-#include "glark/clients/vstree/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 
