@@ -162,7 +162,7 @@ Cases lists_again_cases() {
       list_case("names", {"chapter-21-4", "chapter-21-5"},
                 "CallLists with names of each type, at once and from a list, with two list bases.",
                 "Groups of bytes in the wrong order; a list base of the time of compilation.", check_names),
-      list_case("pool", {"chapter-21-3", "11.R.1-6"}, "ARKinit with a lower level while a list is compiled.",
+      list_case("pool", {"chapter-21-7", "11.R.1-6"}, "ARKinit with a lower level while a list is compiled.",
                 "The current tag stays above the pool, or the list sets it.", check_pool_while_compiling)};
 }
 
