@@ -234,15 +234,15 @@ def table_of(rows: list) -> str:
     return f"{caught} of {len(rows)} mutants are caught.\n\n" + "\n".join(lines) + "\n"
 
 
-def write_table(path: pathlib.Path, outcomes: list) -> None:
-    """Of mutants that were not tried now, the rows stay."""
+def write_table(path: pathlib.Path, outcomes: list, names: list) -> None:
+    """In the order of the names of all mutants. Of those that were not tried now the rows stay."""
     text = path.read_text()
     begin, end = (text.find(marker) for marker in MARKERS)
     if begin < 0 or end < begin:
         raise Complaint(f"{path} has no {MARKERS[0]} before a {MARKERS[1]}")
     rows = {line.split("`")[1]: line for line in text[begin:end].splitlines() if line.startswith("| `")}
     rows |= {outcome.mutant.name: row_of(outcome) for outcome in outcomes}
-    table = table_of([rows[mutant.name] for mutant in read_mutants() if mutant.name in rows])
+    table = table_of([rows[name] for name in names if name in rows])
     path.write_text(text[:begin] + MARKERS[0] + "\n" + table + text[end:])
 
 
@@ -262,7 +262,7 @@ def run(arguments: argparse.Namespace, mutants: list) -> int:
     for outcome in missed:
         print(f"    {outcome.mutant.name}: {outcome.mutant.clause}: {outcome.mutant.what}")
     if arguments.table:
-        write_table(pathlib.Path(arguments.table), outcomes)
+        write_table(pathlib.Path(arguments.table), outcomes, [mutant.name for mutant in read_mutants()])
     if any(outcome.problem for outcome in outcomes):
         return 2
     return 1 if missed or wrong else 0

@@ -153,6 +153,8 @@ class Pipeline {
   void submit(const Plan& plan, const capture::CoarseTriangles& captured, const Keeping& keeping);
   bool selects_back_colors(const Plan& plan) const;
   bool adds_specular_colors(const Plan& plan) const;
+  bool sets_point_size(const Plan& plan) const;
+  void set_point_size(bool by_program);
   void set_modes(const Plan& plan);  // that the refined draw needs otherwise than the application has them
   void reset_modes(const Plan& plan);
   bool takes_edge_flags() const;  // by the application's modes
