@@ -32,6 +32,7 @@ struct Patch {
   Box box;                             // of what is drawn
   Vector cone_axis;
   float cone_cosine = -2;  // 2: nothing is drawn
+  bool moved = true;       // since box and cone were found
 };
 
 struct Layer {

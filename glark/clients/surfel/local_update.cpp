@@ -38,12 +38,12 @@ class Mover {
   // Takes the points to their new leaves. Afterwards `leaves` are those whose triangulations may differ.
   void run() {
     for (const Surfel& surfel : moved_) {
-      if (surfel.index < layer_.owner.size()) touched_.add(layer_.owner[surfel.index]);
+      if (surfel.index < layer_.owner.size()) touch(layer_.owner[surfel.index], layer_.surfel(surfel.index).position);
     }
     add_neighbours();
     take_out();
     for (std::size_t i = 0; i < moved_.size(); ++i) arrivals_.emplace_back(host_of(moved_[i]), i);
-    for (const auto& [leaf, i] : arrivals_) touched_.add(leaf);
+    for (const auto& [leaf, i] : arrivals_) touch(leaf, moved_[i].position);
     add_neighbours();
     std::stable_sort(arrivals_.begin(), arrivals_.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -63,11 +63,23 @@ class Mover {
   Marked leaves;
 
  private:
+  void touch(std::uint32_t leaf, Vector place) {
+    touched_.add(leaf);
+    if (leaf >= places_.size()) places_.resize(leaf + 1);
+    places_[leaf].add(place);
+  }
+
+  // Those that take in points which moved, or did so.
   void add_neighbours() {
     for (const std::uint32_t leaf : touched_.list()) {
       leaves.add(leaf);
       Patcher::neighbours(tree_, leaf, found_);
-      for (const std::uint32_t neighbour : found_) leaves.add(neighbour);
+      for (const std::uint32_t neighbour : found_) {
+        const float band = std::max(tree_.leaves[leaf].band, tree_.leaves[neighbour].band);
+        const Box& box = tree_.nodes[tree_.leaves[neighbour].node].box;
+        const bool is_new = leaf >= places_.size() || places_[leaf].empty();
+        if (is_new || squared_distance(box, places_[leaf]) <= band * band) leaves.add(neighbour);
+      }
     }
   }
 
@@ -161,6 +173,7 @@ class Mover {
   std::span<const Surfel> moved_;
   const LayerOptions& options_;
   Marked touched_;
+  std::vector<Box> places_;  // of leaves, where points have moved from and to
   std::vector<std::uint32_t> found_;
   std::vector<std::uint32_t> number_of_;                         // of leaves, among the first that were touched
   std::vector<bool> stays_;                                      // of these

@@ -26,15 +26,16 @@ std::uint32_t corner_of(const StripTriangle& triangle, std::uint32_t point) {
 void Stripper::find_neighbours() {
   neighbours_.assign(triangles_.size(), {no_triangle, no_triangle, no_triangle});
   std::size_t size = 64;
-  while (size < 6 * triangles_.size()) size *= 2;
+  while (size < 4 * triangles_.size()) size *= 2;
   table_.assign(size, no_triangle);
   const auto mask = static_cast<std::uint32_t>(size - 1);
   const auto count = static_cast<std::uint32_t>(triangles_.size());
   for (std::uint32_t t = 0; t < count; ++t) {
     for (std::uint32_t side = 0; side < 3; ++side) {
       const std::uint32_t from = triangles_[t][(side + 1) % 3], to = triangles_[t][(side + 2) % 3];
-      for (std::uint32_t at = hash(to, from) & mask; table_[at] != no_triangle; at = (at + 1) & mask) {
-        const std::uint32_t other = table_[at] / 3, other_side = table_[at] % 3;
+      std::uint32_t at = hash(std::min(from, to), std::max(from, to)) & mask;
+      for (; table_[at] != no_triangle; at = (at + 1) & mask) {
+        const std::uint32_t other = table_[at] / 4, other_side = table_[at] % 4;
         const StripTriangle& corners = triangles_[other];
         if (corners[(other_side + 1) % 3] != to || corners[(other_side + 2) % 3] != from) continue;
         if (neighbours_[other][other_side] != no_triangle) continue;
@@ -42,9 +43,7 @@ void Stripper::find_neighbours() {
         neighbours_[t][side] = other;
         break;
       }
-      std::uint32_t at = hash(from, to) & mask;
-      while (table_[at] != no_triangle) at = (at + 1) & mask;
-      table_[at] = 3 * t + side;
+      if (table_[at] == no_triangle) table_[at] = 4 * t + side;
     }
   }
 }
