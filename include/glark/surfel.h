@@ -63,7 +63,7 @@ struct Options {
   // and the greatest distance of a point from the leaf's plane, in radii of the leaf.
   float delta_a = 0.0F;
   float delta_d = 1.0F / 3;
-  float inflation = 2.0F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
+  float inflation = 1.75F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
   // The longest edge of a triangle, in the distance to neighbours of that of its points whose distance is neither least nor greatest; 1 to
   // 100. Isolated points have no triangles.
   float reach = 5.0F;

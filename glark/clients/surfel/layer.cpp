@@ -169,8 +169,10 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
   layer.tree = build_tree(std::move(surfels), options.tree, workers);
   layer.owner.resize(count);
   layer.place.resize(count);
+  layer.positions.resize(count);
   layer.rift_of.resize(count, none);
   layer.patches.resize(layer.tree.leaves.size());
+  layer.planted = layer.tree.leaves.size();
   std::vector<std::uint32_t> leaves(layer.tree.leaves.size());
   std::iota(leaves.begin(), leaves.end(), 0U);
   workers.each(leaves.size(), 4 * leaves_a_piece, [&](std::size_t begin, std::size_t end) {

@@ -49,6 +49,7 @@ class Mover {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     layer_.owner.resize(std::max<std::size_t>(layer_.owner.size(), moved_.empty() ? 0 : moved_.back().index + 1UL));
     layer_.place.resize(layer_.owner.size());
+    layer_.positions.resize(layer_.owner.size());
     layer_.rift_of.resize(layer_.owner.size(), none);
     const std::size_t old_leaves = tree_.leaves.size();
     for (const std::uint32_t leaf : touched_.list()) replant(leaf);
@@ -226,6 +227,18 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
   }
   std::sort(nodes.list().begin(), nodes.list().end(), std::greater<>());
   for (const std::uint32_t node : nodes.list()) describe(layer, node, options);
+}
+
+bool overgrown(const Layer& layer, const LayerOptions& options) {
+  const std::size_t full = layer.owner.size() / options.tree.leaf_points;
+  constexpr std::size_t few = 64;
+  return layer.tree.leaves.size() > 2 * layer.planted + 4 * full + few;
+}
+
+void rebuild(Layer& layer, const LayerOptions& options, const Workers& workers, std::vector<std::uint32_t>& indices) {
+  std::vector<Surfel> surfels(layer.owner.size());
+  for (std::uint32_t point = 0; point < surfels.size(); ++point) surfels[point] = layer.surfel(point);
+  layer = build_layer(std::move(surfels), std::move(layer.names), options, workers, indices);
 }
 
 void tidy(Layer& layer) {

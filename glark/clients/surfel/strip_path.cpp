@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace glark::surfel {
 namespace {
@@ -111,13 +112,14 @@ void Stripper::begin_run() {
   const std::uint32_t last = strip_.back();
   std::uint32_t best = no_triangle;
   int best_rank = std::numeric_limits<int>::max();
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    if (used_[t] != 0) continue;
+  std::erase_if(unused_, [&](std::uint32_t t) { return used_[t] != 0; });
+  for (const std::uint32_t t : unused_) {
     const bool touches = triangles_[t][0] == last || triangles_[t][1] == last || triangles_[t][2] == last;
     const int rank = free_neighbours(t) + (touches ? 0 : 4);
     if (rank >= best_rank) continue;
     best_rank = rank;
     best = t;
+    if (rank == 0) break;
   }
   const StripTriangle& triangle = triangles_[best];
   std::uint32_t first = corner_of(triangle, last);
@@ -138,6 +140,8 @@ void Stripper::begin_run() {
 void Stripper::cover(const Start& start) {
   used_.assign(triangles_.size(), 0);
   left_ = triangles_.size();
+  unused_.resize(left_);
+  std::iota(unused_.begin(), unused_.end(), 0U);
   const StripTriangle& triangle = triangles_[start.triangle];
   strip_.clear();
   for (std::uint32_t k = 0; k < 3; ++k) strip_.push_back(triangle[(start.first + k) % 3]);

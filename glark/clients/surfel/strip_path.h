@@ -43,6 +43,7 @@ class Stripper {
   std::vector<std::uint32_t> table_;                      // of half-edges, by their ends
   std::vector<Start> starts_;
   std::vector<std::uint8_t> used_;
+  std::vector<std::uint32_t> unused_;  // triangles, some of which have been used since
   std::vector<std::uint32_t> strip_;
   std::vector<std::uint32_t> best_;
   std::uint32_t at_ = 0;
