@@ -33,6 +33,8 @@ bool in_circle(Place a, Place b, Place c, Place d) {
   const double a2 = ax * ax + ay * ay, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
   const double bxcy = bx * cy, bycx = by * cx, cxay = cx * ay, cyax = cy * ax, axby = ax * by, aybx = ay * bx;
   const double determinant = a2 * (bxcy - bycx) + b2 * (cxay - cyax) + c2 * (axby - aybx);
+  constexpr double any_error = 0x1p60;  // the one below is less for differences up to 2^26
+  if (std::fabs(determinant) > any_error) return determinant > 0;
   const double permanent = a2 * (std::fabs(bxcy) + std::fabs(bycx)) + b2 * (std::fabs(cxay) + std::fabs(cyax)) +
                            c2 * (std::fabs(axby) + std::fabs(aybx));
   constexpr double error = 1.2e-15;  // (10 + 96 epsilon) epsilon, epsilon = 2^-53, rounded up

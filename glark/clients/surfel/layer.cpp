@@ -15,7 +15,7 @@
 namespace glark::surfel {
 namespace {
 
-constexpr std::size_t leaves_a_piece = 64;
+constexpr std::size_t leaves_a_piece = 16;
 
 // What a worker makes of a run of leaves, one after the other.
 template <typename Item>
