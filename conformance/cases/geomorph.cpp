@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/geomorph.h"
 
 namespace glark::conformance {
@@ -106,6 +107,25 @@ void check_uniform(Test& t) {
     t.expect(plain.size() == morphing.size() &&
                  std::memcmp(plain.data(), morphing.data(), plain.size() * sizeof(MorphVertex)) == 0,
              "GEOMORPH_ARK changes no bit of UNIFORM_DEPTH_ARK");
+  }
+}
+
+// On the screen, too, where an implementation may take another way than with transform feedback.
+void check_current_tag(Test& t) {
+  gl.UseProgram(morph_program(t));
+  const Mesh mesh = morph_triangle({0, 0, 0});
+  upload(mesh, false);
+  morph_by_tags(pool);
+  GLint attribute = 0;
+  gl.GetIntegerv(GL_DEPTH_TAG_ATTRIBUTE_ARK, &attribute);
+  for (const float tag : {1.25F, 2.25F, 2.0F, 2.75F}) {
+    gl.VertexAttrib1f(static_cast<GLuint>(attribute), tag);
+    const std::string what = "a current tag of " + as_text(tag);
+    expect_edges(t, capture_morph(t, mesh), mesh, {tag, tag, tag}, what);
+    // Each edge of the pattern is divided by 2^ceil(tag), and as many corners have two triangles fewer at least.
+    const GLuint least = 3 * (1U << static_cast<unsigned>(std::ceil(tag))) - 2;
+    const GLuint drawn = count_generated([] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
+    t.expect(drawn >= least, what + ": " + std::to_string(drawn) + " triangles, at least " + std::to_string(least));
   }
 }
 
@@ -245,14 +265,7 @@ void check_centroid(Test& t) {
   }
 }
 
-Case morph_case(const std::string& leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                std::function<void(Test&)> check) {
-  return {.name = "ark.geomorph." + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .check = std::move(check)};
-}
+constexpr Area morph_case{"ark.geomorph."};
 
 }  // namespace
 
@@ -271,6 +284,9 @@ Cases geomorph_cases() {
       morph_case("uniform", {"11.R.14-1"}, "UNIFORM_DEPTH_ARK has the same bits with GEOMORPH_ARK.",
                  "A vertex more inside; fractions of tags.", check_uniform),
       morph_case("off", {"11.R.14-1"}, "Fractional tags without GEOMORPH_ARK are whole.", "Always morphed.", check_off),
+      morph_case("current_tag", {"11.R.14-1", "11.R.14-5"},
+                 "Fractional current depth tags, on the screen and with transform feedback.",
+                 "A current tag, of which all triangles of a draw have the same, is rounded.", check_current_tag),
       morph_case("interior_ignored", {"11.R.14-8"}, "Both interiors give the same triangles.",
                  "The smooth interior has more.", check_interior_ignored),
       morph_case("edge.position", {"11.R.14-10", "11.R.14-2"}, "gl_Position on a curved edge of depth 1.875.",

@@ -188,6 +188,7 @@ void set_way(const Way& way) {
 // The first draw builds what it needs, and the later ones find it: each has to leave state alone.
 void expect_draws_keep(Test& t, const Way& way, const std::function<void()>& draw) {
   const Values before = state(t);
+  t.expect_equal(before.at(std::to_string(GL_DEBUG_OUTPUT))[0], 1, "DEBUG_OUTPUT, which the set-up has enabled");
   for (const char* const which : {"the first draw", "the second draw", "the third draw"}) {
     GLuint query = 0;
     if (way.is_counted) {
@@ -212,8 +213,8 @@ void check_way(Test& t, const Way& way, bool has_elements) {
   const GLubyte indices[] = {0, 1, 2, 7, 5, 3, 4};
   buffer_at(GL_ELEMENT_ARRAY_BUFFER);
   gl.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, sizeof(indices), indices);
-  occupy(t);
   set_way(way);
+  occupy(t);
   t.expect_no_error("set-up");
   expect_draws_keep(t, way, [has_elements] {
     if (has_elements)
@@ -237,11 +238,11 @@ void check_fixed_function(Test& t, GLenum source, GLenum mode) {
   gl.EnableClientState(GL_NORMAL_ARRAY);
   gl.VertexPointer(4, GL_FLOAT, sizeof(MeshVertex), &mesh[0].position);
   gl.NormalPointer(GL_FLOAT, sizeof(MeshVertex), &mesh[0].normal);
-  occupy(t);
   const Way way{.leaf = "", .refinement = GL_LINEAR_INPUTS_ARK, .source = source};
   set_way(way);
   gl.ARKParameteriARK(GL_POLYGON_SPLIT_ARK, GL_POLYGON_CENTROID_ARK);
   gl.DepthTag1i(2);
+  occupy(t);
   t.expect_no_error("set-up");
   expect_draws_keep(t, way, [mode] { gl.DrawARP(mode, 0, 4); });
 }

@@ -9,7 +9,6 @@ namespace glark::conformance {
 namespace {
 
 const std::vector<Api> desktop = {Api::gl_compat, Api::gl_core};
-const std::vector<Api> everywhere = {Api::gl_compat, Api::gl_core, Api::gles};
 
 Picture picture_of(const std::function<void()>& draw) {
   clear_surface();
@@ -141,6 +140,28 @@ void check_selection(Test& t) {
   t.expect(buffer[0] == 1 && buffer[3] == 17, "the name of the triangle");
 }
 
+// A hit record has the least and the greatest depth of what was drawn: curved, the triangle would bulge.
+void check_selected_depths(Test& t, GLenum source) {
+  gl.UseProgram(surface_program(t));
+  Mesh mesh = one_triangle({2, 2, 2});
+  mesh[0].normal = {-0.8F, -0.6F, 0.6F};
+  mesh[1].normal = {0.8F, -0.6F, 0.6F};
+  mesh[2].normal = {0, 0.9F, 0.6F};
+  upload(mesh);
+  std::array<std::array<GLuint, 64>, 2> records = {};
+  for (const bool is_refined : {false, true}) {
+    if (is_refined) refine_by_tags(2, GL_CURVED_PN_ARK);
+    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
+    gl.SelectBuffer(64, records[is_refined ? 1 : 0].data());
+    gl.RenderMode(GL_SELECT);
+    gl.InitNames();
+    gl.PushName(17);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    t.expect_equal(gl.RenderMode(GL_RENDER), 1, "hits");
+  }
+  t.expect(records[0] == records[1], "the hit record is that of the triangle, with its depths");
+}
+
 void check_bad_refinement_shader(Test& t, const char* source) {
   const GLuint program = colour_program(t);
   gl.UseProgram(program);
@@ -265,15 +286,7 @@ void check_disabled(Test& t) {
   t.expect_equal(capture(t, draw).size(), 6U, "vertices with ARK disabled");
 }
 
-Case made(const std::string& leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-          std::function<void(Test&)> check, std::vector<Api> apis = everywhere) {
-  return {.name = "ark.unrefined." + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .apis = std::move(apis),
-          .check = std::move(check)};
-}
+constexpr Area made{"ark.unrefined."};
 
 }  // namespace
 
@@ -287,6 +300,11 @@ Cases unrefined_cases() {
       made("render_mode.feedback", {"11.R.11-4", "issues-20"}, "One triangle in the feedback buffer.", "Refined ones.",
            check_feedback, {Api::gl_compat}),
       made("render_mode.select", {"11.R.11-4"}, "One hit record.", "None, as nothing is drawn.", check_selection,
+           {Api::gl_compat}),
+      made("render_mode.select_depths.tags", {"11.R.11-4"}, "Depths in the hit record of a triangle to be curved.",
+           "Those of the curved one.", [](Test& t) { check_selected_depths(t, GL_DEPTH_TAG_ARK); }, {Api::gl_compat}),
+      made("render_mode.select_depths.uniform", {"11.R.11-4"}, "The same, of a uniform depth.",
+           "Those of the curved one.", [](Test& t) { check_selected_depths(t, GL_UNIFORM_DEPTH_ARK); },
            {Api::gl_compat}),
       made("refinement_shader.syntax", {"11.R.11-1", "11.R.11-5", "11.R.9-30"},
            "The refinement shader has a syntax error.", "An error, or nothing is drawn.",

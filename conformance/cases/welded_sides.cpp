@@ -39,6 +39,38 @@ void check_instances(Test& t, bool by_attribute) {
   t.expect_equal(vertices.size() / 3, std::size_t{1 + 16 + 4}, "triangles of instances with the tags 0, 2 and 1");
 }
 
+// Two instances of one mesh that differ in their normals alone: each is drawn as if the other were not there.
+void check_instanced_normals(Test& t) {
+  gl.UseProgram(surface_program(t));
+  const Mesh mesh = one_triangle();
+  upload(mesh);
+  const float normals[] = {0.8F, 0.1F, 0.6F, -0.5F, 0.7F, 0.4F};
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, sizeof(normals), normals, GL_STATIC_DRAW);
+  gl.VertexAttribPointer(at_normal, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  gl.VertexAttribDivisor(at_normal, 1);
+  refine_uniformly(3, GL_CURVED_PN_ARK);
+  std::array<std::vector<SurfaceVertex>, 2> both;
+  for (const bool is_welded : {false, true}) {
+    gl.ARKParameteriARK(GL_WELD_ARK, is_welded ? GL_TRUE : GL_FALSE);
+    both[is_welded ? 1 : 0] =
+        capture_as<SurfaceVertex>(t, 20000, [] { gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, 2); });
+  }
+  t.expect_equal(both[0].size(), std::size_t{2 * 3 * 64}, "vertices of two instances");
+  t.require(both[0].size() == both[1].size(), "as many with WELD_ARK");
+  double bulge = 0;
+  for (std::size_t i = 0; i < both[0].size(); ++i) {
+    bulge = std::max(bulge, static_cast<double>(std::abs(both[0][i].position[2])));
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!t.expect_near(both[1][i].position[k], both[0][i].position[k], 2e-6,
+                         "instances that differ in an attribute are not welded to each other"))
+        return;
+  }
+  t.expect(bulge > 0.01, "the normals bend the triangle");
+}
+
 // A sharp edge, both of whose ends are tagged: the control points are those without WELD_ARK.
 void check_crease(Test& t) {
   const Mesh mesh = bent_mesh();
@@ -103,6 +135,11 @@ Cases welded_sides_cases() {
                      .plan = "Three instances of one triangle, each with a tag of its own.",
                      .wrong = "The greatest tag of all instances, as if they were in one place.",
                      .check = [by_attribute](Test& t) { check_instances(t, by_attribute); }});
+  cases.push_back({.name = "ark.weld.instances.normals",
+                   .clauses = {"11.R.15-5"},
+                   .plan = "Two instances of one triangle, each with a normal of its own: WELD_ARK changes nothing.",
+                   .wrong = "The edges of one have the other's normals for a second side.",
+                   .check = check_instanced_normals});
   cases.push_back({.name = "ark.weld.tagged.crease",
                    .clauses = {"11.R.15-16"},
                    .plan = "Two triangles along a crease: their surfaces are those without WELD_ARK, the same along it "

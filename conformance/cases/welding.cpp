@@ -295,14 +295,32 @@ void check_three_sides(Test& t) {
   t.expect_equal(steps.size(), 17U, "vertices on the edge");
 }
 
-Case weld_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-               void (*check)(Test&)) {
-  return {.name = std::string("ark.weld.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .check = check};
+// The third side has the opposite normals of the first, so that two count: whichever of the three an implementation takes.
+void check_opposite_of_three(Test& t) {
+  for (const Vec3& other : {Vec3{-0.9F, 0.4F, 0.3F}, {0.9F, 0.4F, 0.3F}, {0.01F, 0.9F, 0.5F}, {-0.01F, -0.9F, 0.5F}}) {
+    const Mesh two = roof(other, {other[0], -other[2], other[1]});
+    for (const std::size_t place_of_third : {0U, 3U, 6U}) {
+      MeshVertex third[3] = {two[0], two[2], two[1]};
+      for (MeshVertex& vertex : third)
+        for (float& component : vertex.normal) component = -component;
+      third[2].position = {0.2F, -0.1F, 0.9F, 1};
+      Mesh three = two;
+      three.insert(three.begin() + static_cast<std::ptrdiff_t>(place_of_third), third, third + 3);
+      number_triangles(three);
+      const auto vertices = welded(t, three, GL_CURVED_PN_ARK);
+      std::vector<SurfaceVertex> pair;
+      for (SurfaceVertex vertex : vertices) {
+        const auto triangle = static_cast<std::size_t>(std::lround(vertex.triangle));
+        if (3 * triangle == place_of_third) continue;
+        vertex.triangle = 3 * triangle > place_of_third ? vertex.triangle - 1 : vertex.triangle;
+        pair.push_back(vertex);
+      }
+      expect_ridge(t, two, ridge_of(pair));
+    }
+  }
 }
+
+constexpr Area weld_case{"ark.weld."};
 
 }  // namespace
 
@@ -329,6 +347,9 @@ Cases welding_cases() {
       weld_case("curved.three_sides", {"11.R.15-7", "11.R.15-12"},
                 "Three sides with three normals agree, in either order of the triangles.",
                 "The first two sides win; the third cracks.", check_three_sides),
+      weld_case("curved.opposite_of_three", {"11.R.15-8", "11.R.15-12"},
+                "Of three sides one has the opposite normals of another: the ridge is that of two.",
+                "These two are taken for different, and the third side is left out.", check_opposite_of_three),
       weld_case("curved.cube", {"11.R.15-11"}, "A cube with the normals of its faces stays a cube.",
                 "It becomes a cushion, or its edges crack.", check_cube),
       weld_case("normals_kept", {"11.R.15-13"},

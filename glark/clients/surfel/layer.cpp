@@ -39,13 +39,13 @@ template <typename Item, typename SlotOf, typename MakeRun>
 void fill_slots(std::span<const std::uint32_t> leaves, const Workers& workers, std::vector<Item>& array,
                 const SlotOf& slot_of, const MakeRun& make_run) {
   std::vector<Piece<Item>> pieces((leaves.size() + leaves_a_piece - 1) / leaves_a_piece);
-  workers.each(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+  workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     make_run(leaves.subspan(begin, end - begin), pieces[begin / leaves_a_piece]);
   });
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     make_room(slot_of(leaves[i]), pieces[i / leaves_a_piece].counts[i % leaves_a_piece], array);
   }
-  workers.each(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+  workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     auto from = pieces[begin / leaves_a_piece].items.begin();
     for (std::size_t i = begin; i < end; ++i) {
       const Slot& slot = slot_of(leaves[i]);
@@ -125,7 +125,7 @@ void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const 
 
 void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
                          const Workers& workers) {
-  workers.each(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+  workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) agree(layer, leaves[i], options);
   });
 }
@@ -175,7 +175,7 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
   layer.planted = layer.tree.leaves.size();
   std::vector<std::uint32_t> leaves(layer.tree.leaves.size());
   std::iota(leaves.begin(), leaves.end(), 0U);
-  workers.each(leaves.size(), 4 * leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+  workers.in_pieces(leaves.size(), 4 * leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t leaf = begin; leaf < end; ++leaf) layer.find_owners(static_cast<std::uint32_t>(leaf));
   });
   make_candidates(layer, leaves, options, workers);

@@ -29,7 +29,7 @@ class Mender {
     number_rifts();
     std::vector<std::vector<StripTriangle>> drawn(rifts_.size());
     constexpr std::size_t rifts_a_piece = 16;
-    workers.each(rifts_.size(), rifts_a_piece, [&](std::size_t begin, std::size_t end) {
+    workers.in_pieces(rifts_.size(), rifts_a_piece, [&](std::size_t begin, std::size_t end) {
       Rift rift(layer_, options_);
       for (std::size_t i = begin; i < end; ++i) {
         close(rift, i);

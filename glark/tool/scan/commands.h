@@ -9,6 +9,7 @@
 namespace glark::tool {
 
 void add_info(CLI::App& app);
+void add_reconstruct(CLI::App& app);
 void add_simplify(CLI::App& app);
 void add_strip(CLI::App& app);
 

@@ -29,6 +29,9 @@ int main(int argc, char** argv) {
 #if GLARK_HAS_VSTREE
   glark::tool::add_simplify(app);
 #endif
+#if GLARK_HAS_RECONSTRUCT
+  glark::tool::add_reconstruct(app);
+#endif
 #if GLARK_HAS_SURFEL
   glark::tool::add_strip(app);
 #endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <glark/reconstruct.h>
+
+#include "glark/clients/reconstruct/refinement.h"
+#include "glark/clients/vstree/samples.h"
+
+namespace glark::vstree {
+namespace {
+
+void check(const ReconstructOptions& options) {
+  check(Options{.threshold = options.threshold, .delta_a = options.delta_a, .delta_d = options.delta_d});
+  const auto within = [](double value, double least, double most, const char* name) {
+    if (value >= least && value <= most) return;
+    throw Error(Element::option, 0,
+                std::string(name) + " is " + std::to_string(value) + "; " + std::to_string(least) + " to " +
+                    std::to_string(most) + " is possible");
+  };
+  within(static_cast<double>(options.error), 0, 1, "error");
+  within(options.levels, 0, 6, "levels");
+  within(static_cast<double>(options.node_samples), 1, 1000, "node_samples");
+  within(options.gap_edges, 0, 1000, "gap_edges");
+  within(static_cast<double>(options.least_part), 0, 1, "least_part");
+}
+
+}  // namespace
+
+Reconstructed reconstruct(const PointSet& given, const ReconstructOptions& options) {
+  const Workers workers(options.threads);
+  check(options);
+  check(given, workers);
+  PointSet points = given;
+  std::vector<float> estimated;
+  if (points.normals.empty()) {
+    estimated = estimate_normals(points, {.threads = options.threads});
+    points.normals = estimated;
+  }
+  Reconstructed result;
+  const Octree octree = sort_samples(points, options, workers);
+  if (octree.records.empty()) return result;
+  const TransitionLayer layer = transition_layer(octree, options, workers);
+  BaseMesh base = base_mesh(contour(layer, octree.finest().level, workers), layer, octree, options, workers);
+  result.base_vertices = static_cast<std::uint32_t>(base.points.size());
+  result.base_triangles = static_cast<std::uint32_t>(base.triangles.size() / 3);
+  result.left_out = base.left_out;
+  result.node_side = octree.finest().side() * octree.cube.side;
+  result.noise = octree.noise * octree.cube.side;
+  RefinedMesh mesh = refine(std::move(base), octree, options, workers);
+  result.levels = mesh.levels;
+  result.triangles = std::move(mesh.triangles);
+  result.positions.resize(3 * mesh.points.size());
+  result.normals.resize(3 * mesh.points.size());
+  workers.each(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Float4 point = octree.cube.low + mesh.points[i] * octree.cube.side;
+      for (int k = 0; k < 3; ++k) {
+        result.positions[3 * i + static_cast<std::size_t>(k)] = point[k];
+        result.normals[3 * i + static_cast<std::size_t>(k)] = mesh.normals[i][k];
+      }
+    }
+  });
+  return result;
+}
+
+}  // namespace glark::vstree

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/reconstruct/refinement.h"
+
+#include <cmath>
+
+#include "glark/clients/reconstruct/half_edges.h"
+
+namespace glark::vstree {
+namespace {
+
+constexpr std::size_t grain = 1024;
+constexpr float edges_to_noise = 6;  // shorter ones are not divided
+
+class Refinement {
+ public:
+  Refinement(const Octree& octree, const Workers& workers, BaseMesh& base)
+      : octree_(octree), surface_(octree), workers_(workers), side_(octree.finest().side()) {
+    mesh_.points = std::move(base.points);
+    mesh_.normals = std::move(base.normals);
+    mesh_.opposite = opposite_of(base.triangles, mesh_.points.size());
+    mesh_.triangles = std::move(base.triangles);
+  }
+
+  RefinedMesh run(const ReconstructOptions& options) {
+    for (float edge = side_; mesh_.levels < options.levels && edge > edges_to_noise * octree_.noise; edge /= 2) {
+      const double error = divide();
+      ++mesh_.levels;
+      if (error <= static_cast<double>(options.error * octree_.cube.diagonal)) break;
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  static constexpr float radius = 0.7F;  // of the samples looked at, by the side of the finest nodes
+
+  void move_to_surface(std::size_t i, float reach) {
+    const LocalEstimate estimate = surface_.near(mesh_.points[i], mesh_.normals[i], reach);
+    if (!estimate.found) return;
+    mesh_.points[i] = estimate.point;
+    mesh_.normals[i] = estimate.normal;
+    mesh_.normals[i][3] = 1;
+  }
+
+  // The middle of the curve that PN triangles have over an edge.
+  // Source: A. Vlachos et al., Curved PN Triangles, 2001.
+  void insert(std::uint32_t corner, std::uint32_t vertex) {
+    const std::uint32_t a = mesh_.triangles[corner], b = mesh_.triangles[next_corner(corner)];
+    const Float4 along = mesh_.points[b] - mesh_.points[a];
+    const Float4 na = without_fourth(mesh_.normals[a]), nb = without_fourth(mesh_.normals[b]);
+    const Float4 bulge = (nb * dot(along, nb) - na * dot(along, na)) * 0.125F;
+    mesh_.points[vertex] = (mesh_.points[a] + mesh_.points[b]) * 0.5F + bulge;
+    mesh_.normals[vertex] = unit(na + nb);
+    move_to_surface(vertex, radius * side_);
+  }
+
+  // Returns how far the mesh is from the surface now, about: the root of the mean square.
+  double divide() {
+    const auto corners = static_cast<std::uint32_t>(mesh_.triangles.size());
+    std::vector<std::uint32_t> middle(corners), edges;
+    auto vertices = static_cast<std::uint32_t>(mesh_.points.size());
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      if (mesh_.opposite[i] < i) {
+        middle[i] = middle[mesh_.opposite[i]];
+      } else {
+        middle[i] = vertices++;
+        edges.push_back(i);
+      }
+    }
+    mesh_.points.resize(vertices);
+    mesh_.normals.resize(vertices);
+    const std::uint32_t first = vertices - static_cast<std::uint32_t>(edges.size());
+    workers_.each(edges.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) insert(edges[i], first + static_cast<std::uint32_t>(i));
+    });
+    double squares = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const Float4 middle_of_edge =
+          (mesh_.points[mesh_.triangles[edges[i]]] + mesh_.points[mesh_.triangles[next_corner(edges[i])]]) * 0.5F;
+      const Float4 d = mesh_.points[first + i] - middle_of_edge;
+      squares += static_cast<double>(dot(d, d));
+    }
+    std::vector<std::uint32_t> triangles(4 * std::size_t{corners}), opposite(4 * std::size_t{corners});
+    workers_.each(corners / 3, grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) children_of(static_cast<std::uint32_t>(t), middle, triangles, opposite);
+    });
+    mesh_.triangles = std::move(triangles);
+    mesh_.opposite = std::move(opposite);
+    // The distance falls to a quarter where edges are halved.
+    return edges.empty() ? 0 : std::sqrt(squares / static_cast<double>(edges.size())) / 4;
+  }
+
+  // Child i keeps corner i; the last child is the one in the middle. Its half-edge i runs from the middle of edge i.
+  void children_of(std::uint32_t t, const std::vector<std::uint32_t>& middle, std::vector<std::uint32_t>& triangles,
+                   std::vector<std::uint32_t>& opposite) const {
+    const std::uint32_t* const corner = &mesh_.triangles[3 * std::size_t{t}];
+    const std::uint32_t* const m = &middle[3 * std::size_t{t}];
+    std::uint32_t* const out = &triangles[12 * std::size_t{t}];
+    std::uint32_t* const against = &opposite[12 * std::size_t{t}];
+    const auto half = [](std::uint32_t triangle, std::uint32_t child, std::uint32_t edge) {
+      return 3 * (4 * triangle + child) + edge;
+    };
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t j = (i + 1) % 3, k = (i + 2) % 3;
+      out[3 * i + i] = corner[i];
+      out[3 * i + j] = m[i];
+      out[3 * i + k] = m[k];
+      out[9 + i] = m[i];
+      const std::uint32_t other = mesh_.opposite[3 * t + i];
+      // The first half of an edge is edge i of child i, the second of the child after.
+      against[3 * i + i] = other == none ? none : half(other / 3, (other % 3 + 1) % 3, other % 3);
+      against[3 * j + i] = other == none ? none : half(other / 3, other % 3, other % 3);
+      against[3 * i + j] = half(t, 3, k);  // from the middle of edge i to that of the edge before
+      against[9 + k] = half(t, i, j);
+    }
+  }
+
+  const Octree& octree_;
+  LocalSurface surface_;
+  const Workers& workers_;
+  const float side_;
+  RefinedMesh mesh_;
+};
+
+}  // namespace
+
+RefinedMesh refine(BaseMesh base, const Octree& octree, const ReconstructOptions& options, const Workers& workers) {
+  return Refinement(octree, workers, base).run(options);
+}
+
+}  // namespace glark::vstree

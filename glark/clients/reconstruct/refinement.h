@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The coarse mesh divided and moved to the samples.
+#pragma once
+
+#include "glark/clients/reconstruct/base_mesh.h"
+#include "glark/clients/reconstruct/local_surface.h"
+
+namespace glark::vstree {
+
+struct RefinedMesh {
+  std::vector<Float4> points;
+  std::vector<Float4> normals;  // the fourth is 1 where samples were near
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t>
+      opposite;  // [triangles * 3]: of the half-edge from that corner to the next; none at the border
+  unsigned levels = 0;
+};
+
+RefinedMesh refine(BaseMesh base, const Octree& octree, const ReconstructOptions& options, const Workers& workers);
+
+}  // namespace glark::vstree

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Surfaces that are known.
+#include <gtest/gtest.h>
+
+#include "tests/reconstruct/meshes.h"
+
+namespace glark::vstree::test {
+namespace {
+
+constexpr double pi = 3.14159265;
+
+void append(Shape& shape, const Shape& other, float scale, float x) {
+  for (std::size_t i = 0; i < other.positions.size(); ++i)
+    shape.positions.push_back(scale * other.positions[i] + (i % 3 == 0 ? x : 0));
+  shape.normals.insert(shape.normals.end(), other.normals.begin(), other.normals.end());
+}
+
+float off_sphere(float x, float y, float z) { return std::hypot(x, y, z) - 1; }
+
+TEST(Reconstruct, ASphereIsClosedAndRound) {
+  const Shape shape = sphere(20000);
+  const Reconstructed mesh = reconstruct(shape.points());
+  expect_closed(mesh, 1, 2);
+  EXPECT_LT(greatest(mesh, off_sphere), 0.002);
+  EXPECT_NEAR(volume(mesh), 4 * pi / 3, 0.01);
+  EXPECT_EQ(mesh.levels, 2U);
+}
+
+TEST(Reconstruct, ATorusHasOneHandle) {
+  const Shape shape = torus(150);
+  const Reconstructed mesh = reconstruct(shape.points());
+  expect_closed(mesh, 1, 0);
+  EXPECT_GT(volume(mesh), 0);
+}
+
+TEST(Reconstruct, SpheresBesideAndWithinEachOtherStayApart) {
+  const Shape one = sphere(20000);
+  Shape shape;
+  append(shape, one, 1, 0);
+  append(shape, one, 0.5F, 2);
+  append(shape, one, 0.8F, 0);
+  expect_closed(reconstruct(shape.points()), 3, 6);
+}
+
+TEST(Reconstruct, SmallPartsAreLeftOut) {
+  Shape shape;
+  append(shape, sphere(20000), 1, 0);
+  append(shape, sphere(200), 0.08F, 2);
+  const Reconstructed mesh = reconstruct(shape.points());
+  expect_closed(mesh, 1, 2);
+  EXPECT_EQ(mesh.left_out, 1U);
+  EXPECT_EQ(topology_of(reconstruct(shape.points(), {.least_part = 0})).parts, 2U);
+}
+
+// Two sides of a disc, so near to each other that cells have both.
+TEST(Reconstruct, AThinPlateHasTwoSides) {
+  Shape shape;
+  for (int i = 0; i < 200; ++i) {
+    for (int k = 0; k < 200; ++k) {
+      const float x = static_cast<float>(i) * 0.01F - 1, y = static_cast<float>(k) * 0.01F - 1;
+      for (const float side : {-1.0F, 1.0F}) {
+        shape.positions.insert(shape.positions.end(), {x, y, side * 0.03F});
+        shape.normals.insert(shape.normals.end(), {0, 0, side});
+      }
+    }
+  }
+  const Reconstructed mesh = reconstruct(shape.points());
+  expect_manifold(mesh);
+  EXPECT_LT(mesh.node_side, 0.06F);
+  const double off = greatest(mesh, [](float x, float y, float z) {
+    return std::max(std::abs(x), std::abs(y)) > 0.9F ? 0 : std::abs(z) - 0.03F;
+  });
+  EXPECT_LT(off, 1e-4);
+}
+
+TEST(Reconstruct, NoiseIsTakenAway) {
+  const Shape shape = sphere(100000, 0.01F);
+  const Reconstructed mesh = reconstruct(shape.points());
+  expect_closed(mesh, 1, 2);
+  EXPECT_GT(mesh.noise, 0.003F);
+  EXPECT_LT(greatest(mesh, off_sphere), 0.008);
+}
+
+// As scans are that do not fit: each a little larger than the one before.
+TEST(Reconstruct, LayersBecomeOneSurface) {
+  Shape shape;
+  const Shape one = sphere(20000);
+  for (int i = 0; i < 5; ++i) append(shape, one, 1 + 0.004F * static_cast<float>(i - 2), 0);
+  const Reconstructed mesh = reconstruct(shape.points());
+  expect_closed(mesh, 1, 2);
+  EXPECT_LT(greatest(mesh, off_sphere), 0.01);
+}
+
+TEST(Reconstruct, WhatIsOpenStaysOpen) {
+  const Shape whole = sphere(40000);
+  Shape half;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.positions[3 * i + 2] < 0) continue;
+    half.positions.insert(half.positions.end(), &whole.positions[3 * i], &whole.positions[3 * i] + 3);
+    half.normals.insert(half.normals.end(), &whole.normals[3 * i], &whole.normals[3 * i] + 3);
+  }
+  const Reconstructed mesh = reconstruct(half.points());
+  expect_manifold(mesh);
+  const Topology topology = topology_of(mesh);
+  EXPECT_EQ(topology.parts, 1U);
+  EXPECT_EQ(topology.euler, 1);  // a disc
+  EXPECT_GT(topology.boundary, 50U);
+  const auto below = [&](float, float, float z) { return std::min(z, 0.0F); };
+  EXPECT_LT(greatest(mesh, below), 2 * static_cast<double>(mesh.node_side));
+}
+
+TEST(Reconstruct, GapsCloseAsFarAsToldTo) {
+  const Shape whole = sphere(40000);
+  Shape holed;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.positions[3 * i + 2] > 0.99F) continue;  // a hole of radius 0.14
+    holed.positions.insert(holed.positions.end(), &whole.positions[3 * i], &whole.positions[3 * i] + 3);
+    holed.normals.insert(holed.normals.end(), &whole.normals[3 * i], &whole.normals[3 * i] + 3);
+  }
+  EXPECT_GT(topology_of(reconstruct(holed.points(), {.gap_edges = 0})).boundary, 0U);
+  expect_closed(reconstruct(holed.points(), {.gap_edges = 200}), 1, 2);
+}
+
+TEST(Reconstruct, SparseAndDenseSamplesMakeOneSurface) {
+  const Shape whole = sphere(60000);
+  Shape uneven;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.positions[3 * i] < 0 && i % 6 != 0) continue;
+    uneven.positions.insert(uneven.positions.end(), &whole.positions[3 * i], &whole.positions[3 * i] + 3);
+    uneven.normals.insert(uneven.normals.end(), &whole.normals[3 * i], &whole.normals[3 * i] + 3);
+  }
+  expect_closed(reconstruct(uneven.points()), 1, 2);
+}
+
+TEST(Reconstruct, DependsOnNeitherThreadsNorScale) {
+  const Shape shape = torus(120);
+  const Reconstructed one = reconstruct(shape.points(), {.threads = 1});
+  const Reconstructed several = reconstruct(shape.points(), {.threads = 4});
+  EXPECT_EQ(one.positions, several.positions);
+  EXPECT_EQ(one.normals, several.normals);
+  EXPECT_EQ(one.triangles, several.triangles);
+  for (const float scale : {1.0F / 1024, 4096.0F}) {
+    Shape other = shape;
+    for (float& number : other.positions) number *= scale;
+    const Reconstructed mesh = reconstruct(other.points());
+    EXPECT_EQ(mesh.triangles, one.triangles) << scale;
+    ASSERT_EQ(mesh.positions.size(), one.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+      ASSERT_NEAR(mesh.positions[i] / scale, one.positions[i], 1e-5) << scale;
+  }
+}
+
+TEST(Reconstruct, ThresholdsSmoothAndErrorsEndTheRefinement) {
+  const Shape shape = torus(150, 0.002F);
+  const Reconstructed fine = reconstruct(shape.points());
+  const Reconstructed smooth = reconstruct(shape.points(), {.threshold = 0.005F});
+  EXPECT_LT(4 * smooth.base_vertices, fine.base_vertices);
+  expect_closed(smooth, 1, 0);
+  EXPECT_EQ(reconstruct(shape.points(), {.levels = 0}).levels, 0U);
+  EXPECT_EQ(reconstruct(shape.points(), {.levels = 4}).levels, 4U);
+  EXPECT_LT(reconstruct(shape.points(), {.error = 1e-3F, .levels = 4}).levels, 4U);
+}
+
+}  // namespace
+}  // namespace glark::vstree::test
