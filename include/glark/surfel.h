@@ -56,12 +56,14 @@ struct Cloud {
 };
 
 struct Options {
-  unsigned leaf_points = 40;  // at most in a leaf of the stripping tree, 8 to 128
+  // At most in a leaf of the stripping tree, 8 to 1024. The thesis has 20 to 40; with more, fewer points are in several leaves, and strips
+  // are longer: they are made faster and have fewer indices, but are culled less finely.
+  unsigned leaf_points = 128;
   // The height-field indicator of chapter 3.2.2, by which leaves are split: the least cosine between a point's normal and the leaf's,
   // and the greatest distance of a point from the leaf's plane, in radii of the leaf.
   float delta_a = 0.0F;
   float delta_d = 1.0F / 3;
-  float inflation = 2.5F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
+  float inflation = 1.75F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
   // The longest edge of a triangle, in the distance to neighbours of that of its points whose distance is neither least nor greatest; 1 to
   // 100. Isolated points have no triangles.
   float reach = 5.0F;

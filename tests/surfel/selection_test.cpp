@@ -86,7 +86,7 @@ TEST(Selection, LeavesOutHalfOfASphere) {
 }
 
 TEST(Selection, LeavesOutWhatIsBesideTheView) {
-  const Strips strips(sphere(50000).cloud());
+  const Strips strips(sphere(50000).cloud(), {.leaf_points = 40});
   Frame frame;
   View view{.clip_from_object = perspective(0, 0, 1.2F, 0.2F), .width = 500, .height = 500};
   strips.select(view, frame);

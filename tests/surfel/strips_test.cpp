@@ -129,11 +129,12 @@ TEST(Strips, TrianglesFaceWhereNormalsPoint) {
   }
 }
 
-TEST(Strips, LeavesHaveTwentyToFortyPoints) {
-  const Strips strips(sphere(10000).cloud());
-  const std::size_t leaves = strips.counts().strips;
-  EXPECT_GE(leaves, 10000U / 40);
-  EXPECT_LE(leaves, 10000U / 20);
+TEST(Strips, LeavesAreAtLeastHalfFull) {
+  for (const unsigned most : {40U, 128U, 256U}) {
+    const std::size_t leaves = Strips(sphere(10000).cloud(), {.leaf_points = most}).counts().strips;
+    EXPECT_GE(leaves, 10000U / most);
+    EXPECT_LE(leaves, 2 * 10000U / most);
+  }
 }
 
 TEST(Strips, CountsAreThoseOfTheStrips) {

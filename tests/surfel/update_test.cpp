@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -156,6 +158,29 @@ TEST(Update, PointsThatJumpAboutNeitherCrashNorPileUp) {
     for (const std::uint32_t point : strips.indices()) ASSERT_LT(point, points.size());
   }
   EXPECT_LT(strips.indices().size(), 100000U);
+}
+
+// What wanders about leaves leaves behind.
+TEST(Update, ATreeDoesNotGrowForEver) {
+  Points points = sphere(4000);
+  const Points rest = points;
+  Strips strips(points.cloud());
+  std::vector<std::uint32_t> moved(2000);
+  std::iota(moved.begin(), moved.end(), 0U);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> any(-9, 9);
+  for (int round = 0; round < 200; ++round) {
+    const std::array<float, 3> by = {any(random), any(random), 4};
+    const float size = 0.5F + std::fabs(by[0]);
+    for (const std::uint32_t i : moved) {
+      for (std::size_t k = 0; k < 3; ++k) points.positions[3 * i + k] = size * rest.positions[3 * i + k] + by[k];
+    }
+    strips.update(points.cloud(), moved);
+    ASSERT_LT(strips.nodes().size(), 1000U) << round;
+  }
+  const Edges edges = count_edges(strips);
+  EXPECT_LT(edges.single, 200U) << "the rims of the halves";
+  EXPECT_LT(edges.other, 20U);
 }
 
 TEST(Update, TheSameForAnyNumberOfThreads) {

@@ -62,7 +62,7 @@ void bound(const Layer& layer, std::span<const StripTriangle> triangles, Patch& 
   thread_local std::vector<Vector> normals;
   normals.clear();
   for (const auto& [a, b, c] : triangles) {
-    const Vector p = layer.surfel(a).position, q = layer.surfel(b).position, r = layer.surfel(c).position;
+    const Vector p = layer.positions[a], q = layer.positions[b], r = layer.positions[c];
     patch.box.add(p);
     patch.box.add(q);
     patch.box.add(r);

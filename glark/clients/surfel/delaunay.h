@@ -32,8 +32,8 @@ class Delaunay {
   static std::uint32_t triangle_of(std::uint32_t link) { return link >> 2; }
   static std::uint32_t side_of(std::uint32_t link) { return link & 3; }
 
-  // Of points at one place, the first has triangles.
-  void triangulate(std::span<const Point> points);
+  // Of points at one place, one has triangles: one of the first `preferred`, if there is one of these.
+  void triangulate(std::span<const Point> points, std::size_t preferred = 0);
 
   // Those of corners beyond the number of points reach to the three points far away that enclose all.
   std::span<const Triangle> triangles() const { return triangles_; }
@@ -54,6 +54,7 @@ class Delaunay {
 
  private:
   std::uint32_t locate(Place point) const;
+  void insert_some(std::uint32_t begin, std::uint32_t end);
   void insert(std::uint32_t index);
   void legalise(std::uint32_t triangle, bool forced);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "glark/clients/surfel/bounds.h"
@@ -14,7 +15,7 @@
 namespace glark::surfel {
 namespace {
 
-constexpr std::size_t leaves_a_piece = 64;
+constexpr std::size_t leaves_a_piece = 16;
 
 // What a worker makes of a run of leaves, one after the other.
 template <typename Item>
@@ -54,6 +55,30 @@ void fill_slots(std::span<const std::uint32_t> leaves, const Workers& workers, s
   });
 }
 
+// The same for a triangle whichever of its corners is the first.
+std::uint64_t fingerprint(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  while (a > b || a > c) std::tie(a, b, c) = std::tuple(b, c, a);
+  std::uint64_t mixed = (std::uint64_t{a} << 32 | b) * 0x9E3779B97F4A7C15U + c;
+  mixed = (mixed ^ mixed >> 31) * 0xBF58476D1CE4E5B9U;
+  return mixed ^ mixed >> 29;
+}
+
+// Whether a strip has just these triangles.
+bool draws(std::span<const std::uint32_t> strip, std::span<const StripTriangle> triangles, const Layer& layer) {
+  if (strip.size() < triangles.size() + 2) return strip.empty() && triangles.empty();
+  std::uint64_t sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
+    const std::uint32_t a = strip[i], b = strip[i + 1], c = strip[i + 2];
+    if (a == b || b == c || c == a) continue;
+    sum += i % 2 == 0 ? fingerprint(a, b, c) : fingerprint(b, a, c);
+    ++count;
+  }
+  if (count != triangles.size()) return false;
+  for (const auto& [a, b, c] : triangles) sum -= fingerprint(layer.name(a), layer.name(b), layer.name(c));
+  return sum == 0;
+}
+
 // Of a few points, the one nearest to their mean, whose number is kept; of many, those of either half.
 void keep_middles(std::span<Surfel> surfels, std::vector<Surfel>& kept) {
   constexpr std::size_t few = 5;
@@ -91,6 +116,7 @@ void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const 
           piece.counts.push_back(static_cast<std::uint32_t>(patcher.candidates.size()));
           layer.patches[leaf].outer = patcher.outer;
           layer.patches[leaf].shared = patcher.shared;
+          layer.patches[leaf].moved = true;
           std::span<Surfel> surfels = layer.tree.used(layer.tree.leaves[leaf]);
           for (std::size_t i = 0; i < surfels.size(); ++i) surfels[i].spacing = patcher.spacings[i];
         }
@@ -106,22 +132,32 @@ void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, co
 
 void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers,
                  std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
+  std::vector<std::uint8_t> kept(leaves.size(), 0);
   fill_slots(
       leaves, workers, indices, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].strip; },
       [&](std::span<const std::uint32_t> run, Piece<std::uint32_t>& piece) {
         std::vector<StripTriangle> triangles;
         Stripper stripper;
-        for (const std::uint32_t leaf : run) {
-          decimate(layer, leaf, layer.patches[leaf], triangles);
-          bound(layer, triangles, layer.patches[leaf]);
-          const auto strip = stripper.strip(triangles);
-          for (const std::uint32_t point : strip) piece.items.push_back(layer.name(point));
+        for (const std::uint32_t& leaf : run) {
+          Patch& patch = layer.patches[leaf];
+          decimate(layer, leaf, patch, triangles);
+          std::span<const std::uint32_t> strip = std::span(indices).subspan(patch.strip.first, patch.strip.count);
+          const bool same = draws(strip, triangles, layer);
+          if (!same || patch.moved) bound(layer, triangles, patch);
+          patch.moved = false;
+          kept[static_cast<std::size_t>(&leaf - leaves.data())] = same ? 1 : 0;
+          if (same) {
+            piece.items.insert(piece.items.end(), strip.begin(), strip.end());
+          } else {
+            strip = stripper.strip(triangles);
+            for (const std::uint32_t point : strip) piece.items.push_back(layer.name(point));
+          }
           piece.counts.push_back(static_cast<std::uint32_t>(strip.size()));
         }
       });
-  for (const std::uint32_t leaf : leaves) {
-    const Slot& slot = layer.patches[leaf].strip;
-    if (slot.count > 0) changed.push_back({slot.first, slot.count});
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const Slot& slot = layer.patches[leaves[i]].strip;
+    if (slot.count > 0 && kept[i] == 0) changed.push_back({slot.first, slot.count});
   }
 }
 
@@ -133,8 +169,10 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
   layer.tree = build_tree(std::move(surfels), options.tree, workers);
   layer.owner.resize(count);
   layer.place.resize(count);
+  layer.positions.resize(count);
   layer.rift_of.resize(count, none);
   layer.patches.resize(layer.tree.leaves.size());
+  layer.planted = layer.tree.leaves.size();
   std::vector<std::uint32_t> leaves(layer.tree.leaves.size());
   std::iota(leaves.begin(), leaves.end(), 0U);
   workers.in_pieces(leaves.size(), 4 * leaves_a_piece, [&](std::size_t begin, std::size_t end) {

@@ -32,6 +32,7 @@ struct Patch {
   Box box;                             // of what is drawn
   Vector cone_axis;
   float cone_cosine = -2;  // 2: nothing is drawn
+  bool moved = true;       // since box and cone were found
 };
 
 struct Layer {
@@ -41,9 +42,11 @@ struct Layer {
   std::vector<Node> nodes;           // of the tree's nodes, in the caller's units
   std::vector<std::uint32_t> owner;  // of points: their leaf
   std::vector<std::uint32_t> place;  // of points: where in tree.surfels
+  std::vector<Vector> positions;     // of points
   std::vector<std::uint32_t>
       names;  // of points: their number in the cloud; empty: they are all the points of the cloud
 
+  std::size_t planted = 0;  // leaves, when the tree was built
   // Places of disagreement, by their lowest point: the points that have triangles there; and that lowest point for each of these.
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> rifts;
   std::vector<std::uint32_t> rift_of;  // of points; `none` for most
@@ -58,6 +61,7 @@ struct Layer {
     for (std::uint32_t i = slot.first; i < slot.first + slot.count; ++i) {
       owner[tree.surfels[i].index] = leaf;
       place[tree.surfels[i].index] = i;
+      positions[tree.surfels[i].index] = tree.surfels[i].position;
     }
   }
 };

@@ -38,17 +38,18 @@ class Mover {
   // Takes the points to their new leaves. Afterwards `leaves` are those whose triangulations may differ.
   void run() {
     for (const Surfel& surfel : moved_) {
-      if (surfel.index < layer_.owner.size()) touched_.add(layer_.owner[surfel.index]);
+      if (surfel.index < layer_.owner.size()) touch(layer_.owner[surfel.index], layer_.surfel(surfel.index).position);
     }
     add_neighbours();
     take_out();
     for (std::size_t i = 0; i < moved_.size(); ++i) arrivals_.emplace_back(host_of(moved_[i]), i);
-    for (const auto& [leaf, i] : arrivals_) touched_.add(leaf);
+    for (const auto& [leaf, i] : arrivals_) touch(leaf, moved_[i].position);
     add_neighbours();
     std::stable_sort(arrivals_.begin(), arrivals_.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     layer_.owner.resize(std::max<std::size_t>(layer_.owner.size(), moved_.empty() ? 0 : moved_.back().index + 1UL));
     layer_.place.resize(layer_.owner.size());
+    layer_.positions.resize(layer_.owner.size());
     layer_.rift_of.resize(layer_.owner.size(), none);
     const std::size_t old_leaves = tree_.leaves.size();
     for (const std::uint32_t leaf : touched_.list()) replant(leaf);
@@ -63,11 +64,23 @@ class Mover {
   Marked leaves;
 
  private:
+  void touch(std::uint32_t leaf, Vector place) {
+    touched_.add(leaf);
+    if (leaf >= places_.size()) places_.resize(leaf + 1);
+    places_[leaf].add(place);
+  }
+
+  // Those that take in points which moved, or did so.
   void add_neighbours() {
     for (const std::uint32_t leaf : touched_.list()) {
       leaves.add(leaf);
       Patcher::neighbours(tree_, leaf, found_);
-      for (const std::uint32_t neighbour : found_) leaves.add(neighbour);
+      for (const std::uint32_t neighbour : found_) {
+        const float band = std::max(tree_.leaves[leaf].band, tree_.leaves[neighbour].band);
+        const Box& box = tree_.nodes[tree_.leaves[neighbour].node].box;
+        const bool is_new = leaf >= places_.size() || places_[leaf].empty();
+        if (is_new || squared_distance(box, places_[leaf]) <= band * band) leaves.add(neighbour);
+      }
     }
   }
 
@@ -161,6 +174,7 @@ class Mover {
   std::span<const Surfel> moved_;
   const LayerOptions& options_;
   Marked touched_;
+  std::vector<Box> places_;  // of leaves, where points have moved from and to
   std::vector<std::uint32_t> found_;
   std::vector<std::uint32_t> number_of_;                         // of leaves, among the first that were touched
   std::vector<bool> stays_;                                      // of these
@@ -213,6 +227,18 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
   }
   std::sort(nodes.list().begin(), nodes.list().end(), std::greater<>());
   for (const std::uint32_t node : nodes.list()) describe(layer, node, options);
+}
+
+bool overgrown(const Layer& layer, const LayerOptions& options) {
+  const std::size_t full = layer.owner.size() / options.tree.leaf_points;
+  constexpr std::size_t few = 64;
+  return layer.tree.leaves.size() > 2 * layer.planted + 4 * full + few;
+}
+
+void rebuild(Layer& layer, const LayerOptions& options, const Workers& workers, std::vector<std::uint32_t>& indices) {
+  std::vector<Surfel> surfels(layer.owner.size());
+  for (std::uint32_t point = 0; point < surfels.size(); ++point) surfels[point] = layer.surfel(point);
+  layer = build_layer(std::move(surfels), std::move(layer.names), options, workers, indices);
 }
 
 void tidy(Layer& layer) {

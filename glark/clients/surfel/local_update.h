@@ -17,6 +17,12 @@ namespace glark::surfel {
 void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOptions& options, const Workers& workers,
                   std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
 
+// Whether most leaves are what points that moved on have left over.
+bool overgrown(const Layer& layer, const LayerOptions& options);
+
+// The same points in a new tree.
+void rebuild(Layer& layer, const LayerOptions& options, const Workers& workers, std::vector<std::uint32_t>& indices);
+
 // Moves the layer's arrays together where most of them is left over.
 void tidy(Layer& layer);
 

@@ -275,7 +275,7 @@ void Patcher::measure_spacings() {
 void Patcher::make(std::uint32_t number) {
   inflate(number);
   project(tree_.leaves[number]);
-  delaunay_.triangulate(points_);
+  delaunay_.triangulate(points_, own_);
   relax();
   measure_spacings();
   collect();

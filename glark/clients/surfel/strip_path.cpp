@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace glark::surfel {
 namespace {
@@ -26,15 +27,16 @@ std::uint32_t corner_of(const StripTriangle& triangle, std::uint32_t point) {
 void Stripper::find_neighbours() {
   neighbours_.assign(triangles_.size(), {no_triangle, no_triangle, no_triangle});
   std::size_t size = 64;
-  while (size < 6 * triangles_.size()) size *= 2;
+  while (size < 4 * triangles_.size()) size *= 2;
   table_.assign(size, no_triangle);
   const auto mask = static_cast<std::uint32_t>(size - 1);
   const auto count = static_cast<std::uint32_t>(triangles_.size());
   for (std::uint32_t t = 0; t < count; ++t) {
     for (std::uint32_t side = 0; side < 3; ++side) {
       const std::uint32_t from = triangles_[t][(side + 1) % 3], to = triangles_[t][(side + 2) % 3];
-      for (std::uint32_t at = hash(to, from) & mask; table_[at] != no_triangle; at = (at + 1) & mask) {
-        const std::uint32_t other = table_[at] / 3, other_side = table_[at] % 3;
+      std::uint32_t at = hash(std::min(from, to), std::max(from, to)) & mask;
+      for (; table_[at] != no_triangle; at = (at + 1) & mask) {
+        const std::uint32_t other = table_[at] / 4, other_side = table_[at] % 4;
         const StripTriangle& corners = triangles_[other];
         if (corners[(other_side + 1) % 3] != to || corners[(other_side + 2) % 3] != from) continue;
         if (neighbours_[other][other_side] != no_triangle) continue;
@@ -42,9 +44,7 @@ void Stripper::find_neighbours() {
         neighbours_[t][side] = other;
         break;
       }
-      std::uint32_t at = hash(from, to) & mask;
-      while (table_[at] != no_triangle) at = (at + 1) & mask;
-      table_[at] = 3 * t + side;
+      if (table_[at] == no_triangle) table_[at] = 4 * t + side;
     }
   }
 }
@@ -52,12 +52,12 @@ void Stripper::find_neighbours() {
 // At triangles with few neighbours: they are hard to come by later.
 void Stripper::find_starts() {
   starts_.clear();
-  used_.assign(triangles_.size(), 0);
+  forget_uses();
   for (int degree = 0; degree <= 3 && starts_.size() < most_starts; ++degree) {
     const std::size_t stride = 1 + triangles_.size() / 16;
     for (std::size_t i = 0; i < triangles_.size() && starts_.size() < most_starts; ++i) {
       const auto t = static_cast<std::uint32_t>(i * stride % triangles_.size());
-      if (free_neighbours(t) != degree) continue;
+      if (free_[t] != degree) continue;
       std::uint32_t first = 0;
       while (first < 2 && neighbours_[t][first] == no_triangle) ++first;
       starts_.push_back({t, first, 0});
@@ -66,15 +66,20 @@ void Stripper::find_starts() {
   }
 }
 
-int Stripper::free_neighbours(std::uint32_t triangle) const {
-  int count = 0;
-  for (const std::uint32_t neighbour : neighbours_[triangle])
-    count += neighbour != no_triangle && used_[neighbour] == 0;
-  return count;
+void Stripper::forget_uses() {
+  used_.assign(triangles_.size(), 0);
+  free_.resize(triangles_.size());
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    free_[t] = static_cast<std::uint8_t>(std::count_if(neighbours_[t].begin(), neighbours_[t].end(),
+                                                       [](std::uint32_t other) { return other != no_triangle; }));
+  }
 }
 
 void Stripper::enter(std::uint32_t triangle) {
   used_[triangle] = 1;
+  for (const std::uint32_t neighbour : neighbours_[triangle]) {
+    if (neighbour != no_triangle) --free_[neighbour];
+  }
   at_ = triangle;
   --left_;
 }
@@ -91,8 +96,7 @@ bool Stripper::step(int patience) {
   const std::uint32_t w = strip_[size - 3], x = strip_[size - 2], y = strip_[size - 1];
   const std::uint32_t ahead = beyond(w), turn = beyond(x);
   if (ahead == no_triangle && turn == no_triangle) return false;
-  const bool straight =
-      turn == no_triangle || (ahead != no_triangle && free_neighbours(ahead) <= free_neighbours(turn) + patience);
+  const bool straight = turn == no_triangle || (ahead != no_triangle && free_[ahead] <= free_[turn] + patience);
   if (!straight) {
     strip_[size - 1] = w;
     strip_.push_back(y);
@@ -112,13 +116,14 @@ void Stripper::begin_run() {
   const std::uint32_t last = strip_.back();
   std::uint32_t best = no_triangle;
   int best_rank = std::numeric_limits<int>::max();
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    if (used_[t] != 0) continue;
+  std::erase_if(unused_, [&](std::uint32_t t) { return used_[t] != 0; });
+  for (const std::uint32_t t : unused_) {
     const bool touches = triangles_[t][0] == last || triangles_[t][1] == last || triangles_[t][2] == last;
-    const int rank = free_neighbours(t) + (touches ? 0 : 4);
+    const int rank = free_[t] + (touches ? 0 : 4);
     if (rank >= best_rank) continue;
     best_rank = rank;
     best = t;
+    if (rank == 0) break;
   }
   const StripTriangle& triangle = triangles_[best];
   std::uint32_t first = corner_of(triangle, last);
@@ -137,8 +142,10 @@ void Stripper::begin_run() {
 }
 
 void Stripper::cover(const Start& start) {
-  used_.assign(triangles_.size(), 0);
+  forget_uses();
   left_ = triangles_.size();
+  unused_.resize(left_);
+  std::iota(unused_.begin(), unused_.end(), 0U);
   const StripTriangle& triangle = triangles_[start.triangle];
   strip_.clear();
   for (std::uint32_t k = 0; k < 3; ++k) strip_.push_back(triangle[(start.first + k) % 3]);

@@ -35,7 +35,7 @@ class Stripper {
   bool step(int patience);
   void begin_run();
   void enter(std::uint32_t triangle);
-  int free_neighbours(std::uint32_t triangle) const;
+  void forget_uses();
   std::uint32_t beyond(std::uint32_t corner_point) const;
 
   std::span<const StripTriangle> triangles_;
@@ -43,6 +43,8 @@ class Stripper {
   std::vector<std::uint32_t> table_;                      // of half-edges, by their ends
   std::vector<Start> starts_;
   std::vector<std::uint8_t> used_;
+  std::vector<std::uint8_t> free_;     // how many neighbours are not used
+  std::vector<std::uint32_t> unused_;  // triangles, some of which have been used since
   std::vector<std::uint32_t> strip_;
   std::vector<std::uint32_t> best_;
   std::uint32_t at_ = 0;

@@ -53,7 +53,8 @@ class Gardener {
     if (end - begin <= options_.leaf_points || box.low == box.high) {
       return grow_leaves(branch, begin, end, band_of(box, end - begin));
     }
-    const std::size_t middle = halve(begin, end, box);
+    const std::size_t leaves = (end - begin + options_.leaf_points - 1) / options_.leaf_points;
+    const std::size_t middle = split(begin, end, box, begin + (end - begin) * (leaves / 2) / leaves);
     return join(
         branch, end - begin, [&](Branch& to) { return grow(to, begin, middle); },
         [&](Branch& to) { return grow(to, middle, end); });
@@ -92,11 +93,10 @@ class Gardener {
     return options_.inflation * std::max(std::sqrt(sizes[2] * sizes[1] / points), sizes[2] / points);
   }
 
-  // About the median of the widest axis. Points of equal coordinates, and so those at one place, stay together.
-  std::size_t halve(std::size_t begin, std::size_t end, const Box& box) const {
+  // About there along the widest axis. Points of equal coordinates, and so those at one place, stay together.
+  std::size_t split(std::size_t begin, std::size_t end, const Box& box, std::size_t middle) const {
     const std::size_t axis = box.widest_axis();
     const auto at = [&](std::size_t i) { return surfels_.begin() + static_cast<std::ptrdiff_t>(i); };
-    const std::size_t middle = begin + (end - begin) / 2;
     std::nth_element(at(begin), at(middle), at(end), [axis](const Surfel& a, const Surfel& b) {
       return std::pair(a.position[axis], a.index) < std::pair(b.position[axis], b.index);
     });
@@ -122,7 +122,7 @@ class Gardener {
     } else if (shape == Shape::thick && surfels.size() >= least_thick) {
       Box box;
       for (const Surfel& surfel : surfels) box.add(surfel.position);
-      if (!(box.low == box.high)) middle = halve(begin, end, box);
+      if (!(box.low == box.high)) middle = split(begin, end, box, begin + (end - begin) / 2);
     }
     if (middle == begin || middle == end) return make_leaf(branch, begin, end, band);
     return join(

@@ -100,6 +100,11 @@ std::vector<Range> Strips::State::update(const Cloud& cloud, std::span<const std
     }
     if (own.empty()) continue;
     update_layer(layer, own, layer_options, workers, indices, changed);
+    if (overgrown(layer, layer_options)) {
+      const std::size_t before = indices.size();
+      rebuild(layer, layer_options, workers, indices);
+      changed.push_back({before, indices.size() - before});
+    }
     tidy(layer);
   }
   if (tidy_indices()) return {{0, indices.size()}};

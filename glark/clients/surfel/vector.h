@@ -32,6 +32,9 @@ inline Vector to_vector(const std::array<float, 3>& a) { return {a[0], a[1], a[2
 
 // Zero stays zero, without overflow or underflow of the squares.
 inline Vector unit(Vector a) {
+  const float squared = dot(a, a);
+  constexpr float small = 1e-30F, large = 1e30F;
+  if (squared > small && squared < large) return a * (1 / std::sqrt(squared));
   const float size = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
   if (!(size > 0)) return {};
   const Vector scaled = {a.x / size, a.y / size, a.z / size};

@@ -83,8 +83,8 @@ void add_strip(CLI::App& app) {
   describe_measure(*command, stripping->reference);
   command
       ->add_option("--leaf-points", stripping->options.leaf_points,
-                   "Points of a strip at most, 8 to 128; 40 if not given")
-      ->check(CLI::Range(8, 128));
+                   "Points of a strip at most, 8 to 1024; 128 if not given")
+      ->check(CLI::Range(8, 1024));
   command
       ->add_option("--reach", stripping->options.reach,
                    "The longest edge, in distances of neighbouring points, 1 to 100; 5 if not given")
