@@ -246,17 +246,17 @@ void check_feedback_mode(Test& t) {
   draw_two();
   t.expect_error(GL_INVALID_OPERATION, "triangles into transform feedback of lines");
   gl.EndTransformFeedback();
+  gl.BeginTransformFeedback(GL_TRIANGLES);
+  for (const char* const when : {"first", "after refined triangles"}) {
+    gl.DrawArrays(GL_LINES, 0, 4);
+    t.expect_error(GL_INVALID_OPERATION, std::string("lines into transform feedback of triangles, ") + when);
+    draw_two();
+    t.expect_no_error("triangles into transform feedback of triangles");
+  }
+  gl.EndTransformFeedback();
 }
 
-Case after_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                void (*check)(Test&), std::vector<Api> apis = {Api::gl_compat, Api::gl_core, Api::gles}) {
-  return {.name = std::string("ark.after_vertex.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .apis = std::move(apis),
-          .check = check};
-}
+constexpr Area after_case{"ark.after_vertex."};
 
 }  // namespace
 
@@ -289,9 +289,11 @@ Cases after_vertex_cases() {
                  "Sorted.", check_feedback_order),
       after_case("feedback.separate", {"chapter-14-5"}, "Two varyings into two buffers.",
                  "Only the first buffer is written.", check_feedback_separate),
-      after_case("feedback.mode", {"chapter-14-6"},
-                 "Triangles into transform feedback of lines are an error, refined as unrefined.",
-                 "No error; or lines are captured.", check_feedback_mode),
+      after_case(
+          "feedback.mode", {"chapter-14-6"},
+          "Triangles into transform feedback of lines are an error, refined as unrefined; so are lines into that of "
+          "triangles.",
+          "No error; or lines are captured.", check_feedback_mode),
   };
 }
 

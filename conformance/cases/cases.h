@@ -4,6 +4,9 @@
 // The cases, by areas. Every file gives its own; all_cases() joins them.
 #pragma once
 
+#include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "conformance/suite/case.h"
@@ -11,6 +14,24 @@
 namespace glark::conformance {
 
 using Cases = std::vector<Case>;
+
+// Makes cases whose names begin alike, and which have one control.
+struct Area {
+  const char* prefix;  // "ark.area."
+  void (*control)(Test&) = nullptr;
+
+  Case operator()(const std::string& leaf, std::vector<std::string> clauses, std::string plan, std::string wrong,
+                  std::function<void(Test&)> check,
+                  std::vector<Api> apis = {Api::gl_compat, Api::gl_core, Api::gles}) const {
+    return {.name = prefix + leaf,
+            .clauses = std::move(clauses),
+            .plan = std::move(plan),
+            .wrong = std::move(wrong),
+            .apis = std::move(apis),
+            .control = control,
+            .check = std::move(check)};
+  }
+};
 
 #define GLARK_CASES(name) Cases name##_cases();
 #include "conformance/cases/areas.inc"

@@ -152,14 +152,7 @@ void check_missing(Test& t, bool has_position) {
   }
 }
 
-Case simple_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                 void (*check)(Test&)) {
-  return {.name = std::string("ark.pn.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .check = check};
-}
+constexpr Area simple_case{"ark.pn."};
 
 void check_one_place(Test& t) {
   gl.UseProgram(surface_program(t));

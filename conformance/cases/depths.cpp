@@ -245,14 +245,7 @@ void check_budget(Test& t, GLint budget) {
   t.expect_equal(triangles_in_a_frame(t, mesh), coarser, "triangles of the frame after a measure is set");
 }
 
-Case depth_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                void (*check)(Test&)) {
-  return {.name = std::string("ark.depth.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .check = check};
-}
+constexpr Area depth_case{"ark.depth."};
 
 }  // namespace
 

@@ -206,7 +206,7 @@ void check_transform_feedback(Test& t, GLenum mode, GLsizei instances) {
   gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, object);
   gl.GenBuffers(1, &buffer);
   gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
-  gl.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 64 * sizeof(DrawVertex), nullptr, GL_STATIC_DRAW);
+  gl.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 9 * sizeof(DrawVertex), nullptr, GL_STATIC_DRAW);
   gl.Enable(GL_RASTERIZER_DISCARD);
   gl.BeginTransformFeedback(GL_POINTS);
   gl.DrawArrays(GL_POINTS, 1, 9);

@@ -290,14 +290,7 @@ void check_shared(Test& t, GLenum refinement) {
   }
 }
 
-Case morph_case(const std::string& leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                std::function<void(Test&)> check) {
-  return {.name = "ark.geomorph." + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .check = std::move(check)};
-}
+constexpr Area morph_case{"ark.geomorph."};
 
 }  // namespace
 

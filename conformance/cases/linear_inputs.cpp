@@ -213,6 +213,40 @@ void check_edge_order(Test& t, GLenum refinement) {
   }
 }
 
+struct DifferenceVertex {
+  Vec2 difference;
+  Vec3 weights;
+};
+
+// Refined or not (11.R.11); where they are, by (11.R.1) with the precision of the type: what differs is lost in single precision.
+void check_doubles(Test& t) {
+  gl.UseProgram(build_program(
+      t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 2) in vec3 weights;\n"
+                    "layout(location = 7) in dvec2 d; out vec2 difference; out vec3 weights_out; out vec4 colour;\n"
+                    "void main() { difference = vec2((d - dvec2(1.0LF, -3.0LF)) * 1e10LF); weights_out = weights;\n"
+                    "  colour = vec4(1.0); gl_Position = position; }\n",
+          .captured = {"difference", "weights_out"}}));
+  upload(one_triangle());
+  const double corners[3][2] = {{1 + 1e-10, -3}, {1 + 3e-10, -3 + 2e-10}, {1 - 7e-10, -3 - 5e-10}};
+  const double differences[3][2] = {{1, 0}, {3, 2}, {-7, -5}};
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners, GL_STATIC_DRAW);
+  gl.VertexAttribLPointer(first_location, 2, GL_DOUBLE, 0, nullptr);
+  gl.EnableVertexAttribArray(first_location);
+  refine_uniformly(3);
+  const auto vertices = capture_as<DifferenceVertex>(t, 1000, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
+  t.require(vertices.size() == 3 || vertices.size() == std::size_t{3} * 64, "refined, or left as it is");
+  for (const DifferenceVertex& vertex : vertices)
+    for (std::size_t i = 0; i < 2; ++i) {
+      double expected = 0;
+      for (std::size_t k = 0; k < 3; ++k) expected += vertex.weights[k] * differences[k][i];
+      if (!t.expect_near(vertex.difference[i], expected, 1e-4, "a double-precision input, from 1 or -3, times 1e10"))
+        return;
+    }
+}
+
 Case corner_case(const char* leaf, GLenum refinement) {
   return {.name = std::string("ark.linear.corners.") + leaf,
           .clauses = {"11.R.6-3"},
@@ -235,6 +269,12 @@ Case edge_case(const char* leaf, GLenum refinement) {
 Cases linear_inputs_cases() {
   Cases cases;
   for (const InputType& type : input_types) cases.push_back(type_case(type));
+  cases.push_back({.name = "ark.linear.inputs.doubles",
+                   .clauses = {"11.R.6-4", "11.R.11-6"},
+                   .plan = "A dvec2 whose corners differ by 1e-10, if the implementation refines it.",
+                   .wrong = "Refined in single precision, so that the differences are gone.",
+                   .apis = {Api::gl_compat, Api::gl_core},
+                   .check = check_doubles});
   cases.push_back(corner_case("inputs", GL_LINEAR_INPUTS_ARK));
   cases.push_back(corner_case("outputs", GL_LINEAR_OUTPUTS_ARK));
   cases.push_back(edge_case("inputs", GL_LINEAR_INPUTS_ARK));

@@ -170,6 +170,9 @@ const std::vector<Immediate>& immediates() {
        [](Test&) { gl.ARKinit(2); },
        {{"pool_level", "2"}, {"current_depth_tag", "2"}, {"uniform_depth_level", "2"}}},
       {"parameter", [](Test&) { gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 77); }, {{"edge_pixels", "77"}}},
+      {"parameter_f",
+       [](Test&) { gl.ARKParameterfARK(GL_DISPLACEMENT_BIAS_ARK, 0.25F); },
+       {{"displacement_bias", "0.25"}}},
       {"number", [](Test&) { gl.ARKParameterfARK(GL_DISPLACEMENT_BIAS_ARK, 7.5F); }, {{"displacement_bias", "7.5"}}},
       {"tag_pointer",
        [](Test&) { gl.DepthTagPointerARK(GL_UNSIGNED_SHORT, 10, reinterpret_cast<const void*>(std::size_t{4})); },
@@ -421,7 +424,7 @@ Cases lists_cases() {
                 "Parameters are restored.", check_no_group, false),
   };
   for (const Immediate& immediate : immediates())
-    cases.push_back(of_compat((std::string("ark.list.immediate.") + immediate.leaf).c_str(), {"chapter-21-3"},
+    cases.push_back(of_compat((std::string("ark.list.immediate.") + immediate.leaf).c_str(), {"chapter-21-7"},
                               "Call it while a list is compiled: it is executed. Set all back; the list does nothing.",
                               "Compiled, too, or only; INVALID_OPERATION.",
                               [immediate](Test& t) { check_immediate(t, immediate); }, false));

@@ -85,21 +85,21 @@ std::vector<Parameter> choices() {
 
 std::vector<Parameter> parameters() {
   std::vector<Parameter> all = choices();
-  const std::vector<std::string> range{"11.R.2-25", "errors-8"};
-  const std::vector<std::string> index{"11.R.2-26", "errors-8"};
+  const std::vector<std::string> range{"11.R.2-25", "errors-24"};
+  const std::vector<std::string> index{"11.R.2-26", "errors-24"};
   all.insert(
       all.end(),
       {{"uniform_depth_level",
         GL_UNIFORM_DEPTH_LEVEL_ARK,
         "11.R.2-6",
-        {"11.R.2-23", "errors-8"},
+        {"11.R.2-23", "errors-24"},
         GL_INVALID_VALUE,
         these({5, 0, 3}),
         these({6, -1, 11, lowest, greatest})},
        {"depth_tag_attribute",
         GL_DEPTH_TAG_ATTRIBUTE_ARK,
         "11.R.2-7",
-        {"11.R.2-24", "errors-8"},
+        {"11.R.2-24", "errors-24"},
         GL_INVALID_VALUE,
         indices,
         no_indices},
@@ -138,14 +138,14 @@ std::vector<Parameter> parameters() {
        {"geomorph",
         GL_GEOMORPH_ARK,
         "11.R.2-20",
-        {"11.R.2-22", "errors-7"},
-        GL_INVALID_ENUM,
+        {"11.R.2-34", "errors-24"},
+        GL_INVALID_VALUE,
         these({GL_TRUE, GL_FALSE}),
         these({2, -1, greatest})},
        {"weld",
         GL_WELD_ARK,
         "11.R.2-21",
-        {"11.R.2-32", "errors-10"},
+        {"11.R.2-34", "errors-24"},
         GL_INVALID_VALUE,
         these({GL_TRUE, GL_FALSE}),
         these({2, -1, greatest})}});

@@ -280,15 +280,7 @@ void check_clip_planes(Test& t, GLenum refinement) {
   t.expect_same_picture(picture_of(draw), expected, "clipped by a plane", 2, 20);
 }
 
-Case raster_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                 std::function<void(Test&)> check, std::vector<Api> apis = {Api::gl_compat, Api::gl_core, Api::gles}) {
-  return {.name = std::string("ark.rasterized.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .apis = std::move(apis),
-          .check = std::move(check)};
-}
+constexpr Area raster_case{"ark.rasterized."};
 
 }  // namespace
 

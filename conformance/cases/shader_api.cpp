@@ -172,6 +172,13 @@ void check_removed(Test& t) {
   give(program, broken);
   gl.RefinementShaderSourceARK(program, 0, nullptr, nullptr);
   expect_draw(t, 4, 0, "after a broken one was taken away");
+  const char* const empty[] = {"", "void refine() {"};
+  const GLint lengths[] = {-1, 0};
+  give(program, good);
+  gl.RefinementShaderSourceARK(program, 2, empty, lengths);
+  t.expect_equal(source_length(program), 0, "the length of empty strings");
+  t.expect_equal(property(program, GL_REFINEMENT_STATUS_ARK), GLint{GL_TRUE}, "the status with empty strings");
+  expect_draw(t, 4, 0, "with empty strings");
 }
 
 void check_replaced(Test& t) {
@@ -337,7 +344,7 @@ Cases shader_api_cases() {
        .control = control,
        .check = check_strings},
       {.name = "ark.shader.removed",
-       .clauses = {"11.R.9-5"},
+       .clauses = {"11.R.9-37"},
        .plan = "A count of 0 after a good and after a broken source, and a draw after each.",
        .wrong = "An empty source, which has no refine.",
        .control = control,

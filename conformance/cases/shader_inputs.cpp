@@ -293,15 +293,7 @@ void check_version(Test& t, const Version& version) {
   for (const Vec4& position : positions) t.expect_equal(position[2], version.value, "__VERSION__ in refine");
 }
 
-Case look(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-          std::function<void(Test&)> check) {
-  return {.name = std::string("ark.shader.input.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .control = control,
-          .check = std::move(check)};
-}
+constexpr Area look{"ark.shader.input.", control};
 
 }  // namespace
 

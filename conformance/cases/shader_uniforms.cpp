@@ -269,15 +269,7 @@ void check_locations_survive(Test& t) {
   t.expect_equal(gl.GetUniformLocation(program, "first"), first, "the location");
 }
 
-Case look(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-          std::function<void(Test&)> check) {
-  return {.name = std::string("ark.shader.uniform.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .control = control,
-          .check = std::move(check)};
-}
+constexpr Area look{"ark.shader.uniform.", control};
 
 }  // namespace
 

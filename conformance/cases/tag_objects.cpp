@@ -73,7 +73,7 @@ void check_objects(Test& t) {
   refine();
   gl.DepthTag1i(4);
   for (int round = 0; round < 2; ++round)
-    for (const auto& [array, triangles] : {std::pair{first, 4U}, {second, 64U}, {third, 256U}}) {
+    for (const auto& [array, triangles] : {std::pair{third, 256U}, {first, 4U}, {second, 64U}}) {
       gl.BindVertexArray(array);
       t.expect_equal(triangles_of(t, draw_one), std::size_t{triangles}, "triangles");
     }

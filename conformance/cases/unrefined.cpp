@@ -9,7 +9,6 @@ namespace glark::conformance {
 namespace {
 
 const std::vector<Api> desktop = {Api::gl_compat, Api::gl_core};
-const std::vector<Api> everywhere = {Api::gl_compat, Api::gl_core, Api::gles};
 
 Picture picture_of(const std::function<void()>& draw) {
   clear_surface();
@@ -287,15 +286,7 @@ void check_disabled(Test& t) {
   t.expect_equal(capture(t, draw).size(), 6U, "vertices with ARK disabled");
 }
 
-Case made(const std::string& leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-          std::function<void(Test&)> check, std::vector<Api> apis = everywhere) {
-  return {.name = "ark.unrefined." + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .apis = std::move(apis),
-          .check = std::move(check)};
-}
+constexpr Area made{"ark.unrefined."};
 
 }  // namespace
 

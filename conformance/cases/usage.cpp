@@ -293,7 +293,7 @@ Cases usage_cases() {
        .plan = "Example 4 for an octant of a sphere.",
        .wrong = "A flat triangle.",
        .check = check_example_4},
-      of_fixed("ark.shader.fixed.moves", {"11.R.9-4", "11.R.9-16", "11.R.9-5"},
+      of_fixed("ark.shader.fixed.moves", {"11.R.9-4", "11.R.9-16", "11.R.9-37"},
                "A refinement shader of the fixed function moves the triangle; then it is taken away.",
                "Program 0 is an error; it stays for draws that are not refined.", check_fixed_shader),
       of_fixed("ark.shader.fixed.version", {"11.R.9-10"}, "refine shows whether __VERSION__ is 150.",

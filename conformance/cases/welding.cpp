@@ -320,14 +320,7 @@ void check_opposite_of_three(Test& t) {
   }
 }
 
-Case weld_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-               void (*check)(Test&)) {
-  return {.name = std::string("ark.weld.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .check = check};
-}
+constexpr Area weld_case{"ark.weld."};
 
 }  // namespace
 

@@ -27,6 +27,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 COPIED = ("CMakeLists.txt", "LICENSE", "cmake", "docs/man", "glark", "include", "shim")
 PASSING = {"Pass", "NotSupported", "QualityWarning", "Unimplemented"}
+BATCH = 25  # cases in one process, where there are many
 MARKERS = ("<!-- mutants -->", "<!-- /mutants -->")
 
 
@@ -175,7 +176,7 @@ class Laboratory:
         errors = [line for line in done.stdout.splitlines() if "error" in line]
         return "" if done.returncode == 0 else "DOES NOT BUILD: " + (errors[0] if errors else done.stdout[-300:])
 
-    def judge(self, api: str, names: list, *options) -> list:
+    def judge(self, api: str, names: list, batch: int, *options) -> list:
         """The names of those that failed and should not, in the order of the run."""
         names = [name for name in names if name not in self.known.get(api, ())]
         if not names:
@@ -186,7 +187,7 @@ class Laboratory:
         case_list.write_text("\n".join(names) + "\n")
         platform = "egl" if api == "gles" else "osmesa"
         done = self.call("--platform", platform, "--api", api, "--implementation", self.library, "--caselist", case_list, "--jobs",
-                         self.jobs, "--batch", 25, "--report", report, *options)
+                         self.jobs, "--batch", batch, "--report", report, *options)
         if not (report / "results.json").is_file():
             raise Complaint(f"glark-conformance has not judged anything:\n{done.stderr}")
         records = json.loads((report / "results.json").read_text())["results"]
@@ -197,7 +198,7 @@ class Laboratory:
         if problem:
             raise Complaint(f"the true implementation: {problem}")
         for api in apis:
-            failed = self.judge(api, list(self.cases))
+            failed = self.judge(api, list(self.cases), BATCH)
             self.known[api] = set(failed)
             print(f"the true implementation, {api}: {len(self.cases)} cases, {len(failed)} failed", flush=True)
             for name in failed:
@@ -211,7 +212,7 @@ class Laboratory:
             outcome.problem = self.make_library()
             citing = [name for name, clauses in self.cases.items() if mutant.clause in clauses]
             others = [name for name in self.cases if name not in citing]
-            rounds = [(citing, ())] + ([] if self.quick else [(others, ("--fail-fast",))])
+            rounds = [(citing, (1,))] + ([] if self.quick else [(others, (BATCH, "--fail-fast"))])
             for names, options in [] if outcome.problem else rounds:
                 for api in mutant.apis():
                     outcome.failed = outcome.failed or self.judge(api, names, *options)
@@ -222,21 +223,27 @@ class Laboratory:
         return outcome
 
 
-def table_of(outcomes: list) -> str:
-    lines = ["| mutant | sentence | what is wrong | caught by | failed |", "|---|---|---|---|---|"]
-    for outcome in outcomes:
-        mutant = outcome.mutant
-        lines.append(f"| `{mutant.name}` | {mutant.clause} | {mutant.what} | {outcome.caught_by()} | {len(outcome.failed)} |")
-    caught = sum(1 for outcome in outcomes if outcome.failed)
-    return f"{caught} of {len(outcomes)} mutants are caught.\n\n" + "\n".join(lines) + "\n"
+def row_of(outcome: Outcome) -> str:
+    mutant = outcome.mutant
+    return f"| `{mutant.name}` | {mutant.clause} | {mutant.what} | {outcome.caught_by()} | {len(outcome.failed)} |"
 
 
-def write_table(path: pathlib.Path, outcomes: list) -> None:
+def table_of(rows: list) -> str:
+    caught = sum(1 for row in rows if not row.endswith("| 0 |"))
+    lines = ["| mutant | sentence | what is wrong | caught by | failed |", "|---|---|---|---|---|", *rows]
+    return f"{caught} of {len(rows)} mutants are caught.\n\n" + "\n".join(lines) + "\n"
+
+
+def write_table(path: pathlib.Path, outcomes: list, names: list) -> None:
+    """In the order of the names of all mutants. Of those that were not tried now the rows stay."""
     text = path.read_text()
     begin, end = (text.find(marker) for marker in MARKERS)
     if begin < 0 or end < begin:
         raise Complaint(f"{path} has no {MARKERS[0]} before a {MARKERS[1]}")
-    path.write_text(text[:begin] + MARKERS[0] + "\n" + table_of(outcomes) + text[end:])
+    rows = {line.split("`")[1]: line for line in text[begin:end].splitlines() if line.startswith("| `")}
+    rows |= {outcome.mutant.name: row_of(outcome) for outcome in outcomes}
+    table = table_of([rows[name] for name in names if name in rows])
+    path.write_text(text[:begin] + MARKERS[0] + "\n" + table + text[end:])
 
 
 def run(arguments: argparse.Namespace, mutants: list) -> int:
@@ -255,7 +262,7 @@ def run(arguments: argparse.Namespace, mutants: list) -> int:
     for outcome in missed:
         print(f"    {outcome.mutant.name}: {outcome.mutant.clause}: {outcome.mutant.what}")
     if arguments.table:
-        write_table(pathlib.Path(arguments.table), outcomes)
+        write_table(pathlib.Path(arguments.table), outcomes, [mutant.name for mutant in read_mutants()])
     if any(outcome.problem for outcome in outcomes):
         return 2
     return 1 if missed or wrong else 0
@@ -269,7 +276,7 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true", help="leave out the cases that do not cite the mutant's sentence")
     parser.add_argument("--list", action="store_true", help="print the mutants")
     parser.add_argument("--check", action="store_true", help="only check that every mutant can be made")
-    parser.add_argument("--table", metavar="FILE", help="write the table between the markers of this document")
+    parser.add_argument("--table", metavar="FILE", help="write the rows of the mutants tried into the table between the markers of this document")
     arguments = parser.parse_args()
     try:
         mutants = read_mutants()

@@ -91,6 +91,14 @@ void read_shard(const std::string& text, Selection& selection) {
     throw Complaint{exit_status::usage, "--shard " + text + ": I/N with 1 <= I <= N is needed"};
 }
 
+std::vector<std::string> listed_names(const std::string& path) {
+  try {
+    return read_list(path);
+  } catch (const std::runtime_error& error) {
+    throw Complaint{exit_status::usage, error.what()};
+  }
+}
+
 std::vector<std::string> selected_names(const Options& options) {
   Selection selection;
   selection.globs = options.globs;
@@ -101,7 +109,7 @@ std::vector<std::string> selected_names(const Options& options) {
   }
   if (!options.case_list.empty()) {
     selection.has_list = true;
-    const auto names = read_list(options.case_list);
+    const auto names = listed_names(options.case_list);
     selection.names.insert(selection.names.end(), names.begin(), names.end());
     if (names.empty()) throw Complaint{exit_status::no_case, options.case_list + " names no case"};
   }
@@ -169,8 +177,13 @@ int judge(Options& options, const std::vector<std::string>& command) {
   } catch (const std::runtime_error& error) {
     throw Complaint{exit_status::no_report, error.what()};
   }
+  // Without a slash the dynamic linker would look elsewhere.
+  if (!options.run.implementation.empty())
+    options.run.implementation = std::filesystem::absolute(options.run.implementation);
   try {
     report.environment = describe_environment(options.run);
+  } catch (const std::invalid_argument& error) {
+    throw Complaint{exit_status::usage, error.what()};
   } catch (const std::runtime_error& error) {
     throw Complaint{exit_status::no_context, error.what()};
   }

@@ -17,11 +17,13 @@ namespace glark::conformance {
 namespace {
 
 std::vector<std::string> arguments_of(const RunOptions& options, const char* task) {
-  return {"worker",     task,
-          "--platform", options.platform,
-          "--api",      std::string(name_of(options.api)),
-          "--seed",     std::to_string(options.seed),
-          "--report",   options.report};
+  std::vector<std::string> texts = {"worker",     task,
+                                    "--platform", options.platform,
+                                    "--api",      std::string(name_of(options.api)),
+                                    "--seed",     std::to_string(options.seed),
+                                    "--report",   options.report};
+  if (!options.implementation.empty()) texts.insert(texts.end(), {"--implementation", options.implementation});
+  return texts;
 }
 
 // A process and the cases that it was given.
@@ -195,20 +197,23 @@ Environment describe_environment(const RunOptions& options) {
   Process process(arguments_of(options, "describe"), options.implementation);
   std::string text;
   std::string output;
-  while (process.read_report(text)) {
+  bool is_late = false;
+  while (!is_late && process.read_report(text)) {
     std::array<pollfd, 2> news = {pollfd{process.report_descriptor(), POLLIN, 0},
                                   pollfd{process.output_descriptor(), POLLIN, 0}};
     poll(news.data(), news.size(), 200);
     process.read_output(output);
-    if (Clock::now() - process.started() > std::chrono::seconds(options.seconds)) {
-      process.kill();
-      break;
-    }
+    is_late = Clock::now() - process.started() > std::chrono::seconds(options.seconds);
   }
+  if (is_late) process.kill();
   process.read_output(output);
   const int status = process.wait();
   const auto message = nlohmann::json::parse(text, nullptr, false);
-  if (message.is_discarded()) throw std::runtime_error("no context: " + how_it_ended(status) + '\n' + output);
+  if (message.is_discarded()) {
+    const std::string why = is_late ? "none after " + std::to_string(options.seconds) + " s" : how_it_ended(status);
+    throw std::runtime_error("no context: " + why + (output.empty() ? "" : '\n' + output));
+  }
+  if (message.contains("not loaded")) throw std::invalid_argument(message["not loaded"].get<std::string>() + output);
   if (message.contains("error")) throw std::runtime_error(message["error"].get<std::string>());
   return message["environment"].get<Environment>();
 }

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/runner/worker.h"
 
+#include <dlfcn.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -77,10 +80,20 @@ void run_one(const std::string& name, Platform& platform, const RunOptions& opti
        {{"end", name}, {"verdict", name_of(result.verdict)}, {"messages", result.messages}, {"images", images}});
 }
 
+// The dynamic linker only warns where it cannot preload, and a driver would be judged in the library's place.
+bool is_loaded(const std::string& library) {
+  return library.empty() || dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD) != nullptr;
+}
+
 }  // namespace
 
 int work(WorkerTask task, const RunOptions& options, const std::vector<std::string>& names, int channel) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a case that hangs must not outlive the program that would end it
   try {
+    if (!is_loaded(options.implementation)) {
+      send(channel, {{"not loaded", "the dynamic linker does not load " + options.implementation + '\n'}});
+      return exit_status::usage;
+    }
     const auto platform = Platform::open(options.platform);
     if (task == WorkerTask::describe) {
       Test test(*platform, options.api, "environment", options.seed);

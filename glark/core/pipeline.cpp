@@ -170,6 +170,15 @@ bool Pipeline::adds_specular_colors(const Plan& plan) const {
          fixed_function_state_.separate_specular && !fixed_function_state_.color_sum;
 }
 
+// Fixed function attenuates points by itself, a vertex shader says their size only with GL_PROGRAM_POINT_SIZE.
+bool Pipeline::sets_point_size(const Plan& plan) const {
+  return plan.program->fixed_function && fixed_function_state_.point_size != fixed_function_state_.program_point_size;
+}
+
+void Pipeline::set_point_size(bool by_program) {
+  by_program ? gl_.Enable(GL_PROGRAM_POINT_SIZE) : gl_.Disable(GL_PROGRAM_POINT_SIZE);
+}
+
 // The current one; our vertex arrays have no array of them.
 void Pipeline::raise_edge_flag() {
   if (!takes_edge_flags() && !(context_.is_compatibility() && context_.options.wireframe)) {
@@ -205,6 +214,9 @@ void Pipeline::set_modes(const Plan& plan) {
   if (adds_specular_colors(plan)) {
     gl_.Enable(GL_COLOR_SUM);
   }
+  if (sets_point_size(plan)) {
+    set_point_size(fixed_function_state_.point_size);
+  }
   if (context_.options.wireframe && gl_.PolygonMode != nullptr) {
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   }
@@ -226,6 +238,9 @@ void Pipeline::reset_modes(const Plan& plan) {
   }
   if (adds_specular_colors(plan)) {
     gl_.Disable(GL_COLOR_SUM);
+  }
+  if (sets_point_size(plan)) {
+    set_point_size(fixed_function_state_.program_point_size);
   }
   if (b.primitive_restart) {
     gl_.Enable(GL_PRIMITIVE_RESTART);
@@ -266,6 +281,10 @@ void Pipeline::draw(const DrawCall& call) {
   Cause cause = plan_draw(call, plan);
   if (cause == Cause::count_ && call.triangles > 0) {
     cause = ensure_room(plan, call.triangles);
+  }
+  if (cause == Cause::not_triangles && feedback_refuses(call.mode)) {
+    context_.raise(GL_INVALID_OPERATION);
+    return;
   }
   if (cause != Cause::count_ || call.triangles == 0) {
     count_passed(cause != Cause::count_ ? cause : Cause::not_triangles);

@@ -59,6 +59,8 @@ class Pipeline {
   void note_feedback_room();
   // Vertices that a draw from that transform feedback object can have at most; nothing if glark has not seen it begun.
   std::optional<std::uint64_t> feedback_vertices(GLuint object) const;
+  // The driver does not see the conflict, as ours is paused between our draws.
+  bool feedback_refuses(GLenum mode) const;
   bool owns_feedback() const { return feedback_program_ != nullptr; }
   // The program of the feedback is the one for tags that vary: all its draws go that way.
   bool feedback_tagged() const { return owns_feedback() && feedback_program_->layout.tagged; }
@@ -151,6 +153,8 @@ class Pipeline {
   void submit(const Plan& plan, const capture::CoarseTriangles& captured, const Keeping& keeping);
   bool selects_back_colors(const Plan& plan) const;
   bool adds_specular_colors(const Plan& plan) const;
+  bool sets_point_size(const Plan& plan) const;
+  void set_point_size(bool by_program);
   void set_modes(const Plan& plan);  // that the refined draw needs otherwise than the application has them
   void reset_modes(const Plan& plan);
   bool takes_edge_flags() const;  // by the application's modes

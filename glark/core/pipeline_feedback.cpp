@@ -101,6 +101,12 @@ void Pipeline::hand_back_feedback() {
   context_.update_refining();
 }
 
+bool Pipeline::feedback_refuses(GLenum mode) const {
+  const bool points_or_lines = mode == GL_POINTS || mode == GL_LINES || mode == GL_LINE_LOOP || mode == GL_LINE_STRIP;
+  return points_or_lines && owns_feedback() && !context_.bindings.transform_feedback_paused &&
+         feedback_mode_ == GL_TRIANGLES;
+}
+
 void Pipeline::end_feedback() {
   feedback_program_ = nullptr;
   awaited_feedback_ = GL_NONE;

@@ -62,7 +62,9 @@ struct Options {
   float delta_a = 0.0F;
   float delta_d = 1.0F / 3;
   float inflation = 2.5F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
-  float reach = 5.0F;    // the longest edge of a triangle, in the distance to neighbours that its points have; 1 to 100
+  // The longest edge of a triangle, in the distance to neighbours of that of its points whose distance is neither least nor greatest; 1 to
+  // 100. Isolated points have no triangles.
+  float reach = 5.0F;
   unsigned levels = 1;   // of detail, 1 to 16; each has about a quarter of the points of the one before
   unsigned threads = 0;  // at most; 0: as many as the machine has, 1: none but the caller's
 };
@@ -77,7 +79,8 @@ struct Node {
   std::uint32_t representative;    // the point nearest to the mean of those below; `none` where there are none
 };
 
-// The classes of triangles of chapter 5.2.2, and how many the leaves' triangulations had of each.
+// The classes of triangles of chapter 5.2.2, and how many the leaves' triangulations had of each. `dual`: others are drawn where leaves
+// disagree; `valid`: what is drawn.
 struct Counts {
   std::size_t outer = 0, redundant = 0, dual = 0, valid = 0;
   std::size_t out_of_reach = 0;  // with an edge longer than Options::reach allows

@@ -97,8 +97,12 @@ struct Node {
   std::uint8_t joined = 0;
 
   bool is_leaf() const { return first_child == 0; }
-  unsigned child_count() const {
-    return static_cast<unsigned>(std::popcount(children)) - static_cast<unsigned>(std::popcount(joined));
+  unsigned child_count() const { return ones(children) - ones(joined); }
+  // std::popcount is a call where the compiler may not use the instruction.
+  static unsigned ones(std::uint8_t bits) {
+    constexpr std::uint64_t of_four_bits = 0x4332322132212110;
+    return static_cast<unsigned>((of_four_bits >> (4 * (bits & 15U))) & 15U) +
+           static_cast<unsigned>((of_four_bits >> (4 * (bits >> 4U))) & 15U);
   }
   // Of an octant or quadrant with samples.
   std::uint32_t child(unsigned which) const;

@@ -50,12 +50,12 @@ class Edits(unittest.TestCase):
 
 class Table(unittest.TestCase):
     def test_between_the_markers(self):
-        outcomes = [run.Outcome(mutant(), ["ark.x", "ark.y"], True, 1), run.Outcome(mutant(), ["ark.z"], False, 1),
-                    run.Outcome(mutant(), [], False, 1)]
+        outcomes = [run.Outcome(mutant(name="a.b"), ["ark.x", "ark.y"], True, 1),
+                    run.Outcome(mutant(name="a.c"), ["ark.z"], False, 1), run.Outcome(mutant(name="a.d"), [], False, 1)]
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "a.md"
             path.write_text("before\n<!-- mutants -->\nold\n<!-- /mutants -->\nafter\n")
-            run.write_table(path, outcomes)
+            run.write_table(path, outcomes, ["a.b", "a.c", "a.d"])
             lines = path.read_text().splitlines()
             self.assertEqual(("before", "after", "<!-- /mutants -->"), (lines[0], lines[-1], lines[-2]))
             self.assertEqual("2 of 3 mutants are caught.", lines[2])
@@ -64,7 +64,17 @@ class Table(unittest.TestCase):
             self.assertIn("| NOT CAUGHT | 0 |", lines[8])
             path.write_text("nothing\n")
             with self.assertRaisesRegex(run.Complaint, "has no <!-- mutants -->"):
-                run.write_table(path, outcomes)
+                run.write_table(path, outcomes, ["a.b"])
+
+    def test_only_what_was_tried(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "a.md"
+            path.write_text("<!-- mutants -->\n| `gone` | x | y | z | 1 |\n| `a.b` | x | y | NOT CAUGHT | 0 |\n"
+                            "| `a.c` | x | kept | z | 1 |\n<!-- /mutants -->\n")
+            run.write_table(path, [run.Outcome(mutant(name="a.b"), ["ark.x"], True, 1)], ["a.c", "a.b"])
+            lines = path.read_text().splitlines()
+            self.assertEqual("2 of 2 mutants are caught.", lines[1])
+            self.assertEqual(["| `a.c` | x | kept | z | 1 |", "| `a.b` | name-1 | It is wrong | ark.x | 1 |"], lines[5:7])
 
 
 class Installation(unittest.TestCase):

@@ -6,6 +6,7 @@ import os
 import subprocess
 import tarfile
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 from pathlib import Path
@@ -119,6 +120,8 @@ class BadInput(Folder):
             (2, "implementation", ["--implementation", "/nonexistent.so"]),
             (2, "NAME,VERDICT", ["--baseline", no_verdict]),
             (2, "cannot read", ["--baseline", self.folder / "none"]),
+            (2, "cannot read", ["--caselist", self.folder / "none"]),
+            (2, "cannot read", ["--caselist", self.folder]),
             (3, "no case matches ark.none.*", ["--case", "ark.none.*"]),
             (3, "names no case", ["--caselist", empty]),
             (3, "ark.fake.gone", ["--caselist", unknown]),
@@ -139,7 +142,39 @@ class BadInput(Folder):
 
     def test_library_that_cannot_be_preloaded(self):
         done = call("--case", "ark.fake.pass", "--implementation", self.written("no.so", "text"))
-        self.assertEqual(6, done.returncode)
+        self.assertEqual(2, done.returncode)
+        self.assertIn("does not load", done.stderr)
+
+    def test_library_named_without_a_folder(self):
+        done = subprocess.run([FAKE, "--case", "ark.fake.pass", "--implementation", Path(LIBRARY).name], cwd=Path(LIBRARY).parent,
+                              capture_output=True, text=True, timeout=120)
+        self.assertEqual(0, done.returncode, done.stderr)
+
+    def test_hanging_case_ends_with_the_program(self):
+        program = subprocess.Popen([FAKE, "--case", "ark.fake.hang", "--implementation", LIBRARY], stdout=subprocess.PIPE)
+        worker = self.worker_of(program.pid)
+        program.kill()
+        program.wait()
+        program.stdout.close()
+        for _ in range(100):
+            if not Path(f"/proc/{worker}/cmdline").exists() or not Path(f"/proc/{worker}/cmdline").read_bytes():
+                return
+            time.sleep(0.1)
+        self.fail(f"process {worker} is still there")
+
+    def worker_of(self, program):
+        """The process that runs cases, which says so in its arguments."""
+        for _ in range(300):
+            for path in Path("/proc").glob("[0-9]*"):
+                try:
+                    parent = int((path / "stat").read_text().rpartition(")")[2].split()[1])
+                    if parent == program and b"run" in (path / "cmdline").read_bytes().split(b"\0"):
+                        time.sleep(0.5)
+                        return path.name
+                except OSError:
+                    continue
+            time.sleep(0.1)
+        self.fail("no process runs cases")
 
 
 class Submissions(Folder):

@@ -258,6 +258,31 @@ TEST_F(Api, RefinementShaderOfTheFixedFunction) {
   EXPECT_EQ(differing_pixels(plain, picture_of(draw)), 0);
 }
 
+// A point of each refined vertex, as large as fixed function has it, whatever programs may say.
+TEST_F(Api, PointSizesOfTheFixedFunction) {
+  const GLfloat attenuation[] = {1.5625F, 0, 0};
+  glPolygonMode(GL_FRONT_AND_BACK, GL_POINT);
+  glPointSize(5);
+  glDepthTag1i(1);
+  const auto covered = [] {
+    const Picture picture = picture_of([] {
+      glBegin(GL_TRIANGLES);
+      for (const auto& [x, y] : {std::pair{-0.5F, -0.5F}, {0.5F, -0.5F}, {0.0F, 0.5F}}) glVertex2f(x, y);
+      glEnd();
+    });
+    int pixels = 0;
+    for (std::size_t i = 0; i < picture.size(); i += 4) pixels += picture[i] != 0 ? 1 : 0;
+    return pixels;
+  };
+  EXPECT_EQ(covered(), 6 * 25);
+  glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+  EXPECT_EQ(covered(), 6 * 16);
+  EXPECT_EQ(glIsEnabled(GL_PROGRAM_POINT_SIZE), GL_FALSE);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  EXPECT_EQ(covered(), 6 * 16);
+  EXPECT_EQ(glIsEnabled(GL_PROGRAM_POINT_SIZE), GL_TRUE);
+}
+
 class ApiRefinementShader : public testing::TestWithParam<Language> {
  protected:
   ApiRefinementShader() {
@@ -304,6 +329,21 @@ TEST_P(ApiRefinementShader, UniformOfItsOwn) {
   GLint active = -1;
   glGetProgramiv(program_, GL_ACTIVE_UNIFORMS, &active);
   EXPECT_EQ(active, 0) << "it is no uniform of the program";
+}
+
+TEST_P(ApiRefinementShader, UniformWithEveryParameter) {
+  const char* const source = "uniform float lift;\nvoid refine() { weights.x = ark_corner_weights[0].x + lift; }\n";
+  glRefinementShaderSourceARK(program_, 1, &source, nullptr);
+  EXPECT_EQ(refinement_value(program_, GL_REFINEMENT_STATUS_ARK), GL_TRUE);
+  glUniform1f(glGetUniformLocation(program_, "lift"), 2);
+  for (const auto& [name, value] : {std::pair{GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK},
+                                    {GL_REFINEMENT_ARK, GL_CURVED_PN_ARK},
+                                    {GL_WELD_ARK, GL_TRUE},
+                                    {GL_GEOMORPH_ARK, GL_TRUE},
+                                    {GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK}}) {
+    glARKParameteriARK(static_cast<GLenum>(name), value);
+    EXPECT_EQ(highest(), 3) << name;
+  }
 }
 
 TEST_P(ApiRefinementShader, KeptWhenLinkedAgainAndReplaced) {

@@ -224,7 +224,7 @@ TEST(GeomorphState, IsOffAndIsRead) {
   EXPECT_EQ(value, GL_TRUE);
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   glARKParameteriARK(GL_GEOMORPH_ARK, 2);
-  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
 }
 
 }  // namespace

@@ -104,6 +104,24 @@ class Commands(unittest.TestCase):
         self.assertEqual(report["output"]["points"], self.report("info", "coarse.ply")["points"])
         self.glark("simplify", self.sphere, "-o", "a.glb", "--error", "0.01", "--clustering", "grid", "--representative", "centroid")
 
+    def test_simplify_says_what_it_cannot_keep(self):
+        self.needs("simplify")
+        square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+        for name, rest, says in [
+            ("seam.obj", "vt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 1 0.5\nf 1/1 2/2 3/3\nf 1/1 3/4 4/2\n", True),
+            ("whole.obj", "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", False),
+        ]:
+            (self.path / name).write_text(square + rest)
+            result = self.glark("simplify", name, "-o", "a.obj", "--target", "10")
+            self.assertEqual(says, "seams, at 1 of its points" in result.stderr, result.stderr)
+            self.assertIn("vt ", (self.path / "a.obj").read_text())
+        header = ["ply", "format ascii 1.0", "element vertex 2"]
+        header += [f"property float {name}" for name in "xyz"]
+        header += [f"property uchar {name}" for name in ("red", "green", "blue", "alpha")] + ["end_header", ""]
+        (self.path / "glass.ply").write_text("\n".join(header) + "0 0 0 9 9 9 255\n1 0 0 9 9 9 80\n")
+        result = self.glark("simplify", "glass.ply", "-o", "a.ply", "--target", "10")
+        self.assertIn("point 1 is not opaque", result.stderr)
+
     def test_strip(self):
         self.needs("strip")
         report = self.report("strip", self.sphere, "-o", "strips.ply", "--measure", self.sphere)

@@ -111,6 +111,28 @@ TEST(Update, PointsMoveToEmptySpaceAndNewOnesCome) {
   EXPECT_LT(strips.nodes().size(), 3 * 13000U / 10);
 }
 
+// Places of disagreement reach over leaves that are not made anew.
+TEST(Update, OfANoisySheetLeavesNothingTwice) {
+  Points points = plane(80, 0.005F);
+  Strips strips(points.cloud());
+  std::mt19937 random(9);
+  std::uniform_real_distribution<float> shake(-0.004F, 0.004F);
+  for (int round = 0; round < 6; ++round) {
+    std::vector<std::uint32_t> moved;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const float dx = points.positions[3 * i] - 0.15F * static_cast<float>(round),
+                  dy = points.positions[3 * i + 1] - 0.5F;
+      if (dx * dx + dy * dy > 0.02F) continue;
+      points.positions[3 * i + 2] += shake(random);
+      moved.push_back(i);
+    }
+    strips.update(points.cloud(), moved);
+    const Edges edges = count_edges(strips);
+    EXPECT_EQ(edges.other, 0U) << round;
+    EXPECT_LT(edges.single, 500U) << round;
+  }
+}
+
 TEST(Update, AnEmptyCloudGrows) {
   Strips strips({});
   const Points points = sphere(1000);

@@ -103,9 +103,9 @@ TEST(Simplified, ByQuadricsIsCloserThanByCentroids) {
 
 TEST(Simplified, ByTheTreeIsCloserThanByTheGrid) {
   const Shape shape = torus(200, 0);
-  const Simplified tree = simplify(shape.mesh(), {.target = 2000});
-  const Simplified grid = simplify(shape.mesh(), {.clustering = Clustering::grid, .target = 2000});
-  EXPECT_LT(error_of(tree), error_of(grid));
+  const Simplified tree = simplify(shape.mesh(), {.target = 1000});
+  const Simplified grid = simplify(shape.mesh(), {.clustering = Clustering::grid, .target = 1000});
+  EXPECT_LT(error_of(tree), 0.95 * error_of(grid));
 }
 
 TEST(Simplified, CarriesAttributes) {

@@ -207,7 +207,7 @@ void ButterflyStep::add_smooth_edge_normal(const Topology& topology, std::uint32
 
 void ButterflyStep::subdivide(const Workers& workers, const Float4* from, Float4* to) const {
   std::copy_n(from, vertex_count_, to);
-  workers.each(first_term_.size() - 1, [&](auto begin, auto end) {
+  workers.evenly(first_term_.size() - 1, [&](auto begin, auto end) {
     for (auto e = begin; e < end; ++e) {
       const Float4 near = from[terms_[first_term_[e]].point];
       Float4 sum{};
@@ -220,10 +220,10 @@ void ButterflyStep::subdivide(const Workers& workers, const Float4* from, Float4
 
 void ButterflyStep::run(const Workers& workers, const LimitStep::Frame& frame, Float4* points) const {
   subdivide(workers, frame.from, points);
-  workers.each(numbering_.position_count(), [&](auto begin, auto end) {
+  workers.evenly(numbering_.position_count(), [&](auto begin, auto end) {
     for (auto i = begin; i < end; ++i) store(frame.positions[i], points[i] * frame.unscale + Float4{0, 0, 0, 1});
   });
-  workers.each(normals_.size(), [&](auto begin, auto end) {
+  workers.evenly(normals_.size(), [&](auto begin, auto end) {
     for (auto i = begin; i < end; ++i) {
       const Normal& which = normals_[i];
       Float4 first{}, second{}, normal;

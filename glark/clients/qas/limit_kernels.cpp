@@ -197,17 +197,17 @@ void LimitStep::run_sharp_sides(const Frame& frame, std::size_t begin, std::size
 }
 
 void LimitStep::run(const Workers& workers, const Frame& frame) const {
-  workers.each(fan_vertices_.size(), [&](auto begin, auto end) { run_fans<true>(frame, begin, end); });
-  workers.each(creases_.size(), [&](auto begin, auto end) { run_creases<true>(frame, begin, end); });
-  workers.each(open_sectors_.size(), [&](auto begin, auto end) { run_open_sectors(frame, begin, end); });
+  workers.evenly(fan_vertices_.size(), [&](auto begin, auto end) { run_fans<true>(frame, begin, end); });
+  workers.evenly(creases_.size(), [&](auto begin, auto end) { run_creases<true>(frame, begin, end); });
+  workers.evenly(open_sectors_.size(), [&](auto begin, auto end) { run_open_sectors(frame, begin, end); });
   for (const std::uint32_t vertex : corners_) {
     frame.shift[vertex] = Float4{};
     store(frame.positions[vertex], position(frame.from[vertex], frame.unscale));
   }
-  workers.each(regular_edges_.size(), [&](auto begin, auto end) { run_regular_edges(frame, begin, end); });
-  workers.each(general_edges_.size(), [&](auto begin, auto end) { run_general_edges(frame, begin, end); });
-  workers.each(sharp_edges_.size(), [&](auto begin, auto end) { run_sharp_edges(frame, begin, end); });
-  workers.each(sharp_sides_.size(), [&](auto begin, auto end) { run_sharp_sides(frame, begin, end); });
+  workers.evenly(regular_edges_.size(), [&](auto begin, auto end) { run_regular_edges(frame, begin, end); });
+  workers.evenly(general_edges_.size(), [&](auto begin, auto end) { run_general_edges(frame, begin, end); });
+  workers.evenly(sharp_edges_.size(), [&](auto begin, auto end) { run_sharp_edges(frame, begin, end); });
+  workers.evenly(sharp_sides_.size(), [&](auto begin, auto end) { run_sharp_sides(frame, begin, end); });
   finish(frame);
 }
 
@@ -218,12 +218,12 @@ void LimitStep::finish(const Frame& frame) const {
 
 void LimitStep::subdivide(const Workers& workers, const Float4* from, Float4* to) const {
   const Frame frame{from, to, nullptr, nullptr, 1};
-  workers.each(fan_vertices_.size(), [&](auto begin, auto end) { run_fans<false>(frame, begin, end); });
-  workers.each(creases_.size(), [&](auto begin, auto end) { run_creases<false>(frame, begin, end); });
+  workers.evenly(fan_vertices_.size(), [&](auto begin, auto end) { run_fans<false>(frame, begin, end); });
+  workers.evenly(creases_.size(), [&](auto begin, auto end) { run_creases<false>(frame, begin, end); });
   for (const std::uint32_t vertex : corners_) to[vertex] = from[vertex];
   Float4* const middles = to + vertex_count_;
   const auto smooth = [&](const std::vector<SmoothEdge>& edges) {
-    workers.each(edges.size(), [&](auto begin, auto end) {
+    workers.evenly(edges.size(), [&](auto begin, auto end) {
       for (auto i = begin; i < end; ++i) {
         const SmoothEdge& edge = edges[i];
         middles[edge.edge] =

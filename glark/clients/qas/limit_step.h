@@ -11,7 +11,7 @@
 
 #include "glark/clients/qas/float4.h"
 #include "glark/clients/qas/topology.h"
-#include "glark/clients/qas/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::qas {
 

@@ -11,7 +11,7 @@
 #include "glark/clients/qas/float4.h"
 #include "glark/clients/qas/frame.h"
 #include "glark/clients/qas/loop_patch.h"
-#include "glark/clients/qas/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::qas {
 namespace {
@@ -222,7 +222,7 @@ void LoopSurface::refine(unsigned level, std::span<Sample> samples, unsigned thr
                     std::to_string(topology.same_as.size() * each));
   }
   const unsigned last = 1U << level;
-  Workers(threads).each(
+  Workers(threads).evenly(
       topology.same_as.size(),
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {

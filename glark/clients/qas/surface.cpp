@@ -122,7 +122,7 @@ void Surface::write_corners(std::span<Corner> corners) const {
                 "of corners has " + std::to_string(corners.size()) + "; " + std::to_string(patches().size()) +
                     " patches have " + std::to_string(corner_count()));
   }
-  state_->workers.each(patches().size(), [&](std::size_t begin, std::size_t end) {
+  state_->workers.evenly(patches().size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const Patch& patch = patches()[p];
       for (std::size_t i = 0; i < 3; ++i) {
@@ -157,7 +157,7 @@ void Surface::write_quartic_corners(std::span<QuarticCorner> corners) const {
                 "of quartic corners has " + std::to_string(corners.size()) + "; the triangles have " +
                     std::to_string(quartic_corner_count()));
   }
-  state_->workers.each(corners.size() / 3, [&](std::size_t begin, std::size_t end) {
+  state_->workers.evenly(corners.size() / 3, [&](std::size_t begin, std::size_t end) {
     for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner) {
       std::array<const Vector*, 5> points{}, normals{};
       const auto places = quartic_points(corner / 3, corner % 3);

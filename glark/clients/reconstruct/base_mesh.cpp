@@ -274,7 +274,7 @@ BaseMesh base_mesh(const Contour& contour, const TransitionLayer& layer, const O
   const bool clustered = cluster(contour, layer, mesh.points, cluster_of);
   mesh.triangles = divide(contour.quads, mesh.points, cluster_of);
   if (clustered) {
-    mesh.triangles = reindex(mesh.triangles, cluster_of, mesh.points.size());
+    mesh.triangles = without_repeats(spanning(mesh.triangles, cluster_of, workers), mesh.points.size());
   } else {
     for (std::uint32_t& i : mesh.triangles) i = cluster_of[i];
   }

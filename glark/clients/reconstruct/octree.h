@@ -11,7 +11,7 @@
 
 #include "glark/clients/reconstruct/cell_table.h"
 #include "glark/clients/vstree/record.h"
-#include "glark/clients/vstree/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 

@@ -4,17 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace glark::surfel {
 namespace {
 
 constexpr float no_cone = 2;
 constexpr float slack = 1e-3F;  // radians: cones stay around what they hold in spite of rounding
-
-Vector normal_of(const Layer& layer, const StripTriangle& triangle) {
-  const Vector a = layer.surfel(triangle[0]).position;
-  return unit(cross(layer.surfel(triangle[1]).position - a, layer.surfel(triangle[2]).position - a));
-}
 
 float angle_between(Vector a, Vector b) { return std::acos(std::clamp(dot(a, b), -1.0F, 1.0F)); }
 
@@ -63,14 +59,19 @@ void describe_inner(const Node& left, const Node& right, Node& node) {
 void bound(const Layer& layer, std::span<const StripTriangle> triangles, Patch& patch) {
   patch.box = {};
   Vector sum;
-  for (const StripTriangle& triangle : triangles) {
-    for (const std::uint32_t corner : triangle) patch.box.add(layer.surfel(corner).position);
-    sum = sum + normal_of(layer, triangle);
+  thread_local std::vector<Vector> normals;
+  normals.clear();
+  for (const auto& [a, b, c] : triangles) {
+    const Vector p = layer.surfel(a).position, q = layer.surfel(b).position, r = layer.surfel(c).position;
+    patch.box.add(p);
+    patch.box.add(q);
+    patch.box.add(r);
+    normals.push_back(unit(cross(q - p, r - p)));
+    sum = sum + normals.back();
   }
   patch.cone_axis = unit(sum);
   patch.cone_cosine = 1;
-  for (const StripTriangle& triangle : triangles) {
-    const Vector normal = normal_of(layer, triangle);
+  for (const Vector& normal : normals) {
     if (!(normal == Vector{})) patch.cone_cosine = std::min(patch.cone_cosine, dot(normal, patch.cone_axis));
   }
 }

@@ -13,7 +13,6 @@
 namespace glark::surfel {
 
 // The valid triangles of a leaf, counter-clockwise, by the layer's points; fills in what the patch says of them.
-void decimate(const Layer& layer, std::uint32_t leaf, const LayerOptions& options, Patch& patch,
-              std::vector<StripTriangle>& valid);
+void decimate(const Layer& layer, std::uint32_t leaf, Patch& patch, std::vector<StripTriangle>& valid);
 
 }  // namespace glark::surfel

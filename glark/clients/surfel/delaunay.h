@@ -21,11 +21,16 @@ class Delaunay {
   struct Point {
     std::int32_t x, y;
   };
-  // Counter-clockwise; neighbours[i] lies across the edge opposite to corners[i].
+  struct Place {
+    double x, y;
+  };
+  // Counter-clockwise; links[i] leads across the edge opposite to corners[i].
   struct Triangle {
     std::array<std::uint32_t, 3> corners;
-    std::array<std::uint32_t, 3> neighbours;
+    std::array<std::uint32_t, 3> links;  // a triangle, and which of its sides that is; `none` on the outside
   };
+  static std::uint32_t triangle_of(std::uint32_t link) { return link >> 2; }
+  static std::uint32_t side_of(std::uint32_t link) { return link & 3; }
 
   // Of points at one place, the first has triangles.
   void triangulate(std::span<const Point> points);
@@ -33,27 +38,32 @@ class Delaunay {
   // Those of corners beyond the number of points reach to the three points far away that enclose all.
   std::span<const Triangle> triangles() const { return triangles_; }
   // Whether the corners are points of the input.
-  bool finite(const Triangle& triangle) const;
+  bool finite(const Triangle& triangle) const {
+    return triangle.corners[0] < count_ && triangle.corners[1] < count_ && triangle.corners[2] < count_;
+  }
 
   // The corner of the neighbour across edge `side` that the triangle has not.
-  std::uint32_t across(std::uint32_t triangle, std::uint32_t side) const;
+  std::uint32_t across(std::uint32_t triangle, std::uint32_t side) const {
+    const std::uint32_t link = triangles_[triangle].links[side];
+    return triangles_[triangle_of(link)].corners[side_of(link)];
+  }
   // Whether the two triangles at the edge are a strictly convex quadrilateral.
   bool can_flip(std::uint32_t triangle, std::uint32_t side) const;
   // Turns the edge. The triangle has what was opposite to it first, then; and so the neighbour that it had.
   void flip(std::uint32_t triangle, std::uint32_t side);
 
  private:
-  std::uint32_t locate(Point point) const;
+  std::uint32_t locate(Place point) const;
   void insert(std::uint32_t index);
   void legalise(std::uint32_t triangle, bool forced);
-  bool in_circle(const Triangle& triangle, Point point) const;
-  void replace_neighbour(std::uint32_t of, std::uint32_t before, std::uint32_t now);
 
-  std::vector<Point> points_;
+  static std::uint32_t link_to(std::uint32_t triangle, std::uint32_t side) { return triangle << 2 | side; }
+
+  std::vector<Place> places_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> pending_;
   std::uint32_t count_ = 0;
-  mutable std::uint32_t last_ = 0;
+  std::uint32_t last_ = 0;
 };
 
 }  // namespace glark::surfel

@@ -42,7 +42,7 @@ Error::Error(Element element, std::size_t index, const std::string& what)
     : std::invalid_argument(numbered(element, index) + what), element_(element), index_(index) {}
 
 void check_options(const Options& options) {
-  check_range("leaf_points", static_cast<float>(options.leaf_points), 8, 128);
+  check_range("leaf_points", static_cast<float>(options.leaf_points), 8, 1024);
   check_range("delta_a", options.delta_a, 0, 1);
   check_range("delta_d", options.delta_d, 0, 1);
   check_range("inflation", options.inflation, 0.5F, 8);

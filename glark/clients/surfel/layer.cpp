@@ -9,6 +9,7 @@
 #include "glark/clients/surfel/bounds.h"
 #include "glark/clients/surfel/comparison.h"
 #include "glark/clients/surfel/decimation.h"
+#include "glark/clients/surfel/mending.h"
 
 namespace glark::surfel {
 namespace {
@@ -37,13 +38,13 @@ template <typename Item, typename SlotOf, typename MakeRun>
 void fill_slots(std::span<const std::uint32_t> leaves, const Workers& workers, std::vector<Item>& array,
                 const SlotOf& slot_of, const MakeRun& make_run) {
   std::vector<Piece<Item>> pieces((leaves.size() + leaves_a_piece - 1) / leaves_a_piece);
-  workers.each(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+  workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     make_run(leaves.subspan(begin, end - begin), pieces[begin / leaves_a_piece]);
   });
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     make_room(slot_of(leaves[i]), pieces[i / leaves_a_piece].counts[i % leaves_a_piece], array);
   }
-  workers.each(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+  workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     auto from = pieces[begin / leaves_a_piece].items.begin();
     for (std::size_t i = begin; i < end; ++i) {
       const Slot& slot = slot_of(leaves[i]);
@@ -78,16 +79,18 @@ void keep_middles(std::span<Surfel> surfels, std::vector<Surfel>& kept) {
 
 }  // namespace
 
-void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers) {
+void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                     const Workers& workers) {
   fill_slots(
       leaves, workers, layer.candidates, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].candidates; },
       [&](std::span<const std::uint32_t> run, Piece<Candidate>& piece) {
-        Patcher patcher(layer.tree);
+        Patcher patcher(layer.tree, options.reach);
         for (const std::uint32_t leaf : run) {
           patcher.make(leaf);
           piece.items.insert(piece.items.end(), patcher.candidates.begin(), patcher.candidates.end());
           piece.counts.push_back(static_cast<std::uint32_t>(patcher.candidates.size()));
           layer.patches[leaf].outer = patcher.outer;
+          layer.patches[leaf].shared = patcher.shared;
           std::span<Surfel> surfels = layer.tree.used(layer.tree.leaves[leaf]);
           for (std::size_t i = 0; i < surfels.size(); ++i) surfels[i].spacing = patcher.spacings[i];
         }
@@ -96,20 +99,20 @@ void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const 
 
 void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
                          const Workers& workers) {
-  workers.each(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) agree(layer, leaves[i], options.reach);
+  workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) agree(layer, leaves[i], options);
   });
 }
 
-void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
-                 const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
+void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers,
+                 std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
   fill_slots(
       leaves, workers, indices, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].strip; },
       [&](std::span<const std::uint32_t> run, Piece<std::uint32_t>& piece) {
         std::vector<StripTriangle> triangles;
         Stripper stripper;
         for (const std::uint32_t leaf : run) {
-          decimate(layer, leaf, options, layer.patches[leaf], triangles);
+          decimate(layer, leaf, layer.patches[leaf], triangles);
           bound(layer, triangles, layer.patches[leaf]);
           const auto strip = stripper.strip(triangles);
           for (const std::uint32_t point : strip) piece.items.push_back(layer.name(point));
@@ -130,16 +133,18 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
   layer.tree = build_tree(std::move(surfels), options.tree, workers);
   layer.owner.resize(count);
   layer.place.resize(count);
+  layer.rift_of.resize(count, none);
   layer.patches.resize(layer.tree.leaves.size());
   std::vector<std::uint32_t> leaves(layer.tree.leaves.size());
   std::iota(leaves.begin(), leaves.end(), 0U);
-  workers.each(leaves.size(), 4 * leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+  workers.in_pieces(leaves.size(), 4 * leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t leaf = begin; leaf < end; ++leaf) layer.find_owners(static_cast<std::uint32_t>(leaf));
   });
-  make_candidates(layer, leaves, workers);
+  make_candidates(layer, leaves, options, workers);
   agree_on_candidates(layer, leaves, options, workers);
+  mend(layer, leaves, options, workers);
   std::vector<Range> changed;
-  make_strips(layer, leaves, options, workers, indices, changed);
+  make_strips(layer, leaves, workers, indices, changed);
   layer.nodes.resize(layer.tree.nodes.size());
   for (auto node = static_cast<std::uint32_t>(layer.nodes.size()); node-- > 0;) describe(layer, node, options);
   return layer;

@@ -7,30 +7,29 @@
 #include <glark/surfel.h>
 
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "glark/clients/surfel/patch.h"
+#include "glark/clients/surfel/strip_path.h"
 #include "glark/clients/surfel/stripping_tree.h"
 
 namespace glark::surfel {
 
-// Between an agreed and a contested triangle.
-struct GapEdge {
-  std::array<std::uint32_t, 2> ends;  // ascending
-  std::uint32_t gap;
-  bool closed;  // the leaf's contested triangles there close it
-
-  bool operator==(const GapEdge&) const = default;
+// What is drawn where leaves disagree.
+struct MendedTriangle {
+  StripTriangle triangle;
+  std::uint32_t rift;
 };
 
 // What is known of a leaf's patch.
 struct Patch {
   Slot candidates;
+  std::uint32_t shared = 0;  // of the candidates, those that other leaves could have: they come first, ascending
   Slot strip;
   std::size_t outer = 0, redundant = 0, dual = 0, valid = 0, out_of_reach = 0;
-  std::uint32_t gaps = 0;
-  std::vector<GapEdge> gap_edges;  // ascending; few leaves have any
-  Box box;                         // of what is drawn
+  std::vector<MendedTriangle> mended;  // few leaves have any
+  Box box;                             // of what is drawn
   Vector cone_axis;
   float cone_cosine = -2;  // 2: nothing is drawn
 };
@@ -44,6 +43,10 @@ struct Layer {
   std::vector<std::uint32_t> place;  // of points: where in tree.surfels
   std::vector<std::uint32_t>
       names;  // of points: their number in the cloud; empty: they are all the points of the cloud
+
+  // Places of disagreement, by their lowest point: the points that have triangles there; and that lowest point for each of these.
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> rifts;
+  std::vector<std::uint32_t> rift_of;  // of points; `none` for most
 
   const Surfel& surfel(std::uint32_t point) const { return tree.surfels[place[point]]; }
   std::span<const Candidate> candidates_of(std::uint32_t leaf) const {
@@ -71,11 +74,12 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
                   const Workers& workers, std::vector<std::uint32_t>& indices);
 
 // Candidates, then what others say of them, then strips, of leaves that are named; strips that grow move to the end of `indices`. Appends what changed there.
-void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers);
+void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                     const Workers& workers);
 void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
                          const Workers& workers);
-void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
-                 const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
+void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers,
+                 std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
 
 // The public node of a node, from its leaf or its children.
 void describe(Layer& layer, std::uint32_t node, const LayerOptions& options);

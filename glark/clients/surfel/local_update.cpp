@@ -6,6 +6,8 @@
 #include <functional>
 #include <utility>
 
+#include "glark/clients/surfel/mending.h"
+
 namespace glark::surfel {
 namespace {
 
@@ -47,6 +49,7 @@ class Mover {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     layer_.owner.resize(std::max<std::size_t>(layer_.owner.size(), moved_.empty() ? 0 : moved_.back().index + 1UL));
     layer_.place.resize(layer_.owner.size());
+    layer_.rift_of.resize(layer_.owner.size(), none);
     const std::size_t old_leaves = tree_.leaves.size();
     for (const std::uint32_t leaf : touched_.list()) replant(leaf);
     for (std::size_t leaf = old_leaves; leaf < tree_.leaves.size(); ++leaf) {
@@ -188,8 +191,8 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
                   std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
   Mover mover(layer, moved, options);
   mover.run();
-  make_candidates(layer, mover.leaves.list(), workers);
-  // Those that share triangles with them compare anew, and those that share gaps with these.
+  make_candidates(layer, mover.leaves.list(), options, workers);
+  // Those that share triangles with them compare anew, and those that share places of disagreement with these.
   Marked drawn;
   std::vector<std::uint32_t> found;
   for (const std::uint32_t leaf : mover.leaves.list()) {
@@ -197,15 +200,9 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
     Patcher::neighbours(layer.tree, leaf, found);
     for (const std::uint32_t neighbour : found) drawn.add(neighbour);
   }
-  std::vector<std::vector<GapEdge>> before;
-  for (const std::uint32_t leaf : drawn.list()) before.push_back(layer.patches[leaf].gap_edges);
   agree_on_candidates(layer, drawn.list(), options, workers);
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (layer.patches[drawn.list()[i]].gap_edges == before[i]) continue;
-    Patcher::neighbours(layer.tree, drawn.list()[i], found);
-    for (const std::uint32_t neighbour : found) drawn.add(neighbour);
-  }
-  make_strips(layer, drawn.list(), options, workers, indices, changed);
+  for (const std::uint32_t leaf : mend(layer, drawn.list(), options, workers)) drawn.add(leaf);
+  make_strips(layer, drawn.list(), workers, indices, changed);
   layer.nodes.resize(layer.tree.nodes.size());
   Marked nodes;
   for (const std::uint32_t leaf : drawn.list()) {

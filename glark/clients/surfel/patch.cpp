@@ -23,17 +23,13 @@ float cotangents(Vector a, Vector b, Vector p, Vector d) {
   return cotangent(p) + cotangent(d);
 }
 
-// Whether the angles of abp and abd at p and d are below 60 degrees: then no other diagonal is better, on any plane.
-bool surely_delaunay(Vector a, Vector b, Vector p, Vector d) {
-  const auto narrow = [&](Vector at) {
-    const Vector s = a - at, t = b - at;
-    const float cosine = dot(s, t);
-    return cosine > 0 && 4 * cosine * cosine > dot(s, s) * dot(t, t);
-  };
-  return narrow(p) && narrow(d);
-}
-
 }  // namespace
+
+float spacing_of(float a, float b, float c) {
+  const float middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+  constexpr float sparser = 3;  // two isolated points have no triangle with one that is none
+  return std::min(middle, sparser * std::min({a, b, c}));
+}
 
 void Patcher::neighbours(const StrippingTree& tree, std::uint32_t number, std::vector<std::uint32_t>& found) {
   const Leaf& leaf = tree.leaves[number];
@@ -130,22 +126,37 @@ bool Patcher::prefers_other_diagonal(std::uint32_t number, std::uint32_t side) c
   const Member* b = member(corners[(side + 2) % 3]);
   if (a->index > b->index) std::swap(a, b);
   if (p->index > d->index) std::swap(p, d);
-  if (surely_delaunay(a->position, b->position, p->position, d->position)) return false;
   const float now = cotangents(a->position, b->position, p->position, d->position);
   const float other = cotangents(p->position, d->position, a->position, b->position);
   return other > now || (other == now && p->index < a->index);
 }
 
+void Patcher::measure_angles(std::uint32_t number) {
+  const auto [a, b, c] = delaunay_.triangles()[number].corners;
+  if (std::max({a, b, c}) >= members_.size()) return;
+  const Vector p = members_[a].position, q = members_[b].position, r = members_[c].position;
+  const Vector pq = q - p, qr = r - q, rp = p - r;
+  const float scale = -1 / std::max(length(cross(pq, rp)), std::numeric_limits<float>::min());
+  angles_[number] = {dot(pq, rp) * scale, dot(qr, pq) * scale, dot(rp, qr) * scale};
+}
+
 bool Patcher::turn(std::uint32_t number, std::uint32_t side) {
   const Delaunay::Triangle& triangle = delaunay_.triangles()[number];
-  const std::uint32_t other = triangle.neighbours[side];
-  if (other == Delaunay::none || !delaunay_.finite(delaunay_.triangles()[other])) return false;
+  const std::uint32_t link = triangle.links[side];
+  if (link == Delaunay::none) return false;
+  const std::uint32_t other = Delaunay::triangle_of(link);
+  // Where Delaunay's criterion holds by far: there is no better diagonal.
+  constexpr float by_far = 0.7F;  // the sum of the cotangents of two angles of 70 degrees
+  if (!delaunay_.finite(delaunay_.triangles()[other])) return false;
+  if (angles_[number][side] + angles_[other][Delaunay::side_of(link)] >= by_far) return false;
   const std::uint32_t nearest = std::min({triangle.corners[0], triangle.corners[1], triangle.corners[2]});
   if (nearest >= own_ && delaunay_.across(number, side) >= own_) return false;
   if (!prefers_other_diagonal(number, side) || !delaunay_.can_flip(number, side)) return false;
   pending_.push_back(number);
   pending_.push_back(other);
   delaunay_.flip(number, side);
+  measure_angles(number);
+  measure_angles(other);
   return true;
 }
 
@@ -153,10 +164,12 @@ bool Patcher::turn(std::uint32_t number, std::uint32_t side) {
 void Patcher::relax() {
   pending_.clear();
   const auto count = static_cast<std::uint32_t>(delaunay_.triangles().size());
+  angles_.resize(count);
+  for (std::uint32_t number = 0; number < count; ++number) measure_angles(number);
   for (std::uint32_t number = 0; number < count; ++number) {
     for (std::uint32_t side = 0; side < 3; ++side) {
       const Delaunay::Triangle& triangle = delaunay_.triangles()[number];
-      if (triangle.neighbours[side] > number && delaunay_.finite(triangle)) turn(number, side);
+      if (Delaunay::triangle_of(triangle.links[side]) > number && delaunay_.finite(triangle)) turn(number, side);
     }
   }
   // Around those that were turned; in space edges could turn for ever.
@@ -174,39 +187,63 @@ bool Patcher::faces_away(const Delaunay::Triangle& triangle) const {
   return dot(normal, a.normal + b.normal + c.normal) < 0;
 }
 
+// Of a triangle that reaches beyond all points, the edge that does not, if it is one of the leaf's points.
+void Patcher::collect_rim(const Delaunay::Triangle& triangle) {
+  std::array<std::uint32_t, 2> ends{};
+  std::size_t count = 0;
+  for (const std::uint32_t corner : triangle.corners) {
+    if (corner < members_.size() && count < 2) ends[count++] = corner;
+  }
+  if (count < 2 || std::min(ends[0], ends[1]) >= own_) return;
+  const auto [low, high] = std::minmax(members_[ends[0]].index, members_[ends[1]].index);
+  candidates.push_back({{low, high, high}, false, false, State::rim});
+}
+
+// Of a triangle that no other leaf can have, all is known.
+State Patcher::state_of_interior(const Delaunay::Triangle& triangle, bool away) const {
+  const auto [a, b, c] = triangle.corners;
+  const Vector p = members_[a].position, q = members_[b].position, r = members_[c].position;
+  const float most = reach_ * spacing_of(spacings[a], spacings[b], spacings[c]);
+  if (std::max({dot(p - q, p - q), dot(q - r, q - r), dot(r - p, r - p)}) > most * most) return State::out_of_reach;
+  return away ? State::rejected : State::agreed;
+}
+
 void Patcher::collect() {
   candidates.clear();
+  interior_.clear();
   outer = 0;
-  const auto triangles = delaunay_.triangles();
-  for (std::uint32_t number = 0; number < triangles.size(); ++number) {
-    const Delaunay::Triangle& triangle = triangles[number];
-    if (!delaunay_.finite(triangle)) continue;
-    if (*std::min_element(triangle.corners.begin(), triangle.corners.end()) >= own_) {
+  for (const Delaunay::Triangle& triangle : delaunay_.triangles()) {
+    const auto [a, b, c] = triangle.corners;
+    if (!delaunay_.finite(triangle)) {
+      collect_rim(triangle);
+      continue;
+    }
+    if (std::min({a, b, c}) >= own_) {
       ++outer;
       continue;
     }
-    Candidate candidate{};
-    candidate.reversed = faces_away(triangle);
-    std::array<std::uint32_t, 3> order = {0, 1, 2};
-    const auto index = [&](std::uint32_t i) { return members_[triangle.corners[i]].index; };
-    const auto sort_two = [&](std::uint32_t i, std::uint32_t j) {
-      if (index(order[i]) < index(order[j])) return;
-      std::swap(order[i], order[j]);
+    Candidate candidate{
+        {members_[a].index, members_[b].index, members_[c].index}, false, faces_away(triangle), State::contested};
+    auto& [low, middle, high] = candidate.corners;
+    const auto sort_two = [&](std::uint32_t& first, std::uint32_t& second) {
+      if (first < second) return;
+      std::swap(first, second);
       candidate.reversed = !candidate.reversed;
     };
-    sort_two(0, 1);
-    sort_two(1, 2);
-    sort_two(0, 1);
-    for (std::size_t k = 0; k < 3; ++k) {
-      candidate.corners[k] = index(order[k]);
-      const std::uint32_t beyond = triangle.neighbours[order[k]];
-      const bool finite = beyond != Delaunay::none && delaunay_.finite(triangles[beyond]);
-      candidate.across[k] = finite ? members_[delaunay_.across(number, order[k])].index : none;
+    sort_two(low, middle);
+    sort_two(middle, high);
+    sort_two(low, middle);
+    if (std::max({a, b, c}) < own_) {
+      candidate.state = state_of_interior(triangle, candidate.away);
+      interior_.push_back(candidate);
+    } else {
+      candidates.push_back(candidate);
     }
-    candidates.push_back(candidate);
   }
+  shared = static_cast<std::uint32_t>(candidates.size());
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return a.corners < b.corners; });
+  candidates.insert(candidates.end(), interior_.begin(), interior_.end());
 }
 
 // The third shortest edge: of points on scan lines, that to the next line.
@@ -219,17 +256,19 @@ void Patcher::measure_spacings() {
       const std::uint32_t from = triangle.corners[k];
       if (from >= own_) continue;
       const Vector edge = members_[triangle.corners[(k + 1) % 3]].position - members_[from].position;
-      float size = dot(edge, edge);
-      for (float& kept : shortest_[from]) {
-        if (size < kept) std::swap(size, kept);
-      }
+      const float size = dot(edge, edge);
+      auto& [first, second, third] = shortest_[from];
+      if (!(size < third)) continue;
+      third = std::max(size, second);
+      second = std::max(first, std::min(size, second));
+      first = std::min(first, size);
     }
   }
   spacings.clear();
   for (const std::array<float, 3>& three : shortest_) {
-    float greatest = 0;
-    for (const float size : three) greatest = size < far ? std::max(greatest, size) : greatest;
-    spacings.push_back(std::sqrt(greatest));
+    constexpr float most = 25;  // squared: a gap around two or three points is not their distance
+    const float second = three[1] < far ? three[1] : three[0] < far ? three[0] : 0;
+    spacings.push_back(std::sqrt(std::min(three[2], most * second)));
   }
 }
 
@@ -238,8 +277,8 @@ void Patcher::make(std::uint32_t number) {
   project(tree_.leaves[number]);
   delaunay_.triangulate(points_);
   relax();
-  collect();
   measure_spacings();
+  collect();
 }
 
 }  // namespace glark::surfel

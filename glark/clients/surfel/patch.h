@@ -17,30 +17,34 @@ namespace glark::surfel {
 using Corners = std::array<std::uint32_t, 3>;  // points, ascending
 
 enum class State : std::uint8_t {
-  contested,
+  contested,     // some leaf that could have it has it not
   agreed,        // all leaves that could have the triangle have it
-  closes_gap,    // of contested triangles between agreed ones
+  rejected,      // it is seen from behind, or has a point that is far from everything
   out_of_reach,  // an edge is too long
+  rim,           // no triangle, but an edge beyond which there is none: two of the corners are one
 };
 
 // A triangle with a point of its leaf, which may be drawn.
 struct Candidate {
   Corners corners;
-  Corners across;     // the point beyond the edge opposite to each corner, or `none`
-  std::uint32_t gap;  // number among those of the leaf, of a contested triangle
-  bool reversed;      // the corners are clockwise seen from outside
+  bool reversed;  // the corners are clockwise
+  bool away;      // by the normals of its points it is seen from behind
   State state;
 };
+
+// The distance by which the reach of a triangle is measured, of those of its points.
+float spacing_of(float a, float b, float c);
 
 // Makes patches, one after the other, in memory that it keeps.
 class Patcher {
  public:
-  explicit Patcher(const StrippingTree& tree) : tree_(tree) {}
+  Patcher(const StrippingTree& tree, float reach) : tree_(tree), reach_(reach) {}
 
   // Afterwards the members below are of this leaf.
   void make(std::uint32_t leaf);
 
-  std::vector<Candidate> candidates;  // ascending by corners
+  std::vector<Candidate> candidates;  // first those with points of other leaves, ascending by corners
+  std::uint32_t shared = 0;           // how many these are
   std::vector<float> spacings;        // of the leaf's used points
   std::size_t outer = 0;              // triangles without any of these
 
@@ -57,13 +61,18 @@ class Patcher {
   void inflate(std::uint32_t leaf);
   void project(const Leaf& leaf);
   bool turn(std::uint32_t triangle, std::uint32_t side);
+  void measure_angles(std::uint32_t triangle);
   void relax();
   bool prefers_other_diagonal(std::uint32_t triangle, std::uint32_t side) const;
   bool faces_away(const Delaunay::Triangle& triangle) const;
   void collect();
+  void collect_rim(const Delaunay::Triangle& triangle);
   void measure_spacings();
 
+  State state_of_interior(const Delaunay::Triangle& triangle, bool away) const;
+
   const StrippingTree& tree_;
+  float reach_;
   std::size_t own_ = 0;
   std::vector<std::uint32_t> neighbours_;
   std::vector<std::uint32_t> pending_;  // triangles whose edges may turn
@@ -71,6 +80,8 @@ class Patcher {
   std::vector<std::array<float, 2>> plane_;
   std::vector<Delaunay::Point> points_;
   std::vector<std::array<float, 3>> shortest_;
+  std::vector<std::array<float, 3>> angles_;  // of the triangulation's triangles, their cotangents
+  std::vector<Candidate> interior_;
   Delaunay delaunay_;
 };
 

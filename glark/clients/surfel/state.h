@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "glark/clients/surfel/layer.h"
-#include "glark/clients/surfel/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 

@@ -225,7 +225,7 @@ StrippingTree build_tree(std::vector<Surfel> surfels, const TreeOptions& options
   tree.nodes = std::move(branch.nodes);
   tree.leaves = std::move(branch.leaves);
   constexpr std::size_t grain = 256;
-  workers.each(tree.leaves.size(), grain, [&](std::size_t begin, std::size_t end) {
+  workers.in_pieces(tree.leaves.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t leaf = begin; leaf < end; ++leaf) refit(tree, tree.leaves[leaf].node);
   });
   for (auto node = static_cast<std::uint32_t>(tree.nodes.size()); node-- > 0;) {

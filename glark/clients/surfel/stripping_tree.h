@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "glark/clients/surfel/vector.h"
-#include "glark/clients/surfel/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 

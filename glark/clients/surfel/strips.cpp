@@ -54,7 +54,7 @@ Strips::State::State(const Cloud& cloud, const Options& chosen)
   };
   std::vector<Surfel> surfels(cloud.positions.size() / 3);
   constexpr std::size_t grain = 16384;
-  workers.each(surfels.size(), grain, [&](std::size_t begin, std::size_t end) {
+  workers.in_pieces(surfels.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) surfels[i] = surfel_of(cloud, i, layer_options.unit);
   });
   points = surfels.size();

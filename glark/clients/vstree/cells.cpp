@@ -22,41 +22,24 @@ std::vector<std::uint32_t> slots_of(std::vector<std::uint32_t>& counts, std::siz
   return begins;
 }
 
-std::vector<Cell> finest(std::span<const Record> sorted, std::span<const std::uint32_t> begins,
-                         const Workers& workers) {
+std::vector<Cell> finest(std::span<const std::uint32_t> begins) {
   std::vector<Cell> cells;
+  cells.reserve(std::min<std::size_t>(begins.size(), begins.back() + 1));
   for (std::uint32_t key = 0; key + 1 < begins.size(); ++key) {
-    if (begins[key] == begins[key + 1]) continue;
-    cells.emplace_back();
-    cells.back().key = key;
-    cells.back().begin = begins[key];
+    if (begins[key] != begins[key + 1]) cells.push_back({key, begins[key], 0});
   }
-  const std::size_t count = cells.size();
-  cells.emplace_back();
-  cells.back().begin = begins.back();
-  const std::size_t cells_a_piece = std::max<std::size_t>(1, grain * count / std::max<std::size_t>(1, sorted.size()));
-  workers.each(count, cells_a_piece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      cells[i].moments = Moments::of(sorted.subspan(cells[i].begin, cells[i + 1].begin - cells[i].begin));
-    }
-  });
+  cells.push_back({0, begins.back(), 0});
   return cells;
 }
 
 std::vector<Cell> coarser(const std::vector<Cell>& fine, unsigned key_bits) {
   std::vector<Cell> cells;
+  cells.reserve(fine.size());
   for (std::uint32_t i = 0; i + 1 < fine.size(); ++i) {
     const std::uint32_t key = fine[i].key >> key_bits;
-    if (cells.empty() || cells.back().key != key) {
-      cells.push_back(fine[i]);
-      cells.back().key = key;
-      cells.back().first_child = i;
-    } else {
-      cells.back().moments.add(fine[i].moments);
-    }
+    if (cells.empty() || cells.back().key != key) cells.push_back({key, fine[i].begin, i});
   }
-  cells.push_back(fine.back());
-  cells.back().first_child = static_cast<std::uint32_t>(fine.size() - 1);
+  cells.push_back({0, fine.back().begin, static_cast<std::uint32_t>(fine.size() - 1)});
   return cells;
 }
 
@@ -89,13 +72,32 @@ std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, con
   return begins;
 }
 
-Cells cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels,
-               unsigned key_bits, const Workers& workers) {
+Cells cells_of(std::span<const std::uint32_t> begins, unsigned levels, unsigned key_bits) {
   Cells result;
   result.levels.resize(levels + 1);
-  result.levels[levels] = finest(sorted, begins, workers);
-  for (unsigned level = levels; level > 0; --level) result.levels[level - 1] = coarser(result.levels[level], key_bits);
+  result.levels[levels] = finest(begins);
+  for (unsigned level = levels; level-- > 0;) result.levels[level] = coarser(result.levels[level + 1], key_bits);
   return result;
+}
+
+void add_moments(Cells& cells, std::span<const Record> sorted, const Workers& workers) {
+  cells.moments.resize(cells.levels.size());
+  const std::vector<Cell>& fine = cells.levels.back();
+  const std::size_t count = fine.size() - 1;
+  cells.moments.back().resize(count);
+  const std::size_t cells_a_piece = std::max<std::size_t>(1, grain * count / std::max<std::size_t>(1, sorted.size()));
+  workers.each(count, cells_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      cells.moments.back()[i] = Moments::of(sorted.subspan(fine[i].begin, fine[i + 1].begin - fine[i].begin));
+  });
+  for (std::size_t level = cells.levels.size() - 1; level-- > 0;) {
+    const std::vector<Cell>& mine = cells.levels[level];
+    for (std::size_t i = 0; i + 1 < mine.size(); ++i) {
+      Moments& sum = cells.moments[level].emplace_back(cells.moments[level + 1][mine[i].first_child]);
+      for (std::uint32_t child = mine[i].first_child + 1; child < mine[i + 1].first_child; ++child)
+        sum.add(cells.moments[level + 1][child]);
+    }
+  }
 }
 
 }  // namespace glark::vstree

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "glark/clients/vstree/moments.h"
-#include "glark/clients/vstree/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 
@@ -28,17 +28,27 @@ inline std::uint32_t every_second_bit(std::uint32_t x) {
   return (x | (x << 1)) & 0x55555555U;
 }
 
+// The key of a cube on the level above the last one by `shift`.
+inline std::uint32_t cube_key(const std::array<std::uint32_t, 3>& cell, unsigned shift) {
+  return every_third_bit(cell[0] >> shift) | (every_third_bit(cell[1] >> shift) << 1) |
+         (every_third_bit(cell[2] >> shift) << 2);
+}
+
 // One that has samples.
 struct Cell {
   std::uint32_t key = 0;          // on its level
   std::uint32_t begin = 0;        // of its records
   std::uint32_t first_child = 0;  // on the next finer level, where its children are neighbours
-  Moments moments;
 };
 
 struct Cells {
   // [levels + 1], the coarsest first, each sorted by key, with one more cell at the end that has only `begin` and `first_child`.
   std::vector<std::vector<Cell>> levels;
+  std::vector<std::vector<Moments>> moments;  // of the cells of each level, or empty: not asked for
+
+  const Moments* moments_of(std::size_t level, std::size_t cell) const {
+    return moments.empty() ? nullptr : &moments[level][cell];
+  }
 };
 
 // Where each record of a run goes: filled by the caller for the records begin .. end - 1 of it.
@@ -51,7 +61,7 @@ std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, con
                                        const MoveFunction& move, const Workers& workers);
 
 // `begins` as from sort_by_key(), for records that are sorted; key_bits: 3 for cubes, 2 for rectangles.
-Cells cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels,
-               unsigned key_bits, const Workers& workers);
+Cells cells_of(std::span<const std::uint32_t> begins, unsigned levels, unsigned key_bits);
+void add_moments(Cells& cells, std::span<const Record> sorted, const Workers& workers);
 
 }  // namespace glark::vstree

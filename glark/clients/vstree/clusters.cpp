@@ -8,12 +8,14 @@
 #include "glark/clients/vstree/construction.h"
 #include "glark/clients/vstree/prune.h"
 #include "glark/clients/vstree/reindex.h"
+#include "glark/clients/vstree/shapes.h"
 
 namespace glark::vstree {
 namespace {
 
 constexpr int most_searches = 6;
-constexpr double parts_a_cluster = 2.5;  // of the tree from which clusters are put together
+constexpr std::uint32_t most_cells = (1 << 21) - 1;  // of a grid a side, so that three fit a key
+constexpr double parts_a_cluster = 2.5;              // of the tree from which clusters are put together
 
 // Triangles, or points of a set, that clusters leave.
 std::size_t size_of(const Surface& surface, const Clusters& clusters) {
@@ -22,7 +24,7 @@ std::size_t size_of(const Surface& surface, const Clusters& clusters) {
 
 // `make(k)` gives clusters, about k of them; returns those with the most triangles, or points, within the target.
 template <typename Make>
-Clusters search(const Surface& surface, std::size_t target, const Make& make) {
+Clusters search(const Surface& surface, std::size_t target, const Workers& workers, const Make& make) {
   const auto wanted = static_cast<double>(target);
   Clusters best;
   std::size_t best_size = 0;
@@ -32,13 +34,14 @@ Clusters search(const Surface& surface, std::size_t target, const Make& make) {
     std::size_t size = clusters.count;
     bool near = true;
     if (!surface.triangles.empty()) {  // without looking for fins, as long as that will do
-      size = spanning_triangles(surface.triangles, clusters.of);
+      std::vector<std::uint32_t> triangles = spanning(surface.triangles, clusters.of, workers);
+      size = triangles.size() / 3;
       near = static_cast<double>(size) < 1.2 * wanted && (static_cast<double>(size) > 0.97 * wanted || i > 2);
-      if (near) clusters.triangles = reindex(surface.triangles, clusters.of, clusters.count);
+      if (near) clusters.triangles = without_repeats(triangles, clusters.count);
     }
     if (near) {
       size = size_of(surface, clusters);
-      const bool all = clusters.count >= surface.points.size();
+      const bool all = clusters.count >= surface.size();
       if (size <= target && (best.of.empty() || size > best_size)) {
         best_size = size;
         best = std::move(clusters);
@@ -52,73 +55,83 @@ Clusters search(const Surface& surface, std::size_t target, const Make& make) {
   return best;
 }
 
-// Leaves that come from nodes whose error is small enough.
+// Leaves that come from nodes whose error is small enough. They have no records yet.
 Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> order, std::span<const float> errors,
                    float threshold) {
   Clusters clusters;
   clusters.of.resize(order.size());
-  std::vector<std::uint32_t> cluster_of(nodes.size(), none);
+  std::vector<bool> is_below(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& node = nodes[i];
-    if (cluster_of[i] == none && (node.is_leaf() || errors[i] <= threshold)) {
-      cluster_of[i] = clusters.count++;
-      clusters.nodes.push_back(static_cast<std::uint32_t>(i));
-      for (std::uint32_t k = node.begin; k < node.end; ++k) clusters.of[order[k]] = cluster_of[i];
+    const bool is_leaf = node.is_leaf() || errors[i] <= threshold;
+    if (is_leaf && !is_below[i]) {
+      for (std::uint32_t k = node.begin; k < node.end; ++k) clusters.of[order[k]] = clusters.count;
+      clusters.runs.push_back({node.begin, node.end});
+      ++clusters.count;
     }
-    if (node.is_leaf() || cluster_of[i] == none) continue;
-    for (std::uint32_t k = 0; k < node.child_count(); ++k) cluster_of[node.first_child + k] = cluster_of[i];
+    if (node.is_leaf() || !(is_leaf || is_below[i])) continue;
+    for (std::uint32_t k = 0; k < node.child_count(); ++k) is_below[node.first_child + k] = true;
   }
   return clusters;
 }
 
-// Of each node, its leaves' samples and triangles.
-std::vector<Shape> node_shapes(const Surface& surface, std::span<const Node> nodes,
-                               std::span<const std::uint32_t> order) {
-  std::vector<std::uint32_t> groups(order.size());
-  std::vector<Shape> shapes(nodes.size());
-  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-    if (!nodes[i].is_leaf()) continue;
-    const std::span<const std::uint32_t> samples = order.subspan(nodes[i].begin, nodes[i].size());
-    for (const std::uint32_t sample : samples) {
-      groups[sample] = i;
-      shapes[i].sum += surface.points[sample] + Float4{0, 0, 0, 1};
-    }
-    const Float4 centroid = shapes[i].centroid();
-    float square = 0;
-    for (const std::uint32_t sample : samples)
-      square = std::max(square, dot(surface.points[sample] - centroid, surface.points[sample] - centroid));
-    shapes[i].radius = std::sqrt(square);
+// Of each node that is no leaf the squared distance of its best point from the tangent planes of its samples, by their weight in all,
+// and no less than that of any node below it. Not the mean: dividing goes on where it gains most for the whole surface. A little of the
+// extent counts too, so that what is flat is divided evenly.
+class WholeErrors {
+ public:
+  WholeErrors(std::span<const Node> nodes, std::span<const Record> sorted, const Workers& workers)
+      : nodes_(nodes), sorted_(sorted), workers_(workers), errors_(nodes.size()) {
+    if (!nodes.empty()) find_shared(0);
   }
-  add_quadrics(surface, groups, shapes);
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    if (nodes[i].is_leaf()) continue;
-    const std::span<const Shape> children{&shapes[nodes[i].first_child], nodes[i].child_count()};
-    Shape shape;
-    for (const Shape& child : children) shape.sum += child.sum;
-    for (const Shape& child : children) {
-      const Float4 apart = shape.centroid() - child.centroid();
-      shape.quadric.add(child.quadric.moved(apart));
-      shape.radius = std::max(shape.radius, child.radius + std::sqrt(dot(apart, apart)));
-    }
-    shapes[i] = shape;
-  }
-  return shapes;
-}
+  const std::vector<float>& errors() const { return errors_; }
 
-// Of each node the squared distance of its best point from its planes, by their weight in all, and no less than that of any node
-// below it. Not the mean: dividing goes on where it gains most for the whole surface. A little of the extent counts too, so that what is
-// flat is divided evenly.
-std::vector<float> whole_errors(std::span<const Node> nodes, std::span<const Shape> shapes) {
-  std::vector<float> errors(nodes.size());
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    const Shape& shape = shapes[i];
-    const float extent = shape.radius * shape.radius * (shape.quadric.weight() + 1e-12F * shape.sum[3]);
-    errors[i] = shape.quadric.error_at(shape.best_step()) + 1e-6F * extent;
-    const std::size_t children = nodes[i].is_leaf() ? 0 : nodes[i].child_count();
-    for (std::size_t k = 0; k < children; ++k) errors[i] = std::max(errors[i], errors[nodes[i].first_child + k]);
+ private:
+  // The shape of a node whose children other threads may take.
+  Shape find_shared(std::uint32_t index) {
+    const Node& node = nodes_[index];
+    constexpr std::uint32_t samples_alone = 1 << 12;
+    if (node.size() <= samples_alone || node.is_leaf()) {
+      std::vector<Shape> stack;
+      find(index, stack);
+      return stack.back();
+    }
+    std::vector<Shape> children(node.child_count());
+    workers_.each(children.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        children[k] = find_shared(node.first_child + static_cast<std::uint32_t>(k));
+    });
+    return combine(node, children);
   }
-  return errors;
-}
+
+  // Adds the shape of a node to the stack.
+  void find(std::uint32_t index, std::vector<Shape>& stack) {
+    const Node& node = nodes_[index];
+    if (node.is_leaf()) {
+      stack.push_back(shape_of(sorted_.subspan(node.begin, node.size())));
+      return;
+    }
+    const std::uint32_t count = node.child_count();
+    for (std::uint32_t k = 0; k < count; ++k) find(node.first_child + k, stack);
+    const Shape shape = combine(node, std::span(stack).last(count));
+    stack.resize(stack.size() - count);
+    stack.push_back(shape);
+  }
+
+  Shape combine(const Node& node, std::span<const Shape> children) {
+    const Shape shape = sum_of(children);
+    const float extent = shape.radius * shape.radius * (shape.quadric.weight() + 1e-12F * shape.sum[3]);
+    float error = shape.quadric.error_at(shape.best_step()) + 1e-6F * extent;
+    for (std::size_t k = 0; k < children.size(); ++k) error = std::max(error, errors_[node.first_child + k]);
+    errors_[static_cast<std::size_t>(&node - nodes_.data())] = error;
+    return shape;
+  }
+
+  std::span<const Node> nodes_;
+  std::span<const Record> sorted_;
+  const Workers& workers_;
+  std::vector<float> errors_;
+};
 
 Clusters cluster_by_tree(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
   Options tree_options;
@@ -131,31 +144,35 @@ Clusters cluster_by_tree(const Surface& surface, const SimplifyOptions& options,
     const std::size_t clusters = surface.triangles.empty() ? options.target : options.target / 2 + 1;
     tree_options.metric = Metric::density;
     tree_options.threshold =
-        std::max(1.0F, std::floor(static_cast<float>(static_cast<double>(surface.points.size()) /
+        std::max(1.0F, std::floor(static_cast<float>(static_cast<double>(surface.size()) /
                                                      (parts_a_cluster * static_cast<double>(clusters)))));
   }
   std::vector<std::uint32_t> order;
-  const Nodes tree = construct(surface.points, surface.normals, tree_options, surface.cube.diagonal, order, workers);
-  if (options.target == 0) return leaves_of(tree.nodes, order, std::vector<float>(tree.nodes.size()), -1);
-  const std::vector<Shape> shapes = node_shapes(surface, tree.nodes, order);
-  const std::vector<float> errors = whole_errors(tree.nodes, shapes);
-  const LeafCounts counts(tree.nodes, errors);
-  Clusters clusters = search(surface, options.target, [&](std::size_t aim) {
-    return leaves_of(tree.nodes, order, errors, counts.threshold_for(aim));
-  });
-  clusters.shapes.reserve(clusters.count);
-  for (const std::uint32_t node : clusters.nodes) clusters.shapes.push_back(shapes[node]);
+  Records sorted;
+  const Nodes tree = construct(surface.points, surface.cube, tree_options, order, workers, &sorted);
+  Clusters clusters;
+  if (options.target == 0) {
+    clusters = leaves_of(tree.nodes, order, std::vector<float>(tree.nodes.size()), -1);
+  } else {
+    const WholeErrors whole(tree.nodes, sorted.all(), workers);
+    const LeafCounts counts(tree.nodes, whole.errors());
+    clusters = search(surface, options.target, workers, [&](std::size_t aim) {
+      return leaves_of(tree.nodes, order, whole.errors(), counts.threshold_for(aim));
+    });
+  }
+  clusters.sorted = std::move(sorted);
   return clusters;
 }
 
 Clusters cluster_by_grid(const Surface& surface, std::uint32_t cells) {
   Clusters clusters;
-  clusters.of.resize(surface.points.size());
+  clusters.of.resize(surface.size());
   std::unordered_map<std::uint64_t, std::uint32_t> found;
-  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+  for (std::size_t i = 0; i < surface.size(); ++i) {
     std::uint64_t key = 0;
+    const Float4 point = surface.point(i);
     for (int k = 0; k < 3; ++k) {
-      const float scaled = surface.points[i][k] * static_cast<float>(cells);
+      const float scaled = point[k] * static_cast<float>(cells);
       key = (key << 21) | std::min(static_cast<std::uint32_t>(scaled), cells - 1);
     }
     const auto [at, is_new] = found.try_emplace(key, clusters.count);
@@ -165,20 +182,33 @@ Clusters cluster_by_grid(const Surface& surface, std::uint32_t cells) {
   return clusters;
 }
 
-constexpr std::uint32_t most_cells = (1 << 21) - 1;  // a side, so that three fit a key
+// From the cluster of each sample the samples of each cluster.
+void sort_samples(const Surface& surface, Clusters& clusters) {
+  clusters.runs.assign(clusters.count, {0, 0});
+  for (const std::uint32_t cluster : clusters.of) ++clusters.runs[cluster].end;
+  std::uint32_t begin = 0;
+  for (Clusters::Run& run : clusters.runs) {
+    const std::uint32_t size = run.end;
+    run = {begin, begin};
+    begin += size;
+  }
+  clusters.sorted = Records(clusters.of.size());
+  for (std::uint32_t i = 0; i < clusters.of.size(); ++i)
+    clusters.sorted.all()[clusters.runs[clusters.of[i]].end++] = surface.record(i);
+}
 
 // With the most cells that keep the target.
-Clusters finest_grid(const Surface& surface, std::size_t target) {
+Clusters finest_grid(const Surface& surface, std::size_t target, const Workers& workers) {
   Clusters best = cluster_by_grid(surface, 1);
   std::uint32_t cells = 1, too_many = 2;
   const auto try_cells = [&](std::uint32_t count) {
     Clusters clusters = cluster_by_grid(surface, count);
-    clusters.triangles = reindex(surface.triangles, clusters.of, clusters.count);
+    clusters.triangles = without_repeats(spanning(surface.triangles, clusters.of, workers), clusters.count);
     if (size_of(surface, clusters) > target) return false;
     best = std::move(clusters);
     return true;
   };
-  while (too_many < most_cells && best.count < surface.points.size() && try_cells(too_many)) {
+  while (too_many < most_cells && best.count < surface.size() && try_cells(too_many)) {
     cells = too_many;
     too_many *= 2;
   }
@@ -192,11 +222,15 @@ Clusters finest_grid(const Surface& surface, std::size_t target) {
 }  // namespace
 
 Clusters cluster(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
-  if (surface.points.empty()) return {};
+  if (surface.size() == 0) return {};
   if (options.clustering != Clustering::grid) return cluster_by_tree(surface, options, workers);
-  if (options.target != 0) return finest_grid(surface, options.target);
   const double side = 1 / (double{options.threshold} * surface.cube.diagonal);  // of infinitely many the most
-  return cluster_by_grid(surface, static_cast<std::uint32_t>(std::clamp(std::ceil(side), 1.0, double{most_cells})));
+  Clusters clusters =
+      options.target != 0
+          ? finest_grid(surface, options.target, workers)
+          : cluster_by_grid(surface, static_cast<std::uint32_t>(std::clamp(std::ceil(side), 1.0, double{most_cells})));
+  sort_samples(surface, clusters);
+  return clusters;
 }
 
 }  // namespace glark::vstree

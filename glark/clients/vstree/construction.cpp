@@ -6,9 +6,9 @@
 // and looked at a few times in all.
 #include "glark/clients/vstree/construction.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
-#include <memory>
-#include <new>
 #include <utility>
 
 #include "glark/clients/vstree/cells.h"
@@ -20,6 +20,7 @@ namespace glark::vstree {
 namespace {
 
 constexpr std::size_t samples_alone = 1 << 15;  // a sort of so many hands its tasks to other threads
+constexpr std::size_t samples_a_part = 1 << 12;
 constexpr std::size_t samples_a_cube =
     200;  // of the finest cells, aimed at: many cubes become transition nodes earlier
 constexpr std::size_t samples_a_rectangle = 4;
@@ -35,91 +36,95 @@ unsigned levels_for(std::size_t count, std::size_t aim, unsigned most) {
 
 // A node whose samples are to be divided.
 struct Task {
-  std::uint32_t slot = 0;  // of its node
-  std::size_t begin = 0, end = 0;
-  unsigned buffer = 0;  // in which its records are
+  std::uint32_t slot = 0;            // of its node
+  std::span<Record> records, other;  // the samples, and as much room
+  bool is_alone = false;             // no other thread helps, and the room is this one's
   bool enters_surface = false;
   Moments moments = {};   // of a node that does
   unsigned depth = 0;     // below the root of the octree or the quadtree
   LocalFrame frame = {};  // of one below
 
-  std::size_t size() const { return end - begin; }
+  std::size_t size() const { return records.size(); }
 };
 
 class Construction {
  public:
-  Construction(std::size_t count, const Options& options, float diagonal, std::vector<std::uint32_t>& order,
-               const Workers& workers)
-      : count_(count), options_(options), diagonal_(diagonal), order_(order), workers_(workers) {
-    order.resize(count);
-    const std::size_t bytes = std::max<std::size_t>(1, count) * sizeof(Record);
-    for (auto& buffer : buffers_) {  // stays as it is until written, so that threads share that
-      buffer.reset(static_cast<Record*>(operator new (bytes, std::align_val_t{alignof(Record)})));
-    }
+  Construction(const PointSet& points, const Cube& cube, const Options& options, std::vector<std::uint32_t>& order,
+               const Workers& workers, bool keeps_records)
+      : points_(points),
+        cube_(cube),
+        options_(options),
+        order_(order),
+        workers_(workers),
+        keeps_records_(keeps_records),
+        buffers_{Records(points.positions.size() / 3), Records(points.positions.size() / 3)} {
+    order.resize(points.positions.size() / 3);
   }
 
-  // position(i) gives the i-th point within the cube, normal(i) its normal.
-  template <typename Position, typename Normal>
-  Nodes run(const Position& position, const Normal& normal);
+  Nodes run();
+  Records sorted() { return std::move(buffers_[0]); }
 
  private:
   friend class Emission;
 
-  std::span<Record> records(unsigned buffer, std::size_t begin, std::size_t end) {
-    return {buffers_[buffer].get() + begin, end - begin};
-  }
-  template <typename Position, typename Normal>
-  std::vector<std::uint32_t> fill(unsigned levels, const Position& position, const Normal& normal);
+  std::vector<std::uint32_t> fill(unsigned levels);
   Cells sort_cubes(const Task& task);
   Cells sort_rectangles(const Task& task);
+  Cells cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels, Kind kind);
+  void enter_surface(Nodes& out, Task& task);
   void carry_out(Nodes& out, Task& task);
   void finish(Nodes& out, std::vector<Task>& tasks);
-  float error_of(const Moments& moments, std::span<const Record> records) const;
-  bool is_leaf(const Node& node, const Moments& moments) const;
+  static void append(Nodes& out, const Nodes& part, std::span<const Task> tasks);
+  float error_of(const Moments* moments, std::span<const Record> records) const;
+  bool is_leaf(const Node& node, std::span<const Record> records) const;
   void close(std::uint32_t begin, std::span<const Record> records);
 
-  struct Release {
-    void operator()(Record* records) const { operator delete (records, std::align_val_t{alignof(Record)}); }
-  };
-  std::size_t count_;
-  Options options_;
-  float diagonal_;
+  const PointSet& points_;
+  const Cube& cube_;
+  const Options options_;
   std::vector<std::uint32_t>& order_;
   const Workers& workers_;
-  std::unique_ptr<Record[], Release> buffers_[2];
+  const bool keeps_records_;
+  Records buffers_[2];
+  tbb::enumerable_thread_specific<Records> rooms_;  // for tasks of one thread, small enough for its cache
 };
 
-float Construction::error_of(const Moments& moments, std::span<const Record> records) const {
+// moments: null for numbers of samples.
+float Construction::error_of(const Moments* moments, std::span<const Record> records) const {
   switch (options_.metric) {
-    case Metric::l2: return std::sqrt(moments.plane_error()) / diagonal_;
-    case Metric::l21: return std::sqrt(moments.normal_error());
-    case Metric::qef: return std::sqrt(best_point_error(records, moments)) / diagonal_;
+    case Metric::l2: return std::sqrt(moments->plane_error()) / cube_.diagonal;
+    case Metric::l21: return std::sqrt(moments->normal_error());
+    case Metric::qef: return std::sqrt(best_point_error(records, *moments)) / cube_.diagonal;
     case Metric::density: break;
   }
-  return moments.count();
+  return static_cast<float>(records.size());
 }
 
-bool Construction::is_leaf(const Node& node, const Moments& moments) const {
-  return node.error <= options_.threshold || node.size() <= options_.least_samples || moments.at_one_point();
+bool Construction::is_leaf(const Node& node, std::span<const Record> records) const {
+  return node.error <= options_.threshold || node.size() <= options_.least_samples || are_at_one_point(records);
 }
 
 // The samples of a leaf, in their order from now on.
 void Construction::close(std::uint32_t begin, std::span<const Record> records) {
+  if (keeps_records_) {
+    Record* const to = &buffers_[0].all()[begin];
+    if (to != records.data()) std::copy(records.begin(), records.end(), to);
+  }
   for (const Record& record : records) order_[begin++] = record.index();
 }
 
 // Nodes from the cells of one sort, the coarsest first.
 class Emission {
  public:
-  // sorted: the node whose samples were sorted, with the buffer that they are in now.
+  // sorted: the node whose samples were sorted.
   Emission(Construction& owner, Nodes& out, const Cells& cells, const Task& sorted, Kind kind)
-      : owner_(owner), out_(out), cells_(cells), sorted_(sorted), kind_(kind) {}
+      : owner_(owner), out_(out), cells_(cells), sorted_(sorted), kind_(kind), begin_(out.nodes[sorted.slot].begin) {}
 
   void children_of(std::uint32_t slot, unsigned level, std::uint32_t index) {
     const std::vector<Cell>& fine = cells_.levels[level + 1];
     const std::uint32_t first = cells_.levels[level][index].first_child;
     const std::uint32_t last = cells_.levels[level][index + 1].first_child;
-    if (kind_ == Kind::surface && last - first > 1 && close_in_pairs(slot, {&fine[first], last - first})) return;
+    if (kind_ == Kind::surface && last - first > 1 && close_in_pairs(slot, level + 1, first, last)) return;
     const auto first_slot = static_cast<std::uint32_t>(out_.nodes.size());
     Node child;
     child.frame = out_.nodes[slot].frame;
@@ -128,8 +133,8 @@ class Emission {
     unsigned children = 0;
     for (std::uint32_t i = first; i < last; ++i) {
       children |= 1U << (fine[i].key & (kind_ == Kind::volume ? 7U : 3U));
-      child.begin = static_cast<std::uint32_t>(sorted_.begin) + fine[i].begin;
-      child.end = static_cast<std::uint32_t>(sorted_.begin) + fine[i + 1].begin;
+      child.begin = begin_ + fine[i].begin;
+      child.end = begin_ + fine[i + 1].begin;
       out_.nodes.push_back(child);
     }
     out_.nodes[slot].first_child = first_slot;
@@ -139,19 +144,19 @@ class Emission {
 
   // What becomes of the node in the slot, whose cell this is.
   void node(std::uint32_t slot, unsigned level, std::uint32_t index) {
-    const Moments& moments = cells_.levels[level][index].moments;
+    const Moments* const moments = cells_.moments_of(level, index);
     Node& node = out_.nodes[slot];
-    const std::span<Record> records = owner_.records(sorted_.buffer, node.begin, node.end);
+    const std::span<Record> records = sorted_.records.subspan(node.begin - begin_, node.size());
     const Options& options = owner_.options_;
     node.error = owner_.error_of(moments, records);
     const unsigned depth = sorted_.depth + level;
     if (kind_ == Kind::volume && options.surface &&
-        is_height_field(records, moments, options.delta_a, options.delta_d)) {
+        is_height_field(records, *moments, options.delta_a, options.delta_d)) {
       Task task = task_of(slot, depth);
       task.enters_surface = true;
-      task.moments = moments;
+      task.moments = *moments;
       hand_over(task);
-    } else if (owner_.is_leaf(node, moments) || depth == (kind_ == Kind::volume ? octree_levels : quadtree_levels)) {
+    } else if (owner_.is_leaf(node, records) || depth == (kind_ == Kind::volume ? octree_levels : quadtree_levels)) {
       owner_.close(node.begin, records);
     } else if (level + 1 < cells_.levels.size()) {
       children_of(slot, level, index);
@@ -164,80 +169,88 @@ class Emission {
   void finish() { owner_.finish(out_, tasks_); }
 
  private:
-  // Whether two quadrants together are a leaf already; its error then.
-  bool are_leaf(const Cell* const a, const Cell* const b, float& error) const {
-    if (a == nullptr || b == nullptr) return false;
-    Moments moments = a->moments;
-    moments.add(b->moments);
-    error = owner_.error_of(moments, {});
-    return error <= owner_.options_.threshold;
+  std::span<Record> records_of(unsigned level, std::uint32_t index) const {
+    const Cell* const cell = &cells_.levels[level][index];
+    return sorted_.records.subspan(cell[0].begin, cell[1].begin - cell[0].begin);
+  }
+
+  // Of one quadrant, or of two together; `none` is one without samples.
+  float error_of(unsigned level, std::uint32_t a, std::uint32_t b) const {
+    if (a == none || b == none) {
+      const std::uint32_t only = a == none ? b : a;
+      return owner_.error_of(cells_.moments_of(level, only), records_of(level, only));
+    }
+    if (cells_.moments.empty()) return static_cast<float>(records_of(level, a).size() + records_of(level, b).size());
+    Moments moments = cells_.moments[level][a];
+    moments.add(cells_.moments[level][b]);
+    return owner_.error_of(&moments, {});
   }
 
   // The quadrants of a node as leaves of two, if that is all that it takes. False if not: nothing has changed then.
-  bool close_in_pairs(std::uint32_t slot, std::span<const Cell> children) {
+  bool close_in_pairs(std::uint32_t slot, unsigned level, std::uint32_t first, std::uint32_t last) {
     if (owner_.options_.metric == Metric::qef) return false;  // its errors do not add up
-    const Cell* quadrants[4] = {};
-    for (const Cell& child : children) quadrants[child.key & 3U] = &child;
+    std::uint32_t quadrants[4] = {none, none, none, none};
+    for (std::uint32_t i = first; i < last; ++i) quadrants[cells_.levels[level][i].key & 3U] = i;
     constexpr unsigned pairs[2][2][2] = {{{0, 1}, {2, 3}}, {{0, 2}, {1, 3}}};
     for (unsigned way = 0; way < 2; ++way) {
       float errors[2] = {};
       bool joined[2] = {};
       bool enough = true;
       for (unsigned i = 0; i < 2; ++i) {
-        const Cell* const a = quadrants[pairs[way][i][0]];
-        const Cell* const b = quadrants[pairs[way][i][1]];
-        joined[i] = are_leaf(a, b, errors[i]);
-        if (joined[i] || (a == nullptr && b == nullptr)) continue;
-        const Cell* const only = a != nullptr ? a : b;
-        errors[i] = owner_.error_of(only->moments, {});
-        enough &= (a == nullptr || b == nullptr) && errors[i] <= owner_.options_.threshold;
+        const std::uint32_t a = quadrants[pairs[way][i][0]], b = quadrants[pairs[way][i][1]];
+        if (a == none && b == none) continue;
+        joined[i] = a != none && b != none;
+        errors[i] = error_of(level, a, b);
+        enough &= errors[i] <= owner_.options_.threshold;
       }
       if (!enough || !(joined[0] || joined[1])) continue;
-      write_pairs(slot, quadrants, pairs[way], errors);
+      write_pairs(slot, level, quadrants, pairs[way], errors);
       out_.nodes[slot].joined = static_cast<std::uint8_t>(((joined[0] ? 1U : 0U) | (joined[1] ? 2U : 0U)) << (2 * way));
       return true;
     }
     return false;
   }
 
-  void write_pairs(std::uint32_t slot, const Cell* const (&quadrants)[4], const unsigned (&pairs)[2][2],
-                   const float (&errors)[2]) {
+  void write_pairs(std::uint32_t slot, unsigned level, const std::uint32_t (&quadrants)[4],
+                   const unsigned (&pairs)[2][2], const float (&errors)[2]) {
     Node child;
     child.frame = out_.nodes[slot].frame;
     child.kind = kind_;
     child.level = static_cast<std::uint8_t>(out_.nodes[slot].level + 1);
     child.end = out_.nodes[slot].begin;
     out_.nodes[slot].first_child = static_cast<std::uint32_t>(out_.nodes.size());
+    together_.clear();
     // In the order of their first quadrants with samples.
-    const unsigned first = quadrants[0] == nullptr && pairs[1][0] == 1 ? 1 : 0;
+    const unsigned first = quadrants[0] == none && pairs[1][0] == 1 ? 1 : 0;
     for (const unsigned i : {first, 1 - first}) {
       child.begin = child.end;
       child.error = errors[i];
       for (const unsigned quadrant : pairs[i]) {
-        const Cell* const cell = quadrants[quadrant];
-        if (cell == nullptr) continue;
-        const std::size_t begin = sorted_.begin + cell->begin, end = sorted_.begin + (cell + 1)->begin;
-        owner_.close(child.end, owner_.records(sorted_.buffer, begin, end));
-        child.end += static_cast<std::uint32_t>(end - begin);
+        if (quadrants[quadrant] == none) continue;
+        const std::span<const Record> records = records_of(level, quadrants[quadrant]);
+        together_.insert(together_.end(), records.begin(), records.end());
+        child.end += static_cast<std::uint32_t>(records.size());
         out_.nodes[slot].children = static_cast<std::uint8_t>(out_.nodes[slot].children | (1U << quadrant));
       }
       if (child.end > child.begin) out_.nodes.push_back(child);
     }
+    owner_.close(out_.nodes[slot].begin, together_);
   }
 
   Task task_of(std::uint32_t slot, unsigned depth) const {
     Task task;
     task.slot = slot;
-    task.begin = out_.nodes[slot].begin;
-    task.end = out_.nodes[slot].end;
-    task.buffer = sorted_.buffer;
+    const Node& node = out_.nodes[slot];
+    task.records = sorted_.records.subspan(node.begin - begin_, node.size());
+    task.other = sorted_.other.subspan(node.begin - begin_, node.size());
+    task.is_alone = sorted_.is_alone;
     task.depth = depth;
     task.frame = sorted_.frame;
     return task;
   }
 
   void hand_over(Task& task) {
-    if (sorted_.size() > samples_alone) {
+    if (!sorted_.is_alone) {
       tasks_.push_back(task);
     } else {
       owner_.carry_out(out_, task);
@@ -249,35 +262,53 @@ class Emission {
   const Cells& cells_;
   const Task& sorted_;
   const Kind kind_;
+  const std::uint32_t begin_;     // of the samples
+  std::vector<Record> together_;  // of quadrants in pairs: not the order that they are in
   std::vector<Task> tasks_;
 };
 
-void Construction::carry_out(Nodes& out, Task& task) {
+void Construction::enter_surface(Nodes& out, Task& task) {
+  task.frame = frame_of(task.records, task.moments);
+  task.depth = 0;
   Node& node = out.nodes[task.slot];
-  if (task.enters_surface) {
-    const std::span<Record> mine = records(task.buffer, task.begin, task.end);
-    task.frame = enter_frame(mine, task.moments);
-    task.depth = 0;
-    node.kind = Kind::transition;
-    node.frame = static_cast<std::uint32_t>(out.frames.size());
-    out.frames.push_back(task.frame);
-    out.frame_nodes.push_back(task.slot);
-    if (is_leaf(node, task.moments)) {
-      close(node.begin, mine);
-      return;
-    }
+  node.kind = Kind::transition;
+  node.frame = static_cast<std::uint32_t>(out.frames.size());
+  out.frames.push_back(task.frame);
+  out.frame_nodes.push_back(task.slot);
+}
+
+void Construction::carry_out(Nodes& out, Task& task) {
+  if (task.enters_surface) enter_surface(out, task);
+  const Node& node = out.nodes[task.slot];
+  if (task.enters_surface && is_leaf(node, task.records)) {
+    close(node.begin, task.records);
+    return;
+  }
+  if (!task.is_alone && task.size() <= samples_alone) {
+    Records& room = rooms_.local();
+    if (room.all().size() < task.size()) room = Records(samples_alone);
+    task.other = room.all().first(task.size());
+    task.is_alone = true;
   }
   const Kind kind = node.kind == Kind::volume ? Kind::volume : Kind::surface;
   const Cells cells = kind == Kind::volume ? sort_cubes(task) : sort_rectangles(task);
-  task.buffer = 1 - task.buffer;
+  std::swap(task.records, task.other);
   Emission emission(*this, out, cells, task, kind);
   emission.children_of(task.slot, 0, 0);
   emission.finish();
 }
 
+Cells Construction::cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels,
+                             Kind kind) {
+  Cells cells = vstree::cells_of(begins, levels, kind == Kind::volume ? 3 : 2);
+  if (options_.metric != Metric::density || (kind == Kind::volume && options_.surface))
+    add_moments(cells, sorted, workers_);
+  return cells;
+}
+
 Cells Construction::sort_cubes(const Task& task) {
-  const std::span<const Record> from = records(task.buffer, task.begin, task.end);
-  const std::span<Record> to = records(1 - task.buffer, task.begin, task.end);
+  const std::span<const Record> from = task.records;
+  const std::span<Record> to = task.other;
   const unsigned levels = std::min(levels_for(task.size(), samples_a_cube, 2), octree_levels - task.depth);
   const unsigned shift = octree_levels - task.depth - levels;
   const std::uint32_t mask = (1U << levels) - 1;
@@ -292,19 +323,19 @@ Cells Construction::sort_cubes(const Task& task) {
     for (std::size_t i = begin; i < end; ++i) to[*slots++] = from[i];
   };
   const auto begins = sort_by_key(task.size(), std::size_t{1} << (3 * levels), key, move, workers_);
-  return cells_of(to, begins, levels, 3, workers_);
+  return cells_of(to, begins, levels, Kind::volume);
 }
 
 Cells Construction::sort_rectangles(const Task& task) {
-  const std::span<const Record> from = records(task.buffer, task.begin, task.end);
-  const std::span<Record> to = records(1 - task.buffer, task.begin, task.end);
+  const std::span<const Record> from = task.records;
+  const std::span<Record> to = task.other;
   const unsigned levels =
       std::min(levels_for(task.size(), samples_a_rectangle, most_rectangle_levels), quadtree_levels - task.depth);
   const unsigned shift = quadtree_levels - task.depth - levels;
   const std::uint32_t mask = (1U << levels) - 1;
   const auto key = [&](std::size_t begin, std::size_t end, std::uint32_t* keys) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto [u, v] = task.frame.cell(from[i].position);
+      const auto [u, v] = task.frame.cell(task.frame.inside(from[i].point()));
       *keys++ = every_second_bit((u >> shift) & mask) | (every_second_bit((v >> shift) & mask) << 1);
     }
   };
@@ -312,75 +343,86 @@ Cells Construction::sort_rectangles(const Task& task) {
     for (std::size_t i = begin; i < end; ++i) to[*slots++] = from[i];
   };
   const auto begins = sort_by_key(task.size(), std::size_t{1} << (2 * levels), key, move, workers_);
-  return cells_of(to, begins, levels, 2, workers_);
+  return cells_of(to, begins, levels, Kind::surface);
 }
 
-// Each task in nodes of its own, which follow one another as the tasks do, whichever thread takes one first.
+// Some tasks at a time in nodes of their own, which follow one another as the tasks do, whichever thread takes some first.
 void Construction::finish(Nodes& out, std::vector<Task>& tasks) {
-  std::vector<Nodes> parts(tasks.size());
-  workers_.each(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t slot = std::exchange(tasks[i].slot, 0);
-      parts[i].nodes.push_back(out.nodes[slot]);
-      carry_out(parts[i], tasks[i]);
-      tasks[i].slot = slot;
-    }
-  });
+  std::vector<std::size_t> firsts{0};  // of the tasks of each part
+  std::size_t samples = 0;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const bool has_frames = !tasks[i].enters_surface && parts[i].nodes[0].kind == Kind::surface;
-    const auto frame_shift = static_cast<std::uint32_t>(out.frames.size());
-    const auto shift = static_cast<std::uint32_t>(out.nodes.size() - 1);
-    const auto slot_of = [&](std::uint32_t mine) { return mine == 0 ? tasks[i].slot : mine + shift; };
-    for (std::uint32_t k = 0; k < parts[i].nodes.size(); ++k) {
-      Node node = parts[i].nodes[k];
-      if (!node.is_leaf()) node.first_child += shift;
-      if (!has_frames && node.frame != none) node.frame += frame_shift;
-      if (k == 0) {
-        out.nodes[tasks[i].slot] = node;
-      } else {
-        out.nodes.push_back(node);
+    samples += tasks[i].size();
+    if (samples < samples_a_part && i + 1 < tasks.size()) continue;
+    firsts.push_back(i + 1);
+    samples = 0;
+  }
+  std::vector<Nodes> parts(firsts.size() - 1);
+  workers_.each(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t part = begin; part < end; ++part) {
+      const std::span<Task> mine = std::span(tasks).subspan(firsts[part], firsts[part + 1] - firsts[part]);
+      for (const Task& task : mine) parts[part].nodes.push_back(out.nodes[task.slot]);
+      for (std::uint32_t i = 0; i < mine.size(); ++i) {
+        const std::uint32_t slot = std::exchange(mine[i].slot, i);
+        carry_out(parts[part], mine[i]);
+        mine[i].slot = slot;
       }
     }
-    out.frames.insert(out.frames.end(), parts[i].frames.begin(), parts[i].frames.end());
-    for (const std::uint32_t node : parts[i].frame_nodes) out.frame_nodes.push_back(slot_of(node));
-    parts[i] = {};
+  });
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    append(out, parts[part], std::span(tasks).subspan(firsts[part], firsts[part + 1] - firsts[part]));
+    parts[part] = {};
   }
 }
 
+// The first nodes of a part are those of its tasks.
+void Construction::append(Nodes& out, const Nodes& part, std::span<const Task> tasks) {
+  const auto roots = static_cast<std::uint32_t>(tasks.size());
+  const bool has_frames = !tasks[0].enters_surface && part.nodes[0].kind == Kind::surface;  // then all tasks have
+  const auto frame_shift = static_cast<std::uint32_t>(out.frames.size());
+  const auto shift = static_cast<std::uint32_t>(out.nodes.size() - roots);
+  for (std::uint32_t i = 0; i < part.nodes.size(); ++i) {
+    Node node = part.nodes[i];
+    if (!node.is_leaf()) node.first_child += shift;
+    if (!has_frames && node.frame != none) node.frame += frame_shift;
+    if (i < roots) {
+      out.nodes[tasks[i].slot] = node;
+    } else {
+      out.nodes.push_back(node);
+    }
+  }
+  out.frames.insert(out.frames.end(), part.frames.begin(), part.frames.end());
+  for (const std::uint32_t node : part.frame_nodes)
+    out.frame_nodes.push_back(node < roots ? tasks[node].slot : node + shift);
+}
+
 // The records of all points, sorted into the first levels of the octree.
-template <typename Position, typename Normal>
-std::vector<std::uint32_t> Construction::fill(unsigned levels, const Position& position, const Normal& normal) {
+std::vector<std::uint32_t> Construction::fill(unsigned levels) {
   const unsigned shift = octree_levels - levels;
-  Record* const to = buffers_[0].get();
+  const std::span<Record> to = buffers_[0].all();
   const auto key = [&](std::size_t begin, std::size_t end, std::uint32_t* keys) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto [x, y, z] = octree_cell(position(i));
-      *keys++ = every_third_bit(x >> shift) | (every_third_bit(y >> shift) << 1) | (every_third_bit(z >> shift) << 2);
+      *keys++ = cube_key(octree_cell(cube_.inside(&points_.positions[3 * i])), shift);
     }
   };
   const auto move = [&](std::size_t begin, std::size_t end, const std::uint32_t* slots) {
     for (std::size_t i = begin; i < end; ++i) {
-      Record record;
-      record.position = position(i);
-      record.position[3] = std::bit_cast<float>(static_cast<std::uint32_t>(i));
-      record.normal = normal(i);
-      to[*slots++] = record;
+      to[*slots++] = record_of(points_, cube_, static_cast<std::uint32_t>(i));
     }
   };
-  return sort_by_key(count_, std::size_t{1} << (3 * levels), key, move, workers_);
+  return sort_by_key(to.size(), std::size_t{1} << (3 * levels), key, move, workers_);
 }
 
-template <typename Position, typename Normal>
-Nodes Construction::run(const Position& position, const Normal& normal) {
+Nodes Construction::run() {
   Nodes result;
-  if (count_ == 0) return result;
   Task all;
-  all.end = count_;
-  const unsigned levels = levels_for(count_, samples_a_cube, most_cube_levels);
-  const std::vector<std::uint32_t> begins = fill(levels, position, normal);
-  const Cells cells = cells_of(records(0, 0, count_), begins, levels, 3, workers_);
+  all.records = buffers_[0].all();
+  all.other = buffers_[1].all();
+  if (all.size() == 0) return result;
+  const unsigned levels = levels_for(all.size(), samples_a_cube, most_cube_levels);
+  const std::vector<std::uint32_t> begins = fill(levels);
+  const Cells cells = cells_of(all.records, begins, levels, Kind::volume);
   result.nodes.push_back({});
-  result.nodes[0].end = static_cast<std::uint32_t>(count_);
+  result.nodes[0].end = static_cast<std::uint32_t>(all.size());
   Emission emission(*this, result, cells, all, Kind::volume);
   emission.node(0, 0, 0);
   emission.finish();
@@ -389,17 +431,12 @@ Nodes Construction::run(const Position& position, const Normal& normal) {
 
 }  // namespace
 
-Nodes construct(std::span<const Float4> points, std::span<const Float4> normals, const Options& options, float diagonal,
-                std::vector<std::uint32_t>& order, const Workers& workers) {
-  return Construction(points.size(), options, diagonal, order, workers)
-      .run([&](std::size_t i) { return points[i]; }, [&](std::size_t i) { return normals[i]; });
-}
-
 Nodes construct(const PointSet& points, const Cube& cube, const Options& options, std::vector<std::uint32_t>& order,
-                const Workers& workers) {
-  return Construction(points.positions.size() / 3, options, cube.diagonal, order, workers)
-      .run([&](std::size_t i) { return cube.inside(points.positions.data() + 3 * i); },
-           [&](std::size_t i) { return unit_normal(points.normals.data() + 3 * i); });
+                const Workers& workers, Records* sorted) {
+  Construction construction(points, cube, options, order, workers, sorted != nullptr);
+  Nodes nodes = construction.run();
+  if (sorted != nullptr) *sorted = construction.sorted();
+  return nodes;
 }
 
 }  // namespace glark::vstree

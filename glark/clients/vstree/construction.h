@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "glark/clients/vstree/local_frame.h"
-#include "glark/clients/vstree/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 
@@ -19,12 +19,8 @@ struct Nodes {
   std::vector<std::uint32_t> frame_nodes;  // of each frame its transition node
 };
 
-// The tree of points within the cube, with their normals (of unit length, the fourth 1, or zero); `order` gets the samples in the
-// tree's order.
-Nodes construct(std::span<const Float4> points, std::span<const Float4> normals, const Options& options, float diagonal,
-                std::vector<std::uint32_t>& order, const Workers& workers);
-// The same of points as a caller has them, checked and with normals.
+// The tree of points that are checked and have normals; `order` gets the samples in the tree's order, `sorted` if given their records.
 Nodes construct(const PointSet& points, const Cube& cube, const Options& options, std::vector<std::uint32_t>& order,
-                const Workers& workers);
+                const Workers& workers, Records* sorted = nullptr);
 
 }  // namespace glark::vstree

@@ -15,28 +15,39 @@ namespace {
 // Corner i of the triangles starts the half-edge to the next corner of its triangle.
 std::uint32_t next_corner(std::uint32_t i) { return i % 3 == 2 ? i - 2 : i + 1; }
 
-// Half-edges in lists by their lesser end, which is short.
+// Half-edges in lists by their lesser end, which are short.
 class HalfEdges {
  public:
   HalfEdges(std::span<const std::uint32_t> triangles, std::size_t vertices)
-      : triangles_(triangles), begins_(vertices + 2) {
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) ++begins_[lesser(i) + 2];
+      : triangles_(triangles), begins_(vertices + 2), all_(triangles.size()) {
+    const auto for_each = [&](const auto& work) {
+      for (std::uint32_t t = 0; t < triangles.size(); t += 3) {
+        const std::uint32_t a = triangles[t], b = triangles[t + 1], c = triangles[t + 2];
+        work(t, std::min(a, b), std::max(a, b));
+        work(t + 1, std::min(b, c), std::max(b, c));
+        work(t + 2, std::min(c, a), std::max(c, a));
+      }
+    };
+    for_each([&](std::uint32_t, std::uint32_t lesser, std::uint32_t) { ++begins_[lesser + 2]; });
     std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-    corners_.resize(triangles.size());
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) corners_[begins_[lesser(i) + 1]++] = i;
+    for_each([&](std::uint32_t corner, std::uint32_t lesser, std::uint32_t greater) {
+      all_[begins_[lesser + 1]++] = std::uint64_t{greater} << 32 | corner;
+    });
   }
 
-  std::span<std::uint32_t> with_lesser_end(std::uint32_t vertex) {
-    return std::span(corners_).subspan(begins_[vertex], begins_[vertex + 1] - begins_[vertex]);
+  // Those of one edge one after the other, by its greater end in the upper half; the corner that starts it is the lower half.
+  std::span<const std::uint64_t> with_lesser_end(std::uint32_t vertex) {
+    const std::span<std::uint64_t> list =
+        std::span(all_).subspan(begins_[vertex], begins_[vertex + 1] - begins_[vertex]);
+    std::sort(list.begin(), list.end());
+    return list;
   }
-  std::uint32_t greater(std::uint32_t i) const { return std::max(triangles_[i], triangles_[next_corner(i)]); }
-  bool runs_up(std::uint32_t i) const { return triangles_[i] < triangles_[next_corner(i)]; }
+  bool runs_up(std::uint32_t corner) const { return triangles_[corner] < triangles_[next_corner(corner)]; }
 
  private:
-  std::uint32_t lesser(std::uint32_t i) const { return std::min(triangles_[i], triangles_[next_corner(i)]); }
-
   std::span<const std::uint32_t> triangles_;
-  std::vector<std::uint32_t> begins_, corners_;
+  std::vector<std::uint32_t> begins_;
+  std::vector<std::uint64_t> all_;
 };
 
 class Corners {
@@ -63,22 +74,22 @@ class Cut {
 
   std::vector<std::uint32_t> run() {
     HalfEdges half_edges(triangles_, points_.size());
-    std::vector<std::span<const std::uint32_t>> shared;  // edges of more than two triangles
+    std::vector<std::vector<std::uint32_t>> shared;  // edges of more than two triangles
     for (std::uint32_t vertex = 0; vertex < points_.size(); ++vertex) {
-      const std::span<std::uint32_t> list = half_edges.with_lesser_end(vertex);
-      std::sort(list.begin(), list.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair(half_edges.greater(a), a) < std::pair(half_edges.greater(b), b);
-      });
+      const std::span<const std::uint64_t> list = half_edges.with_lesser_end(vertex);
       for (std::size_t begin = 0; begin < list.size();) {
-        std::size_t end = begin;
-        while (end < list.size() && half_edges.greater(list[end]) == half_edges.greater(list[begin])) ++end;
-        const std::span<const std::uint32_t> edge = list.subspan(begin, end - begin);
-        if (edge.size() == 2) join(edge[0], edge[1]);
-        if (edge.size() > 2) shared.push_back(edge);
+        std::size_t end = begin + 1;
+        while (end < list.size() && list[end] >> 32 == list[begin] >> 32) ++end;
+        if (end - begin == 2) {
+          join(static_cast<std::uint32_t>(list[begin]), static_cast<std::uint32_t>(list[begin + 1]));
+        } else if (end - begin > 2) {
+          std::vector<std::uint32_t>& edge = shared.emplace_back();
+          for (; begin < end; ++begin) edge.push_back(static_cast<std::uint32_t>(list[begin]));
+        }
         begin = end;
       }
     }
-    for (const std::span<const std::uint32_t> edge : shared) stitch(edge, half_edges);
+    for (const std::vector<std::uint32_t>& edge : shared) stitch(edge, half_edges);
     return number();
   }
 

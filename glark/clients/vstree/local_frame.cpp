@@ -35,7 +35,7 @@ Float4 main_direction(std::span<const Record> records, Float4 normal) {
 
 }  // namespace
 
-LocalFrame enter_frame(std::span<Record> records, const Moments& moments) {
+LocalFrame frame_of(std::span<const Record> records, const Moments& moments) {
   LocalFrame frame;
   frame.origin = without_fourth(moments.mean);
   Float4 normal = moments.normal();
@@ -45,16 +45,10 @@ LocalFrame enter_frame(std::span<Record> records, const Moments& moments) {
   for (int i = 0; i < 3; ++i) frame.columns[i] = Float4{u[i], v[i], normal[i], 0};
   Float4 low{1e30F, 1e30F, 1e30F, 0};
   Float4 high = -low;
-  for (Record& record : records) {
-    const float index = record.position[3];
+  for (const Record& record : records) {
     const Float4 inside = frame.inside(record.point());
     low = least(low, inside);
     high = greatest(high, inside);
-    record.position = inside;
-    record.position[3] = index;
-    const float has_normal = record.normal[3];
-    record.normal = frame.turn(record.normal);
-    record.normal[3] = has_normal;
   }
   constexpr float cells = 1U << quadtree_levels;
   for (int i = 0; i < 2; ++i) {

@@ -35,7 +35,6 @@ struct LocalFrame {
   Frame in_space(const Cube& cube, std::uint32_t node) const;
 };
 
-// Turns the records into the frame.
-LocalFrame enter_frame(std::span<Record> records, const Moments& moments);
+LocalFrame frame_of(std::span<const Record> records, const Moments& moments);
 
 }  // namespace glark::vstree

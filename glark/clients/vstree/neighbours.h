@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "glark/clients/vstree/float4.h"
-#include "glark/clients/vstree/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 
-// [each * points], nearest first, the sample itself among them; `each` is no more than there are points.
+// [each * points], nearest first, the sample itself among them; `each` is no more than there are points. Near ones should
+// have near numbers: then what one search looks at is in the cache for the next.
 std::vector<std::uint32_t> nearest(std::span<const Float4> points, std::size_t each, const Workers& workers);
 
 }  // namespace glark::vstree

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "glark/clients/vstree/cells.h"
 #include "glark/clients/vstree/neighbours.h"
 #include "glark/clients/vstree/orientation.h"
 #include "glark/clients/vstree/samples.h"
@@ -34,6 +35,25 @@ Float4 least_extent(std::span<const Float4> points, std::span<const std::uint32_
   return unit(Float4{vector[0], vector[1], vector[2], 0});
 }
 
+// The points by the cells of a grid, so that near ones have near numbers. Their own are the bits of the fourth.
+std::vector<Float4> sorted(const PointSet& points, const Cube& cube, const Workers& workers) {
+  constexpr unsigned levels = 6;  // cells of a few hundred points, of millions of a surface
+  std::vector<Float4> result(points.positions.size() / 3);
+  const auto key = [&](std::size_t begin, std::size_t end, std::uint32_t* keys) {
+    for (std::size_t i = begin; i < end; ++i)
+      *keys++ = cube_key(octree_cell(cube.inside(&points.positions[3 * i])), octree_levels - levels);
+  };
+  const auto move = [&](std::size_t begin, std::size_t end, const std::uint32_t* slots) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Float4 point = cube.inside(&points.positions[3 * i]);
+      point[3] = std::bit_cast<float>(static_cast<std::uint32_t>(i));
+      result[*slots++] = point;
+    }
+  };
+  sort_by_key(result.size(), std::size_t{1} << (3 * levels), key, move, workers);
+  return result;
+}
+
 }  // namespace
 
 std::vector<float> estimate_normals(const PointSet& points, const NormalOptions& options) {
@@ -46,11 +66,13 @@ std::vector<float> estimate_normals(const PointSet& points, const NormalOptions&
   const std::size_t count = points.positions.size() / 3;
   std::vector<float> result(3 * count);
   if (count == 0) return result;
-  std::vector<Float4> positions(count), normals(count);
+  std::vector<Float4> positions = sorted(points, cube, workers), normals(count);
+  std::vector<std::uint32_t> index(count);
   std::vector<bool> given(count);
   for (std::size_t i = 0; i < count; ++i) {
-    positions[i] = cube.inside(&points.positions[3 * i]);
-    if (!points.normals.empty()) normals[i] = unit_normal(&points.normals[3 * i]);
+    index[i] = std::bit_cast<std::uint32_t>(static_cast<float>(positions[i][3]));
+    positions[i] = without_fourth(positions[i]);
+    if (!points.normals.empty()) normals[i] = unit_normal(&points.normals[3 * std::size_t{index[i]}]);
     given[i] = normals[i][3] > 0;
     normals[i] = without_fourth(normals[i]);
   }
@@ -62,14 +84,16 @@ std::vector<float> estimate_normals(const PointSet& points, const NormalOptions&
     }
   });
   if (options.scanner == nullptr) {
-    orient(positions, normals, neighbours, each, given);
+    orient(positions, normals, neighbours, each, given, workers);
   } else {
     const Float4 scanner = cube.inside(options.scanner->data());
     for (std::size_t i = 0; i < count; ++i) {
       if (!given[i] && dot(normals[i], scanner - positions[i]) < 0) normals[i] = -normals[i];
     }
   }
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = normals[i / 3][static_cast<int>(i % 3)];
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result[3 * std::size_t{index[i]} + k] = normals[i][k];
+  }
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "glark/clients/vstree/orientation.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -35,14 +36,15 @@ class Parts {
     return place;
   }
 
-  // Connects two samples, the one reversed with respect to the other or not; what is connected already stays as it is.
-  void connect(std::uint32_t a, std::uint32_t b, bool reversed) {
+  // Connects two samples, the one reversed with respect to the other or not. False: they are already, and stay as they are.
+  bool connect(std::uint32_t a, std::uint32_t b, bool reversed) {
     Place in_a = find(a), in_b = find(b);
-    if (in_a.root == in_b.root) return;
+    if (in_a.root == in_b.root) return false;
     if (size_[in_a.root] < size_[in_b.root]) std::swap(in_a, in_b);
     parent_[in_b.root] = in_a.root;
     reversed_[in_b.root] = (in_a.reversed != in_b.reversed) != reversed ? 1 : 0;
     size_[in_a.root] += size_[in_b.root];
+    return true;
   }
 
  private:
@@ -56,16 +58,51 @@ struct Edge {
   std::uint32_t from, to;
 };
 
-std::vector<Edge> edges_of(std::span<const Float4> normals, std::span<const std::uint32_t> neighbours,
-                           std::size_t each) {
-  std::vector<Edge> edges;
-  edges.reserve(neighbours.size());
-  for (std::uint32_t i = 0; i < normals.size(); ++i) {
+// The edges in the order of their weights, which are not negative; equal ones in the order that they have.
+void sort_by_weight(std::vector<Edge>& edges) {
+  std::vector<std::uint64_t> keys(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    keys[i] = std::uint64_t{std::bit_cast<std::uint32_t>(edges[i].weight)} << 32 | i;
+  std::sort(keys.begin(), keys.end());
+  std::vector<Edge> sorted(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) sorted[i] = edges[keys[i] & 0xFFFFFFFFU];
+  edges = std::move(sorted);
+}
+
+// Edges among which those of the spanning tree are: of those within a run of samples the run's own spanning trees, and those that leave
+// it. Near samples have near numbers, so that the trees of a run are found in the cache, and little is left.
+void add_edges(std::span<const Float4> normals, std::span<const std::uint32_t> neighbours, std::size_t each,
+               std::uint32_t begin, std::uint32_t end, std::vector<Edge>& edges) {
+  std::vector<Edge> within;
+  for (std::uint32_t i = begin; i < end; ++i) {
     for (const std::uint32_t k : neighbours.subspan(i * each, each)) {
-      if (i != k) edges.push_back({1 - std::abs(dot(normals[i], normals[k])), i, k});
+      const std::span<const std::uint32_t> theirs = neighbours.subspan(k * each, each);
+      if (k == i || (k < i && std::find(theirs.begin(), theirs.end(), i) != theirs.end())) continue;  // once is enough
+      const float weight = std::max(0.0F, 1 - std::abs(dot(normals[i], normals[k])));
+      (k >= begin && k < end ? within : edges).push_back({weight, i, k});
     }
   }
-  std::stable_sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.weight < b.weight; });
+  sort_by_weight(within);
+  Parts parts(end - begin);
+  for (const Edge& edge : within) {
+    if (parts.connect(edge.from - begin, edge.to - begin, false)) edges.push_back(edge);
+  }
+}
+
+std::vector<Edge> edges_of(std::span<const Float4> normals, std::span<const std::uint32_t> neighbours, std::size_t each,
+                           const Workers& workers) {
+  constexpr std::size_t run = 1 << 13;
+  std::vector<std::vector<Edge>> runs((normals.size() + run - 1) / run);
+  workers.in_pieces(normals.size(), run, [&](std::size_t begin, std::size_t end) {
+    add_edges(normals, neighbours, each, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+              runs[begin / run]);
+  });
+  std::vector<Edge> edges;
+  for (std::vector<Edge>& some : runs) {
+    edges.insert(edges.end(), some.begin(), some.end());
+    some = {};
+  }
+  sort_by_weight(edges);
   return edges;
 }
 
@@ -91,7 +128,7 @@ std::vector<bool> reversed_parts(Parts& parts, std::span<const Float4> points, s
 }  // namespace
 
 void orient(std::span<const Float4> points, std::span<Float4> normals, std::span<const std::uint32_t> neighbours,
-            std::size_t each, const std::vector<bool>& given) {
+            std::size_t each, const std::vector<bool>& given, const Workers& workers) {
   Parts parts(points.size());
   std::uint32_t first_given = 0xFFFFFFFF;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -99,7 +136,7 @@ void orient(std::span<const Float4> points, std::span<Float4> normals, std::span
     if (first_given == 0xFFFFFFFF) first_given = i;
     parts.connect(first_given, i, false);
   }
-  for (const Edge& edge : edges_of(normals, neighbours, each))
+  for (const Edge& edge : edges_of(normals, neighbours, each, workers))
     parts.connect(edge.from, edge.to, dot(normals[edge.from], normals[edge.to]) < 0);
   const std::vector<bool> reversed = reversed_parts(parts, points, normals, given);
   for (std::uint32_t i = 0; i < points.size(); ++i) {

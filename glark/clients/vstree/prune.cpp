@@ -3,8 +3,19 @@
 #include "glark/clients/vstree/prune.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace glark::vstree {
+namespace {
+
+constexpr unsigned class_shift = 20;
+constexpr std::size_t classes = std::size_t{1} << (31 - class_shift);
+
+// Errors that begin with the same bits, which for positive numbers have their order.
+std::size_t class_of(float error) { return (std::bit_cast<std::uint32_t>(error) & 0x7FFFFFFFU) >> class_shift; }
+
+}  // namespace
+
 std::vector<float> monotone_errors(std::span<const Node> nodes) {
   std::vector<float> errors(nodes.size());
   for (std::size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
@@ -16,25 +27,31 @@ std::vector<float> monotone_errors(std::span<const Node> nodes) {
   return errors;
 }
 
-LeafCounts::LeafCounts(std::span<const Node> nodes, std::span<const float> errors) {
+LeafCounts::LeafCounts(std::span<const Node> nodes, std::span<const float> errors) : more_leaves_(classes) {
   divisions_.reserve(nodes.size() / 2);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!nodes[i].is_leaf()) divisions_.push_back({errors[i], nodes[i].child_count() - 1});
-  }
-  std::sort(divisions_.begin(), divisions_.end(),
-            [](const Division& a, const Division& b) { return a.error > b.error; });
-  std::uint32_t leaves = 1;
-  for (std::size_t i = 0; i < divisions_.size();) {
-    const std::size_t begin = i;  // what has one error is divided together
-    for (; i < divisions_.size() && divisions_[i].error == divisions_[begin].error; ++i) leaves += divisions_[i].leaves;
-    for (std::size_t k = begin; k < i; ++k) divisions_[k].leaves = leaves;
+    if (nodes[i].is_leaf()) continue;
+    divisions_.push_back({errors[i], nodes[i].child_count() - 1});
+    more_leaves_[class_of(errors[i])] += divisions_.back().leaves;
   }
 }
 
 float LeafCounts::threshold_for(std::size_t leaves) const {
-  const auto first_too_many = std::partition_point(divisions_.begin(), divisions_.end(),
-                                                   [&](const Division& division) { return division.leaves <= leaves; });
-  return first_too_many == divisions_.end() ? -1 : first_too_many->error;
+  std::size_t count = 1;
+  std::size_t last = classes;
+  while (last > 0 && count + more_leaves_[last - 1] <= leaves) count += more_leaves_[--last];
+  if (last == 0) return -1;
+  std::vector<Division> some;  // among which the limit is
+  for (const Division& division : divisions_) {
+    if (class_of(division.error) == last - 1) some.push_back(division);
+  }
+  std::sort(some.begin(), some.end(), [](const Division& a, const Division& b) { return a.error > b.error; });
+  for (std::size_t i = 0; i < some.size();) {
+    const float error = some[i].error;  // what has one error is divided together
+    for (; i < some.size() && some[i].error == error; ++i) count += some[i].leaves;
+    if (count > leaves) return error;
+  }
+  return some.back().error;
 }
 
 void prune(Nodes& tree, std::span<const float> errors, float threshold) {

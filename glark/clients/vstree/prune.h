@@ -22,9 +22,10 @@ class LeafCounts {
  private:
   struct Division {
     float error;
-    std::uint32_t leaves;  // at first how many more there are by this one, then how many there are in all
+    std::uint32_t leaves;  // how many more there are by this one
   };
-  std::vector<Division> divisions_;  // the greatest error first
+  std::vector<Division> divisions_;
+  std::vector<std::uint32_t> more_leaves_;  // by all divisions of a class of errors, the least errors first
 };
 
 // Turns those nodes into leaves and removes what lies below.

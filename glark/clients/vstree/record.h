@@ -4,16 +4,18 @@
 // A sample as the construction moves it about, and the bounding cube.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <memory>
+#include <new>
 #include <span>
 
 #include "glark/clients/vstree/float4.h"
 
 namespace glark::vstree {
 
-// Within the unit cube, or in the frame of a transition node (without its origin). The fourth of the position holds the bits of the
-// sample's index, that of the normal is 1 if there is a normal.
+// Within the unit cube. The fourth of the position holds the bits of the sample's index, that of the normal is 1 if there is a normal.
 struct Record {
   Float4 position;
   Float4 normal;
@@ -21,6 +23,32 @@ struct Record {
   std::uint32_t index() const { return std::bit_cast<std::uint32_t>(static_cast<float>(position[3])); }
   // Without the index, which as a number may be anything.
   Float4 point() const { return without_fourth(position); }
+};
+
+inline bool are_at_one_point(std::span<const Record> records) {
+  const Float4 first = records.front().point();
+  return std::all_of(records.begin(), records.end(), [&](const Record& record) {
+    const Float4 apart = record.point() - first;
+    return dot(apart, apart) == 0;
+  });
+}
+
+// So many, with memory that stays as it is until written: so threads share what the first use of a page costs.
+class Records {
+ public:
+  Records() = default;
+  explicit Records(std::size_t count)
+      : records_(static_cast<Record*>(operator new (std::max<std::size_t>(1, count) * sizeof(Record),
+                                                    std::align_val_t{alignof(Record)}))),
+        count_(count) {}
+  std::span<Record> all() const { return {records_.get(), count_}; }
+
+ private:
+  struct Release {
+    void operator()(Record* records) const { operator delete (records, std::align_val_t{alignof(Record)}); }
+  };
+  std::unique_ptr<Record[], Release> records_;
+  std::size_t count_ = 0;
 };
 
 // From the positions' unit to the unit cube.

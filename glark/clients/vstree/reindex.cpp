@@ -25,16 +25,34 @@ bool runs_up(const std::uint32_t* corners) {
 
 }  // namespace
 
-std::vector<std::uint32_t> reindex(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> clusters,
-                                   std::size_t cluster_count) {
+std::vector<std::uint32_t> spanning(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> clusters,
+                                    const Workers& workers) {
+  constexpr std::size_t piece = 1 << 15;  // triangles
+  std::vector<std::vector<std::uint32_t>> found((triangles.size() / 3 + piece - 1) / piece);
+  workers.in_pieces(triangles.size() / 3, piece, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t>& mine = found[begin / piece];
+    std::array<std::uint32_t, 1024> some;
+    std::uint32_t* to = some.data();
+    for (std::size_t t = 3 * begin; t < 3 * end; t += 3) {
+      const std::uint32_t a = clusters[triangles[t]], b = clusters[triangles[t + 1]], c = clusters[triangles[t + 2]];
+      *to++ = a;
+      *to++ = b;
+      *to++ = c;
+      to -= static_cast<unsigned>((a == b) | (b == c) | (c == a)) * 3;  // a branch would be foretold badly
+      if (to - some.data() < static_cast<std::ptrdiff_t>(some.size()) - 3) continue;
+      mine.insert(mine.end(), some.data(), to);
+      to = some.data();
+    }
+    mine.insert(mine.end(), some.data(), to);
+  });
   std::vector<std::uint32_t> all;
-  for (std::size_t t = 0; t < triangles.size(); t += 3) {
-    const std::uint32_t a = clusters[triangles[t]], b = clusters[triangles[t + 1]], c = clusters[triangles[t + 2]];
-    if (a == b || b == c || c == a) continue;
-    all.insert(all.end(), {a, b, c});
-  }
+  for (const std::vector<std::uint32_t>& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+std::vector<std::uint32_t> without_repeats(std::span<const std::uint32_t> all, std::size_t clusters) {
   // Lists of the triangles whose least corner a cluster is: they have the few to compare with.
-  std::vector<std::uint32_t> first(cluster_count, 0xFFFFFFFF), next(all.size() / 3, 0xFFFFFFFF);
+  std::vector<std::uint32_t> first(clusters, 0xFFFFFFFF), next(all.size() / 3, 0xFFFFFFFF);
   std::vector<int> balance(all.size() /
                            3);  // of all with its corners, at the first: those that run its way less the others
   for (std::uint32_t t = 0; t < balance.size(); ++t) {

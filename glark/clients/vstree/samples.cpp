@@ -90,9 +90,12 @@ void check_triangles(std::span<const std::uint32_t> triangles, std::size_t point
     throw Error(Element::array, 0,
                 "triangles has " + std::to_string(triangles.size()) + " indices; give three for each");
   }
-  bool sound = true;
-  for (const std::uint32_t index : triangles) sound &= index < points;
-  if (sound) return;
+  std::uint32_t beyond =
+      0;  // points are 2^31 at most: so signed comparisons do, of which there are vector instructions
+  const auto last = static_cast<std::int32_t>(static_cast<std::int64_t>(points) - 1);
+  for (const std::uint32_t index : triangles)
+    beyond |= index | (static_cast<std::int32_t>(index) > last ? 0x80000000U : 0U);
+  if ((beyond & 0x80000000U) == 0) return;
   const auto wrong =
       std::find_if(triangles.begin(), triangles.end(), [&](std::uint32_t index) { return index >= points; });
   throw Error(Element::triangle, static_cast<std::size_t>(wrong - triangles.begin()) / 3,

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "glark/clients/vstree/record.h"
-#include "glark/clients/vstree/workers.h"
+#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 
@@ -34,6 +34,14 @@ inline Float4 unit_normal(const float* normal) {
   }
   n[3] = 1;
   return n;
+}
+
+inline Record record_of(const PointSet& points, const Cube& cube, std::uint32_t i) {
+  Record record;
+  record.position = cube.inside(&points.positions[3 * std::size_t{i}]);
+  record.position[3] = std::bit_cast<float>(i);
+  record.normal = unit_normal(&points.normals[3 * std::size_t{i}]);
+  return record;
 }
 
 }  // namespace glark::vstree

@@ -1,63 +1,133 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/vstree/clusters.h"
+#include "glark/clients/vstree/shapes.h"
 
 #include <algorithm>
 
 namespace glark::vstree {
 namespace {
 
-void add_triangles(const Surface& surface, std::span<const std::uint32_t> groups, std::span<const Float4> centroids,
-                   std::vector<Shape>& shapes) {
-  for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
-    const std::uint32_t* const corners = &surface.triangles[t];
-    const Float4 a = surface.points[corners[0]];
-    const Float4 normal = cross(surface.points[corners[1]] - a, surface.points[corners[2]] - a);
-    const float area = std::sqrt(dot(normal, normal));
-    if (!(area > 0)) continue;
-    const std::uint32_t g[3] = {groups[corners[0]], groups[corners[1]], groups[corners[2]]};
-    if (g[0] == g[1] && g[1] == g[2]) {
-      shapes[g[0]].quadric.add_plane(a - centroids[g[0]], normal / area, 3 * area);
-    } else {
-      for (const std::uint32_t group : g) shapes[group].quadric.add_plane(a - centroids[group], normal / area, area);
+constexpr std::size_t grain = 1 << 10;  // clusters or nodes for a thread
+
+// Without a quadric.
+Shape extent_of(std::span<const Record> records) {
+  Shape shape;
+  for (const Record& record : records) shape.sum += record.point() + Float4{0, 0, 0, 1};
+  const Float4 centroid = shape.centroid();
+  float square = 0;
+  for (const Record& record : records) {
+    const Float4 apart = record.point() - centroid;
+    square = std::max(square, dot(apart, apart));
+  }
+  shape.radius = std::sqrt(square);
+  return shape;
+}
+
+// A quadric about a centroid without what finding its best point does not need; a line of the cache.
+struct alignas(64) Planes {
+  Float4 centroid{};
+  Float4 rows[3] = {};
+
+  // The plane through `point`, with a normal as long as its weight.
+  void add(Float4 point, Float4 normal, Float4 unit_normal) {
+    normal[3] = -dot(normal, point - centroid);
+    rows[0] += splat<0>(unit_normal) * normal;
+    rows[1] += splat<1>(unit_normal) * normal;
+    rows[2] += splat<2>(unit_normal) * normal;
+  }
+};
+
+// A point, its cluster as the bits of the fourth.
+std::uint32_t cluster_at(const Float4& corner) { return std::bit_cast<std::uint32_t>(static_cast<float>(corner[3])); }
+
+// Of the clusters first .. last - 1, in the order of the triangles whoever does it.
+void add_triangles(std::span<const std::uint32_t> triangles, std::span<const Float4> corners, std::uint32_t first,
+                   std::uint32_t last, std::span<Planes> planes) {
+  const std::uint32_t size = last - first;
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    const Float4 &a = corners[triangles[t]], &b = corners[triangles[t + 1]], &c = corners[triangles[t + 2]];
+    const std::uint32_t groups[3] = {cluster_at(a) - first, cluster_at(b) - first, cluster_at(c) - first};
+    if (groups[0] >= size && groups[1] >= size && groups[2] >= size) continue;
+    const Float4 point = without_fourth(a);
+    const Float4 normal = cross(without_fourth(b) - point, without_fourth(c) - point);
+    const float square = dot(normal, normal);
+    if (!(square > 0)) continue;
+    const Float4 unit_normal = normal / std::sqrt(square);
+    if (groups[0] == groups[1] && groups[1] == groups[2]) {
+      planes[first + groups[0]].add(point, normal * 3, unit_normal);
+      continue;
+    }
+    for (const std::uint32_t group : groups) {
+      if (group < size) planes[first + group].add(point, normal, unit_normal);
     }
   }
 }
 
+void add_triangles(const Surface& surface, const Clusters& clusters, const Workers& workers,
+                   std::vector<Shape>& shapes) {
+  std::vector<Float4> corners(surface.size());
+  workers.each(corners.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      corners[i] = surface.point(i);
+      corners[i][3] = std::bit_cast<float>(clusters.of[i]);
+    }
+  });
+  std::vector<Planes> planes(clusters.count);
+  const std::size_t parts = std::clamp<std::size_t>(surface.triangles.size() / 50000, 1, workers.count());
+  workers.each(parts, 1, [&](std::size_t first_part, std::size_t last_part) {
+    const auto first = static_cast<std::uint32_t>(clusters.count * first_part / parts);
+    const auto last = static_cast<std::uint32_t>(clusters.count * last_part / parts);
+    for (std::uint32_t i = first; i < last; ++i) planes[i].centroid = shapes[i].centroid();
+    add_triangles(surface.triangles, corners, first, last, planes);
+    for (std::uint32_t i = first; i < last; ++i) std::copy_n(planes[i].rows, 3, shapes[i].quadric.rows);
+  });
+}
+
 }  // namespace
 
-void add_quadrics(const Surface& surface, std::span<const std::uint32_t> groups, std::vector<Shape>& shapes) {
-  std::vector<Float4> centroids(shapes.size());
-  for (std::size_t i = 0; i < shapes.size(); ++i) centroids[i] = shapes[i].centroid();
-  if (!surface.triangles.empty()) {
-    add_triangles(surface, groups, centroids, shapes);
-    return;
+Shape shape_of(std::span<const Record> records) {
+  Shape shape;
+  for (const Record& record : records) shape.sum += record.point() + Float4{0, 0, 0, 1};
+  const Float4 centroid = shape.centroid();
+  float square = 0;
+  for (const Record& record : records) {
+    const Float4 apart = record.point() - centroid;
+    square = std::max(square, dot(apart, apart));
+    shape.quadric.add_plane(apart, record.normal, record.normal[3]);
   }
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const Float4 normal = surface.normals[i];
-    shapes[groups[i]].quadric.add_plane(surface.points[i] - centroids[groups[i]], normal, normal[3]);
-  }
+  shape.radius = std::sqrt(square);
+  return shape;
 }
 
-std::vector<Shape> shapes_of(const Surface& surface, std::span<const std::uint32_t> groups, std::size_t count) {
-  std::vector<Shape> shapes(count);
-  for (std::size_t i = 0; i < groups.size(); ++i) shapes[groups[i]].sum += surface.points[i] + Float4{0, 0, 0, 1};
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const Float4 apart = surface.points[i] - shapes[groups[i]].centroid();
-    shapes[groups[i]].radius = std::max(shapes[groups[i]].radius, dot(apart, apart));
+Shape sum_of(std::span<const Shape> shapes) {
+  if (shapes.size() == 1) return shapes.front();
+  Shape result;
+  for (const Shape& shape : shapes) result.sum += shape.sum;
+  for (const Shape& shape : shapes) {
+    const Float4 apart = result.centroid() - shape.centroid();
+    result.quadric.add(shape.quadric.moved(apart));
+    result.radius = std::max(result.radius, shape.radius + std::sqrt(dot(apart, apart)));
   }
-  for (Shape& shape : shapes) shape.radius = std::sqrt(shape.radius);
-  add_quadrics(surface, groups, shapes);
-  return shapes;
+  return result;
 }
 
-std::size_t spanning_triangles(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> clusters) {
-  std::size_t count = 0;
-  for (std::size_t t = 0; t < triangles.size(); t += 3) {
-    const std::uint32_t a = clusters[triangles[t]], b = clusters[triangles[t + 1]], c = clusters[triangles[t + 2]];
-    count += static_cast<std::size_t>((a != b) & (b != c) & (c != a));
-  }
-  return count;
+std::vector<Float4> representatives(const Surface& surface, const Clusters& clusters, Representative how,
+                                    const Workers& workers) {
+  const bool by_samples = how == Representative::qef && surface.triangles.empty();
+  std::vector<Shape> shapes(clusters.count);
+  workers.each(clusters.count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      shapes[i] = by_samples ? shape_of(clusters.samples(i)) : extent_of(clusters.samples(i));
+  });
+  if (how == Representative::qef && !by_samples) add_triangles(surface, clusters, workers, shapes);
+  std::vector<Float4> points(clusters.count);
+  workers.each(clusters.count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      points[i] = shapes[i].centroid();
+      if (how == Representative::qef) points[i] += shapes[i].best_step();
+    }
+  });
+  return points;
 }
 
 }  // namespace glark::vstree

@@ -5,85 +5,60 @@
 #include "glark/clients/vstree/clusters.h"
 #include "glark/clients/vstree/reindex.h"
 #include "glark/clients/vstree/samples.h"
+#include "glark/clients/vstree/shapes.h"
 
 namespace glark::vstree {
 namespace {
 
-// Area-weighted means of the triangles' normals.
-std::vector<Float4> vertex_normals(const Surface& surface) {
-  std::vector<Float4> normals(surface.points.size());
+// Area-weighted means of the triangles' normals, not of unit length.
+std::vector<float> vertex_normals(const Surface& surface) {
+  std::vector<float> normals(surface.points.positions.size());
   for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
     const std::uint32_t* const corners = &surface.triangles[t];
-    const Float4 a = surface.points[corners[0]];
-    const Float4 normal = cross(surface.points[corners[1]] - a, surface.points[corners[2]] - a);
-    for (int i = 0; i < 3; ++i) normals[corners[i]] += normal;
-  }
-  for (Float4& normal : normals) {
-    normal = unit(normal);
-    normal[3] = dot(normal, normal) > 0 ? 1.0F : 0.0F;
+    const Float4 a = surface.point(corners[0]);
+    const Float4 normal = cross(surface.point(corners[1]) - a, surface.point(corners[2]) - a);
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) normals[3 * std::size_t{corners[i]} + k] += normal[k];
+    }
   }
   return normals;
 }
 
-Surface surface_of(const Mesh& mesh, const SimplifyOptions& options, const Workers& workers) {
-  Surface surface;
-  surface.cube = bounding_cube(mesh.points.positions, workers);
-  surface.triangles = mesh.triangles;
-  const std::size_t count = mesh.points.positions.size() / 3;
-  surface.points.resize(count);
-  for (std::size_t i = 0; i < count; ++i) surface.points[i] = surface.cube.inside(&mesh.points.positions[3 * i]);
-  std::span<const float> normals = mesh.points.normals;
-  std::vector<float> estimated;
-  if (normals.empty() && !mesh.triangles.empty()) {
-    surface.normals = vertex_normals(surface);
-    return surface;
-  }
-  if (normals.empty()) {
-    estimated = estimate_normals(mesh.points, {.threads = options.threads});
-    normals = estimated;
-  }
-  surface.normals.resize(count);
-  for (std::size_t i = 0; i < count; ++i) surface.normals[i] = unit_normal(&normals[3 * i]);
-  return surface;
-}
-
-// What stands for each cluster, in the unit cube.
-std::vector<Float4> representatives(const Surface& surface, Clusters& clusters, Representative how) {
-  if (clusters.shapes.empty()) clusters.shapes = shapes_of(surface, clusters.of, clusters.count);
-  std::vector<Float4> points;
-  points.reserve(clusters.count);
-  for (const Shape& shape : clusters.shapes)
-    points.push_back(how == Representative::qef ? shape.centroid() + shape.best_step() : shape.centroid());
-  return points;
-}
-
-void write_attributes(const Mesh& mesh, const Surface& surface, const Clusters& clusters,
-                      std::span<const Float4> points, std::span<const std::uint32_t> cluster_of, Simplified& result) {
-  std::vector<Float4> normals(clusters.count), colours(mesh.points.colours.empty() ? 0 : clusters.count);
-  std::vector<std::uint32_t> nearest(mesh.points.texcoords.empty() ? 0 : clusters.count, none);
-  const auto squared = [&](std::uint32_t sample, std::uint32_t cluster) {
-    const Float4 d = surface.points[sample] - points[cluster];
-    return dot(d, d);
-  };
-  for (std::uint32_t i = 0; i < clusters.of.size(); ++i) {
-    const std::uint32_t cluster = clusters.of[i];
-    normals[cluster] += surface.normals[i];
-    if (!colours.empty()) {
-      const std::uint8_t* const colour = &mesh.points.colours[3 * std::size_t{i}];
-      colours[cluster] +=
-          Float4{static_cast<float>(colour[0]), static_cast<float>(colour[1]), static_cast<float>(colour[2]), 1};
+// Of each cluster: the mean normal, and what else the samples have.
+void write_attributes(const Surface& surface, const Clusters& clusters, std::span<const Float4> points,
+                      std::span<const std::uint32_t> cluster_of, const Workers& workers, Simplified& result) {
+  const PointSet& from = surface.points;
+  result.normals.resize(3 * cluster_of.size());
+  result.colours.resize(from.colours.empty() ? 0 : 3 * cluster_of.size());
+  result.texcoords.resize(from.texcoords.empty() ? 0 : 2 * cluster_of.size());
+  workers.each(cluster_of.size(), 1 << 10, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::span<const Record> samples = clusters.samples(cluster_of[i]);
+      Float4 normal{}, colour{};
+      for (const Record& sample : samples) normal += sample.normal;
+      normal = unit(normal);
+      for (std::size_t k = 0; k < 3; ++k) result.normals[3 * i + k] = normal[k];
+      if (!from.colours.empty()) {
+        for (const Record& sample : samples) {
+          const std::uint8_t* const mine = &from.colours[3 * std::size_t{sample.index()}];
+          colour += Float4{static_cast<float>(mine[0]), static_cast<float>(mine[1]), static_cast<float>(mine[2]), 1};
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+          result.colours[3 * i + k] = static_cast<std::uint8_t>(colour[k] / colour[3] + 0.5F);
+      }
+      if (!from.texcoords.empty()) {
+        const auto rank = [&](const Record& sample) {
+          const Float4 apart = sample.point() - points[cluster_of[i]];
+          return std::pair(dot(apart, apart), sample.index());
+        };
+        const std::size_t nearest =
+            std::min_element(samples.begin(), samples.end(), [&](const Record& a, const Record& b) {
+              return rank(a) < rank(b);
+            })->index();
+        for (std::size_t k = 0; k < 2; ++k) result.texcoords[2 * i + k] = from.texcoords[2 * nearest + k];
+      }
     }
-    if (!nearest.empty() && (nearest[cluster] == none || squared(i, cluster) < squared(nearest[cluster], cluster)))
-      nearest[cluster] = i;
-  }
-  for (const std::uint32_t cluster : cluster_of) {
-    const Float4 normal = unit(normals[cluster]);
-    result.normals.insert(result.normals.end(), {normal[0], normal[1], normal[2]});
-    for (int k = 0; k < 3 && !colours.empty(); ++k)
-      result.colours.push_back(static_cast<std::uint8_t>(colours[cluster][k] / colours[cluster][3] + 0.5F));
-    for (std::size_t k = 0; k < 2 && !nearest.empty(); ++k)
-      result.texcoords.push_back(mesh.points.texcoords[2 * std::size_t{nearest[cluster]} + k]);
-  }
+  });
 }
 
 // Leaves out what no triangle uses. Returns of each vertex that stays which one it was.
@@ -106,16 +81,23 @@ Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
   check(mesh.points, workers);
   check_triangles(mesh.triangles, mesh.points.positions.size() / 3);
   check(Options{.threshold = options.threshold, .delta_a = options.delta_a, .delta_d = options.delta_d});
-  const Surface surface = surface_of(mesh, options, workers);
+  Surface surface{bounding_cube(mesh.points.positions, workers), mesh.points, mesh.triangles};
+  std::vector<float> normals;
+  if (mesh.points.normals.empty()) {
+    normals =
+        mesh.triangles.empty() ? estimate_normals(mesh.points, {.threads = options.threads}) : vertex_normals(surface);
+    surface.points.normals = normals;
+  }
   Clusters clusters = cluster(surface, options, workers);
-  const std::vector<Float4> points = representatives(surface, clusters, options.representative);
+  const std::vector<Float4> points = representatives(surface, clusters, options.representative, workers);
 
   Simplified result;
   std::vector<std::uint32_t> cluster_of(clusters.count);  // of each vertex of the result
   for (std::uint32_t i = 0; i < clusters.count; ++i) cluster_of[i] = i;
   if (!mesh.triangles.empty()) {
-    result.triangles = clusters.triangles.empty() ? reindex(mesh.triangles, clusters.of, clusters.count)
-                                                  : std::move(clusters.triangles);
+    result.triangles = clusters.triangles.empty()
+                           ? without_repeats(spanning(mesh.triangles, clusters.of, workers), clusters.count)
+                           : std::move(clusters.triangles);
     if (options.cut) cluster_of = cut(result.triangles, points);
     const std::vector<std::uint32_t> kept = compact(result.triangles, cluster_of.size());
     std::vector<std::uint32_t> compacted(kept.size());
@@ -126,11 +108,12 @@ Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
   for (std::uint32_t i = static_cast<std::uint32_t>(cluster_of.size()); i-- > 0;) vertex_of[cluster_of[i]] = i;
   result.representatives.reserve(clusters.of.size());
   for (const std::uint32_t cluster : clusters.of) result.representatives.push_back(vertex_of[cluster]);
+  result.positions.reserve(3 * cluster_of.size());
   for (const std::uint32_t cluster : cluster_of) {
     const Float4 point = surface.cube.low + points[cluster] * surface.cube.side;
     result.positions.insert(result.positions.end(), {point[0], point[1], point[2]});
   }
-  write_attributes(mesh, surface, clusters, points, cluster_of, result);
+  write_attributes(surface, clusters, points, cluster_of, workers, result);
   return result;
 }
 

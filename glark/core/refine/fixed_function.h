@@ -42,6 +42,7 @@ struct FixedFunctionState {
   GLenum fog_distance = GL_EYE_PLANE_ABSOLUTE_NV;  // GL_FOG_DISTANCE_MODE_NV, where GL_NV_fog_distance exists
   bool clip_planes = false;                        // any user clip plane enabled
   bool point_size = false;                         // point parameters attenuate
+  bool program_point_size = false;                 // GL_PROGRAM_POINT_SIZE: of the application, not of the shader
   std::array<TextureUnitState, fixed_function_texture_units> unit{};
   auto operator<=>(const FixedFunctionState&) const = default;
 };

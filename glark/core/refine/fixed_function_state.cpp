@@ -101,6 +101,7 @@ FixedFunctionState read_fixed_function_state(const gl::Dispatch& gl, const Fragm
     state.clip_planes = state.clip_planes || gl.IsEnabled(GL_CLIP_PLANE0 + plane) != GL_FALSE;
   }
   state.point_size = point_size_attenuates(gl);
+  state.program_point_size = gl.IsEnabled(GL_PROGRAM_POINT_SIZE) != GL_FALSE;
   read_texture_units(gl, state, fragment);
   return state;
 }

@@ -370,8 +370,10 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
                                     records_binding);
     }
   }
-  const auto other = std::find_if(program.derived.begin(), program.derived.end(),
-                                  [&](const auto& entry) { return entry.second != nullptr && entry.second != slot; });
+  // Whatever runs at corners alone has no refinement shader, so none of its uniforms.
+  const auto other = std::find_if(program.derived.begin(), program.derived.end(), [&](const auto& entry) {
+    return entry.second != nullptr && entry.second != slot && !entry.first.at_corner;
+  });
   copy_virtual_uniforms(gl_, program.virtual_uniforms, other != program.derived.end() ? other->second.get() : nullptr,
                         *slot);
   if (owner != nullptr) {

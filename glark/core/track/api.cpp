@@ -240,11 +240,12 @@ void ARKParameteriARK(Context& c, GLenum name, GLint value) {
     case GL_EDGE_PIXELS_ARK:
     case GL_EDGE_DEGREES_ARK:
     case GL_TRIANGLE_BUDGET_ARK: set_measure(c, name, value); break;
+    case GL_GEOMORPH_ARK:
     case GL_WELD_ARK:
       if (value != GL_FALSE && value != GL_TRUE) {
         c.raise(GL_INVALID_VALUE);
       } else {
-        c.ark.weld = value == GL_TRUE;
+        (name == GL_WELD_ARK ? c.ark.weld : c.ark.geomorph) = value == GL_TRUE;
       }
       break;
     case GL_UNIFORM_DEPTH_LEVEL_ARK:
@@ -272,11 +273,6 @@ void ARKParameteriARK(Context& c, GLenum name, GLint value) {
       if (set_choice(c, token == GL_MINIMUM_INTERIOR_ARK || token == GL_SMOOTH_INTERIOR_ARK,
                      token == GL_MINIMUM_INTERIOR_ARK, first)) {
         c.ark.smooth_interior = !first;
-      }
-      break;
-    case GL_GEOMORPH_ARK:
-      if (set_choice(c, value == GL_FALSE || value == GL_TRUE, value == GL_TRUE, first)) {
-        c.ark.geomorph = first;
       }
       break;
     default: c.raise(GL_INVALID_ENUM); break;

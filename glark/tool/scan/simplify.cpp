@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "glark/clients/geometry/topology.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"
@@ -35,9 +36,38 @@ geometry::Geometry simplified(const geometry::Geometry& geometry, const vstree::
   return coarse;
 }
 
+// Where triangles meet in one place with different texture coordinates.
+std::size_t seam_points(const geometry::Geometry& geometry) {
+  const std::vector<float>& all = geometry.texture_coordinates;
+  if (all.empty() || geometry.triangles.empty()) return 0;
+  const std::vector<std::uint32_t> first = geometry::first_at_same_place(geometry.positions);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const std::size_t other = first[i];
+    count += all[2 * i] != all[2 * other] || all[2 * i + 1] != all[2 * other + 1] ? 1 : 0;
+  }
+  return count;
+}
+
+// What the result cannot have.
+void warn_of_losses(const geometry::Geometry& geometry, const std::string& file) {
+  if (const std::size_t seams = seam_points(geometry); seams > 0) {
+    warn(file + ": its texture coordinates have seams, at " + std::to_string(seams) +
+         " of its points; the result has those of one side there, so that triangles along a seam show a wrong part of "
+         "the "
+         "texture: take it off, or bake it into colours first");
+  }
+  for (std::size_t i = 3; i < geometry.colours.size(); i += 4) {
+    if (geometry.colours[i] == 255) continue;
+    warn(file + ": point " + std::to_string(i / 4) + " is not opaque; the result has no alpha");
+    return;
+  }
+}
+
 void simplify(const Simplify& command) {
   check_output(command.files);
   const geometry::Geometry geometry = load(command.files.input, command.files);
+  warn_of_losses(geometry, command.files.input);
   geometry::Geometry coarse;
   double seconds = 0;
   {

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What the samples and triangles of a cluster or of a node say of the surface there.
+#pragma once
+
+#include "glark/clients/vstree/clusters.h"
+
+namespace glark::vstree {
+
+// Its quadric is about its centroid.
+struct Shape {
+  Float4 sum{};      // of the points; the fourth is their number
+  float radius = 0;  // all points are so near to the centroid
+  Quadric quadric;
+
+  Float4 centroid() const { return without_fourth(sum / sum[3]); }
+  // From the centroid to the best point. Planes that are nearly one, or those of a cone, meet far away. But the error only falls on the
+  // way there: it ends within the cluster.
+  Float4 best_step() const {
+    const Float4 step = quadric.best_point();
+    const float square = dot(step, step);
+    const float most = 0.75F * radius;
+    return square > most * most ? step * (most / std::sqrt(square)) : step;
+  }
+};
+
+// Of samples, by their tangent planes.
+Shape shape_of(std::span<const Record> records);
+// Of all of some shapes.
+Shape sum_of(std::span<const Shape> shapes);
+
+// Where the points are that stand for the clusters, in the unit cube. By quadrics: nearest to the planes of a cluster's triangles,
+// weighed by area, each at the clusters of its corners; or, without triangles, to the tangent planes of the samples.
+std::vector<Float4> representatives(const Surface& surface, const Clusters& clusters, Representative how,
+                                    const Workers& workers);
+
+}  // namespace glark::vstree
