@@ -139,6 +139,14 @@ class Commands(unittest.TestCase):
                 self.assertEqual((b"\x89PNG\r\n\x1a\n", 90, 70), (picture[:8], *struct.unpack(">2I", picture[16:24])))
                 self.assertGreater(len(picture), 1000)  # more than the background
         self.assertGreater(self.report("view", self.sphere, "--mode", "strip", "--offscreen", "a.png")["nodes_turned_away"], 0)
+        # Without any driver of EGL, by OSMesa: the same picture.
+        pictures = []
+        for environment in ({}, {"__EGL_VENDOR_LIBRARY_DIRS": "/nowhere", "LIBGL_DRIVERS_PATH": "/nowhere"}):
+            result = subprocess.run([GLARK, "view", self.sphere, "--mode", "refined", "--offscreen", "b.png"], cwd=self.path,
+                                    capture_output=True, text=True, env={**os.environ, **environment})
+            self.assertEqual(0, result.returncode, result.stderr)
+            pictures.append((self.path / "b.png").read_bytes())
+        self.assertEqual(pictures[0], pictures[1])
         display = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
         result = subprocess.run([GLARK, "view", self.sphere], capture_output=True, text=True, env=display)
         self.assertEqual(1, result.returncode)

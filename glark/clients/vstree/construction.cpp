@@ -368,6 +368,9 @@ void Construction::finish(Nodes& out, std::vector<Task>& tasks) {
       }
     }
   });
+  std::size_t all = out.nodes.size();
+  for (const Nodes& part : parts) all += part.nodes.size();
+  if (all > out.nodes.capacity()) out.nodes.reserve(all);
   for (std::size_t part = 0; part < parts.size(); ++part) {
     append(out, parts[part], std::span(tasks).subspan(firsts[part], firsts[part + 1] - firsts[part]));
     parts[part] = {};

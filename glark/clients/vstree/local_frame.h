@@ -26,10 +26,11 @@ struct LocalFrame {
 
   // Of a position inside the frame, on the grid of the last level; clamped to the rectangle.
   std::array<std::uint32_t, 2> cell(Float4 position) const {
-    constexpr float last = (1U << quadtree_levels) - 1;
-    const float u = std::min(std::max((position[0] - low[0]) * scale[0], 0.0F), last);
-    const float v = std::min(std::max((position[1] - low[1]) * scale[1], 0.0F), last);
-    return {static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v)};
+    constexpr float end = (1U << quadtree_levels) - 1;
+    constexpr Float4 last{end, end, 0, 0};
+    const Float4 scaled = (position - Float4{low[0], low[1], 0, 0}) * Float4{scale[0], scale[1], 0, 0};
+    const Int4 cell = __builtin_convertvector(least(greatest(scaled, Float4{}), last), Int4);
+    return {static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(cell[1])};
   }
 
   Frame in_space(const Cube& cube, std::uint32_t node) const;

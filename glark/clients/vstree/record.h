@@ -70,9 +70,9 @@ inline constexpr unsigned quadtree_levels = 16;
 inline std::array<std::uint32_t, 3> octree_cell(Float4 position) {
   constexpr float cells = 1U << octree_levels;
   constexpr Float4 last{cells - 1, cells - 1, cells - 1, 0};
-  const Float4 scaled = least(position * cells, last);
-  return {static_cast<std::uint32_t>(scaled[0]), static_cast<std::uint32_t>(scaled[1]),
-          static_cast<std::uint32_t>(scaled[2])};
+  const Int4 cell = __builtin_convertvector(least(position * cells, last), Int4);
+  return {static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(cell[1]),
+          static_cast<std::uint32_t>(cell[2])};
 }
 
 }  // namespace glark::vstree

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "glark/tool/view/offscreen.h"
 
-#define GL_GLEXT_PROTOTYPES 1
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <GL/gl.h>
-#include <GL/glext.h>
+#include <GL/osmesa.h>
+#include <dlfcn.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #include <stb/stb_image_write.h>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "glark/clients/geometry/output_file.h"
+#include "glark/tool/view/gl.h"
 
 namespace glark::tool {
 namespace {
@@ -25,6 +25,7 @@ namespace {
       "; glark info says what OpenGL is here, a software driver is in libegl-mesa0 and libgl1-mesa-dri");
 }
 
+// EGL_NO_DISPLAY where there is none.
 EGLDisplay open_display() {
   const auto get_display =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
@@ -33,48 +34,69 @@ EGLDisplay open_display() {
                            : get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE) return display;
   display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-  if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE)
-    fail("there is no EGL display without a surface");
-  return display;
+  return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE ? display : EGL_NO_DISPLAY;
 }
 
 void make_framebuffer(int width, int height) {
   GLuint framebuffer = 0;
   GLuint storage[2] = {};
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glGenRenderbuffers(2, storage);
-  glBindRenderbuffer(GL_RENDERBUFFER, storage[0]);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-  glBindRenderbuffer(GL_RENDERBUFFER, storage[1]);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, storage[0]);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, storage[1]);
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.GenRenderbuffers(2, storage);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, storage[0]);
+  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, storage[1]);
+  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, storage[0]);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, storage[1]);
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     fail("the driver has no framebuffer of this size; choose a smaller one with --size");
 }
 
 }  // namespace
 
-Offscreen::Offscreen(int width, int height) : display_(open_display()) {
-  eglBindAPI(EGL_OPENGL_API);
-  context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
-  if (context_ == EGL_NO_CONTEXT || eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE)
-    fail("there is no context of OpenGL");
+Offscreen::Offscreen(int width, int height) {
+  if (open_egl()) {
+    gl.load(eglGetProcAddress);
+  } else if (open_osmesa()) {
+    gl.load(OSMesaGetProcAddress);
+  } else {
+    fail("there is neither a context of OpenGL by EGL nor OSMesa");
+  }
   make_framebuffer(width, height);
 }
 
+bool Offscreen::open_egl() {
+  display_ = open_display();
+  if (display_ == EGL_NO_DISPLAY) return false;
+  eglBindAPI(EGL_OPENGL_API);
+  context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
+  return context_ != EGL_NO_CONTEXT && eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+}
+
+// OSMesa's functions are those of libGLARK, which calls the library's.
+bool Offscreen::open_osmesa() {
+  if (dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_GLOBAL) == nullptr) return false;
+  osmesa_ = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
+  constexpr int side = 16;  // a framebuffer object is drawn to
+  surface_.resize(std::size_t{4} * side * side);
+  return osmesa_ != nullptr &&
+         OSMesaMakeCurrent(static_cast<OSMesaContext>(osmesa_), surface_.data(), GL_UNSIGNED_BYTE, side, side) != 0;
+}
+
 Offscreen::~Offscreen() {
+  if (osmesa_ != nullptr) OSMesaDestroyContext(static_cast<OSMesaContext>(osmesa_));
+  if (display_ == EGL_NO_DISPLAY) return;
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  eglDestroyContext(display_, context_);
+  if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
   eglTerminate(display_);
 }
 
 void write_screenshot(const std::string& file, int width, int height) {
   std::vector<unsigned char> pixels(std::size_t{3} * static_cast<std::size_t>(width) *
                                     static_cast<std::size_t>(height));
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.ReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
   geometry::OutputFile output(file);
   stbi_flip_vertically_on_write(1);
   const auto write = [](void* to, void* data, int size) {

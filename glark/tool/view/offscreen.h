@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A context of OpenGL without a display, by EGL, and pictures.
+// A context of OpenGL without a display, by EGL or else by OSMesa, and pictures.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace glark::tool {
 
@@ -18,8 +19,13 @@ class Offscreen {
   Offscreen& operator=(const Offscreen&) = delete;
 
  private:
+  bool open_egl();
+  bool open_osmesa();
+
   void* display_ = nullptr;
   void* context_ = nullptr;
+  void* osmesa_ = nullptr;
+  std::vector<unsigned char> surface_;
 };
 
 // Of what is drawn to, as PNG. The file appears complete or not at all.

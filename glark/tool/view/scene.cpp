@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "glark/tool/view/scene.h"
 
-#define GL_GLEXT_PROTOTYPES 1
-#include <GL/gl.h>
-#include <GL/glext.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
+#include "glark/tool/view/gl.h"
 #include "glark/tool/view/shading.h"
 
 #include <GL/glark.h>
@@ -27,9 +24,9 @@ const void* offset(std::size_t bytes) { return std::bit_cast<const void*>(bytes)
 template <class Value>
 std::uint32_t make_buffer(GLenum target, std::span<const Value> values) {
   GLuint buffer = 0;
-  glGenBuffers(1, &buffer);
-  glBindBuffer(target, buffer);
-  glBufferData(target, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), GL_STATIC_DRAW);
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(target, buffer);
+  gl.BufferData(target, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), GL_STATIC_DRAW);
   return buffer;
 }
 
@@ -51,7 +48,7 @@ Scene::Scene(geometry::Geometry geometry) : geometry_(std::move(geometry)) {
 }
 
 Scene::~Scene() {
-  for (const GLuint buffer : {points_buffer_, triangles_buffer_, strips_buffer_}) glDeleteBuffers(1, &buffer);
+  for (const GLuint buffer : {points_buffer_, triangles_buffer_, strips_buffer_}) gl.DeleteBuffers(1, &buffer);
 }
 
 Mode Scene::default_mode() const {
@@ -75,27 +72,27 @@ Camera Scene::default_camera() const {
 
 void Scene::upload() {
   const auto bytes = [](const auto& values) { return values.size() * sizeof(values[0]); };
-  glGenBuffers(1, &points_buffer_);
-  glBindBuffer(GL_ARRAY_BUFFER, points_buffer_);
+  gl.GenBuffers(1, &points_buffer_);
+  gl.BindBuffer(GL_ARRAY_BUFFER, points_buffer_);
   const std::size_t normals_at = bytes(geometry_.positions);
   const std::size_t colours_at = normals_at + bytes(geometry_.normals);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours_at + bytes(geometry_.colours)), nullptr,
-               GL_STATIC_DRAW);
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(colours_at + bytes(geometry_.colours)), nullptr,
+                GL_STATIC_DRAW);
   const auto put = [&](std::size_t at, const auto& values) {
-    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(at), static_cast<GLsizeiptr>(bytes(values)), values.data());
+    gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(at), static_cast<GLsizeiptr>(bytes(values)), values.data());
   };
   put(0, geometry_.positions);
   put(normals_at, geometry_.normals);
   put(colours_at, geometry_.colours);
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glVertexPointer(3, GL_FLOAT, 0, nullptr);
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
   if (has_lighting_) {
-    glEnableClientState(GL_NORMAL_ARRAY);
-    glNormalPointer(GL_FLOAT, 0, offset(normals_at));
+    gl.EnableClientState(GL_NORMAL_ARRAY);
+    gl.NormalPointer(GL_FLOAT, 0, offset(normals_at));
   }
   if (!geometry_.colours.empty()) {
-    glEnableClientState(GL_COLOR_ARRAY);
-    glColorPointer(4, GL_UNSIGNED_BYTE, 0, offset(colours_at));
+    gl.EnableClientState(GL_COLOR_ARRAY);
+    gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, offset(colours_at));
   }
   if (!geometry_.triangles.empty())
     triangles_buffer_ = make_buffer(GL_ELEMENT_ARRAY_BUFFER, std::span<const std::uint32_t>(geometry_.triangles));
@@ -108,43 +105,43 @@ void Scene::make_strips() {
 }
 
 void Scene::set_up(const Camera& camera, int width, int height) const {
-  glViewport(0, 0, width, height);
-  glClearColor(0.16F, 0.17F, 0.19F, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
-  glMatrixMode(GL_PROJECTION);
-  glLoadMatrixf(camera.projection(width, height).data());
-  glMatrixMode(GL_MODELVIEW);
-  glLoadIdentity();
+  gl.Viewport(0, 0, width, height);
+  gl.ClearColor(0.16F, 0.17F, 0.19F, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.MatrixMode(GL_PROJECTION);
+  gl.LoadMatrixf(camera.projection(width, height).data());
+  gl.MatrixMode(GL_MODELVIEW);
+  gl.LoadIdentity();
   const GLfloat direction[4] = {0.3F, 0.5F, 1, 0};  // over the viewer's shoulder
   const GLfloat shine[4] = {0.15F, 0.15F, 0.15F, 1};
-  glLightfv(GL_LIGHT0, GL_POSITION, direction);
-  glLoadMatrixf(camera.view().data());
-  glColor3f(0.78F, 0.76F, 0.72F);
-  glColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
-  glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, shine);
-  glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 30);
-  glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+  gl.Lightfv(GL_LIGHT0, GL_POSITION, direction);
+  gl.LoadMatrixf(camera.view().data());
+  gl.Color3f(0.78F, 0.76F, 0.72F);
+  gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
+  gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, shine);
+  gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, 30);
+  gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
   for (const GLenum capability : {GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_NORMALIZE})
     if (has_lighting_)
-      glEnable(capability);
+      gl.Enable(capability);
     else
-      glDisable(capability);
+      gl.Disable(capability);
 }
 
 void Scene::draw_splats(const Camera& camera, int height) const {
   const float pixels =
       std::max(spacing_ * splat_overlap * camera.pixels_per_length(height), std::numeric_limits<float>::min());
   const GLfloat attenuation[3] = {0, 0, 1 / (pixels * pixels)};
-  glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
-  glPointParameterf(GL_POINT_SIZE_MIN, 1);
-  glPointSize(1);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(geometry_.point_count()));
+  gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+  gl.PointParameterf(GL_POINT_SIZE_MIN, 1);
+  gl.PointSize(1);
+  gl.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(geometry_.point_count()));
 }
 
 void Scene::draw_triangles() const {
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_buffer_);
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(geometry_.triangles.size()), GL_UNSIGNED_INT, nullptr);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_buffer_);
+  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(geometry_.triangles.size()), GL_UNSIGNED_INT, nullptr);
 }
 
 Statistics Scene::draw_strips(const Camera& camera, int width, int height) {
@@ -157,12 +154,12 @@ Statistics Scene::draw_strips(const Camera& camera, int width, int height) {
   view.cull_back_faces = cull && has_lighting_;
   strips_->select(view, frame_);
   const GLfloat none[3] = {1, 0, 0};
-  glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, none);
-  glPointSize(1);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, strips_buffer_);
-  glMultiDrawElements(GL_TRIANGLE_STRIP, frame_.counts.data(), GL_UNSIGNED_INT, frame_.offsets.data(), frame_.draws());
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
-  glDrawElements(GL_POINTS, static_cast<GLsizei>(frame_.points.size()), GL_UNSIGNED_INT, frame_.points.data());
+  gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, none);
+  gl.PointSize(1);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, strips_buffer_);
+  gl.MultiDrawElements(GL_TRIANGLE_STRIP, frame_.counts.data(), GL_UNSIGNED_INT, frame_.offsets.data(), frame_.draws());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  gl.DrawElements(GL_POINTS, static_cast<GLsizei>(frame_.points.size()), GL_UNSIGNED_INT, frame_.points.data());
   return {
       1, frame_.indices, frame_.points.size(), frame_.strips, frame_.visited, frame_.out_of_frustum, frame_.back_faces};
 }
@@ -179,16 +176,16 @@ Statistics Scene::draw(const Camera& camera, Mode mode, int width, int height) {
     glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
     glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
     glARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? GL_CURVED_PN_ARK : GL_LINEAR_OUTPUTS_ARK);
-    glEnable(GL_ARK);
+    gl.Enable(GL_ARK);
   }
-  glPolygonMode(GL_FRONT_AND_BACK, mode == Mode::wireframe ? GL_LINE : GL_FILL);
+  gl.PolygonMode(GL_FRONT_AND_BACK, mode == Mode::wireframe ? GL_LINE : GL_FILL);
   Statistics statistics{1, geometry_.triangles.size(), 0, 0, 0, 0, 0};
   if (geometry_.triangles.empty() || mode == Mode::strip)
     statistics = draw_strips(camera, width, height);
   else
     draw_triangles();
-  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  if (mode == Mode::refined) glDisable(GL_ARK);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  if (mode == Mode::refined) gl.Disable(GL_ARK);
   return statistics;
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "glark/tool/view/gl.h"
 #include "glark/tool/view/offscreen.h"
 
 namespace glark::tool {
@@ -150,6 +151,7 @@ void show_window(const std::string& title, geometry::Geometry geometry, const Vi
   if (window == nullptr)
     throw std::runtime_error("view: there is no window with OpenGL; write a picture with --offscreen OUT.png");
   glfwMakeContextCurrent(window);
+  gl.load(glfwGetProcAddress);
   glfwSwapInterval(1);
   std::printf("%s", help);
   Viewer(window, title, std::move(geometry), options).run();
