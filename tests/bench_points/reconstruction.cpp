@@ -22,10 +22,15 @@ struct Kind {
 
 // Of a model with triangles both ways; of raw scans from the points to the mesh, where their noise is in it.
 std::vector<Cell> distances(const Scan& scan, const vstree::Reconstructed& mesh) {
-  constexpr std::size_t samples = 200000;
+  constexpr std::size_t samples = 100000, stride = 50;
   const double percent = 100 / diagonal_of(scan.positions);
   const SurfaceDistance to_mesh(mesh.positions, mesh.triangles);
-  if (scan.triangles.empty()) return {{}, Number{to_mesh.rms(scan.positions) * percent, 4}};
+  if (scan.triangles.empty()) {
+    std::vector<float> some;
+    for (std::size_t i = 0; i < scan.positions.size(); i += 3 * stride)
+      some.insert(some.end(), &scan.positions[i], &scan.positions[i] + 3);
+    return {{}, Number{to_mesh.rms(some) * percent, 4}};
+  }
   const SurfaceDistance to_scan(scan.positions, scan.triangles);
   return {Number{to_scan.rms(samples_of(mesh.positions, mesh.triangles, samples)) * percent, 4},
           Number{to_mesh.rms(samples_of(scan.positions, scan.triangles, samples)) * percent, 4}};
@@ -68,8 +73,7 @@ std::vector<Table> reconstruction_tables(const Settings& settings) {
               {"", "points", "CPU s", "M points/s", "peak B a point", "triangles", "boundary edges",
                "non-manifold edges", "RMS to the model, % of the diagonal", "RMS from it"},
               {}};
-  for (const char* name : {"igea", "horse", "armadillo", "nefertiti", "bunny", "bunny_scans", "dragon_stand_scans",
-                           "happy_stand_scans", "lion_takanawa"})
+  for (const char* name : {"igea", "horse", "armadillo", "nefertiti", "bunny", "bunny_scans", "happy_stand_scans"})
     add_rows(settings, name, table);
   table.note =
       "Table 3.2 of the thesis: bunny, 35949 points, .85 s; igea, 134346, 1.81 s; dragon, 437647, 5.40 s; happy "
