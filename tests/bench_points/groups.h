@@ -20,6 +20,7 @@ struct Settings {
 
 std::vector<Table> partition_tables(const Settings& settings);
 std::vector<Table> simplification_tables(const Settings& settings);
+std::vector<Table> reconstruction_tables(const Settings& settings);
 std::vector<Table> surfel_tables(const Settings& settings);
 
 }  // namespace glark::bench

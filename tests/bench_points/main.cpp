@@ -23,6 +23,7 @@ struct Group {
 constexpr Group groups[] = {
     {"partition", partition_tables},
     {"simplification", simplification_tables},
+    {"reconstruction", reconstruction_tables},
     {"surfel", surfel_tables},
 };
 

@@ -126,11 +126,11 @@ void settle(BaseMesh& mesh, const Octree& octree, const Workers& workers) {
   });
 }
 
-// Takes triangles away from the border inwards that have a vertex far from all samples: there the planes only go on beyond the last of
+// Returns whether it takes any: triangles from the border inwards that have a vertex far from all samples: there the planes only go on beyond the last of
 // these. Such triangles within the surface close a gap.
 // Between two sheets that both face one way there is a surface that faces the other: it goes too. So does what only hangs on by one edge.
-void peel(BaseMesh& mesh) {
-  const std::vector<std::uint32_t> opposite = opposite_of(mesh.triangles, mesh.points.size());
+bool peel(BaseMesh& mesh) {
+  const std::vector<std::uint32_t>& opposite = mesh.opposite;
   const std::size_t count = mesh.triangles.size() / 3;
   std::vector<bool> gone(count);
   std::vector<std::uint32_t> at_border;
@@ -164,12 +164,15 @@ void peel(BaseMesh& mesh) {
   for (std::size_t t = 0; t < count; ++t) {
     if (!gone[t]) kept.insert(kept.end(), &mesh.triangles[3 * t], &mesh.triangles[3 * t] + 3);
   }
+  const bool changed = kept.size() < mesh.triangles.size();
   mesh.triangles = std::move(kept);
+  return changed;
 }
 
-// A fan of triangles in each hole with a border of so few edges.
-void close_gaps(BaseMesh& mesh, std::uint32_t most_edges) {
-  const std::vector<std::uint32_t> opposite = opposite_of(mesh.triangles, mesh.points.size());
+// Returns whether there are any: a fan of triangles in each hole with a border of so few edges.
+bool close_gaps(BaseMesh& mesh, std::uint32_t most_edges) {
+  const std::vector<std::uint32_t>& opposite = mesh.opposite;
+  const std::size_t before = mesh.triangles.size();
   std::vector<std::uint32_t> border(mesh.points.size(), none);  // of a vertex on one the half-edge that ends there
   for (std::uint32_t i = 0; i < opposite.size(); ++i) {
     if (opposite[i] == none) border[mesh.triangles[next_corner(i)]] = i;
@@ -196,6 +199,7 @@ void close_gaps(BaseMesh& mesh, std::uint32_t most_edges) {
       mesh.triangles.insert(mesh.triangles.end(), {loop[i], next, centre});
     }
   }
+  return mesh.triangles.size() > before;
 }
 
 // What was one vertex of several sheets becomes one for each, a little towards its own neighbours.
@@ -222,7 +226,7 @@ void cut_sheets(BaseMesh& mesh) {
 }
 
 // Leaves out the parts that are small, and numbers the vertices that stay.
-void drop_parts(BaseMesh& mesh, float least_part) {
+bool drop_parts(BaseMesh& mesh, float least_part) {
   Sets sets(mesh.points.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     sets.join(mesh.triangles[t], mesh.triangles[t + 1]);
@@ -244,6 +248,7 @@ void drop_parts(BaseMesh& mesh, float least_part) {
   }
   for (std::uint32_t i = 0; i < areas.size(); ++i)
     mesh.left_out += areas[i] > 0 && areas[i] < static_cast<double>(least_part) * all ? 1 : 0;
+  const bool changed = kept.size() < mesh.triangles.size();
   mesh.triangles = std::move(kept);
   std::vector<std::uint32_t> number(mesh.points.size(), none);
   std::vector<Float4> points, normals;
@@ -257,6 +262,7 @@ void drop_parts(BaseMesh& mesh, float least_part) {
   }
   mesh.points = std::move(points);
   mesh.normals = std::move(normals);
+  return changed;
 }
 
 }  // namespace
@@ -274,10 +280,14 @@ BaseMesh base_mesh(const Contour& contour, const TransitionLayer& layer, const O
   }
   cut_sheets(mesh);
   settle(mesh, octree, workers);
-  peel(mesh);
-  cut_sheets(mesh);
-  close_gaps(mesh, options.gap_edges);
-  drop_parts(mesh, options.least_part);
+  const auto find_opposite = [&] { mesh.opposite = opposite_of(mesh.triangles, mesh.points.size()); };
+  find_opposite();
+  if (peel(mesh)) {
+    cut_sheets(mesh);
+    find_opposite();
+  }
+  if (close_gaps(mesh, options.gap_edges)) find_opposite();
+  if (drop_parts(mesh, options.least_part)) find_opposite();
   return mesh;
 }
 

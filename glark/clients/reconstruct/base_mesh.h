@@ -13,7 +13,9 @@ struct BaseMesh {
   std::vector<Float4> points;
   std::vector<Float4> normals;           // the fourth is 1 where samples were near
   std::vector<std::uint32_t> triangles;  // edges have one or two, which run against each other; vertices have one fan
-  std::uint32_t left_out = 0;            // parts
+  std::vector<std::uint32_t>
+      opposite;                // [triangles * 3]: of the half-edge from that corner to the next; none at the border
+  std::uint32_t left_out = 0;  // parts
 };
 
 // With its vertices at the samples.

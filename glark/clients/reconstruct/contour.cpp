@@ -21,11 +21,11 @@ std::size_t in_wide(std::int32_t x, std::int32_t y, std::int32_t z) {
   return static_cast<std::size_t>(x + wide * (y + wide * z));
 }
 
-// The cells of a block that the surface runs through.
+// The cells of a block that the surface runs through; empty where it runs through none.
 struct BlockCells {
-  std::array<std::uint8_t, block_corners> inside{};  // the corners that are; 0: the surface does not run through
-  std::array<std::uint32_t, block_corners> first{};  // vertex
-  std::uint32_t count = 0;                           // of vertices
+  std::vector<std::uint8_t> inside;  // [block_corners] the corners that are; 0: the surface does not run through
+  std::vector<std::uint32_t> first;  // [block_corners] vertex
+  std::uint32_t count = 0;           // of vertices
 };
 
 // Copies a block with one row of its neighbours: those after it, or those before.
@@ -71,7 +71,7 @@ class Contouring {
     });
     std::uint32_t vertices = 0;
     for (BlockCells& block : cells_) {
-      for (std::size_t i = 0; i < block_corners; ++i) block.first[i] += vertices;
+      for (std::uint32_t& first : block.first) first += vertices;
       vertices += block.count;
     }
     contour_.points.resize(vertices);
@@ -119,6 +119,10 @@ class Contouring {
           }
           if (!known || inside == 0 || inside == 255) continue;
           const std::size_t cell = corner_in_block(x, y, z);
+          if (block.inside.empty()) {
+            block.inside.resize(block_corners);
+            block.first.resize(block_corners);
+          }
           block.inside[cell] = static_cast<std::uint8_t>(inside);
           block.first[cell] = block.count;
           block.count += sheets_of(inside).count;
@@ -179,7 +183,9 @@ class Contouring {
         around);
     const auto inside_of = [&](std::size_t i) {
       const Place place = around[i];
-      return place.block == CellTable::absent ? std::uint8_t{0} : cells_[place.block].inside[place.cell];
+      return place.block == CellTable::absent || cells_[place.block].count == 0
+                 ? std::uint8_t{0}
+                 : cells_[place.block].inside[place.cell];
     };
     constexpr std::size_t steps[3] = {1, wide, static_cast<std::size_t>(wide) * wide};
     for (std::int32_t z = 1; z < wide; ++z) {

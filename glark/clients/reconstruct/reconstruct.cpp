@@ -37,7 +37,7 @@ Reconstructed reconstruct(const PointSet& given, const ReconstructOptions& optio
   }
   Reconstructed result;
   const Octree octree = sort_samples(points, options, workers);
-  if (octree.records.empty()) return result;
+  if (octree.levels.empty()) return result;
   const TransitionLayer layer = transition_layer(octree, options, workers);
   BaseMesh base = base_mesh(contour(layer, octree.finest().level, workers), layer, octree, options, workers);
   result.base_vertices = static_cast<std::uint32_t>(base.points.size());

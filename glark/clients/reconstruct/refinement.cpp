@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/reconstruct/refinement.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "glark/clients/reconstruct/half_edges.h"
@@ -15,10 +16,14 @@ constexpr float edges_to_noise = 6;  // shorter ones are not divided
 class Refinement {
  public:
   Refinement(const Octree& octree, const Workers& workers, BaseMesh& base)
-      : octree_(octree), surface_(octree), workers_(workers), side_(octree.finest().side()) {
+      : octree_(octree),
+        surface_(octree),
+        workers_(workers),
+        side_(octree.finest().side()),
+        reach_(std::min(0.7F * side_, 0.45F * side_ + 2.5F * octree.noise)) {
     mesh_.points = std::move(base.points);
     mesh_.normals = std::move(base.normals);
-    mesh_.opposite = opposite_of(base.triangles, mesh_.points.size());
+    mesh_.opposite = std::move(base.opposite);
     mesh_.triangles = std::move(base.triangles);
   }
 
@@ -32,8 +37,6 @@ class Refinement {
   }
 
  private:
-  static constexpr float radius = 0.7F;  // of the samples looked at, by the side of the finest nodes
-
   void move_to_surface(std::size_t i, float reach) {
     const LocalEstimate estimate = surface_.near(mesh_.points[i], mesh_.normals[i], reach);
     if (!estimate.found) return;
@@ -51,7 +54,7 @@ class Refinement {
     const Float4 bulge = (nb * dot(along, nb) - na * dot(along, na)) * 0.125F;
     mesh_.points[vertex] = (mesh_.points[a] + mesh_.points[b]) * 0.5F + bulge;
     mesh_.normals[vertex] = unit(na + nb);
-    move_to_surface(vertex, radius * side_);
+    move_to_surface(vertex, reach_);
   }
 
   // Returns how far the mesh is from the surface now, about: the root of the mean square.
@@ -119,6 +122,7 @@ class Refinement {
   LocalSurface surface_;
   const Workers& workers_;
   const float side_;
+  const float reach_;  // of the samples looked at: further where there is noise
   RefinedMesh mesh_;
 };
 

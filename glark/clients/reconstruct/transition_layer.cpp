@@ -28,6 +28,7 @@ class Layer {
     const Level& level = octree_.levels[depth];
     const std::uint32_t begin = level.begins[number], end = level.begins[number + 1];
     const std::span<const Record> records(octree_.records.data() + begin, end - begin);
+    if (depth + 1 == octree_.levels.size() && records.size() < several && is_alone(level, number)) return;
     const Moments moments = Moments::of(records);
     if (records.size() >= several) spacing = side_of(moments) / std::sqrt(moments.count());
     if (depth > 0 && !ends(records, moments)) {
@@ -45,6 +46,11 @@ class Layer {
   }
 
  private:
+  // Without samples around: what flies about near a scan.
+  static bool is_alone(const Level& level, std::uint32_t number) {
+    return level.around_begins[number + 1] - level.around_begins[number] == 1;
+  }
+
   // Of a square that the samples would fill.
   static float side_of(const Moments& moments) {
     return std::sqrt(6 * (moments.products[0][0] + moments.products[1][1] + moments.products[2][2]) / moments.count());

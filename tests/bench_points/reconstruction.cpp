@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Meshes from points: table 3.2 of the thesis.
+#include <glark/reconstruct.h>
+
+#include <array>
+#include <cmath>
+
+#include "tests/bench_points/groups.h"
+#include "tests/bench_points/measure.h"
+#include "tests/bench_points/scan.h"
+#include "tests/bench_points/surface_distance.h"
+
+namespace glark::bench {
+namespace {
+
+struct Kind {
+  const char* name;
+  vstree::ReconstructOptions options;
+};
+
+// Of a model with triangles both ways; of raw scans from the points to the mesh, where their noise is in it.
+std::vector<Cell> distances(const Scan& scan, const vstree::Reconstructed& mesh) {
+  constexpr std::size_t samples = 100000, stride = 50;
+  const double percent = 100 / diagonal_of(scan.positions);
+  const SurfaceDistance to_mesh(mesh.positions, mesh.triangles);
+  if (scan.triangles.empty()) {
+    std::vector<float> some;
+    for (std::size_t i = 0; i < scan.positions.size(); i += 3 * stride)
+      some.insert(some.end(), &scan.positions[i], &scan.positions[i] + 3);
+    return {{}, Number{to_mesh.rms(some) * percent, 4}};
+  }
+  const SurfaceDistance to_scan(scan.positions, scan.triangles);
+  return {Number{to_scan.rms(samples_of(mesh.positions, mesh.triangles, samples)) * percent, 4},
+          Number{to_mesh.rms(samples_of(scan.positions, scan.triangles, samples)) * percent, 4}};
+}
+
+void add_rows(const Settings& settings, const char* name, Table& table) {
+  const Scan scan = read_scan(settings.data, name);
+  const auto points = static_cast<double>(scan.positions.size() / 3);
+  constexpr std::array<Kind, 2> kinds{{{"", {.threads = 1}}, {", once refined", {.levels = 1, .threads = 1}}}};
+  std::array<vstree::Reconstructed, 2> meshes;
+  std::vector<Work> works;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    works.push_back({std::string(name) + kinds[i].name, [&, i] {
+                       meshes[i] = vstree::reconstruct({.positions = scan.positions, .normals = scan.normals},
+                                                       kinds[i].options);
+                     }});
+  }
+  take_turns(works, settings.rounds);
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (i > 0 && meshes[i].levels == meshes[0].levels) continue;
+    const Edges edges = edges_of(meshes[i].triangles);
+    std::vector<Cell> row{works[i].name,
+                          Number{points, 0},
+                          Number{works[i].cpu_seconds, 3},
+                          Number{points / works[i].cpu_seconds * 1e-6, 2},
+                          works[i].peak_bytes ? Cell{Number{*works[i].peak_bytes / points, 0}} : Cell{},
+                          Number{static_cast<double>(meshes[i].triangles.size() / 3), 0},
+                          Number{static_cast<double>(edges.boundary), 0},
+                          Number{static_cast<double>(edges.non_manifold), 0}};
+    const std::vector<Cell> rms = distances(scan, meshes[i]);
+    row.insert(row.end(), rms.begin(), rms.end());
+    table.rows.push_back(std::move(row));
+  }
+}
+
+}  // namespace
+
+std::vector<Table> reconstruction_tables(const Settings& settings) {
+  Table table{"Reconstruction, one thread",
+              {"", "points", "CPU s", "M points/s", "peak B a point", "triangles", "boundary edges",
+               "non-manifold edges", "RMS to the model, % of the diagonal", "RMS from it"},
+              {}};
+  for (const char* name : {"igea", "horse", "armadillo", "nefertiti", "bunny", "bunny_scans", "happy_stand_scans"})
+    add_rows(settings, name, table);
+  table.note =
+      "Table 3.2 of the thesis: bunny, 35949 points, .85 s; igea, 134346, 1.81 s; dragon, 437647, 5.40 s; happy "
+      "Buddha, 543652, 6.38 s. Of a raw scan RMS is from its points, with their noise.";
+  return {table};
+}
+
+}  // namespace glark::bench
