@@ -154,7 +154,7 @@ struct NormalOptions {
 };
 
 // [3 * points], of unit length: where points.normals has one, its direction, otherwise that of the least extent of the nearest
-// neighbours. Where there is no such direction (fewer than three points, or on a line) it is zero.
+// neighbours, where samples at one place count once. Where there is no such direction (fewer than three places, or on a line) it is zero.
 // Source: H. Hoppe et al., Surface Reconstruction from Unorganized Points, 1992. Errors: as Tree.
 std::vector<float> estimate_normals(const PointSet& points, const NormalOptions& options = {});
 

@@ -53,6 +53,28 @@ TEST(EstimatedNormals, OfTwoPartsAreEachRight) {
   EXPECT_GT(agreement(estimate_normals({.positions = shape.positions}), shape.normals), 0.8F);
 }
 
+// As many as neighbours are asked for, and more, must not be all that a point sees.
+TEST(EstimatedNormals, OfPointsManyTimesAreThoseOfPointsOnce) {
+  const Shape shape = sphere(2000);
+  const std::vector<float> once = estimate_normals({.positions = shape.positions});
+  std::vector<float> positions, normals;
+  for (std::size_t i = 0; i < 40; ++i) {
+    positions.insert(positions.end(), shape.positions.begin(), shape.positions.end());
+    normals.insert(normals.end(), once.begin(), once.end());
+  }
+  EXPECT_GT(agreement(estimate_normals({.positions = positions}), normals), 0.999F);
+}
+
+// It is quick: a search among them all for each would take hours.
+TEST(EstimatedNormals, OfAMillionPointsAtOnePlaceAreZero) {
+  std::vector<float> positions(3000000, 1.0F);
+  const std::vector<float> normals = estimate_normals({.positions = positions});
+  EXPECT_EQ(std::count(normals.begin(), normals.end(), 0.0F), 3000000);
+  positions[0] = 5;
+  positions[4] = 7;
+  EXPECT_EQ(estimate_normals({.positions = positions}).size(), positions.size());
+}
+
 TEST(EstimatedNormals, AreTheSameForAnyNumberOfThreads) {
   const Shape shape = torus(100);
   const PointSet points{.positions = shape.positions};
