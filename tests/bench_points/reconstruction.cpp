@@ -38,7 +38,7 @@ std::vector<Cell> distances(const Scan& scan, const vstree::Reconstructed& mesh)
 
 void add_rows(const Settings& settings, const char* name, Table& table) {
   const Scan scan = read_scan(settings.data, name);
-  const auto points = static_cast<double>(scan.positions.size() / 3);
+  const auto points = static_cast<double>(scan.positions.size()) / 3;
   constexpr std::array<Kind, 2> kinds{{{"", {.threads = 1}}, {", once refined", {.levels = 1, .threads = 1}}}};
   std::array<vstree::Reconstructed, 2> meshes;
   std::vector<Work> works;
@@ -57,7 +57,7 @@ void add_rows(const Settings& settings, const char* name, Table& table) {
                           Number{works[i].cpu_seconds, 3},
                           Number{points / works[i].cpu_seconds * 1e-6, 2},
                           works[i].peak_bytes ? Cell{Number{*works[i].peak_bytes / points, 0}} : Cell{},
-                          Number{static_cast<double>(meshes[i].triangles.size() / 3), 0},
+                          Number{static_cast<double>(meshes[i].triangles.size()) / 3, 0},
                           Number{static_cast<double>(edges.boundary), 0},
                           Number{static_cast<double>(edges.non_manifold), 0}};
     const std::vector<Cell> rms = distances(scan, meshes[i]);

@@ -53,7 +53,10 @@ TEST_F(RealScans, OfAStatueAreOneSurface) {
   EXPECT_EQ(topology.parts, 1U);
   EXPECT_LT(topology.boundary, 5000U);
   const bench::Scan scan = bench::read_scan(GLARK_SCANS, "happy_stand_scans");
-  const double rms = bench::SurfaceDistance(mesh.positions, mesh.triangles).rms(scan.positions);
+  std::vector<float> some;
+  for (std::size_t i = 0; i < scan.positions.size(); i += 150)
+    some.insert(some.end(), &scan.positions[i], &scan.positions[i] + 3);
+  const double rms = bench::SurfaceDistance(mesh.positions, mesh.triangles).rms(some);
   EXPECT_LT(rms / bench::diagonal_of(scan.positions), 8e-4);
 }
 

@@ -101,7 +101,7 @@ std::vector<Float4> triangle_normals(const BaseMesh& mesh) {
     const Float4 normal = cross(mesh.points[v[1]] - mesh.points[v[0]], mesh.points[v[2]] - mesh.points[v[0]]);
     for (int i = 0; i < 3; ++i) normals[v[i]] += normal;
   }
-  for (Float4& normal : normals) normal = unit(normal);
+  for (Float4& normal : normals) normal = dot(normal, normal) > 0 ? unit(normal) : Float4{0, 0, 1, 0};
   return normals;
 }
 
@@ -193,7 +193,7 @@ bool close_gaps(BaseMesh& mesh, std::uint32_t most_edges) {
     }
     const auto centre = static_cast<std::uint32_t>(mesh.points.size());
     mesh.points.push_back(Float4(middle / static_cast<float>(loop.size())));
-    mesh.normals.push_back(Float4(unit(normal)));
+    mesh.normals.push_back(dot(normal, normal) > 0 ? unit(normal) : Float4{0, 0, 1, 0});
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::uint32_t next = loop[(i + 1) % loop.size()];
       mesh.triangles.insert(mesh.triangles.end(), {loop[i], next, centre});

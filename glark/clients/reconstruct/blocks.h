@@ -14,8 +14,8 @@ namespace glark::vstree {
 inline constexpr std::int32_t block_side = 8;  // corners
 inline constexpr std::size_t block_corners = 512;
 
-inline std::size_t corner_in_block(std::int32_t x, std::int32_t y, std::int32_t z) {
-  return static_cast<std::size_t>(x + block_side * (y + block_side * z));
+inline std::uint32_t corner_in_block(std::int32_t x, std::int32_t y, std::int32_t z) {
+  return static_cast<std::uint32_t>(x + block_side * (y + block_side * z));
 }
 
 // In cells of the grid: negative inside, no_value where no plane reaches.

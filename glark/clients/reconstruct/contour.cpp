@@ -17,8 +17,8 @@ constexpr std::size_t grain = 16;              // blocks
 constexpr std::int32_t wide = block_side + 1;  // with a row of a neighbour
 constexpr std::size_t wide_cells = 9UL * 9UL * 9UL;
 
-std::size_t in_wide(std::int32_t x, std::int32_t y, std::int32_t z) {
-  return static_cast<std::size_t>(x + wide * (y + wide * z));
+std::uint32_t in_wide(std::int32_t x, std::int32_t y, std::int32_t z) {
+  return static_cast<std::uint32_t>(x + wide * (y + wide * z));
 }
 
 // The cells of a block that the surface runs through; empty where it runs through none.

@@ -133,7 +133,7 @@ LocalEstimate LocalSurface::within(Float4 point, Float4 normal, float radius) co
   const Sums sums = lanes.sums();
   LocalEstimate estimate;
   estimate.opposed = sums.opposed >= few && sums.count == 0;
-  if (sums.count < few) return estimate;
+  if (sums.count < few || !(sums.weight > 0)) return estimate;
   estimate.normal = unit(without_fourth(sums.normal));
   const float height = (dot(sums.offset, estimate.normal) * (1 - planes) + sums.heights * planes) / sums.weight;
   estimate.point = point + estimate.normal * height;

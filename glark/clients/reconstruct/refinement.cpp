@@ -54,6 +54,7 @@ class Refinement {
     const Float4 bulge = (nb * dot(along, nb) - na * dot(along, na)) * 0.125F;
     mesh_.points[vertex] = (mesh_.points[a] + mesh_.points[b]) * 0.5F + bulge;
     mesh_.normals[vertex] = unit(na + nb);
+    if (dot(mesh_.normals[vertex], mesh_.normals[vertex]) == 0) mesh_.normals[vertex] = na;
     move_to_surface(vertex, reach_);
   }
 
