@@ -21,7 +21,8 @@ TEST_F(RowsOfNumbers, SeparatorsAndLineEndsAreAnyOfThoseInUse) {
   }
   EXPECT_EQ(expected, read_file(made("a.pts",
                                      "\xEF\xBB\xBF"
-                                     "2\n1.5 2 3\n4 5 6\n"))
+                                     "2\n1.5 2 3\n4 5 6\n"),
+                                {})
                           .geometry.positions);
 }
 
