@@ -177,6 +177,22 @@ void check_source_not_compiled(Test& t) {
   t.expect_same_picture(read_picture(surface_size, surface_size), plain, "the compiled source, refined", 1, 30);
 }
 
+// What is refused is not on the stack.
+void check_enable_group_overflow(Test& t) {
+  gl.ARKinit(2);
+  const GLint depth = integer_of(GL_MAX_ATTRIB_STACK_DEPTH);
+  const auto is_enabled_at = [](GLint i) { return i % 3 == 0; };
+  for (GLint i = 0; i <= depth; ++i) {
+    (is_enabled_at(i) ? gl.Enable : gl.Disable)(GL_ARK);
+    gl.PushAttrib(GL_ENABLE_BIT);
+  }
+  t.expect_error(GL_STACK_OVERFLOW, "PushAttrib once more than MAX_ATTRIB_STACK_DEPTH");
+  for (GLint i = depth; i-- > 0;) {
+    gl.PopAttrib();
+    t.expect_equal(gl.IsEnabled(GL_ARK) == GL_TRUE, is_enabled_at(i), "after PopAttrib to depth " + std::to_string(i));
+  }
+}
+
 Case answer_case(const char* name, std::vector<std::string> clauses, const char* plan, const char* wrong,
                  void (*check)(Test&)) {
   return {.name = name, .clauses = std::move(clauses), .plan = plan, .wrong = wrong, .check = check};
@@ -185,22 +201,29 @@ Case answer_case(const char* name, std::vector<std::string> clauses, const char*
 }  // namespace
 
 Cases other_answers_cases() {
-  return {answer_case("ark.query.strings", {"name-1"}, "Ask for the number of extensions in every way, and beyond it.",
-                      "One query has the number without this extension; a name for any index.", check_strings),
-          answer_case("ark.error.pending", {"10.R.2-13", "errors-2"},
-                      "Errors that are there before a refined draw: still there after it, and once.",
-                      "They are lost, doubled, or taken for the draw's, which is then not drawn.", check_pending),
-          answer_case("ark.tags.readable.vector", {"10.R.1-3", "10.R.1-8"},
-                      "The program reads the tags' attribute as a vec4 with something else in the other components.",
-                      "Another component counts.", check_wide_tags),
-          answer_case("ark.shader.log.last", {"11.R.9-30", "11.R.9-34"},
-                      "Build a faulty shader, a good one, a faulty one.", "The log of an earlier attempt.", check_log),
-          answer_case("ark.shader.uniform.stays", {"11.R.9-21", "11.R.9-22"},
-                      "Set a uniform of the refinement shader once, and change every refinement parameter.",
-                      "It is 0 in the programs of other parameters.", check_uniform_stays),
-          answer_case("ark.stage.source_not_compiled", {"11.R.10-1"},
-                      "Give the vertex shader another source after it was compiled, and link.",
-                      "The refined draw has the source that was never compiled.", check_source_not_compiled)};
+  Cases cases{
+      answer_case("ark.query.strings", {"name-1"}, "Ask for the number of extensions in every way, and beyond it.",
+                  "One query has the number without this extension; a name for any index.", check_strings),
+      answer_case("ark.error.pending", {"10.R.2-13", "errors-2"},
+                  "Errors that are there before a refined draw: still there after it, and once.",
+                  "They are lost, doubled, or taken for the draw's, which is then not drawn.", check_pending),
+      answer_case("ark.tags.readable.vector", {"10.R.1-3", "10.R.1-8"},
+                  "The program reads the tags' attribute as a vec4 with something else in the other components.",
+                  "Another component counts.", check_wide_tags),
+      answer_case("ark.shader.log.last", {"11.R.9-30", "11.R.9-34"}, "Build a faulty shader, a good one, a faulty one.",
+                  "The log of an earlier attempt.", check_log),
+      answer_case("ark.shader.uniform.stays", {"11.R.9-21", "11.R.9-22"},
+                  "Set a uniform of the refinement shader once, and change every refinement parameter.",
+                  "It is 0 in the programs of other parameters.", check_uniform_stays),
+      answer_case("ark.stage.source_not_compiled", {"11.R.10-1"},
+                  "Give the vertex shader another source after it was compiled, and link.",
+                  "The refined draw has the source that was never compiled.", check_source_not_compiled)};
+  cases.push_back(answer_case("ark.group.overflow", {"chapter-22-1"},
+                              "PushAttrib until the stack is full and once more, then PopAttrib down to the first.",
+                              "What was refused is restored: each level has the value of the one above.",
+                              check_enable_group_overflow));
+  cases.back().apis = {Api::gl_compat};
+  return cases;
 }
 
 }  // namespace glark::conformance

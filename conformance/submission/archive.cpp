@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace glark::conformance {
 namespace {
@@ -22,6 +23,22 @@ using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
   const char* const why = archive_error_string(handle);
   throw std::runtime_error(path + ": " + (why != nullptr ? why : "no archive"));
 }
+
+// Written aside: an archive is there as a whole or not at all.
+class Unfinished {
+ public:
+  explicit Unfinished(std::string path) : path_(std::move(path)) {}
+  ~Unfinished() {
+    std::error_code gone_already;
+    std::filesystem::remove(path_, gone_already);
+  }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
 
 }  // namespace
 
@@ -40,12 +57,14 @@ std::string sha256(const std::string& bytes) {
 }
 
 void write_archive(const Files& files, const std::string& path) {
-  const std::string unfinished = path + ".part";
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+    throw std::runtime_error(path + ": is no plain file, which an archive could replace");
+  const Unfinished unfinished(path + ".part");
   const std::unique_ptr<archive, decltype(&archive_write_free)> out(archive_write_new(), archive_write_free);
   archive_write_add_filter_gzip(out.get());
   archive_write_set_filter_option(out.get(), "gzip", "timestamp", nullptr);
   archive_write_set_format_ustar(out.get());
-  if (archive_write_open_filename(out.get(), unfinished.c_str()) != ARCHIVE_OK) fail(unfinished, out.get());
+  if (archive_write_open_filename(out.get(), unfinished.path().c_str()) != ARCHIVE_OK) fail(unfinished.path(), out.get());
   for (const auto& [name, bytes] : files) {
     const Entry entry(archive_entry_new(), archive_entry_free);
     archive_entry_set_pathname(entry.get(), name.c_str());
@@ -54,10 +73,10 @@ void write_archive(const Files& files, const std::string& path) {
     archive_entry_set_perm(entry.get(), 0644);
     if (archive_write_header(out.get(), entry.get()) != ARCHIVE_OK ||
         archive_write_data(out.get(), bytes.data(), bytes.size()) != static_cast<la_ssize_t>(bytes.size()))
-      fail(unfinished, out.get());
+      fail(unfinished.path(), out.get());
   }
-  if (archive_write_close(out.get()) != ARCHIVE_OK) fail(unfinished, out.get());
-  std::filesystem::rename(unfinished, path);
+  if (archive_write_close(out.get()) != ARCHIVE_OK) fail(unfinished.path(), out.get());
+  std::filesystem::rename(unfinished.path(), path);
 }
 
 Files read_archive(const std::string& path) {

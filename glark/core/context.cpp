@@ -135,6 +135,8 @@ void Context::read_capabilities() {
     return std::find(capabilities.extensions.begin(), capabilities.extensions.end(), name) !=
            capabilities.extensions.end();
   };
+  capabilities.attribute_stack =
+      is_compatibility() ? static_cast<std::size_t>(std::max(0, get(gl, GL_MAX_ATTRIB_STACK_DEPTH))) : 0;
   capabilities.query_buffer = !es && (capabilities.version >= 44 || has_extension("GL_ARB_query_buffer_object"));
   capabilities.multi_draw_indirect =
       !es || (has_extension("GL_EXT_multi_draw_indirect") && has_extension("GL_EXT_base_instance"));

@@ -43,6 +43,7 @@ struct Capabilities {
   bool quads_follow_convention = true;  // provoking vertex of quads under GL_FIRST_VERTEX_CONVENTION
   bool parameter_buffer = false;        // GL_PARAMETER_BUFFER is a binding point
   bool query_buffer = false;            // results of queries go to a buffer
+  std::size_t attribute_stack = 0;      // glPushAttrib so often
   bool multi_draw_indirect = false;     // with a base instance; otherwise bins are read back
   std::vector<std::string> extensions;
   bool fog_distance = false;  // GL_NV_fog_distance
@@ -184,8 +185,8 @@ class Context {
   GLenum pending_error = GL_NO_ERROR;
   ListCompilation list;
   ImmediateDraw immediate;
-  std::vector<bool> pushed_ark_enables;  // with glPushAttrib(GL_ENABLE_BIT); one entry per push
-  std::vector<bool> pushed_has_enable;
+  std::vector<std::pair<bool, bool>>
+      pushed_enables;  // one per glPushAttrib: with GL_ENABLE_BIT, and whether GL_ARK was
   std::unordered_map<GLuint, std::uint64_t> query_surplus;  // triangles that our captures added to a query
   std::shared_ptr<Program> current_program;                 // null: none, or not known to us
   bool subroutines_known = false;                           // `subroutines` is what the program in use has chosen

@@ -196,6 +196,16 @@ class Submissions(Folder):
         self.assertIn("results.json", done.stderr)
         self.assertFalse((self.folder / "a.tar.gz").exists())
 
+    def test_package_replaces_plain_files_only(self):
+        self.judge("--case", "ark.fake.pass")
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        done = call("package", self.folder / "report", pipe)
+        self.assertEqual(2, done.returncode)
+        self.assertIn("is no plain file", done.stderr)
+        self.assertTrue(pipe.is_fifo())
+        self.assertEqual([], list(self.folder.glob("*.part")))
+
     def test_verify_what_is_no_archive(self):
         for name, text in [("text", "no archive at all"), ("empty", "")]:
             done = call("verify", self.written(name, text))

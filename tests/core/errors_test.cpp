@@ -397,6 +397,20 @@ TEST_P(ErrorsCompatibility, AttributeStacks) {
   EXPECT_EQ(glIsEnabled(GL_DEPTH_TAG_ARRAY_ARK), GL_FALSE);
 }
 
+TEST_P(ErrorsCompatibility, AttributeStackOverflows) {
+  glARKinit(3);
+  const GLint depth = integer(GL_MAX_ATTRIB_STACK_DEPTH);
+  for (GLint i = 0; i <= depth; ++i) {
+    (i % 3 == 0 ? glEnable : glDisable)(GL_ARK);
+    glPushAttrib(GL_ENABLE_BIT);
+  }
+  EXPECT_EQ(pending_errors(), "0x0503 ");
+  for (GLint i = depth; i-- > 0;) {
+    glPopAttrib();
+    EXPECT_EQ(glIsEnabled(GL_ARK), i % 3 == 0 ? GL_TRUE : GL_FALSE) << i;
+  }
+}
+
 TEST_P(ErrorsCompatibility, DrawArpIsNotCompiled) {
   glARKinit(2);
   glNewList(glGenLists(1), GL_COMPILE);

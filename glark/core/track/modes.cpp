@@ -244,9 +244,9 @@ GLint RenderMode(Context& c, GLenum mode) {
 
 void PushAttrib(Context& c, GLbitfield mask) {
   c.gl.PushAttrib(mask);
-  if (track::executes(c) && !c.immediate.open && c.pushed_ark_enables.size() < 64) {
-    c.pushed_ark_enables.push_back(c.ark.enabled);
-    c.pushed_has_enable.push_back((mask & GL_ENABLE_BIT) != 0);
+  if (track::executes(c) && !c.immediate.open &&
+      c.pushed_enables.size() < c.capabilities.attribute_stack) {  // else GL refuses it
+    c.pushed_enables.emplace_back((mask & GL_ENABLE_BIT) != 0, c.ark.enabled);
   }
 }
 
@@ -259,15 +259,15 @@ void PopAttrib(Context& c) {
   c.bindings_stale = true;
   c.fixed_function_stale = true;
   c.current_values.forget(c.next_stamp());  // GL_CURRENT_BIT
-  if (c.pushed_ark_enables.empty()) {
+  if (c.pushed_enables.empty()) {
     return;
   }
-  if (c.pushed_has_enable.back()) {
-    c.ark.enabled = c.pushed_ark_enables.back();
+  const auto [has_enable, enabled] = c.pushed_enables.back();
+  c.pushed_enables.pop_back();
+  if (has_enable) {
+    c.ark.enabled = enabled;
     c.update_refining();
   }
-  c.pushed_ark_enables.pop_back();
-  c.pushed_has_enable.pop_back();
 }
 
 void PushClientAttrib(Context& c, GLbitfield mask) { c.gl.PushClientAttrib(mask); }
