@@ -100,6 +100,9 @@ TEST_F(BadFiles, TextPointsAreExplained) {
       {"a.xyz", "1 2 3\n1 2 three\n", "line 2"},
       {"a.xyz", "1 2 3 4 5\n", "5 columns"},
       {"a.xyz", "1 2 3\n1 2 inf\n", "NaN or infinite"},
+      {"a.xyz", "1 2 3\n1 2 inf\n", "point 1 has"},
+      {"a.xyz", "1,5 2,5 3,5\n", "line 1: \"1,5 2,5 3,5\" has commas"},
+      {"a.csv", "x;y;z\r\n1,5;2,5;3,5\r\n", "line 2"},
       {"a.pts", "3\n1 2 3\n4 5 6 \n       ", "announces 3 points, 2 follow"},
       {"a.pts", "4000000000\n1 2 3\n", "too short"},
   };

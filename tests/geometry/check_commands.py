@@ -177,6 +177,36 @@ class Commands(unittest.TestCase):
             with self.subTest(arguments=arguments):
                 self.assertIn("--help", self.glark(*arguments, status=2).stderr)
 
+    def test_words_and_numbers_that_are_not_possible(self):
+        """What is possible is said, in words of the tool's users."""
+        for command, option, given, said in (
+                ("simplify", "--clustering", "foo", '"foo" is none of vstree, octree, grid'), ("simplify", "--metric", "2", "none of l2, l21, qef, density"),
+                ("simplify", "--target", "0", '"0" is no number above 0'), ("simplify", "--error", "inf", '"inf" is no number above 0'),
+                ("simplify", "--error", "nan", '"nan" is no number above 0'), ("view", "--mode", "foo", "none of splat, strip, mesh")):
+            if command not in self.has:
+                continue
+            output = "--offscreen" if command == "view" else "-o"
+            with self.subTest(option=option, given=given):
+                result = self.glark(command, self.sphere, output, "out.png", option, given, status=2)
+                self.assertIn(f"{option}: ", result.stderr)
+                self.assertIn(said, result.stderr)
+                self.assertNotIn("->", self.glark(command, "--help").stdout)
+
+    def test_results_of_nothing_are_told(self):
+        (self.path / "flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
+        (self.path / "line.xyz").write_text("0 0 0\n1 0 0\n2 0 0\n")
+        for command, file, said in (("simplify", "flat.obj", "the result is empty"), ("strip", "line.xyz", "no strips")):
+            if command not in self.has:
+                continue
+            with self.subTest(command=command):
+                result = self.glark(command, file, "-o", "a.ply", "--json", "--measure", file)
+                self.assertIn(said, result.stderr)
+                self.assertIn("quality", json.loads(result.stdout))
+                self.assertNotIn("null", result.stdout)
+        if "view" in self.has:
+            self.assertIn("--mode splat", self.glark("view", "line.xyz", "--offscreen", "a.png").stderr)
+            self.assertNotIn("--mode", self.glark("view", "line.xyz", "--mode", "splat", "--offscreen", "a.png").stderr)
+
     def test_bad_files_leave_the_output_alone(self):
         (self.path / "out.ply").write_text("precious")
         (self.path / "cut.ply").write_bytes(self.sphere.read_bytes()[:9999])

@@ -71,6 +71,19 @@ TEST_F(Ply, WhatIsNotKeptIsSaid) {
   EXPECT_NE(std::string::npos, reading.warnings[2].find("follows"));
 }
 
+TEST_F(Ply, PropertiesOfFacesThatAreNotKeptAreSaid) {
+  const Reading reading = read_file(made("a.ply",
+                                         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+                                         "y\nproperty float z\nelement face 1\n"
+                                         "property list uchar int vertex_indices\nproperty list uchar float "
+                                         "texcoord\nproperty uchar flags\nend_header\n"
+                                         "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0 0 1 7\n"),
+                                    {});
+  EXPECT_EQ(1U, reading.geometry.triangle_count());
+  ASSERT_EQ(1U, reading.warnings.size());
+  EXPECT_NE(std::string::npos, reading.warnings[0].find("face that are not kept: texcoord, flags"));
+}
+
 TEST_F(Ply, PointsThatAreNotFiniteCanBeLeftOut) {
   Geometry geometry = random_geometry(1, {.normals = true, .colours = true, .triangles = true});
   const Geometry whole = geometry;

@@ -188,6 +188,10 @@ class Body {
     if (std::none_of(element.properties.begin(), element.properties.end(), is_corner_list))
       throw Error(input_.name() + ": element " + element.name +
                   ": there is no list vertex_indices; export the faces again");
+    std::string unread;
+    for (const Property& property : element.properties)
+      if (!is_corner_list(property)) unread += (unread.empty() ? "" : ", ") + property.name;
+    if (!unread.empty()) builder.warn("properties of " + element.name + " that are not kept: " + unread);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values_.at(element, i);
       for (const Property& property : element.properties) {

@@ -45,6 +45,17 @@ struct Row {
   }
 };
 
+// "1,5 2,5" or "1,5;2,5": commas within what other letters separate. They may be those of decimal fractions, as some languages have them.
+bool may_have_decimal_commas(std::string_view line) {
+  const auto digit = [&](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
+  bool within = false, other = line.find(';') != std::string_view::npos;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    if (line[i] == ',') within |= digit(i - 1) && digit(i + 1);
+    if (line[i] == ' ' || line[i] == '\t') other |= !is_separator(line[i - 1]) && !is_separator(line[i + 1]);
+  }
+  return within && other;
+}
+
 bool is_byte(double value) { return value >= 0 && value <= 255 && value == std::floor(value); }
 
 class Columns {
@@ -105,6 +116,10 @@ bool have_unit_length(const std::vector<float>& normals) {
   return true;
 }
 
+bool any_negative(const std::vector<float>& values) {
+  return std::any_of(values.begin(), values.end(), [](float value) { return value < 0; });
+}
+
 void make_colours_of_normals(Geometry& geometry) {
   const std::size_t points = geometry.point_count();
   geometry.colours.assign(4 * points, 255);
@@ -127,7 +142,8 @@ class Lines {
   Reading read() {
     std::string_view line;
     while (input_.line(line)) {
-      ++number_;
+      constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+      if (++number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
       if (is_comment(line)) continue;
       add(Row(line), line);
     }
@@ -141,7 +157,7 @@ class Lines {
     if (columns_->has_intensity()) builder_->warn("the intensity is not kept");
     Reading reading = builder_->finish();
     if (columns_->normal_may_be_colour() && !reading.geometry.normals.empty() &&
-        !have_unit_length(reading.geometry.normals))
+        !have_unit_length(reading.geometry.normals) && !any_negative(reading.geometry.normals))
       make_colours_of_normals(reading.geometry);
     return reading;
   }
@@ -160,9 +176,13 @@ class Lines {
     if (!row.numbers)
       throw Error(place() + ": \"" + std::string(line.substr(0, 40)) +
                   "\" is not a row of numbers; mend the file or check the format");
+    if (may_have_decimal_commas(line))
+      throw Error(
+          place() + ": \"" + std::string(line.substr(0, 40)) +
+          "\" has commas between digits and other separators; write decimal points, or separate by commas only");
     if (first) {
       columns_.emplace(row, kind_, place());
-      builder_.emplace(input_.name(), "points", columns_->attributes(), options_);
+      builder_.emplace(input_.name(), "point", columns_->attributes(), options_);
       if (announced_) builder_->expect(*announced_, 0);
     }
     if (row.count != columns_->count())

@@ -10,7 +10,8 @@
 namespace glark::geometry {
 
 enum class TextPoints {
-  xyz,  // six columns are a position and a normal if all of these have unit length or none, else a colour
+  xyz,  // six columns are a position and a normal if all of these have unit length or none or one is negative, else a
+        // colour
   pts,  // the first line may be the number of points; six columns are a position and a colour
 };
 

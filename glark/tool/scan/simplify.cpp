@@ -4,7 +4,6 @@
 // glark simplify FILE -o OUT: fewer triangles, or points where there are no triangles.
 #include <glark/vstree.h>
 
-#include <map>
 #include <memory>
 
 #include "glark/clients/geometry/topology.h"
@@ -12,6 +11,7 @@
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"
 #include "glark/tool/scan/rgb.h"
+#include "glark/tool/scan/validators.h"
 
 namespace glark::tool {
 namespace {
@@ -76,6 +76,9 @@ void simplify(const Simplify& command) {
     coarse = simplified(geometry, command.options);
     seconds = progress.seconds();
   }
+  if (coarse.point_count() == 0)
+    warn(command.files.input + ": its triangles are so flat or small that all of them vanish; the result is empty, " +
+         (command.options.target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error"));
   store(coarse, command.files);
   Report report;
   report["input"] = contents_of(geometry);
@@ -102,30 +105,29 @@ void add_simplify(CLI::App& app) {
   describe_measure(*command, simplification->reference);
   CLI::Option* target =
       command->add_option("--target", options.target, "No more triangles than this, or points of a set of points")
-          ->check(CLI::PositiveNumber);
+          ->check(above_zero());
   command
       ->add_option("--error", options.threshold,
                    "Where there is no target: the error of a cluster, for l2 and qef by the bounding box's diagonal; "
                    "1e-4 if not given")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->excludes(target);
   command
       ->add_option("--clustering", options.clustering,
                    "What the clusters are cells of: vstree, octree or grid; vstree if not given")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Clustering>{
-          {"vstree", Clustering::volume_surface}, {"octree", Clustering::octree}, {"grid", Clustering::grid}}))
+      ->transform(one_of<Clustering>(
+          {{"vstree", Clustering::volume_surface}, {"octree", Clustering::octree}, {"grid", Clustering::grid}}))
       ->type_name("KIND");
   command
       ->add_option("--metric", options.metric,
                    "The error: l2, l21 (normals), qef or density (samples); l2 if not given")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Metric>{
-          {"l2", Metric::l2}, {"l21", Metric::l21}, {"qef", Metric::qef}, {"density", Metric::density}}))
+      ->transform(one_of<Metric>(
+          {{"l2", Metric::l2}, {"l21", Metric::l21}, {"qef", Metric::qef}, {"density", Metric::density}}))
       ->type_name("METRIC");
   command
       ->add_option("--representative", options.representative,
                    "Where the point of a cluster lies: qef or centroid; qef if not given")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Representative>{{"qef", Representative::qef}, {"centroid", Representative::centroid}}))
+      ->transform(one_of<Representative>({{"qef", Representative::qef}, {"centroid", Representative::centroid}}))
       ->type_name("KIND");
   command->callback([simplification] { simplify(*simplification); });
 }

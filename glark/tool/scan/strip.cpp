@@ -55,6 +55,8 @@ void strip(const Strip& command) {
   for (const surfel::Node& node : strips->nodes(level))
     if (node.left == surfel::none && node.count > 0)
       add_strip(geometry, strips->indices().subspan(node.first, node.count));
+  if (geometry.strips.empty())
+    warn(command.files.input + ": its points have no neighbours on a surface; there are no strips");
   store(geometry, command.files);
   const surfel::Counts counts = strips->counts(level);
   Report report;
@@ -91,7 +93,7 @@ void add_strip(CLI::App& app) {
       ->check(CLI::Range(1.0, 100.0));
   command
       ->add_option("--inflation", stripping->options.inflation,
-                   "How far strips overlap before they are cut, in distances of points, 0.5 to 8; 2 if not given")
+                   "How far strips overlap before they are cut, in distances of points, 0.5 to 8; 2.5 if not given")
       ->check(CLI::Range(0.5, 8.0));
   command
       ->add_option("--level", stripping->level,

@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <map>
 
 #include "glark/clients/geometry/output_file.h"
 #include "glark/tool/scan/files.h"
+#include "glark/tool/scan/validators.h"
 #include "glark/tool/view/offscreen.h"
 #include "glark/tool/view/window.h"
 
@@ -26,11 +26,6 @@ struct View {
 };
 
 void describe(CLI::App& command, View& view) {
-  static const std::map<std::string, Mode> modes{{"splat", Mode::splat},
-                                                 {"strip", Mode::strip},
-                                                 {"mesh", Mode::mesh},
-                                                 {"wireframe", Mode::wireframe},
-                                                 {"refined", Mode::refined}};
   describe_input(command, view.files);
   ViewOptions& options = view.options;
   command.add_option("--offscreen", view.picture, "Write a picture without a display, and end")->type_name("OUT.png");
@@ -38,7 +33,11 @@ void describe(CLI::App& command, View& view) {
       .add_option("--mode", options.mode,
                   "splat, strip, mesh, wireframe or refined; mesh if there are triangles, otherwise strip, or splat "
                   "above a million points")
-      ->transform(CLI::CheckedTransformer(modes))
+      ->transform(one_of<Mode>({{"splat", Mode::splat},
+                                {"strip", Mode::strip},
+                                {"mesh", Mode::mesh},
+                                {"wireframe", Mode::wireframe},
+                                {"refined", Mode::refined}}))
       ->type_name("MODE");
   command.add_option("--width", options.width, "Of the picture in pixels; 1024 if not given")
       ->check(CLI::Range(1, largest_side));
@@ -49,7 +48,7 @@ void describe(CLI::App& command, View& view) {
   command
       .add_option("--up", options.z_is_up,
                   "The upright axis: y or z; z for what is flat in z, as terrain is, otherwise y")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, bool>{{"y", false}, {"z", true}}))
+      ->transform(one_of<bool>({{"y", false}, {"z", true}}))
       ->type_name("AXIS");
   command.add_option("--zoom", options.zoom, "1 shows everything, if not given")->check(CLI::Range(0.01, 1000.0));
   command.add_option("--level", options.level, "Of refinement, 0 to 4; 2 if not given")->check(CLI::Range(0, 4));
@@ -76,6 +75,8 @@ void draw_offscreen(const View& view, geometry::Geometry geometry) {
   scene.refinement_level = options.level;
   const Statistics drawn = scene.draw(camera_for(scene, options), options.mode.value_or(scene.default_mode()),
                                       options.width, options.height);
+  if (drawn.indices == 0 && drawn.points == 0)
+    warn(view.files.input + ": nothing is drawn: its points make no triangles; see them by --mode splat");
   write_screenshot(view.picture, options.width, options.height);
   print(report_of(drawn), view.files.json);
 }
