@@ -93,7 +93,8 @@ void add_strip(CLI::App& app) {
       ->check(CLI::Range(1.0, 100.0));
   command
       ->add_option("--inflation", stripping->options.inflation,
-                   "How far strips overlap before they are cut, in distances of points, 0.5 to 8; 2.5 if not given")
+                   "How far strips overlap before they are cut, in distances of points, 0.5 to 8; " +
+                       CLI::detail::to_string(stripping->options.inflation) + " if not given")
       ->check(CLI::Range(0.5, 8.0));
   command
       ->add_option("--level", stripping->level,
