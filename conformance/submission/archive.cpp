@@ -64,7 +64,8 @@ void write_archive(const Files& files, const std::string& path) {
   archive_write_add_filter_gzip(out.get());
   archive_write_set_filter_option(out.get(), "gzip", "timestamp", nullptr);
   archive_write_set_format_ustar(out.get());
-  if (archive_write_open_filename(out.get(), unfinished.path().c_str()) != ARCHIVE_OK) fail(unfinished.path(), out.get());
+  if (archive_write_open_filename(out.get(), unfinished.path().c_str()) != ARCHIVE_OK)
+    fail(unfinished.path(), out.get());
   for (const auto& [name, bytes] : files) {
     const Entry entry(archive_entry_new(), archive_entry_free);
     archive_entry_set_pathname(entry.get(), name.c_str());

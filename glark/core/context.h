@@ -185,7 +185,7 @@ class Context {
   GLenum pending_error = GL_NO_ERROR;
   ListCompilation list;
   ImmediateDraw immediate;
-  std::vector<std::pair<bool, bool>> pushed_enables;  // per glPushAttrib: has GL_ENABLE_BIT, GL_ARK was enabled
+  std::vector<std::pair<bool, bool>> pushed_enables;        // per glPushAttrib: has GL_ENABLE_BIT, GL_ARK was enabled
   std::unordered_map<GLuint, std::uint64_t> query_surplus;  // triangles that our captures added to a query
   std::shared_ptr<Program> current_program;                 // null: none, or not known to us
   bool subroutines_known = false;                           // `subroutines` is what the program in use has chosen

@@ -24,7 +24,7 @@ constexpr std::string_view info = "info";
 const std::vector<OtherCommand> commands {
 #if GLARK_HAS_VSTREE
   {"simplify", scan, "Fewer triangles, or points where there are no triangles: glark simplify FILE -o OUT"},
-    {"reconstruct", scan, "A mesh from points: glark reconstruct FILE -o OUT"},
+      {"reconstruct", scan, "A mesh from points: glark reconstruct FILE -o OUT"},
 #endif
 #if GLARK_HAS_SURFEL
       {"strip", scan, "Triangle strips that interpolate points: glark strip FILE -o OUT"},
