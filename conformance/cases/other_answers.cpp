@@ -99,7 +99,8 @@ void check_log(Test& t) {
     gl.GetRefinementivARK(program, GL_REFINEMENT_LOG_LENGTH_ARK, &length);
     std::string log(static_cast<std::size_t>(length) + 1, '\0');
     gl.GetRefinementInfoLogARK(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    return std::string(log.c_str());
+    log.resize(std::strlen(log.c_str()));
+    return log;
   };
   gl.ARKinit(2);
   t.expect_equal(build("void refine() { colour_of_nothing = 1.0; }"), GLint{GL_FALSE}, "the status of a faulty shader");

@@ -296,7 +296,7 @@ Cases shader_uniforms_cases() {
            "Unit 0 for all samplers.", check_texture),
   };
   for (const UniformType& type : types()) {
-    cases.push_back(look((std::string("type.") + type.leaf).c_str(), {"11.R.9-20", "11.R.9-21"},
+    cases.push_back(look(std::string("type.") + type.leaf, {"11.R.9-20", "11.R.9-21"},
                          "Set a uniform of this type that the refinement shader declares, and draw.",
                          "Only floats are passed on; a matrix is transposed; an array's first element only.",
                          [type](Test& t) { check_type(t, type); }));

@@ -31,7 +31,7 @@ struct ReconstructOptions {
   // Refinement ends when the mesh is about so near to the samples, relative to the diagonal. 0: when it is as dense as they are.
   float error = 0;
   unsigned levels = 2;  // of refinement, at most, 0 to 6
-  // How many samples a cube of the finest level has that the surface runs through, 1 to 1000: fewer find thinner parts, more close larger
+  // How many samples a cube of the finest level has that the surface runs through, 2 to 1000: fewer find thinner parts, more close larger
   // gaps.
   float node_samples = 6;
   // As in Options: what is no height field is divided as far as the finest level.

@@ -18,7 +18,7 @@ void check(const ReconstructOptions& options) {
   };
   within(static_cast<double>(options.error), 0, 1, "error");
   within(options.levels, 0, 6, "levels");
-  within(static_cast<double>(options.node_samples), 1, 1000, "node_samples");
+  within(static_cast<double>(options.node_samples), 2, 1000, "node_samples");
   within(options.gap_edges, 0, 1000, "gap_edges");
   within(static_cast<double>(options.least_part), 0, 1, "least_part");
 }

@@ -39,7 +39,11 @@ void reconstruct(const Reconstruct& command) {
     result = vstree::reconstruct({.positions = points.positions, .normals = points.normals}, command.options);
     seconds = progress.seconds();
   }
-  if (result.triangles.empty()) warn(command.files.input + ": its points are on no surface; the mesh is empty");
+  if (result.triangles.empty())
+    warn(command.files.input +
+         ": its points are on no surface; the mesh is empty. A point far away from all others makes the box too large: "
+         "take it out");
+  if (!points.colours.empty()) warn(command.files.input + ": the mesh has normals, its colours are dropped");
   mesh.origin = points.origin;
   mesh.positions = std::move(result.positions);
   mesh.normals = std::move(result.normals);
@@ -85,11 +89,10 @@ void add_reconstruct(CLI::App& app) {
   command->add_option("--levels", options.levels, "Refine so often at most, 0 to 6; 2 if not given")
       ->check(CLI::Range(0, 6));
   command
-      ->add_option(
-          "--node-samples", options.node_samples,
-          "Points of the smallest nodes, 1 to 1000: fewer find thinner parts, more close larger gaps; 4 if not "
-          "given")
-      ->check(CLI::Range(1.0, 1000.0));
+      ->add_option("--node-samples", options.node_samples,
+                   "Points of the smallest nodes, 2 to 1000: fewer find thinner parts, more close larger gaps; " +
+                       CLI::detail::to_string(options.node_samples) + " if not given")
+      ->check(CLI::Range(2.0, 1000.0));
   command
       ->add_option("--least-part", options.least_part,
                    "Leave out parts with less than this of the area, 0 to 1; 0.01 if not given")
