@@ -194,10 +194,7 @@ void check_enable_group_overflow(Test& t) {
   }
 }
 
-Case answer_case(const char* name, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                 void (*check)(Test&)) {
-  return {.name = name, .clauses = std::move(clauses), .plan = plan, .wrong = wrong, .check = check};
-}
+constexpr Area answer_case{""};
 
 }  // namespace
 
@@ -222,8 +219,7 @@ Cases other_answers_cases() {
   cases.push_back(answer_case("ark.group.overflow", {"chapter-22-1"},
                               "PushAttrib until the stack is full and once more, then PopAttrib down to the first.",
                               "What was refused is restored: each level has the value of the one above.",
-                              check_enable_group_overflow));
-  cases.back().apis = {Api::gl_compat};
+                              check_enable_group_overflow, {Api::gl_compat}));
   return cases;
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "glark/clients/reconstruct/half_edges.h"
+#include "glark/clients/vstree/disjoint_sets.h"
 #include "glark/clients/vstree/reindex.h"
 
 namespace glark::vstree {
@@ -14,23 +14,6 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 constexpr float apart = 0.25F;  // of the way from a vertex that sheets share to the middle of the triangles of each
-
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 // The transition node coarser than the grid that the cell lies in: its key with its level in the highest bits; 0 if there is none.
 std::uint64_t coarse_node_of(std::uint64_t cell, const TransitionLayer& layer) {
@@ -48,7 +31,7 @@ bool cluster(const Contour& contour, const TransitionLayer& layer, std::vector<F
   const std::size_t count = contour.points.size();
   std::vector<std::uint64_t> nodes(count);
   for (std::size_t i = 0; i < count; ++i) nodes[i] = coarse_node_of(contour.cells[i], layer);
-  Sets sets(count);
+  DisjointSets sets(count);
   bool any = false;
   for (std::size_t q = 0; q < contour.quads.size(); q += 4) {
     for (std::size_t i = 0; i < 4; ++i) {
@@ -227,7 +210,7 @@ void cut_sheets(BaseMesh& mesh) {
 
 // Leaves out the parts that are small, and numbers the vertices that stay.
 bool drop_parts(BaseMesh& mesh, float least_part) {
-  Sets sets(mesh.points.size());
+  DisjointSets sets(mesh.points.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     sets.join(mesh.triangles[t], mesh.triangles[t + 1]);
     sets.join(mesh.triangles[t], mesh.triangles[t + 2]);

@@ -7,6 +7,7 @@
 #include <array>
 #include <numeric>
 
+#include "glark/clients/vstree/disjoint_sets.h"
 #include "glark/clients/vstree/reindex.h"
 
 namespace glark::vstree {
@@ -48,23 +49,6 @@ class HalfEdges {
   std::span<const std::uint32_t> triangles_;
   std::vector<std::uint32_t> begins_;
   std::vector<std::uint64_t> all_;
-};
-
-class Corners {
- public:
-  explicit Corners(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
 };
 
 class Cut {
@@ -162,7 +146,7 @@ class Cut {
 
   std::vector<std::uint32_t>& triangles_;
   std::span<const Float4> points_;
-  Corners corners_;
+  DisjointSets corners_;
 };
 
 }  // namespace

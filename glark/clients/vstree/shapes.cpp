@@ -86,16 +86,10 @@ void add_triangles(const Surface& surface, const Clusters& clusters, const Worke
 }  // namespace
 
 Shape shape_of(std::span<const Record> records) {
-  Shape shape;
-  for (const Record& record : records) shape.sum += record.point() + Float4{0, 0, 0, 1};
+  Shape shape = extent_of(records);
   const Float4 centroid = shape.centroid();
-  float square = 0;
-  for (const Record& record : records) {
-    const Float4 apart = record.point() - centroid;
-    square = std::max(square, dot(apart, apart));
-    shape.quadric.add_plane(apart, record.normal, record.normal[3]);
-  }
-  shape.radius = std::sqrt(square);
+  for (const Record& record : records)
+    shape.quadric.add_plane(record.point() - centroid, record.normal, record.normal[3]);
   return shape;
 }
 

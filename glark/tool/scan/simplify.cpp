@@ -54,8 +54,7 @@ void warn_of_losses(const geometry::Geometry& geometry, const std::string& file)
   if (const std::size_t seams = seam_points(geometry); seams > 0) {
     warn(file + ": its texture coordinates have seams, at " + std::to_string(seams) +
          " of its points; the result has those of one side there, so that triangles along a seam show a wrong part of "
-         "the "
-         "texture: take it off, or bake it into colours first");
+         "the texture: take it off, or bake it into colours first");
   }
   for (std::size_t i = 3; i < geometry.colours.size(); i += 4) {
     if (geometry.colours[i] == 255) continue;
