@@ -26,12 +26,6 @@ void compile_as(GLuint list, const std::function<void()>& commands) {
   gl.EndList();
 }
 
-Picture picture_of(const std::function<void()>& draw) {
-  clear_surface();
-  draw();
-  return read_picture(surface_size, surface_size);
-}
-
 void refine() {
   gl.ARKinit(4);
   gl.Enable(GL_ARK);
