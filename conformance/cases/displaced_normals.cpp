@@ -65,7 +65,7 @@ void check_normals(Test& t) {
     if (!expect_flat_normal(t, vertex, flat_normal(0.05 * 16, -0.02 * 16))) return;
 }
 
-constexpr int wave = 16;  // texels, half of them upwards
+constexpr int half_wave = 8;  // texels upwards, and as many downwards
 
 // Waves along the longer side. Two texels from where they turn, the slope over one texel is that of the wave; over as many as the
 // shorter side would have, it is not.
@@ -73,17 +73,17 @@ void check_waves(Test& t, int width, int height) {
   gl.UseProgram(surface_program(t));
   const bool is_wide = width > height;
   height_map(width, height, [is_wide](int x, int y) {
-    const int place = (is_wide ? x : y) % wave;
-    return 0.02F * static_cast<float>(std::min(place, wave - place));
+    const int place = (is_wide ? x : y) % (2 * half_wave);
+    return 0.02F * static_cast<float>(std::min(place, 2 * half_wave - place));
   });
   int looked_at = 0;
   for (const SurfaceVertex& vertex : displaced_flat(t, 5)) {
     const int texels = is_wide ? width : height;
     // Texels have their values at their middles.
-    const double place = std::fmod(static_cast<double>(vertex.texture[is_wide ? 0 : 1]) * texels - 0.5, wave);
-    const double from_turn = std::fmod(place, wave / 2);
-    if (from_turn < 2 || from_turn > wave / 2 - 2) continue;
-    const double slope = 0.02 * texels * (place < wave / 2 ? 1 : -1);
+    const double place = std::fmod(static_cast<double>(vertex.texture[is_wide ? 0 : 1]) * texels - 0.5, 2 * half_wave);
+    const double from_turn = std::fmod(place, half_wave);
+    if (from_turn < 2 || from_turn > half_wave - 2) continue;
+    const double slope = 0.02 * texels * (place < half_wave ? 1 : -1);
     ++looked_at;
     if (!expect_flat_normal(t, vertex, is_wide ? flat_normal(slope, 0) : flat_normal(0, slope))) return;
   }

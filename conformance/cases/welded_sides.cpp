@@ -105,8 +105,7 @@ Mesh pairs() {
   Mesh mesh;
   for (std::size_t pair = 0; pair < many_pairs; ++pair)
     for (MeshVertex vertex : bent_mesh()) {
-      vertex.position[0] += static_cast<float>(2 * (pair % 15));
-      vertex.position[1] += static_cast<float>(2 * (pair / 15));
+      vertex.position[0] += static_cast<float>(2 * pair);
       mesh.push_back(vertex);
     }
   number_triangles(mesh);
