@@ -207,6 +207,11 @@ class Commands(unittest.TestCase):
             self.assertIn("--mode splat", self.glark("view", "line.xyz", "--offscreen", "a.png").stderr)
             self.assertNotIn("--mode", self.glark("view", "line.xyz", "--mode", "splat", "--offscreen", "a.png").stderr)
 
+    def test_pictures_are_png(self):
+        if "view" in self.has:
+            self.assertIn("call it OUT.png", self.glark("view", self.sphere, "--offscreen", "a.jpg", status=1).stderr)
+            self.assertFalse((self.path / "a.jpg").exists())
+
     def test_bad_files_leave_the_output_alone(self):
         (self.path / "out.ply").write_text("precious")
         (self.path / "cut.ply").write_bytes(self.sphere.read_bytes()[:9999])
