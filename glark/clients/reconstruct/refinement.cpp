@@ -11,13 +11,14 @@ namespace glark::vstree {
 namespace {
 
 constexpr std::size_t grain = 1024;
+constexpr std::uint32_t group =
+    2;  // coarse triangles whose samples are looked at together: most are the halves of a quad
 constexpr float edges_to_noise = 6;  // shorter ones are not divided
 
 class Refinement {
  public:
   Refinement(const Octree& octree, const Workers& workers, BaseMesh& base)
       : octree_(octree),
-        surface_(octree),
         workers_(workers),
         side_(octree.finest().side()),
         reach_(std::min(0.7F * side_, 0.45F * side_ + 2.5F * octree.noise)) {
@@ -37,14 +38,6 @@ class Refinement {
   }
 
  private:
-  void move_to_surface(std::size_t i, float reach) {
-    const LocalEstimate estimate = surface_.near(mesh_.points[i], mesh_.normals[i], reach);
-    if (!estimate.found) return;
-    mesh_.points[i] = estimate.point;
-    mesh_.normals[i] = estimate.normal;
-    mesh_.normals[i][3] = 1;
-  }
-
   // The middle of the curve that PN triangles have over an edge.
   // Source: A. Vlachos et al., Curved PN Triangles, 2001.
   void insert(std::uint32_t corner, std::uint32_t vertex) {
@@ -55,15 +48,35 @@ class Refinement {
     mesh_.points[vertex] = (mesh_.points[a] + mesh_.points[b]) * 0.5F + bulge;
     mesh_.normals[vertex] = unit(na + nb);
     if (dot(mesh_.normals[vertex], mesh_.normals[vertex]) == 0) mesh_.normals[vertex] = na;
-    move_to_surface(vertex, reach_);
+  }
+
+  // New vertices of a few triangles, which see about the same samples.
+  void move_to_surface(std::uint32_t begin, std::uint32_t end, LocalSurface& surface) {
+    if (begin == end) return;
+    const Float4 reach = Float4{1, 1, 1, 0} * reach_;
+    Float4 low = mesh_.points[begin], high = low;
+    for (std::uint32_t i = begin + 1; i < end; ++i) {
+      low = least(low, mesh_.points[i]);
+      high = greatest(high, mesh_.points[i]);
+    }
+    surface.look_around(low - reach, high + reach);
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const LocalEstimate estimate = surface.near(mesh_.points[i], mesh_.normals[i], reach_);
+      if (!estimate.found) continue;
+      mesh_.points[i] = estimate.point;
+      mesh_.normals[i] = estimate.normal;
+      mesh_.normals[i][3] = 1;
+    }
   }
 
   // Returns how far the mesh is from the surface now, about: the root of the mean square.
   double divide() {
     const auto corners = static_cast<std::uint32_t>(mesh_.triangles.size());
-    std::vector<std::uint32_t> middle(corners), edges;
+    const std::uint32_t corners_a_group = (3 * group) << (2 * mesh_.levels);
+    std::vector<std::uint32_t> middle(corners), edges, groups;  // of the edges, where each starts
     auto vertices = static_cast<std::uint32_t>(mesh_.points.size());
     for (std::uint32_t i = 0; i < corners; ++i) {
+      if (i % corners_a_group == 0) groups.push_back(static_cast<std::uint32_t>(edges.size()));
       if (mesh_.opposite[i] < i) {
         middle[i] = middle[mesh_.opposite[i]];
       } else {
@@ -74,8 +87,13 @@ class Refinement {
     mesh_.points.resize(vertices);
     mesh_.normals.resize(vertices);
     const std::uint32_t first = vertices - static_cast<std::uint32_t>(edges.size());
-    workers_.each(edges.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) insert(edges[i], first + static_cast<std::uint32_t>(i));
+    groups.push_back(static_cast<std::uint32_t>(edges.size()));
+    workers_.each(groups.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
+      LocalSurface surface(octree_);
+      for (std::size_t g = begin; g < end; ++g) {
+        for (std::uint32_t i = groups[g]; i < groups[g + 1]; ++i) insert(edges[i], first + i);
+        move_to_surface(first + groups[g], first + groups[g + 1], surface);
+      }
     });
     double squares = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -120,7 +138,6 @@ class Refinement {
   }
 
   const Octree& octree_;
-  LocalSurface surface_;
   const Workers& workers_;
   const float side_;
   const float reach_;  // of the samples looked at: further where there is noise
