@@ -11,9 +11,10 @@ constexpr float least_facing = 0.2F;  // of a sample's normal and the one looked
 constexpr float least_opposed = -0.8F;
 constexpr int few = 3;              // samples
 constexpr float sharpness = 0.01F;  // the least of what weights fall with
-constexpr float planes = 0.25F;     // share of the samples' planes in a height
+constexpr float bend = 0.6F;        // what counts of the curvature
 constexpr float noise_weight = 100;
-constexpr float most_sides = 6;  // of a box that is worth a look, by the finest cells'
+constexpr float least_spread_of_samples = 1e-3F;  // squares by the radius: what is closer together shows no curvature
+constexpr float most_sides = 6;                   // of a box that is worth a look, by the finest cells'
 
 struct Query {
   Float4 point, normal;
@@ -28,6 +29,7 @@ struct Sums {
   Float4 offset{};  // from the point
   Float4 normal{};
   float heights = 0;  // above the point, of the samples' planes
+  float squares = 0;  // of the distance from the point
 };
 
 // Without a branch for each sample, which would take longer than all that is done with it.
@@ -42,7 +44,7 @@ class Lanes {
   void add(const FourSamples& four) {
     const Float4(&n)[3] = four.normal;
     const Float4 d[3] = {four.position[0] - point_[0], four.position[1] - point_[1], four.position[2] - point_[2]};
-    const Float4 t = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) * scale_;
+    const Float4 square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2], t = square * scale_;
     const Float4 facing = n[0] * along_[0] + n[1] * along_[1] + n[2] * along_[2];
     const Int4 inside = t < all(1);
     const Int4 near = inside & (facing >= all(least_facing));
@@ -55,6 +57,7 @@ class Lanes {
       normal_[i] += n[i] * weight;
     }
     heights_ += (d[0] * n[0] + d[1] * n[1] + d[2] * n[2]) * weight;
+    squares_ += square * weight;
   }
 
   Sums sums() const {
@@ -63,7 +66,8 @@ class Lanes {
             .opposed = sum(opposed_),
             .offset = Float4{sum(offset_[0]), sum(offset_[1]), sum(offset_[2]), 0},
             .normal = Float4{sum(normal_[0]), sum(normal_[1]), sum(normal_[2]), 0},
-            .heights = sum(heights_)};
+            .heights = sum(heights_),
+            .squares = sum(squares_)};
   }
 
  private:
@@ -75,14 +79,34 @@ class Lanes {
   const Float4 point_[3], along_[3];
   const Float4 scale_, blur_;
   Int4 count_{}, opposed_{};
-  Float4 weight_{}, heights_{};
+  Float4 weight_{}, heights_{}, squares_{};
   Float4 offset_[3]{}, normal_[3]{};
 };
 
+// Puts the estimate on the sphere that fits the samples around a point and their normals. Models that are flat between their samples lie
+// on the inner side of it by a part of what the curvature makes.
+// Based on: G. Guennebaud, M. Germann, M. Gross, Dynamic Sampling and Rendering of Algebraic Point Set Surfaces, 2008, section 3.
+void fit(const Sums& sums, float radius, LocalEstimate& estimate) {
+  const float share = 1 / sums.weight;
+  const Float4 mean = sums.offset * share, normal = sums.normal * share;
+  const float square = sums.squares * share, spread = square - dot(mean, mean);
+  const float least_spread = least_spread_of_samples * radius * radius, sharpest = 0.5F / radius;
+  const float quadratic =
+      spread > least_spread
+          ? std::clamp(bend / 2 * (sums.heights * share - dot(mean, normal)) / spread, -sharpest, sharpest)
+          : 0;
+  const Float4 gradient = normal - mean * (2 * quadratic);
+  const float slope = std::sqrt(dot(gradient, gradient));
+  if (!(slope > 0)) return;
+  const float value = -(dot(gradient, mean) + quadratic * square) / slope;
+  const float root = std::sqrt(std::max(0.0F, 1 - 4 * value * quadratic / slope));
+  estimate.normal = gradient / slope;
+  estimate.point += estimate.normal * std::clamp(-2 * value / (1 + root), -radius, radius);
+  estimate.found = true;
+}
+
 }  // namespace
 
-// The mean height of samples that a curved surface has around a point is as far on one side of it as that of their tangent planes on the
-// other; so half the sum has no error of second order, and no system of equations has to be solved.
 LocalEstimate LocalSurface::within(Float4 point, Float4 normal, float radius) {
   const Float4 reach{radius, radius, radius, 0};
   const Float4 low = point - reach, high = point + reach;
@@ -96,10 +120,8 @@ LocalEstimate LocalSurface::within(Float4 point, Float4 normal, float radius) {
   LocalEstimate estimate;
   estimate.opposed = sums.opposed >= few && sums.count == 0;
   if (sums.count < few || !(sums.weight > 0)) return estimate;
-  estimate.normal = unit(without_fourth(sums.normal));
-  const float height = (dot(sums.offset, estimate.normal) * (1 - planes) + sums.heights * planes) / sums.weight;
-  estimate.point = point + estimate.normal * height;
-  estimate.found = true;
+  estimate.point = point;
+  fit(sums, radius, estimate);
   return estimate;
 }
 
