@@ -152,6 +152,78 @@ TEST(Reconstruct, DependsOnNeitherThreadsNorScale) {
   }
 }
 
+// What a colour is at a place, in bytes.
+std::array<float, 3> paint(const float* position) {
+  return {127 + 100 * position[0], 127 + 100 * position[1], position[2] > 0 ? 200.0F : 50.0F};
+}
+
+TEST(Reconstruct, ColoursAreThoseOfTheSamplesAround) {
+  Shape shape = sphere(40000);
+  for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+    for (const float channel : paint(&shape.positions[i])) shape.colours.push_back(static_cast<std::uint8_t>(channel));
+  }
+  const Reconstructed plain = reconstruct(shape.points());
+  const Reconstructed mesh =
+      reconstruct({.positions = shape.positions, .normals = shape.normals, .colours = shape.colours});
+  EXPECT_TRUE(plain.colours.empty());
+  EXPECT_EQ(plain.positions, mesh.positions);
+  EXPECT_EQ(plain.normals, mesh.normals);
+  ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.colours.size(); i += 3) {
+    const std::array<float, 3> expected = paint(&mesh.positions[i]);
+    ASSERT_NEAR(mesh.colours[i], expected[0], 4);
+    ASSERT_NEAR(mesh.colours[i + 1], expected[1], 4);
+    if (std::abs(mesh.positions[i + 2]) < mesh.node_side) continue;
+    ASSERT_EQ(mesh.colours[i + 2], expected[2]);
+  }
+}
+
+// The two sides of a sheet, thinner than a node.
+TEST(Reconstruct, ColoursOfOneSideDoNotShowOnTheOther) {
+  Shape shape;
+  for (int i = 0; i < 40000; ++i) {
+    const int row = i / 200;
+    const float x = static_cast<float>(row) * 0.01F - 1, y = static_cast<float>(i % 200) * 0.01F - 1;
+    for (const float side : {-1.0F, 1.0F}) {
+      shape.positions.insert(shape.positions.end(), {x, y, side * 0.015F});
+      shape.normals.insert(shape.normals.end(), {0, 0, side});
+      const std::uint8_t level = side > 0 ? 255 : 0;
+      shape.colours.insert(shape.colours.end(), {level, level, level});
+    }
+  }
+  const Reconstructed mesh =
+      reconstruct({.positions = shape.positions, .normals = shape.normals, .colours = shape.colours});
+  std::size_t looked_at = 0;
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+    if (std::abs(mesh.positions[i]) > 0.9F || std::abs(mesh.positions[i + 1]) > 0.9F) continue;
+    ASSERT_EQ(mesh.colours[i], mesh.normals[i + 2] > 0 ? 255 : 0);
+    ++looked_at;
+  }
+  EXPECT_GT(looked_at, 1000U);
+}
+
+TEST(Reconstruct, WhatClosesAGapHasTheColoursAround) {
+  const Shape whole = sphere(40000);
+  Shape holed;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.positions[3 * i + 2] > 0.99F) continue;
+    holed.positions.insert(holed.positions.end(), &whole.positions[3 * i], &whole.positions[3 * i] + 3);
+    holed.normals.insert(holed.normals.end(), &whole.normals[3 * i], &whole.normals[3 * i] + 3);
+    holed.colours.insert(holed.colours.end(), {7, 150, 250});
+  }
+  for (const unsigned levels : {0U, 2U}) {
+    const Reconstructed mesh =
+        reconstruct({.positions = holed.positions, .normals = holed.normals, .colours = holed.colours},
+                    {.levels = levels, .gap_edges = 200});
+    expect_closed(mesh, 1, 2);
+    for (std::size_t i = 0; i < mesh.colours.size(); i += 3) {
+      ASSERT_EQ(mesh.colours[i], 7);
+      ASSERT_EQ(mesh.colours[i + 1], 150);
+      ASSERT_EQ(mesh.colours[i + 2], 250);
+    }
+  }
+}
+
 TEST(Reconstruct, ThresholdsSmoothAndErrorsEndTheRefinement) {
   const Shape shape = torus(150, 0.002F);
   const Reconstructed fine = reconstruct(shape.points());

@@ -30,6 +30,7 @@ struct Sums {
   Float4 normal{};
   float heights = 0;  // above the point, of the samples' planes
   float squares = 0;  // of the distance from the point
+  Float4 colour{};
 };
 
 // Without a branch for each sample, which would take longer than all that is done with it.
@@ -41,6 +42,7 @@ class Lanes {
         scale_(all(query.scale)),
         blur_(all(query.blur)) {}
 
+  template <bool with_colours>
   void add(const FourSamples& four) {
     const Float4(&n)[3] = four.normal;
     const Float4 d[3] = {four.position[0] - point_[0], four.position[1] - point_[1], four.position[2] - point_[2]};
@@ -58,6 +60,9 @@ class Lanes {
     }
     heights_ += (d[0] * n[0] + d[1] * n[1] + d[2] * n[2]) * weight;
     squares_ += square * weight;
+    if constexpr (with_colours) {
+      for (int i = 0; i < 3; ++i) colour_[i] += unpack_colour(four.colour, i) * weight;
+    }
   }
 
   Sums sums() const {
@@ -67,7 +72,8 @@ class Lanes {
             .offset = Float4{sum(offset_[0]), sum(offset_[1]), sum(offset_[2]), 0},
             .normal = Float4{sum(normal_[0]), sum(normal_[1]), sum(normal_[2]), 0},
             .heights = sum(heights_),
-            .squares = sum(squares_)};
+            .squares = sum(squares_),
+            .colour = Float4{sum(colour_[0]), sum(colour_[1]), sum(colour_[2]), 0}};
   }
 
  private:
@@ -80,7 +86,7 @@ class Lanes {
   const Float4 scale_, blur_;
   Int4 count_{}, opposed_{};
   Float4 weight_{}, heights_{}, squares_{};
-  Float4 offset_[3]{}, normal_[3]{};
+  Float4 offset_[3]{}, normal_[3]{}, colour_[3]{};
 };
 
 // Puts the estimate on the sphere that fits the samples around a point and their normals. Models that are flat between their samples lie
@@ -115,12 +121,18 @@ LocalEstimate LocalSurface::within(Float4 point, Float4 normal, float radius) {
   const float scale = 1 / (radius * radius);
   const float noise = noise_weight * octree_.noise * octree_.noise * scale;
   Lanes lanes({point, normal, scale, sharpness + noise * noise});
-  for (const FourSamples& four : (is_alone ? alone_ : around_).all()) lanes.add(four);
+  const std::span<const FourSamples> samples = (is_alone ? alone_ : around_).all();
+  if (octree_.has_colours) {
+    for (const FourSamples& four : samples) lanes.add<true>(four);
+  } else {
+    for (const FourSamples& four : samples) lanes.add<false>(four);
+  }
   const Sums sums = lanes.sums();
   LocalEstimate estimate;
   estimate.opposed = sums.opposed >= few && sums.count == 0;
   if (sums.count < few || !(sums.weight > 0)) return estimate;
   estimate.point = point;
+  estimate.colour = sums.colour / sums.weight;
   fit(sums, radius, estimate);
   return estimate;
 }

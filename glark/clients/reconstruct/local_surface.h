@@ -10,12 +10,13 @@ namespace glark::vstree {
 
 struct LocalEstimate {
   Float4 point{}, normal{};
+  Float4 colour{};  // red, green and blue, 0 to 255; if the samples have colours
   bool found = false;
   bool opposed = false;  // there are none such, but some that face the other way
   bool near = false;     // by samples within the radius, not within twice as far
 };
 
-// For one thread at a time.
+// Mean colours by the same weights. For one thread at a time.
 class LocalSurface {
  public:
   explicit LocalSurface(const Octree& octree) : octree_(octree) {}

@@ -15,7 +15,8 @@ bool are_all(Int4 mask) {
   return (halves[0] & (halves[1] | 0xFFFFFFFF00000000)) == ~std::uint64_t{0};
 }
 
-void transpose(const Float4 (&rows)[4], Float4 (&out)[3]) {
+// Of the fourth column, which may be no numbers, the bits.
+Int4 transpose(const Float4 (&rows)[4], Float4 (&out)[3]) {
   const Float4 ab = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5);
   const Float4 cd = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);
   const Float4 ab_z = __builtin_shufflevector(rows[0], rows[1], 2, 6, 3, 7);
@@ -23,6 +24,7 @@ void transpose(const Float4 (&rows)[4], Float4 (&out)[3]) {
   out[0] = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
   out[1] = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
   out[2] = __builtin_shufflevector(ab_z, cd_z, 0, 1, 4, 5);
+  return std::bit_cast<Int4>(__builtin_shufflevector(ab_z, cd_z, 2, 3, 6, 7));
 }
 
 // The finest level on which the box has few cells.
@@ -60,7 +62,7 @@ void NearSamples::gather(const Octree& octree, Float4 low, Float4 high) {
   samples_.resize((count + 3) / 4);
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const Record* const r = &inside_[4 * i];
-    transpose({r[0].position, r[1].position, r[2].position, r[3].position}, samples_[i].position);
+    samples_[i].colour = transpose({r[0].position, r[1].position, r[2].position, r[3].position}, samples_[i].position);
     transpose({r[0].normal, r[1].normal, r[2].normal, r[3].normal}, samples_[i].normal);
   }
 }

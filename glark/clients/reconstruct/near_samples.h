@@ -13,7 +13,19 @@ namespace glark::vstree {
 struct FourSamples {
   Float4 position[3];
   Float4 normal[3];
+  Int4 colour;  // packed
 };
+
+// Red, green and blue as the bits of a float that is no denormal, with which comparisons might take long.
+inline constexpr std::uint32_t packed_bits = 0x40000000;
+inline float pack_colour(const std::uint8_t* rgb) {
+  return std::bit_cast<float>(packed_bits | std::uint32_t{rgb[0]} | std::uint32_t{rgb[1]} << 8U |
+                              std::uint32_t{rgb[2]} << 16U);
+}
+// Each 0 to 255: red has channel 0.
+inline Float4 unpack_colour(Int4 packed, int channel) {
+  return __builtin_convertvector((packed >> (8 * channel)) & 255, Float4);
+}
 
 class NearSamples {
  public:

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "glark/clients/reconstruct/near_samples.h"
 #include "glark/clients/vstree/cells.h"
 #include "glark/clients/vstree/moments.h"
 #include "glark/clients/vstree/samples.h"
@@ -180,6 +181,7 @@ std::vector<Record> records_of(const PointSet& points, const Cube& cube, const s
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t index = entries[i].index;
       records[i].position = cube.inside(&points.positions[3 * index]);
+      if (!points.colours.empty()) records[i].position[3] = pack_colour(&points.colours[3 * index]);
       records[i].normal = unit_normal(&points.normals[3 * index]);
     }
   });
@@ -214,6 +216,7 @@ Octree sort_samples(const PointSet& points, const ReconstructOptions& options, c
   octree.levels.push_back(finest_level(entries, level));
   for (unsigned i = 0; i < coarser_levels && octree.levels.back().level > 0; ++i)
     octree.levels.push_back(coarser(octree.levels.back()));
+  octree.has_colours = !points.colours.empty();
   octree.records = records_of(points, octree.cube, entries, workers);
   return octree;
 }

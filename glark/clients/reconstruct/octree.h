@@ -31,8 +31,10 @@ struct Level {
 };
 
 struct Octree {
-  Cube cube;                    // of the root, which holds the bounding box
-  std::vector<Record> records;  // those with a normal, in the order of the cells
+  Cube cube;  // of the root, which holds the bounding box
+  // Those with a normal, in the order of the cells. The fourth of a position packs the sample's colour.
+  std::vector<Record> records;
+  bool has_colours = false;
   // The finest that transition nodes may have, and coarser ones.
   std::vector<Level> levels;
   float noise = 0;  // as Reconstructed has it, within the cube

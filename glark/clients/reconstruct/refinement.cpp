@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glark/clients/reconstruct/coarse_colours.h"
 #include "glark/clients/reconstruct/half_edges.h"
 
 namespace glark::vstree {
@@ -26,6 +27,8 @@ class Refinement {
     mesh_.normals = std::move(base.normals);
     mesh_.triangles = std::move(base.triangles);
     opposite_ = std::move(base.opposite);
+    if (octree.has_colours)
+      mesh_.colours = coarse_colours(mesh_.points, mesh_.normals, mesh_.triangles, octree, workers);
   }
 
   RefinedMesh run(const ReconstructOptions& options) {
@@ -54,6 +57,7 @@ class Refinement {
     mesh_.points[vertex] = (mesh_.points[a] + mesh_.points[b]) * 0.5F + bulge;
     mesh_.normals[vertex] = unit(na + nb);
     if (dot(mesh_.normals[vertex], mesh_.normals[vertex]) == 0) mesh_.normals[vertex] = na;
+    if (!mesh_.colours.empty()) mesh_.colours[vertex] = (mesh_.colours[a] + mesh_.colours[b]) * 0.5F;
   }
 
   // New vertices of a few triangles, which see about the same samples.
@@ -71,6 +75,7 @@ class Refinement {
       if (!estimate.found) continue;
       mesh_.points[i] = estimate.point;
       mesh_.normals[i] = estimate.normal;
+      if (!mesh_.colours.empty()) mesh_.colours[i] = estimate.colour;
       mesh_.normals[i][3] = 1;
     }
   }
@@ -108,6 +113,7 @@ class Refinement {
     const auto first = static_cast<std::uint32_t>(mesh_.points.size());
     mesh_.points.resize(first + edges.corners.size());
     mesh_.normals.resize(first + edges.corners.size());
+    if (!mesh_.colours.empty()) mesh_.colours.resize(first + edges.corners.size());
     workers_.each(groups.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
       LocalSurface surface(octree_);
       for (std::size_t g = begin; g < end; ++g) {

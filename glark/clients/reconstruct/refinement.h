@@ -12,6 +12,7 @@ namespace glark::vstree {
 struct RefinedMesh {
   std::vector<Float4> points;
   std::vector<Float4> normals;  // the fourth is 1 where samples were near
+  std::vector<Float4> colours;  // as LocalEstimate has them; none if the samples have none
   std::vector<std::uint32_t> triangles;
   unsigned levels = 0;
 };
