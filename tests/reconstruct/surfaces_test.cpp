@@ -17,6 +17,27 @@ void append(Shape& shape, const Shape& other, float scale, float x) {
   shape.normals.insert(shape.normals.end(), other.normals.begin(), other.normals.end());
 }
 
+// The root mean square distance of the middles of triangles and of edges from the unit sphere.
+double from_sphere(const Reconstructed& mesh) {
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    for (const std::array<double, 3> weights :
+         {std::array{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}}) {
+      double square = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        double at = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+          at += weights[i] * static_cast<double>(mesh.positions[3 * std::size_t{mesh.triangles[t + i]} + k]);
+        square += at * at;
+      }
+      squares += (std::sqrt(square) - 1) * (std::sqrt(square) - 1);
+      ++count;
+    }
+  }
+  return std::sqrt(squares / static_cast<double>(count));
+}
+
 float off_sphere(float x, float y, float z) { return std::hypot(x, y, z) - 1; }
 
 TEST(Reconstruct, ASphereIsClosedAndRound) {
@@ -224,7 +245,7 @@ TEST(Reconstruct, WhatClosesAGapHasTheColoursAround) {
   }
 }
 
-TEST(Reconstruct, ThresholdsSmoothAndErrorsEndTheRefinement) {
+TEST(Reconstruct, ThresholdsSmoothAndLevelsEndTheRefinement) {
   const Shape shape = torus(150, 0.002F);
   const Reconstructed fine = reconstruct(shape.points());
   const Reconstructed smooth = reconstruct(shape.points(), {.threshold = 0.005F});
@@ -232,7 +253,28 @@ TEST(Reconstruct, ThresholdsSmoothAndErrorsEndTheRefinement) {
   expect_closed(smooth, 1, 0);
   EXPECT_EQ(reconstruct(shape.points(), {.levels = 0}).levels, 0U);
   EXPECT_EQ(reconstruct(shape.points(), {.levels = 4}).levels, 4U);
-  EXPECT_LT(reconstruct(shape.points(), {.error = 1e-3F, .levels = 4}).levels, 4U);
+}
+
+// As far as they say, about, and no further: the mesh is that of so many levels.
+TEST(Reconstruct, RefinementEndsWhereTheErrorIsMet) {
+  const Shape shape = sphere(60000);
+  const double diagonal = 2 * std::sqrt(3.0);
+  unsigned before = 0;
+  for (const float error : {1e-2F, 2.5e-5F, 6e-6F}) {
+    const Reconstructed mesh = reconstruct(shape.points(), {.error = error, .levels = 4});
+    expect_closed(mesh, 1, 2);
+    EXPECT_EQ(mesh.positions, reconstruct(shape.points(), {.levels = mesh.levels}).positions);
+    EXPECT_LE(from_sphere(mesh), 1.3 * static_cast<double>(error) * diagonal) << mesh.levels;
+    if (mesh.levels > 0) {
+      EXPECT_GT(from_sphere(reconstruct(shape.points(), {.levels = mesh.levels - 1})),
+                0.7 * static_cast<double>(error) * diagonal)
+          << mesh.levels;
+    }
+    EXPECT_GE(mesh.levels, before);
+    before = mesh.levels;
+    EXPECT_EQ(error > 1e-3F, mesh.levels == 0U);
+  }
+  EXPECT_GT(before, 1U);
 }
 
 }  // namespace

@@ -36,9 +36,15 @@ class Refinement {
     float edge = side_;
     for (bool ends = options.levels == 0 || !is_divided(edge); !ends;) {
       edge /= 2;
+      const std::size_t vertices = mesh_.points.size();
       const Edges edges = edges_to_divide();
       const double error = insert(edges);
-      ends = ++mesh_.levels == options.levels || !is_divided(edge) || error <= goal;
+      if (mesh_.levels == 0 && goal > 0 && error <= goal) {
+        take_back(vertices);
+        break;
+      }
+      // The distance falls to a quarter where edges are halved.
+      ends = ++mesh_.levels == options.levels || !is_divided(edge) || error / 4 <= goal;
       divide(edges, ends);
     }
     return std::move(mesh_);
@@ -107,7 +113,7 @@ class Refinement {
     return edges;
   }
 
-  // Returns how far the mesh is then from the surface, about: the root of the mean square.
+  // Returns how far the mesh was from the surface, about: the root of the mean square.
   double insert(const Edges& edges) {
     const std::vector<std::uint32_t>& groups = edges.groups;
     const auto first = static_cast<std::uint32_t>(mesh_.points.size());
@@ -128,8 +134,13 @@ class Refinement {
           mesh_.points[first + i] - (mesh_.points[mesh_.triangles[a]] + mesh_.points[mesh_.triangles[b]]) * 0.5F;
       squares += static_cast<double>(dot(d, d));
     }
-    // The distance falls to a quarter where edges are halved.
-    return edges.corners.empty() ? 0 : std::sqrt(squares / static_cast<double>(edges.corners.size())) / 4;
+    return edges.corners.empty() ? 0 : std::sqrt(squares / static_cast<double>(edges.corners.size()));
+  }
+
+  void take_back(std::size_t vertices) {
+    mesh_.points.resize(vertices);
+    mesh_.normals.resize(vertices);
+    if (!mesh_.colours.empty()) mesh_.colours.resize(vertices);
   }
 
   void divide(const Edges& edges, bool is_last) {
