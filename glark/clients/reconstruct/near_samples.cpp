@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/reconstruct/near_samples.h"
 
-#include <algorithm>
+#ifdef __SSE__
+#include <xmmintrin.h>
+#endif
 
 namespace glark::vstree {
 namespace {
@@ -10,9 +12,14 @@ namespace {
 constexpr Record far_away{{9, 9, 9, 0}, {}};  // from the unit cube
 constexpr std::int32_t most_cells = 4;        // of a box, along each axis
 
+// Of the first three.
 bool are_all(Int4 mask) {
+#ifdef __SSE__
+  return (_mm_movemask_ps(std::bit_cast<Float4>(mask)) & 7) == 7;
+#else
   const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(mask);
   return (halves[0] & (halves[1] | 0xFFFFFFFF00000000)) == ~std::uint64_t{0};
+#endif
 }
 
 // Of the fourth column, which may be no numbers, the bits.
