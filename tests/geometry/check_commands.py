@@ -122,6 +122,27 @@ class Commands(unittest.TestCase):
         result = self.glark("simplify", "glass.ply", "-o", "a.ply", "--target", "10")
         self.assertIn("point 1 is not opaque", result.stderr)
 
+    def test_reconstruct_carries_colours(self):
+        self.needs("reconstruct")
+        points, _ = sphere(60)
+        header = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
+        header += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
+        header += [f"property uchar {name}" for name in ("red", "green", "blue")] + ["end_header", ""]
+        rows = [" ".join(map(str, point + point)) + (" 200 10 30\n" if point[0] > 0 else " 20 90 250\n") for point in points]
+        (self.path / "painted.ply").write_text("\n".join(header) + "".join(rows))
+        result = self.glark("reconstruct", "painted.ply", "-o", "a.obj")
+        self.assertNotIn("colour", result.stderr)
+        vertices = [list(map(float, line.split()[1:])) for line in (self.path / "a.obj").read_text().splitlines() if line.startswith("v ")]
+        self.assertGreater(len(vertices), 1000)
+        for vertex in vertices:
+            if abs(vertex[0]) < 0.2:
+                continue
+            wanted = (200, 10, 30) if vertex[0] > 0 else (20, 90, 250)
+            for channel, value in zip(vertex[3:6], wanted, strict=True):
+                self.assertAlmostEqual(value / 255, channel, delta=0.005)
+        self.glark("reconstruct", self.sphere, "-o", "plain.obj")
+        self.assertEqual(3, len((self.path / "plain.obj").read_text().split("v ", 1)[1].splitlines()[0].split()))
+
     def test_strip(self):
         self.needs("strip")
         report = self.report("strip", self.sphere, "-o", "strips.ply", "--measure", self.sphere)
