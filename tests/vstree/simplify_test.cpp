@@ -171,9 +171,10 @@ Shape sheet(std::uint32_t n, const Place& place, const Height& height) {
   Shape shape;
   for (std::uint32_t i = 0; i < n * n; ++i) {
     const auto last = static_cast<float>(n - 1);
-    const float x = place(static_cast<float>(i % n) / last), y = place(static_cast<float>(i / n) / last);
+    const std::uint32_t row = i / n;
+    const float x = place(static_cast<float>(i % n) / last), y = place(static_cast<float>(row) / last);
     shape.positions.insert(shape.positions.end(), {x, y, height(x, y)});
-    if (i % n < n - 1 && i / n < n - 1)
+    if (i % n < n - 1 && row < n - 1)
       shape.triangles.insert(shape.triangles.end(), {i, i + 1, i + n + 1, i, i + n + 1, i + n});
   }
   return shape;
