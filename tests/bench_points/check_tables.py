@@ -33,6 +33,12 @@ def write_sphere(path: pathlib.Path, rows: int):
 
 
 class Tables(unittest.TestCase):
+    def test_help(self):
+        result = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True)
+        self.assertEqual((0, ""), (result.returncode, result.stderr))
+        for word in ("--only", "--data", "--samples", "--rounds", "--json", "--update", "simplification"):
+            self.assertIn(word, result.stdout)
+
     def test_tables(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder)

@@ -104,6 +104,17 @@ class Commands(unittest.TestCase):
         self.assertEqual(report["output"]["points"], self.report("info", "coarse.ply")["points"])
         self.glark("simplify", self.sphere, "-o", "a.glb", "--error", "0.01", "--clustering", "grid", "--representative", "centroid")
 
+    def test_any_number_of_threads_gives_the_same(self):
+        for command in ("simplify", "strip", "reconstruct"):
+            if command not in self.has:
+                continue
+            options = ("--target", "1000") if command == "simplify" else ()
+            with self.subTest(command=command):
+                for threads in ("1", "3"):
+                    self.glark(command, self.sphere, "-o", threads + ".ply", "--threads", threads, *options)
+                self.assertEqual((self.path / "1.ply").read_bytes(), (self.path / "3.ply").read_bytes())
+                self.assertIn("--threads", self.glark(command, self.sphere, "-o", "a.ply", "--threads", "few", status=2).stderr)
+
     def test_simplify_says_what_it_cannot_keep(self):
         self.needs("simplify")
         square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"

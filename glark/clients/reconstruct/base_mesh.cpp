@@ -191,7 +191,8 @@ bool close_gaps(BaseMesh& mesh, std::uint32_t most_edges) {
 // What was one vertex of several sheets becomes one for each, a little towards its own neighbours.
 void cut_sheets(BaseMesh& mesh) {
   const std::size_t count = mesh.points.size();
-  const std::vector<std::uint32_t> copies = cut(mesh.triangles, mesh.points);
+  const std::vector<std::uint32_t> copies =
+      cut(mesh.triangles, mesh.points, irregular_vertices(mesh.triangles, mesh.points.size()));
   if (copies.size() == count) return;
   std::vector<bool> shared(copies.size());
   for (std::size_t i = count; i < copies.size(); ++i) {
@@ -260,7 +261,9 @@ BaseMesh base_mesh(const Contour& contour, const TransitionLayer& layer, const O
   const bool clustered = cluster(contour, layer, mesh.points, cluster_of);
   mesh.triangles = divide(contour.quads, mesh.points, cluster_of);
   if (clustered) {
-    mesh.triangles = without_repeats(spanning(mesh.triangles, cluster_of, workers), mesh.points.size());
+    std::vector<std::uint32_t> triangles = spanning(mesh.triangles, cluster_of, workers);
+    const std::vector<std::uint8_t> irregular = irregular_vertices(triangles, mesh.points.size());
+    mesh.triangles = without_repeats(std::move(triangles), irregular);
   } else {
     for (std::uint32_t& i : mesh.triangles) i = cluster_of[i];
   }

@@ -105,7 +105,7 @@ void add_reconstruct(CLI::App& app) {
       ->add_option("--gap-edges", options.gap_edges,
                    "Close holes with so many edges of the coarse mesh around, 0 to 1000; 16 if not given")
       ->check(CLI::Range(0, 1000));
-  command->add_option("--threads", options.threads, "At most; as many as the machine has if not given");
+  describe_threads(*command, options.threads);
   command->callback([reconstruction] { reconstruct(*reconstruction); });
 }
 

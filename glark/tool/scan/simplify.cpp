@@ -124,6 +124,7 @@ void add_simplify(CLI::App& app) {
                    "Where the point of a cluster lies: qef or centroid; qef if not given")
       ->transform(one_of<Representative>({{"qef", Representative::qef}, {"centroid", Representative::centroid}}))
       ->type_name("KIND");
+  describe_threads(*command, options.threads);
   command->callback([simplification] { simplify(*simplification); });
 }
 
