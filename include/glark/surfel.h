@@ -67,6 +67,9 @@ struct Options {
   // The longest edge of a triangle, in the distance to neighbours of that of its points whose distance is neither least nor greatest; 1 to
   // 100. Isolated points have no triangles.
   float reach = 5.0F;
+  // Whether strips may turn edges within them to the other diagonal of their two triangles, where that saves indices, the triangles are flat
+  // (their normals differ by less than 18 degrees) and nearly as good (angles opposite to the edge of less than 107 degrees on average).
+  bool turn_edges = true;
   unsigned levels = 1;   // of detail, 1 to 16; each has about a quarter of the points of the one before
   unsigned threads = 0;  // at most; 0: as many as the machine has, 1: none but the caller's
 };
@@ -86,6 +89,7 @@ struct Node {
 struct Counts {
   std::size_t outer = 0, redundant = 0, dual = 0, valid = 0;
   std::size_t out_of_reach = 0;  // with an edge longer than Options::reach allows
+  std::size_t turned = 0;        // edges, by Options::turn_edges
   std::size_t strips = 0;        // leaves that have triangles
   std::size_t indices = 0;       // of all strips
 };

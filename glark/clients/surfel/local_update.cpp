@@ -216,7 +216,7 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
   }
   agree_on_candidates(layer, drawn.list(), options, workers);
   for (const std::uint32_t leaf : mend(layer, drawn.list(), options, workers)) drawn.add(leaf);
-  make_strips(layer, drawn.list(), workers, indices, changed);
+  make_strips(layer, drawn.list(), options, workers, indices, changed);
   layer.nodes.resize(layer.tree.nodes.size());
   Marked nodes;
   for (const std::uint32_t leaf : drawn.list()) {
