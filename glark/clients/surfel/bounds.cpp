@@ -56,24 +56,28 @@ void describe_inner(const Node& left, const Node& right, Node& node) {
 
 }  // namespace
 
+// The axis is the mean of the normals by area.
 void bound(const Layer& layer, std::span<const StripTriangle> triangles, Patch& patch) {
   patch.box = {};
   Vector sum;
   thread_local std::vector<Vector> normals;
   normals.clear();
+  constexpr float small = 1e-28F;  // the square of a size below which squares are no measure
   for (const auto& [a, b, c] : triangles) {
     const Vector p = layer.positions[a], q = layer.positions[b], r = layer.positions[c];
-    patch.box.add(p);
-    patch.box.add(q);
-    patch.box.add(r);
-    normals.push_back(unit(cross(q - p, r - p)));
-    sum = sum + normals.back();
+    patch.box.low = least(patch.box.low, least(p, least(q, r)));
+    patch.box.high = greatest(patch.box.high, greatest(p, greatest(q, r)));
+    const Vector normal = cross(q - p, r - p);
+    sum = sum + normal;
+    normals.push_back(dot(normal, normal) > small ? normal : unit(normal));
   }
   patch.cone_axis = unit(sum);
-  patch.cone_cosine = 1;
+  float squared_cosine = 1;  // with the sign of the cosine
   for (const Vector& normal : normals) {
-    if (!(normal == Vector{})) patch.cone_cosine = std::min(patch.cone_cosine, dot(normal, patch.cone_axis));
+    const float along = dot(normal, patch.cone_axis), squared = dot(normal, normal);
+    if (squared > 0) squared_cosine = std::min(squared_cosine, along * std::fabs(along) / squared);
   }
+  patch.cone_cosine = std::copysign(std::sqrt(std::fabs(squared_cosine)), squared_cosine);
 }
 
 void describe(Layer& layer, std::uint32_t number, const LayerOptions& options) {

@@ -42,6 +42,11 @@ void fill_slots(std::span<const std::uint32_t> leaves, const Workers& workers, s
   workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     make_run(leaves.subspan(begin, end - begin), pieces[begin / leaves_a_piece]);
   });
+  if (array.empty()) {
+    std::size_t all = 0;
+    for (const Piece<Item>& piece : pieces) all += piece.items.size();
+    array.reserve(all);
+  }
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     make_room(slot_of(leaves[i]), pieces[i / leaves_a_piece].counts[i % leaves_a_piece], array);
   }

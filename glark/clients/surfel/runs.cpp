@@ -33,29 +33,28 @@ constexpr std::array<std::uint8_t, 8> lowest = {3, 0, 1, 0, 2, 0, 1, 0};
 
 bool Runs::is_end(std::uint32_t triangle) const { return (crossed_[triangle] & (crossed_[triangle] - 1)) == 0; }
 
-// Pairs of half-edges that run in opposite directions.
+// Pairs of half-edges that run in opposite directions; those of two triangles on one another are none.
 void Runs::find_neighbours(std::span<const StripTriangle> triangles) {
   sides_.assign(triangles.size(), {none, none, none});
   std::size_t size = 64;
   while (size < 4 * triangles.size()) size *= 2;
-  table_.assign(size, none);
+  table_.assign(size, {none, none, none});
   const auto mask = static_cast<std::uint32_t>(size - 1);
-  const auto count = static_cast<std::uint32_t>(triangles.size());
-  for (std::uint32_t t = 0; t < count; ++t) {
+  constexpr std::array<std::uint32_t, 3> next = {1, 2, 0}, before = {2, 0, 1};
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::uint32_t side = 0; side < 3; ++side) {
-      const std::uint32_t from = triangles[t][(side + 1) % 3], to = triangles[t][(side + 2) % 3];
+      const std::uint32_t from = triangles[t][next[side]], to = triangles[t][before[side]];
       std::uint32_t at = hash(std::min(from, to), std::max(from, to)) & mask;
-      for (; table_[at] != none; at = (at + 1) & mask) {
-        const std::uint32_t other = triangle_of(table_[at]), other_side = side_of(table_[at]);
-        const StripTriangle& corners = triangles[other];
-        if (corners[(other_side + 1) % 3] != to || corners[(other_side + 2) % 3] != from) continue;
-        // Two sides of one triangle are no neighbours.
-        if (sides_[other][other_side] != none || corners[other_side] == triangles[t][side]) continue;
-        sides_[other][other_side] = t << 2 | side;
-        sides_[t][side] = table_[at];
+      for (; table_[at].link != none; at = (at + 1) & mask) {
+        HalfEdge& other = table_[at];
+        if (other.from != to || other.to != from) continue;
+        if (triangles[triangle_of(other.link)][side_of(other.link)] == triangles[t][side]) continue;
+        sides_[triangle_of(other.link)][side_of(other.link)] = t << 2 | side;
+        sides_[t][side] = other.link;
+        other.from = other.to = none;  // taken
         break;
       }
-      if (table_[at] == none) table_[at] = t << 2 | side;
+      if (table_[at].link == none) table_[at] = {from, to, t << 2 | side};
     }
   }
 }

@@ -32,6 +32,10 @@ class Runs {
   void follow(std::uint32_t end, std::vector<std::uint32_t>& triangles) const;
 
  private:
+  struct HalfEdge {
+    std::uint32_t from, to, link;
+  };
+
   static std::uint32_t triangle_of(std::uint32_t link) { return link >> 2; }
   static std::uint32_t side_of(std::uint32_t link) { return link & 3; }
 
@@ -52,7 +56,7 @@ class Runs {
       sides_;  // across the edge opposite to each corner: a triangle, and its side
   std::vector<std::uint8_t> crossed_;
   std::vector<std::uint32_t> beside_;  // of its run's neighbours one more than their numbers, exclusively ored
-  std::vector<std::uint32_t> table_;   // of half-edges, by their ends
+  std::vector<HalfEdge> table_;        // of half-edges, by their ends
   std::vector<std::uint8_t> used_;
   std::vector<std::uint8_t> free_;     // neighbours that are not used
   std::vector<std::uint32_t> lonely_;  // triangles that had few of these left
