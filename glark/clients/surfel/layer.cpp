@@ -139,16 +139,17 @@ void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const Laye
           const std::span<const std::uint32_t> old = std::span(indices).subspan(patch.strip.first, patch.strip.count);
           const std::uint64_t drawn = fingerprint(triangles);
           const bool same = drawn == patch.drawn && (!patch.moved || patch.turned == 0);
-          if (drawn != patch.drawn || patch.moved) bound(layer, triangles, patch);
-          patch.moved = false;
           patch.drawn = drawn;
           const std::size_t begin = piece.items.size();
           if (same) {
+            if (patch.moved) bound(layer, triangles, patch);
             piece.items.insert(piece.items.end(), old.begin(), old.end());
           } else {
             for (const std::uint32_t point : stripper.strip(triangles)) piece.items.push_back(layer.name(point));
             patch.turned = stripper.turned;
+            bound(layer, stripper.drawn(), patch);
           }
+          patch.moved = false;
           const auto made = std::span(std::as_const(piece.items)).subspan(begin);
           kept[static_cast<std::size_t>(&leaf - leaves.data())] = same || std::ranges::equal(made, old) ? 1 : 0;
           piece.counts.push_back(static_cast<std::uint32_t>(made.size()));

@@ -32,7 +32,7 @@ struct Patch {
   std::size_t turned = 0;              // edges of these in the strip
   std::vector<MendedTriangle> mended;  // few leaves have any
   Box box;                             // of what is drawn
-  Vector cone_axis;
+  Vector cone_axis, cone_apex;
   float cone_cosine = -2;  // 2: nothing is drawn
   bool moved = true;       // since box and cone were found
 };

@@ -172,7 +172,7 @@ void Runs::improve() {
     if (is_end(t)) ends_.push_back(t);
   }
   std::uint32_t random = 1;
-  for (std::size_t step = 0; step < size() && !ends_.empty(); ++step) {
+  for (std::size_t step = 0; step < size() / 2 && !ends_.empty(); ++step) {
     random = random * 1664525U + 1013904223U;
     const std::size_t at = std::uint64_t{random} * ends_.size() >> 32;
     const std::uint32_t t = ends_[at];

@@ -24,7 +24,8 @@ class Stripper {
   // until the next one.
   std::span<const std::uint32_t> strip(std::span<const StripTriangle> triangles);
 
-  std::size_t turned = 0;  // edges of the last strip
+  std::size_t turned = 0;                                            // edges of the last strip
+  std::span<const StripTriangle> drawn() const { return ordered_; }  // its triangles
 
  private:
   struct Run {
