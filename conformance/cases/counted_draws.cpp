@@ -31,12 +31,6 @@ Mesh four_triangles() {
   return mesh;
 }
 
-Picture picture_of(const Draw& draw) {
-  clear_surface();
-  draw();
-  return read_picture(surface_size, surface_size);
-}
-
 // As the unrefined draw, with 4^2 triangles for each of its own, however often.
 void expect_drawn(Test& t, const Draw& draw, const std::string& what) {
   gl.Disable(GL_ARK);

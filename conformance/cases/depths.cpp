@@ -108,6 +108,31 @@ void check_viewport(Test& t) {
                   {depth_of(15, 7), depth_of(80, 7), depth_of(std::hypot(15, 80), 7)}, "a quarter of the width");
 }
 
+// Every command that sets the viewport with index 0, and one that sets another, with nothing between it and the draw.
+void check_indexed_viewports(Test& t) {
+  gl.UseProgram(measured_program(t, "position"));
+  upload(triangle_in_pixels(right_angle));
+  measure_by(7, 0);
+  const auto expect_pixels = [&](double pixels, const char* what, const std::function<void()>& set) {
+    const GLuint count = count_generated([&] {
+      set();
+      gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    });
+    t.expect_equal(std::int64_t{count}, reference::minimum_triangles(right_angle_depths(pixels)), what);
+  };
+  const auto half = static_cast<GLfloat>(surface_size) / 2;
+  const GLfloat whole_and_half[] = {0, 0, 2 * half, 2 * half, 0, 0, half, half};
+  for (int round = 0; round < 2; ++round) {
+    expect_pixels(7, "Viewport", [] { gl.Viewport(0, 0, surface_size, surface_size); });
+    expect_pixels(14, "ViewportIndexedf", [&] { gl.ViewportIndexedf(0, 0, 0, half, half); });
+    expect_pixels(7, "ViewportIndexedfv", [&] { gl.ViewportIndexedfv(0, whole_and_half); });
+    expect_pixels(14, "ViewportArrayv", [&] { gl.ViewportArrayv(0, 1, whole_and_half + 4); });
+    expect_pixels(7, "ViewportArrayv of two", [&] { gl.ViewportArrayv(0, 2, whole_and_half); });
+    expect_pixels(7, "the viewport with index 1", [&] { gl.ViewportIndexedf(1, 0, 0, half / 2, half / 2); });
+  }
+  t.expect_no_error("the draws");
+}
+
 Vec3 turned(double degrees) {
   const double angle = degrees * std::acos(-1.0) / 180;
   return {static_cast<float>(2 * std::sin(angle)), 0, static_cast<float>(2 * std::cos(angle))};  // not of unit length
@@ -210,11 +235,11 @@ GLuint triangles_in_a_frame(Test& t, const Mesh& mesh) {
   return count;
 }
 
-// Sixteen triangles whose measured depths without a budget give some thousand.
-void check_budget(Test& t, GLint budget) {
+// `coarse` triangles in one draw whose measured depths without a budget give some thousand.
+void check_budget(Test& t, GLint budget, GLuint coarse) {
   gl.UseProgram(colour_program(t));
   Mesh mesh;
-  for (int i = 0; i < 16; ++i) {
+  for (GLuint i = 0; i < coarse; ++i) {
     const Mesh one = one_triangle();
     mesh.insert(mesh.end(), one.begin(), one.end());
   }
@@ -235,7 +260,8 @@ void check_budget(Test& t, GLint budget) {
   GLuint last = triangles_in_a_frame(t, mesh);
   for (int frame = 0; frame < 40; ++frame) last = triangles_in_a_frame(t, mesh);
   const auto most = static_cast<GLuint>(budget);
-  t.expect(last <= std::max(most, 16U), std::to_string(last) + " triangles with a budget of " + std::to_string(most));
+  t.expect(last <= std::max(most, coarse),
+           std::to_string(last) + " triangles with a budget of " + std::to_string(most));
   t.expect(last >= std::min(most / 4, free), std::to_string(last) + " triangles are at least a quarter of the budget");
   gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 0);
   t.expect_equal(triangles_in_a_frame(t, mesh), free, "triangles once the budget is set to none");
@@ -272,12 +298,16 @@ Cases depths_cases() {
                  "Measured in front of the geometry shader all the same.", check_geometry_shader),
       depth_case("measured.neither", {"11.R.4-10"}, "No measure, or degrees without a normal.", "Depth 0; tags.",
                  check_neither)};
-  for (const GLint budget : {500, 2000})
+  cases.push_back(depth_case("measured.indexed_viewports", {"11.R.4-5"},
+                             "The same triangle after every command that sets one of several viewports.",
+                             "Only Viewport is noticed; the viewport of another index counts.", check_indexed_viewports,
+                             {Api::gl_compat, Api::gl_core}));
+  for (const auto& [budget, coarse] : {std::pair<GLint, GLuint>{500, 16}, {2000, 16}, {9000, 300}})
     cases.push_back({.name = "ark.depth.budget." + std::to_string(budget),
                      .clauses = {"11.R.4-13", "11.R.4-17"},
                      .plan = "Draw one scene for forty frames and count; then set the budget, and a measure, again.",
                      .wrong = "More triangles than the budget; far fewer; the coarseness stays.",
-                     .check = [budget](Test& t) { check_budget(t, budget); }});
+                     .check = [budget = budget, coarse = coarse](Test& t) { check_budget(t, budget, coarse); }});
   return cases;
 }
 

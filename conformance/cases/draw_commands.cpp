@@ -79,7 +79,7 @@ GLuint count_generated(const Draw& draw) {
 }
 
 // Sums of colours, which do not depend on the order of triangles.
-Picture picture_of(const Draw& draw) {
+Picture sum_of(const Draw& draw) {
   clear_surface();
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE);
@@ -99,15 +99,15 @@ GLuint bending_program(Test& t) {
 // `arp` with ARK disabled is `draw` with ARK enabled, and leaves ARK disabled.
 void expect_arp_alone(Test& t, const Draw& draw, const Draw& arp, const std::string& what) {
   gl.Enable(GL_ARK);
-  const Picture refined = picture_of(draw);
+  const Picture refined = sum_of(draw);
   const GLuint count = count_generated(draw);
   gl.Disable(GL_ARK);
-  const Picture coarse = picture_of(draw);
+  const Picture coarse = sum_of(draw);
   t.expect(count_different(refined, coarse, 8) > 10, what + ": refinement shows");
-  t.expect_same_picture(picture_of(arp), refined, what);
+  t.expect_same_picture(sum_of(arp), refined, what);
   t.expect_equal(count_generated(arp), count, what + ": triangles");
   t.expect(gl.IsEnabled(GL_ARK) == GL_FALSE, what + ": ARK stays disabled");
-  t.expect_same_picture(picture_of(draw), coarse, what + ": an ordinary draw afterwards");
+  t.expect_same_picture(sum_of(draw), coarse, what + ": an ordinary draw afterwards");
 }
 
 void expect_arp(Test& t, const Draw& draw, const Draw& arp, const std::string& what) {

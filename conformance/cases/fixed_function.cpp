@@ -118,17 +118,23 @@ void generate_depth_coordinates() {
   gl.Enable(GL_TEXTURE_GEN_Q);
 }
 
+// Eye coordinates are not clip coordinates.
+void look_through_frustum() {
+  gl.MatrixMode(GL_PROJECTION);
+  gl.Frustum(-0.5, 0.5, -0.5, 0.5, 0.5, 10);
+  gl.MatrixMode(GL_MODELVIEW);
+  gl.Translatef(0, 0, -1.2F);
+}
+
 void clip(GLenum plane) {
   const GLdouble half[] = {0.8, -0.5, 0.3, 0.1};
+  look_through_frustum();
   gl.ClipPlane(GL_CLIP_PLANE0 + plane, half);
   gl.Enable(GL_CLIP_PLANE0 + plane);
 }
 
 void points() {
-  gl.MatrixMode(GL_PROJECTION);
-  gl.Frustum(-0.5, 0.5, -0.5, 0.5, 0.5, 10);
-  gl.MatrixMode(GL_MODELVIEW);
-  gl.Translatef(0, 0, -1.2F);
+  look_through_frustum();
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_POINT);
   gl.PointSize(5);
 }

@@ -15,12 +15,6 @@ namespace {
 
 void draw_triangle() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
 
-Picture picture_of(const std::function<void()>& draw) {
-  clear_surface();
-  draw();
-  return read_picture(surface_size, surface_size);
-}
-
 // Bends, so that its refinement is not what is drawn unrefined.
 const char bent_stage[] =
     "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour; out vec4 colour;\n"

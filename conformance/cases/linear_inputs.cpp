@@ -214,35 +214,63 @@ void check_edge_order(Test& t, GLenum refinement) {
 }
 
 struct DifferenceVertex {
-  Vec2 difference;
+  std::array<float, 6> difference;
   Vec3 weights;
 };
 
-// Refined or not (11.R.11); where they are, by (11.R.1) with the precision of the type: what differs is lost in single precision.
-void check_doubles(Test& t) {
-  gl.UseProgram(build_program(
+// 1e10 times what is beyond 1, -3, 2, 5, -1, 7 at the corners.
+constexpr double near_by[6] = {1, -3, 2, 5, -1, 7};
+constexpr double differences[3][6] = {{1, 0, 4, -2, 3, -6}, {3, 2, -5, 8, 0, 1}, {-7, -5, 2, 6, -4, 9}};
+
+struct DoubleType {
+  const char* leaf;
+  const char* declaration;  // of the input "d"
+  GLuint columns, rows;
+  const char* component;  // GLSL: the one with the index i
+};
+constexpr DoubleType double_types[] = {{"doubles", "dvec2 d", 1, 2, "d[i]"},
+                                       {"double_matrix", "dmat2x3 d", 2, 3, "d[i / 3][i % 3]"},
+                                       {"double_matrix_high", "dmat3x2 d", 3, 2, "d[i / 2][i % 2]"}};
+
+GLuint difference_program(Test& t, const DoubleType& type) {
+  return build_program(
       t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 2) in vec3 weights;\n"
-                    "layout(location = 7) in dvec2 d; out vec2 difference; out vec3 weights_out; out vec4 colour;\n"
-                    "void main() { difference = vec2((d - dvec2(1.0LF, -3.0LF)) * 1e10LF); weights_out = weights;\n"
-                    "  colour = vec4(1.0); gl_Position = position; }\n",
-          .captured = {"difference", "weights_out"}}));
+                    "layout(location = 7) in " +
+                    std::string(type.declaration) +
+                    "; out float difference[6]; out vec3 weights_out; out vec4 colour;\n"
+                    "const double near_by[6] = double[](1.0LF, -3.0LF, 2.0LF, 5.0LF, -1.0LF, 7.0LF);\n"
+                    "void main() { for (int i = 0; i < 6; ++i) difference[i] = 0.0;\n"
+                    "  for (int i = 0; i < " +
+                    std::to_string(type.columns * type.rows) + "; ++i) difference[i] = float((" + type.component +
+                    " - near_by[i]) * 1e10LF);\n"
+                    "  weights_out = weights; colour = vec4(1.0); gl_Position = position; }\n",
+          .captured = {"difference", "weights_out"}});
+}
+
+// Refined or not (11.R.11); where they are, by (11.R.1) with the precision of the type: what differs is lost in single precision.
+void check_doubles(Test& t, const DoubleType& type) {
+  gl.UseProgram(difference_program(t, type));
   upload(one_triangle());
-  const double corners[3][2] = {{1 + 1e-10, -3}, {1 + 3e-10, -3 + 2e-10}, {1 - 7e-10, -3 - 5e-10}};
-  const double differences[3][2] = {{1, 0}, {3, 2}, {-7, -5}};
+  double corners[3][6] = {};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 6; ++i) corners[k][i] = near_by[i] + 1e-10 * differences[k][i];
   GLuint buffer = 0;
   gl.GenBuffers(1, &buffer);
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
   gl.BufferData(GL_ARRAY_BUFFER, sizeof(corners), corners, GL_STATIC_DRAW);
-  gl.VertexAttribLPointer(first_location, 2, GL_DOUBLE, 0, nullptr);
-  gl.EnableVertexAttribArray(first_location);
+  for (GLuint column = 0; column < type.columns; ++column) {
+    gl.VertexAttribLPointer(first_location + column, static_cast<GLint>(type.rows), GL_DOUBLE, sizeof(corners[0]),
+                            reinterpret_cast<const void*>(column * type.rows * sizeof(double)));
+    gl.EnableVertexAttribArray(first_location + column);
+  }
   refine_uniformly(3);
   const auto vertices = capture_as<DifferenceVertex>(t, 1000, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
   t.require(vertices.size() == 3 || vertices.size() == std::size_t{3} * 64, "refined, or left as it is");
   for (const DifferenceVertex& vertex : vertices)
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < std::size_t{type.columns} * type.rows; ++i) {
       double expected = 0;
       for (std::size_t k = 0; k < 3; ++k) expected += vertex.weights[k] * differences[k][i];
-      if (!t.expect_near(vertex.difference[i], expected, 1e-4, "a double-precision input, from 1 or -3, times 1e10"))
+      if (!t.expect_near(vertex.difference[i], expected, 1e-4, "a double-precision input, from near by, times 1e10"))
         return;
     }
 }
@@ -269,12 +297,14 @@ Case edge_case(const char* leaf, GLenum refinement) {
 Cases linear_inputs_cases() {
   Cases cases;
   for (const InputType& type : input_types) cases.push_back(type_case(type));
-  cases.push_back({.name = "ark.linear.inputs.doubles",
-                   .clauses = {"11.R.6-4", "11.R.11-6"},
-                   .plan = "A dvec2 whose corners differ by 1e-10, if the implementation refines it.",
-                   .wrong = "Refined in single precision, so that the differences are gone.",
-                   .apis = {Api::gl_compat, Api::gl_core},
-                   .check = check_doubles});
+  for (const DoubleType& type : double_types)
+    cases.push_back({.name = std::string("ark.linear.inputs.") + type.leaf,
+                     .clauses = {"11.R.6-4", "11.R.6-6", "11.R.11-6"},
+                     .plan = std::string("An input ") + type.declaration +
+                             " whose corners differ by 1e-10, if the implementation refines it.",
+                     .wrong = "Refined in single precision, so that the differences are gone; columns overlap.",
+                     .apis = {Api::gl_compat, Api::gl_core},
+                     .check = [&type](Test& t) { check_doubles(t, type); }});
   cases.push_back(corner_case("inputs", GL_LINEAR_INPUTS_ARK));
   cases.push_back(corner_case("outputs", GL_LINEAR_OUTPUTS_ARK));
   cases.push_back(edge_case("inputs", GL_LINEAR_INPUTS_ARK));

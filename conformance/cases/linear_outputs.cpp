@@ -11,8 +11,8 @@
 namespace glark::conformance {
 namespace {
 
-// gl_Position, weights, then up to eight floats of what is looked at.
-constexpr std::size_t most_floats = 8;
+// gl_Position, weights, then some floats of what is looked at.
+constexpr std::size_t most_floats = 20;
 struct OutputVertex {
   Vec4 position;
   Vec3 weights;
@@ -36,6 +36,7 @@ const OutputKind output_kinds[] = {
     {"centroid", "centroid out vec4 r;", "r = a * a;", {"r"}, 4},
     {"matrix", "out mat2 r;", "r = mat2(a.xy * a.yz, a.zw * a.wx);", {"r"}, 4},
     {"array", "out float r[4];", "for (int i = 0; i < 4; ++i) r[i] = a[i] * a[0];", {"r"}, 4},
+    {"long_array", "out float r[20];", "for (int i = 0; i < 20; ++i) r[i] = a[i % 4] * a[0] + float(i);", {"r"}, 20},
     {"structure",
      "struct S { vec3 n; float m; }; out S r;",
      "r.n = a.xyz * a.yzw; r.m = a.w * a.w;",

@@ -26,12 +26,6 @@ void compile_as(GLuint list, const std::function<void()>& commands) {
   gl.EndList();
 }
 
-Picture picture_of(const std::function<void()>& draw) {
-  clear_surface();
-  draw();
-  return read_picture(surface_size, surface_size);
-}
-
 void refine() {
   gl.ARKinit(4);
   gl.Enable(GL_ARK);
@@ -139,6 +133,75 @@ void check_pool_while_compiling(Test& t) {
   t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 3, "the list does not set it");
 }
 
+constexpr GLuint push_list = 11, pop_list = 12, both_list = 13, nested_push = 14, nested_pop = 15, other_push = 16;
+
+void compile_stack_lists() {
+  const GLubyte names[] = {pop_list - 10};
+  compile_as(push_list, [] { gl.PushAttrib(GL_ENABLE_BIT); });
+  compile_as(pop_list, [] { gl.PopAttrib(); });
+  compile_as(both_list, [] {
+    gl.PushAttrib(GL_ALL_ATTRIB_BITS);
+    triangle();
+    gl.PopAttrib();
+  });
+  compile_as(nested_push, [] {
+    gl.CallList(both_list);
+    gl.CallList(push_list);
+    triangle();
+  });
+  compile_as(nested_pop, [&] {
+    triangle();
+    gl.CallLists(1, GL_UNSIGNED_BYTE, names);  // with the list base of the call
+  });
+  compile_as(other_push, [] { gl.PushAttrib(GL_CURRENT_BIT); });
+}
+
+// Push while ARK is `before`, set it to the opposite, pop: what it is then.
+void expect_restored(Test& t, const std::function<void()>& push, const std::function<void()>& pop, bool is_saved,
+                     const std::string& what) {
+  for (const bool before : {true, false}) {
+    before ? gl.Enable(GL_ARK) : gl.Disable(GL_ARK);
+    push();
+    before ? gl.Disable(GL_ARK) : gl.Enable(GL_ARK);
+    gl.CallList(both_list);
+    t.expect_equal(int{gl.IsEnabled(GL_ARK)}, int{!before},
+                   what + ": a list that pushes and pops leaves ARK as it was");
+    pop();
+    t.expect_equal(int{gl.IsEnabled(GL_ARK)}, int{before == is_saved}, what + (before ? ", enabled" : ", disabled"));
+    gl.Enable(GL_ARK);
+    t.expect_equal(integer_of(GL_ATTRIB_STACK_DEPTH), 0, what + ": the depth of the stack");
+  }
+}
+
+void check_stack(Test& t, bool is_compiled_late) {
+  if (!is_compiled_late) compile_stack_lists();
+  refine();
+  if (is_compiled_late) compile_stack_lists();
+  gl.ListBase(10);
+  const auto call = [](GLuint list) { return [list] { gl.CallList(list); }; };
+  const auto push = [] { gl.PushAttrib(GL_ENABLE_BIT); };
+  const auto pop = [] { gl.PopAttrib(); };
+  expect_restored(t, call(push_list), pop, true, "pushed by a list");
+  expect_restored(t, push, call(pop_list), true, "popped by a list");
+  expect_restored(t, call(push_list), call(pop_list), true, "pushed and popped by lists");
+  expect_restored(t, call(nested_push), call(nested_pop), true, "pushed and popped by lists in lists");
+  expect_restored(t, call(other_push), call(pop_list), false, "pushed by a list without ENABLE_BIT");
+  const GLushort names[] = {push_list - 10, other_push - 10, pop_list - 10};
+  expect_restored(
+      t, [&] { gl.CallLists(3, GL_UNSIGNED_SHORT, names); }, pop, true, "pushed by CallLists");
+  const auto compile_and_execute = [](GLuint list, const std::function<void()>& commands) {
+    return [list, commands] {
+      gl.NewList(list, GL_COMPILE_AND_EXECUTE);
+      commands();
+      gl.EndList();
+    };
+  };
+  expect_restored(t, compile_and_execute(17, push), compile_and_execute(18, call(pop_list)), true,
+                  "by lists that are compiled and executed");
+  expect_restored(t, call(17), call(18), true, "by the same lists, called");
+  t.expect_no_error("the calls");
+}
+
 Case list_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
                void (*check)(Test&)) {
   return {.name = std::string("ark.list.again.") + leaf,
@@ -163,7 +226,14 @@ Cases lists_again_cases() {
                 "CallLists with names of each type, at once and from a list, with two list bases.",
                 "Groups of bytes in the wrong order; a list base of the time of compilation.", check_names),
       list_case("pool", {"chapter-21-7", "11.R.1-6"}, "ARKinit with a lower level while a list is compiled.",
-                "The current tag stays above the pool, or the list sets it.", check_pool_while_compiling)};
+                "The current tag stays above the pool, or the list sets it.", check_pool_while_compiling),
+      list_case(
+          "attributes", {"chapter-22-1"},
+          "PushAttrib and PopAttrib in lists, in lists that these call, and outside, with ARK changed in between.",
+          "What lists do to the stack is not noticed: ARK stays, or is that of another level.",
+          [](Test& t) { check_stack(t, true); }),
+      list_case("attributes_before_init", {"chapter-22-1"}, "The same lists, compiled before ARKinit.",
+                "Lists that may be drawn unrefined are not looked at.", [](Test& t) { check_stack(t, false); })};
 }
 
 }  // namespace glark::conformance

@@ -144,12 +144,6 @@ Mesh stack() {
   return mesh;
 }
 
-Picture picture_of(const std::function<void()>& draw) {
-  clear_surface();
-  draw();
-  return read_picture(surface_size, surface_size);
-}
-
 void check_coarse_order(Test& t, int level) {
   gl.UseProgram(colour_program(t));
   upload(stack());

@@ -6,18 +6,13 @@
 
 #include "conformance/cases/cases.h"
 #include "conformance/reference/raster.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/surface.h"
 
 namespace glark::conformance {
 namespace {
 
 const std::vector<Api> desktop = {Api::gl_compat, Api::gl_core};
-
-Picture picture_of(const std::function<void()>& draw) {
-  clear_surface();
-  draw();
-  return read_picture(surface_size, surface_size);
-}
 
 void draw_three() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
 
@@ -280,12 +275,49 @@ void check_clip_planes(Test& t, GLenum refinement) {
   t.expect_same_picture(picture_of(draw), expected, "clipped by a plane", 2, 20);
 }
 
+// The sources' indices are set by the API, not in the shader. Drawn is one output times the other, over a colour that goes.
+void check_two_sources(Test& t, GLenum refinement) {
+  const GLuint program = build_program(
+      t,
+      {.vertex = plain_vertex_shader,
+       .fragment =
+           "in vec4 colour; out vec4 pixel; out vec4 factor;\n"
+           "void main() { pixel = vec4(colour.xyz, 1.0); factor = vec4(0.25, 0.5, 0.75, 0.5) + 0.25 * colour.yzxw; }"});
+  gl.BindFragDataLocationIndexed(program, 0, 0, "pixel");
+  gl.BindFragDataLocationIndexed(program, 0, 1, "factor");
+  gl.LinkProgram(program);
+  gl.UseProgram(program);
+  upload(one_triangle({2, 1, 3}));
+  const auto draw = [] {
+    gl.Enable(GL_BLEND);
+    gl.BlendFunc(GL_SRC1_COLOR, GL_ONE_MINUS_SRC1_ALPHA);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Disable(GL_BLEND);
+  };
+  const Picture expected = picture_of(draw);
+  gl.BindFragDataLocationIndexed(program, 0, 1, "pixel");  // takes effect when the program is linked
+  t.expect(count_different(expected, Picture(surface_size, surface_size), 8) > 1000, "something is drawn");
+  refine_by_tags(3, refinement);
+  t.expect_same_picture(picture_of(draw), expected, "two sources", 2, 20);
+  t.expect(count_generated(draw) > 1, "the triangle is refined");
+  t.expect_equal(GLint{gl.GetFragDataIndex(program, "factor")}, 1, "the index of the second source");
+  t.expect_no_error("the draws");
+}
+
 constexpr Area raster_case{"ark.rasterized."};
 
 }  // namespace
 
 Cases rasterized_cases() {
   Cases cases = {
+      raster_case(
+          "two_sources.inputs", {"11.R.10-2"}, "Blend with a second source whose index the API has set.",
+          "The outputs have other indices in the program that draws refined triangles.",
+          [](Test& t) { check_two_sources(t, GL_LINEAR_INPUTS_ARK); }, desktop),
+      raster_case(
+          "two_sources.outputs", {"11.R.10-2"}, "The same with refined outputs.",
+          "The outputs have other indices in the program that draws refined triangles.",
+          [](Test& t) { check_two_sources(t, GL_LINEAR_OUTPUTS_ARK); }, desktop),
       raster_case("polygon_mode.line", {"chapter-14-11", "chapter-14-12"},
                   "The wire frame at depth 2 is that of 16 triangles, drawn here as lines.",
                   "The outline of the coarse triangle.", check_polygon_mode_line, desktop),

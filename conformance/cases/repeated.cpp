@@ -183,12 +183,6 @@ constexpr Change changes[] = {
     {"format", set_format},
 };
 
-Picture picture_of(const std::function<void()>& draw) {
-  clear_surface();
-  draw();
-  return read_picture(surface_size, surface_size);
-}
-
 void draw_all() { gl.DrawArrays(GL_TRIANGLES, 0, vertices); }
 
 // Before and after the change the refined draws, however often, look as the unrefined one.

@@ -10,12 +10,6 @@ namespace {
 
 const std::vector<Api> desktop = {Api::gl_compat, Api::gl_core};
 
-Picture picture_of(const std::function<void()>& draw) {
-  clear_surface();
-  draw();
-  return read_picture(surface_size, surface_size);
-}
-
 void expect_unrefined(Test& t, const std::function<void()>& draw, const char* what) {
   const Picture expected = picture_of(draw);
   t.expect(count_different(expected, Picture(surface_size, surface_size), 0) > 0, "something is drawn unrefined");

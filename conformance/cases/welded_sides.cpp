@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/support/refined_draw.h"
 #include "conformance/support/surface.h"
 
 namespace glark::conformance {
@@ -97,6 +98,76 @@ void check_crease(Test& t) {
     t.expect(same_position(sides[0][i], sides[1][i]), "both sides of a crease are the same, by bits");
 }
 
+constexpr std::size_t many_pairs = 150;
+
+// Pairs of triangles with a common edge: vertices 0 and 5 are in one place, and so are 2 and 3. No two pairs have one in common.
+Mesh pairs() {
+  Mesh mesh;
+  for (std::size_t pair = 0; pair < many_pairs; ++pair)
+    for (MeshVertex vertex : bent_mesh()) {
+      vertex.position[0] += static_cast<float>(2 * pair);
+      mesh.push_back(vertex);
+    }
+  number_triangles(mesh);
+  return mesh;
+}
+
+constexpr std::array<std::size_t, 6> same_place = {5, 1, 3, 2, 4, 0};
+
+void check_many_tags(Test& t) {
+  gl.UseProgram(capture_program(t));
+  Mesh mesh = pairs();
+  for (MeshVertex& vertex : mesh) vertex.tag = static_cast<float>(t.random_int(0, 4));
+  upload(mesh);
+  refine_by_tags(4);
+  gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
+  const auto count = static_cast<GLsizei>(mesh.size());
+  const auto found = depths_of(t, 2 * many_pairs, [count] { gl.DrawArrays(GL_TRIANGLES, 0, count); });
+  t.require(found.size() == 2 * many_pairs, "all triangles are drawn");
+  for (std::size_t triangle = 0; triangle < found.size(); ++triangle) {
+    std::array<int, 3> tags{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t first = triangle / 2 * 6;
+      const std::size_t vertex = triangle % 2 * 3 + k;
+      const float greatest = std::max(mesh[first + vertex].tag, mesh[first + same_place[vertex]].tag);
+      tags[k] = static_cast<int>(greatest);
+    }
+    const reference::Depths expected = reference::edge_depths(tags);
+    if (!t.expect(found[triangle] == expected, "triangle " + std::to_string(triangle) + " has depths " +
+                                                   text_of(found[triangle]) + ", not " + text_of(expected)))
+      return;
+  }
+}
+
+// Every other pair has normals of its own on the second side of its ridge.
+void check_many_ridges(Test& t) {
+  gl.UseProgram(surface_program(t));
+  Mesh mesh = pairs();
+  for (std::size_t pair = 0; pair < many_pairs; pair += 2) {
+    mesh[6 * pair + 5].normal = {-0.9F, 0.4F, 0.3F};
+    mesh[6 * pair + 3].normal = {0.2F, -0.9F, 0.7F};
+  }
+  upload(mesh);
+  refine_uniformly(2, GL_CURVED_PN_ARK);
+  gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
+  const auto count = static_cast<GLsizei>(mesh.size());
+  const auto vertices = capture_as<SurfaceVertex>(t, 20000, [count] { gl.DrawArrays(GL_TRIANGLES, 0, count); });
+  std::array<std::vector<std::array<Vec4, 5>>, 2> sides;
+  for (auto& side : sides) side.resize(many_pairs);
+  for (const SurfaceVertex& vertex : vertices) {
+    if (vertex.weights[1] != 0) continue;
+    const auto triangle = static_cast<std::size_t>(std::lround(vertex.triangle));
+    t.require(triangle < 2 * many_pairs, "every refined vertex belongs to a coarse triangle");
+    const float along = vertex.weights[triangle % 2 == 1 ? 0 : 2];
+    sides[triangle % 2][triangle / 2][static_cast<std::size_t>(std::lround(4 * along))] = vertex.position;
+  }
+  for (std::size_t pair = 0; pair < many_pairs; ++pair)
+    for (std::size_t i = 0; i < 5; ++i)
+      if (!t.expect(same_position(sides[0][pair][i], sides[1][pair][i]),
+                    "both sides of ridge " + std::to_string(pair) + " are the same, by bits"))
+        return;
+}
+
 Vec3 turned(double degrees) {
   const double angle = degrees * std::acos(-1.0) / 180;
   return {static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle))};
@@ -140,6 +211,16 @@ Cases welded_sides_cases() {
                    .plan = "Two instances of one triangle, each with a normal of its own: WELD_ARK changes nothing.",
                    .wrong = "The edges of one have the other's normals for a second side.",
                    .check = check_instanced_normals});
+  cases.push_back({.name = "ark.weld.many.tags",
+                   .clauses = {"11.R.15-6"},
+                   .plan = "Three hundred triangles in pairs, with random tags: the greatest of each place counts.",
+                   .wrong = "Only the first triangles of a large draw are welded.",
+                   .check = check_many_tags});
+  cases.push_back({.name = "ark.weld.many.ridges",
+                   .clauses = {"11.R.15-7", "11.R.15-9"},
+                   .plan = "A hundred and fifty pairs of triangles, every other one with a hard edge in common.",
+                   .wrong = "Only the first triangles of a large draw are welded: the others crack.",
+                   .check = check_many_ridges});
   cases.push_back({.name = "ark.weld.tagged.crease",
                    .clauses = {"11.R.15-16"},
                    .plan = "Two triangles along a crease: their surfaces are those without WELD_ARK, the same along it "

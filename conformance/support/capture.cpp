@@ -72,4 +72,10 @@ void clear_surface() {
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
+Picture picture_of(const std::function<void()>& draw) {
+  clear_surface();
+  draw();
+  return read_picture(surface_size, surface_size);
+}
+
 }  // namespace glark::conformance

@@ -42,6 +42,8 @@ void refine_by_tags(GLuint pool_level, GLenum refinement = GL_LINEAR_INPUTS_ARK)
 
 // Clears to black and sets the viewport to the surface.
 void clear_surface();
+// What a draw makes of the cleared surface.
+Picture picture_of(const std::function<void()>& draw);
 
 template <typename Vertex>
 std::vector<Vertex> capture_as(Test& t, std::size_t most, const std::function<void()>& draw, GLenum mode) {

@@ -75,8 +75,16 @@ struct ListSegment {
   SegmentEffects effects = {};
 };
 
+// What a list does to the attribute stack, in order; lists that it calls may do more.
+struct StackStep {
+  enum class Kind { push, pop, call, call_offset };
+  Kind kind = Kind::pop;
+  GLuint value = 0;  // push: the mask; of a call as in ListSegment
+};
+
 struct DisplayList {
   std::vector<ListSegment> segments;
+  std::vector<StackStep> stack_steps = {};
   bool refinable = false;  // false: call the application's list as it is
   bool changes_uniforms = false;
   bool calls_lists = false;

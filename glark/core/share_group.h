@@ -32,6 +32,7 @@ struct ShareGroup {
   std::atomic<std::uint64_t> contexts_made{0};  // so far: each stamps with numbers of its own
   std::vector<GLuint> orphaned_buffers;  // of contexts that went without a chance to delete them; guarded by `mutex`
   std::atomic<bool> any_derived{false};
+  std::atomic<bool> lists_push{false};  // or pop: a display list has glPushAttrib or glPopAttrib
   // Linked, deleted or derived programs: what refers to programs by their names is valid only while this stands still.
   std::atomic<std::uint64_t> program_epoch{1};
 };

@@ -16,8 +16,6 @@ namespace {
 // Mesa 22 joins strips of a list, which a restart parted, by triangles of no area: up to four vertices for each restart.
 constexpr std::uint64_t joined = 5;
 
-constexpr int deepest_nesting = 64;  // OpenGL's own minimum of GL_MAX_LIST_NESTING
-
 // Out of the way of applications that number their lists themselves; and not one that glGenLists gave out meanwhile (Mesa
 // goes on from the highest name in use).
 GLuint new_segment_name(Context& c) {
@@ -46,12 +44,6 @@ void close_segment(Context& c, ListSegment segment) {
   c.list.list->segments.push_back(std::move(segment));
 }
 
-std::shared_ptr<DisplayList> find_list(Context& c, GLuint name) {
-  const std::lock_guard lock(c.share->mutex);
-  const auto found = c.share->lists.find(name);
-  return found != c.share->lists.end() ? found->second : nullptr;
-}
-
 void delete_segments(Context& c, const DisplayList& list) {
   for (const ListSegment& segment : list.segments) {
     if (segment.kind != ListSegment::Kind::call && segment.kind != ListSegment::Kind::call_offset) {
@@ -73,17 +65,10 @@ void forget_state(Context& c, const DisplayList* list) {
 
 void run_segment(Context& c, const ListSegment& segment, int depth);
 
-GLuint list_base(Context& c) {
-  if (!c.immediate.open) {  // between glBegin and glEnd nothing can be asked, and nothing changes it
-    c.refresh_bindings();
-  }
-  return c.bindings.list_base;
-}
-
 // What a call between glBegin and glEnd adds to the primitive.
 std::uint64_t vertices_of(Context& c, GLuint name, int depth) {
-  const std::shared_ptr<DisplayList> list = find_list(c, name);
-  if (list == nullptr || depth >= deepest_nesting) {
+  const std::shared_ptr<DisplayList> list = track::find_list(c, name);
+  if (list == nullptr || depth >= track::deepest_nesting) {
     return 0;
   }
   std::uint64_t count = list->loose_vertices;
@@ -91,7 +76,7 @@ std::uint64_t vertices_of(Context& c, GLuint name, int depth) {
     if (segment.kind == ListSegment::Kind::call) {
       count += vertices_of(c, segment.list, depth + 1);
     } else if (segment.kind == ListSegment::Kind::call_offset) {
-      count += vertices_of(c, list_base(c) + segment.list, depth + 1);
+      count += vertices_of(c, track::list_base(c) + segment.list, depth + 1);
     }
   }
   return count;
@@ -103,16 +88,16 @@ std::uint64_t triangles_of_segment(Context& c, const ListSegment& segment) {
   }
   std::uint64_t vertices = segment.vertices;
   for (const VertexList& inner : segment.vertex_lists) {
-    vertices += vertices_of(c, (inner.offset ? list_base(c) : 0) + inner.list, 0);
+    vertices += vertices_of(c, (inner.offset ? track::list_base(c) : 0) + inner.list, 0);
   }
   return triangles_of(segment.mode, vertices);
 }
 
 void call_list(Context& c, GLuint name, int depth) {
-  if (depth >= deepest_nesting) {
+  if (depth >= track::deepest_nesting) {
     return;  // OpenGL 4.6 compatibility, 21.4.2: deeper calls are ignored
   }
-  const std::shared_ptr<DisplayList> list = find_list(c, name);
+  const std::shared_ptr<DisplayList> list = track::find_list(c, name);
   if (c.immediate.capturing) {
     c.immediate_vertices += vertices_of(c, name, depth);
   }
@@ -134,7 +119,7 @@ void run_segment(Context& c, const ListSegment& segment, int depth) {
     case ListSegment::Kind::state: track::run_state(c, segment); break;
     case ListSegment::Kind::draw: track::run_draw(c, segment, triangles_of_segment(c, segment)); break;
     case ListSegment::Kind::call: call_list(c, segment.list, depth + 1); break;
-    case ListSegment::Kind::call_offset: call_list(c, list_base(c) + segment.list, depth + 1); break;
+    case ListSegment::Kind::call_offset: call_list(c, track::list_base(c) + segment.list, depth + 1); break;
   }
 }
 
@@ -143,7 +128,10 @@ void execute_last(Context& c) {
   if (c.list.mode == GL_COMPILE_AND_EXECUTE) {
     c.compiling_list = false;  // the pipeline draws now
     forget_state(c, nullptr);  // what was recorded before it was executed too, unseen
-    run_segment(c, ListSegment(c.list.list->segments.back()), 0);
+    const ListSegment last(c.list.list->segments.back());
+    run_segment(c, last, 0);
+    if (last.kind == ListSegment::Kind::call) track::follow_stack(c, last.list);
+    if (last.kind == ListSegment::Kind::call_offset) track::follow_stack(c, track::list_base(c) + last.list);
     c.compiling_list = true;
   }
 }
@@ -184,14 +172,22 @@ GLuint name_at(GLenum type, const void* lists, GLsizei i) {
   return name;
 }
 
+void follow_stacks(Context& c, GLsizei n, GLenum type, const void* lists) {
+  for (GLsizei i = 0; i < n && c.share->lists_push; ++i)
+    track::follow_stack(c, track::list_base(c) + name_at(type, lists, i));
+}
+
 // glCallLists while a list is compiled: what it calls depends on GL_LIST_BASE at the time of the call.
 void record_calls(Context& c, GLsizei n, GLenum type, const void* lists) {
   c.list.list->calls_lists = true;
+  for (GLsizei i = 0; i < n && !c.list.in_begin; ++i)
+    c.list.list->stack_steps.push_back({StackStep::Kind::call_offset, name_at(type, lists, i)});
   if (!c.list.cutting || c.list.in_begin) {
     for (GLsizei i = 0; i < n; ++i) {
       c.list.vertex_lists.push_back({name_at(type, lists, i), true});
     }
     c.gl.CallLists(n, type, lists);
+    if (c.list.mode == GL_COMPILE_AND_EXECUTE) follow_stacks(c, n, type, lists);
     return;
   }
   close_segment(c, {});
@@ -241,6 +237,19 @@ void end_list(Context& c) {
 }  // namespace
 
 namespace track {
+
+std::shared_ptr<DisplayList> find_list(Context& c, GLuint name) {
+  const std::lock_guard lock(c.share->mutex);
+  const auto found = c.share->lists.find(name);
+  return found != c.share->lists.end() ? found->second : nullptr;
+}
+
+GLuint list_base(Context& c) {
+  if (!c.immediate.open) {  // between glBegin and glEnd nothing can be asked, and nothing changes it
+    c.refresh_bindings();
+  }
+  return c.bindings.list_base;
+}
 
 void record_draw(Context& c, const DrawCall& call) {
   if (c.list.in_begin || !is_triangle_mode(call.mode)) {
@@ -351,12 +360,15 @@ void EndList(Context& c) {
 void CallList(Context& c, GLuint name) {
   if (!c.compiling_list) {
     call_list(c, name, 0);
+    track::follow_stack(c, name);
     return;
   }
   c.list.list->calls_lists = true;
+  if (!c.list.in_begin) c.list.list->stack_steps.push_back({StackStep::Kind::call, name});
   if (!c.list.cutting || c.list.in_begin) {
     c.list.vertex_lists.push_back({name, false});
     c.gl.CallList(name);
+    if (c.list.mode == GL_COMPILE_AND_EXECUTE) track::follow_stack(c, name);
     return;
   }
   close_segment(c, {});
@@ -377,15 +389,17 @@ void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
   }
   if (!c.refining || c.immediate.open) {
     for (GLsizei i = 0; i < n && c.immediate.capturing; ++i) {
-      c.immediate_vertices += vertices_of(c, list_base(c) + name_at(type, lists, i), 0);
+      c.immediate_vertices += vertices_of(c, track::list_base(c) + name_at(type, lists, i), 0);
     }
     c.gl.CallLists(n, type, lists);
     forget_state(c, nullptr);
+    follow_stacks(c, n, type, lists);
     return;
   }
   for (GLsizei i = 0; i < n; ++i) {
-    call_list(c, list_base(c) + name_at(type, lists, i), 0);
+    call_list(c, track::list_base(c) + name_at(type, lists, i), 0);
   }
+  follow_stacks(c, n, type, lists);
 }
 
 void DeleteLists(Context& c, GLuint first, GLsizei range) {

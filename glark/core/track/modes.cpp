@@ -242,34 +242,6 @@ GLint RenderMode(Context& c, GLenum mode) {
   return c.gl.RenderMode(mode);
 }
 
-void PushAttrib(Context& c, GLbitfield mask) {
-  c.gl.PushAttrib(mask);
-  if (track::executes(c) && !c.immediate.open &&
-      c.pushed_enables.size() < c.capabilities.attribute_stack) {  // else GL refuses it
-    c.pushed_enables.emplace_back((mask & GL_ENABLE_BIT) != 0, c.ark.enabled);
-  }
-}
-
-void PopAttrib(Context& c) {
-  c.gl.PopAttrib();
-  c.forget_in_list();
-  if (!track::executes(c) || c.immediate.open) {
-    return;
-  }
-  c.bindings_stale = true;
-  c.fixed_function_stale = true;
-  c.current_values.forget(c.next_stamp());  // GL_CURRENT_BIT
-  if (c.pushed_enables.empty()) {
-    return;
-  }
-  const auto [has_enable, enabled] = c.pushed_enables.back();
-  c.pushed_enables.pop_back();
-  if (has_enable) {
-    c.ark.enabled = enabled;
-    c.update_refining();
-  }
-}
-
 void PushClientAttrib(Context& c, GLbitfield mask) { c.gl.PushClientAttrib(mask); }
 
 void PopClientAttrib(Context& c) {

@@ -24,6 +24,10 @@ inline bool executes(Context& context) {
 }
 
 // Display lists.
+constexpr int deepest_nesting = 64;  // OpenGL's own minimum of GL_MAX_LIST_NESTING
+std::shared_ptr<DisplayList> find_list(Context& context, GLuint name);
+GLuint list_base(Context& context);
+void follow_stack(Context& context, GLuint list);  // which has been executed: what it did to the attribute stack
 void record_draw(Context& context, const DrawCall& call);
 bool list_begin(Context& context, GLenum mode);
 bool list_end(Context& context);

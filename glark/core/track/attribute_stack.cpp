@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The attribute stack, for GL_ARK, which belongs to the group of GL_ENABLE_BIT. GL_ARK itself is never compiled into a list, but
+// glPushAttrib and glPopAttrib are: what a list does to the stack is done to ours once it has been executed.
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace {
+
+void push(Context& c, GLbitfield mask) {
+  if (c.pushed_enables.size() < c.capabilities.attribute_stack) {  // else GL refuses it
+    c.pushed_enables.emplace_back((mask & GL_ENABLE_BIT) != 0, c.ark.enabled);
+  }
+}
+
+void pop(Context& c) {
+  if (c.pushed_enables.empty()) {
+    return;
+  }
+  const auto [has_enable, enabled] = c.pushed_enables.back();
+  c.pushed_enables.pop_back();
+  if (has_enable) {
+    c.ark.enabled = enabled;
+    c.update_refining();
+  }
+}
+
+void follow(Context& c, GLuint name, int depth) {
+  const std::shared_ptr<DisplayList> list = depth < track::deepest_nesting ? track::find_list(c, name) : nullptr;
+  if (list == nullptr) {
+    return;
+  }
+  for (const StackStep& step : list->stack_steps) {
+    switch (step.kind) {
+      case StackStep::Kind::push: push(c, step.value); break;
+      case StackStep::Kind::pop: pop(c); break;
+      case StackStep::Kind::call: follow(c, step.value, depth + 1); break;
+      case StackStep::Kind::call_offset: follow(c, track::list_base(c) + step.value, depth + 1); break;
+    }
+  }
+}
+
+// Between glBegin and glEnd GL refuses both.
+void record(Context& c, StackStep step) {
+  if (c.compiling_list && !c.list.in_begin) {
+    c.list.list->stack_steps.push_back(step);
+    c.share->lists_push = true;
+  }
+}
+
+}  // namespace
+
+void track::follow_stack(Context& c, GLuint list) {
+  if (c.share->lists_push && !c.immediate.open) {
+    follow(c, list, 0);
+  }
+}
+
+namespace hook {
+
+void PushAttrib(Context& c, GLbitfield mask) {
+  c.gl.PushAttrib(mask);
+  record(c, {StackStep::Kind::push, mask});
+  if (track::executes(c) && !c.immediate.open) {
+    push(c, mask);
+  }
+}
+
+void PopAttrib(Context& c) {
+  c.gl.PopAttrib();
+  c.forget_in_list();
+  record(c, {StackStep::Kind::pop});
+  if (!track::executes(c) || c.immediate.open) {
+    return;
+  }
+  c.bindings_stale = true;
+  c.fixed_function_stale = true;
+  c.current_values.forget(c.next_stamp());  // GL_CURRENT_BIT
+  pop(c);
+}
+
+}  // namespace hook
+}  // namespace glark::core
