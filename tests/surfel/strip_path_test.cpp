@@ -47,9 +47,11 @@ struct Sheet {
 Sheet sheet(std::uint32_t side, unsigned seed, float bend = 0) {
   Sheet all;
   std::mt19937 random(seed);
+  const std::uint32_t middle = side / 2;
   for (std::uint32_t i = 0; i < side * side; ++i) {
-    const auto x = static_cast<float>(i % side), y = static_cast<float>(i / side);
-    all.positions.push_back({x, y, -bend * std::fabs(x - static_cast<float>(side / 2))});
+    const std::uint32_t row = i / side;
+    const auto x = static_cast<float>(i % side), y = static_cast<float>(row);
+    all.positions.push_back({x, y, -bend * std::fabs(x - static_cast<float>(middle))});
   }
   for (std::uint32_t i = 0; i + side < side * side; ++i) {
     if (i % side + 1 == side) continue;
