@@ -133,8 +133,8 @@ bool Patcher::prefers_other_diagonal(std::uint32_t number, std::uint32_t side) c
 
 void Patcher::measure_angles(std::uint32_t number) {
   const auto [a, b, c] = delaunay_.triangles()[number].corners;
-  constexpr float none_better = 1e30F;
-  angles_[number].fill(none_better);  // edges of what reaches beyond all points stay
+  // Edges of what reaches beyond all points stay, whatever is across: a triangle without area may have angles below any number.
+  angles_[number].fill(std::numeric_limits<float>::infinity());
   if (std::max({a, b, c}) >= members_.size()) return;
   const Vector p = members_[a].position, q = members_[b].position, r = members_[c].position;
   const Vector pq = q - p, qr = r - q, rp = p - r;
