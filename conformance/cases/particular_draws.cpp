@@ -212,6 +212,18 @@ float many_value(std::size_t vertex, std::size_t input, std::size_t component, s
   return 0.1F * static_cast<float>((7 * vertex + 13 * input + 3 * component + 29 * round) % 31) - 1;
 }
 
+// Each coarse triangle has the pattern of its own tags.
+void expect_counts(Test& t, const Mesh& mesh, const std::vector<ManyVertex>& vertices, bool is_uniform) {
+  std::vector<std::int64_t> found(mesh.size() / 3);
+  for (const ManyVertex& vertex : vertices) ++found[static_cast<std::size_t>(std::lround(vertex.triangle))];
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    std::array<int, 3> tags{};
+    for (std::size_t k = 0; k < 3; ++k) tags[k] = is_uniform ? 2 : static_cast<int>(mesh[3 * i + k].tag);
+    t.expect_equal(found[i], 3 * reference::minimum_triangles(reference::edge_depths(tags)),
+                   "vertices of triangle " + as_text(i));
+  }
+}
+
 // The same program with other vertices from draw to draw: each input by bits.
 void check_many_inputs(Test& t, bool is_uniform) {
   const GLuint program = many_program(t);
@@ -238,7 +250,7 @@ void check_many_inputs(Test& t, bool is_uniform) {
       gl.EnableVertexAttribArray(many_locations[i]);
     }
     const auto vertices = capture_as<ManyVertex>(t, 2000, [] { gl.DrawArrays(GL_TRIANGLES, 0, 12); });
-    t.expect(vertices.size() > 12, "the draw is refined");
+    expect_counts(t, mesh, vertices, is_uniform);
     for (const ManyVertex& vertex : vertices) {
       const auto first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
       for (std::size_t i = 0; i < many; ++i)
