@@ -4,7 +4,7 @@
 // A mesh from samples of a surface: from scans that are noisy, uneven, in layers, and of any genus. Link to glark-reconstruct.
 //
 //   const auto mesh = glark::vstree::reconstruct({.positions = positions, .normals = normals});
-//   use(mesh.positions, mesh.normals, mesh.triangles);
+//   use(mesh.positions, mesh.normals, mesh.triangles);  // and mesh.colours, where the samples have .colours
 //
 // Each edge has two triangles that run against each other, or one where the samples end: gaps of about a transition node close, larger
 // ones stay open. The mesh is semi-regular: each triangle of a coarse mesh divided into four, `levels` times. The result depends neither
@@ -46,8 +46,10 @@ struct ReconstructOptions {
 
 struct Reconstructed {
   std::vector<float> positions, normals;  // [3 * vertices]
-  std::vector<std::uint32_t> triangles;   // [3 * triangles]; the children of triangle i of a level are 4 i to 4 i + 3
-  std::uint32_t base_vertices = 0;        // of the coarse mesh, the first of all
+  // [3 * vertices], red green blue: means of the samples around. None if these have none.
+  std::vector<std::uint8_t> colours;
+  std::vector<std::uint32_t> triangles;  // [3 * triangles]; the children of triangle i of a level are 4 i to 4 i + 3
+  std::uint32_t base_vertices = 0;       // of the coarse mesh, the first of all
   std::uint32_t base_triangles = 0;
   unsigned levels = 0;  // that were refined
   float node_side = 0;  // of the finest transition nodes, in the positions' unit

@@ -27,7 +27,18 @@ constexpr Group groups[] = {
     {"surfel", surfel_tables},
 };
 
+constexpr const char* help =
+    "glark-bench-points: what the client libraries for points do, side by side with what others do, as tables of "
+    "Markdown.\n"
+    "  --only GROUP          partition, simplification, reconstruction or surfel; all if not given\n"
+    "  --data FOLDER         where NAME.ply or NAME.ply.zst of the scans are\n"
+    "  --samples N,N,...     sizes of the sampled sets\n"
+    "  --rounds N            how often everything is done, of which the least time counts\n"
+    "  --json FILE           the same for programs\n"
+    "  --update FILE.md      put the tables where the file has such ones\n";
+
 struct Command {
+  bool asks_for_help = false;
   Settings settings;
   std::string only, json, update;
 };
@@ -44,6 +55,10 @@ Command command_of(int count, char** words) {
   Command command;
   for (int i = 1; i < count; i += 2) {
     const std::string word = words[i];
+    if (word == "--help" || word == "-h") {
+      command.asks_for_help = true;
+      return command;
+    }
     if (i + 1 == count) throw std::runtime_error(word + ": give a value, or nothing; " + options);
     const std::string value = words[i + 1];
     if (word == "--data") {
@@ -66,6 +81,10 @@ Command command_of(int count, char** words) {
 }
 
 void run(const Command& command) {
+  if (command.asks_for_help) {
+    std::fputs(help, stdout);
+    return;
+  }
   std::vector<Table> all;
   for (const Group& group : groups) {
     if (!command.only.empty() && command.only != group.name) continue;

@@ -9,6 +9,7 @@
 
 #include "tests/bench_points/groups.h"
 #include "tests/bench_points/measure.h"
+#include "tests/bench_points/peer.h"
 #include "tests/bench_points/scan.h"
 
 namespace glark::bench {
@@ -57,6 +58,12 @@ Table partition_of(const Scan& scan, int rounds) {
     } else {
       row.resize(table.columns.size());
     }
+    table.rows.push_back(std::move(row));
+  }
+  if (const auto cgal = peer("octree", "octree of CGAL, 64 a leaf", scan.positions, rounds)) {
+    std::vector<Cell> row = costs_of(cgal->work, works.back(), static_cast<double>(count));
+    row.emplace_back(Number{static_cast<double>(cgal->found), 0});
+    row.resize(table.columns.size());
     table.rows.push_back(std::move(row));
   }
   return table;

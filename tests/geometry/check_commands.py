@@ -104,6 +104,17 @@ class Commands(unittest.TestCase):
         self.assertEqual(report["output"]["points"], self.report("info", "coarse.ply")["points"])
         self.glark("simplify", self.sphere, "-o", "a.glb", "--error", "0.01", "--clustering", "grid", "--representative", "centroid")
 
+    def test_any_number_of_threads_gives_the_same(self):
+        for command in ("simplify", "strip", "reconstruct"):
+            if command not in self.has:
+                continue
+            options = ("--target", "1000") if command == "simplify" else ()
+            with self.subTest(command=command):
+                for threads in ("1", "3"):
+                    self.glark(command, self.sphere, "-o", threads + ".ply", "--threads", threads, *options)
+                self.assertEqual((self.path / "1.ply").read_bytes(), (self.path / "3.ply").read_bytes())
+                self.assertIn("--threads", self.glark(command, self.sphere, "-o", "a.ply", "--threads", "few", status=2).stderr)
+
     def test_simplify_says_what_it_cannot_keep(self):
         self.needs("simplify")
         square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
@@ -121,6 +132,27 @@ class Commands(unittest.TestCase):
         (self.path / "glass.ply").write_text("\n".join(header) + "0 0 0 9 9 9 255\n1 0 0 9 9 9 80\n")
         result = self.glark("simplify", "glass.ply", "-o", "a.ply", "--target", "10")
         self.assertIn("point 1 is not opaque", result.stderr)
+
+    def test_reconstruct_carries_colours(self):
+        self.needs("reconstruct")
+        points, _ = sphere(60)
+        header = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
+        header += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
+        header += [f"property uchar {name}" for name in ("red", "green", "blue")] + ["end_header", ""]
+        rows = [" ".join(map(str, point + point)) + (" 200 10 30\n" if point[0] > 0 else " 20 90 250\n") for point in points]
+        (self.path / "painted.ply").write_text("\n".join(header) + "".join(rows))
+        result = self.glark("reconstruct", "painted.ply", "-o", "a.obj")
+        self.assertNotIn("colour", result.stderr)
+        vertices = [list(map(float, line.split()[1:])) for line in (self.path / "a.obj").read_text().splitlines() if line.startswith("v ")]
+        self.assertGreater(len(vertices), 1000)
+        for vertex in vertices:
+            if abs(vertex[0]) < 0.2:
+                continue
+            wanted = (200, 10, 30) if vertex[0] > 0 else (20, 90, 250)
+            for channel, value in zip(vertex[3:6], wanted, strict=True):
+                self.assertAlmostEqual(value / 255, channel, delta=0.005)
+        self.glark("reconstruct", self.sphere, "-o", "plain.obj")
+        self.assertEqual(3, len((self.path / "plain.obj").read_text().split("v ", 1)[1].splitlines()[0].split()))
 
     def test_strip(self):
         self.needs("strip")
@@ -206,6 +238,11 @@ class Commands(unittest.TestCase):
         if "view" in self.has:
             self.assertIn("--mode splat", self.glark("view", "line.xyz", "--offscreen", "a.png").stderr)
             self.assertNotIn("--mode", self.glark("view", "line.xyz", "--mode", "splat", "--offscreen", "a.png").stderr)
+
+    def test_pictures_are_png(self):
+        if "view" in self.has:
+            self.assertIn("call it OUT.png", self.glark("view", self.sphere, "--offscreen", "a.jpg", status=1).stderr)
+            self.assertFalse((self.path / "a.jpg").exists())
 
     def test_bad_files_leave_the_output_alone(self):
         (self.path / "out.ply").write_text("precious")

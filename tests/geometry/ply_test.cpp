@@ -40,6 +40,21 @@ TEST_F(Ply, BigEndianAndOtherTypesAreRead) {
   EXPECT_EQ((std::vector<std::uint8_t>{255, 255, 7, 255}), geometry.colours);
 }
 
+TEST_F(Ply, FloatColoursGoToOneOrTo255) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float red\nproperty float green\nproperty float blue\n";
+  const auto colours = [&](const std::string& rest) {
+    return read_file(made("a.ply", header + rest), {}).geometry.colours;
+  };
+  EXPECT_EQ((std::vector<std::uint8_t>{255, 0, 128, 255, 0, 0, 0, 255, 51, 255, 0, 255}),
+            colours("end_header\n0 0 0 1 0 0.5\n1 0 0 0 0 nan\n0 1 0 0.2 1.01 -3\n"));
+  EXPECT_EQ((std::vector<std::uint8_t>{1, 0, 1, 255, 0, 0, 0, 255, 200, 255, 13, 255}),
+            colours("end_header\n0 0 0 1 0 0.6\n1 0 0 0 0 0\n0 1 0 200 255 13\n"));
+  EXPECT_EQ((std::vector<std::uint8_t>{1, 0, 1, 0, 0, 0, 0, 1, 200, 255, 13, 128}),
+            colours("property float alpha\nend_header\n0 0 0 1 0 1 0\n1 0 0 0 0 0 1\n0 1 0 200 255 13 128\n"));
+}
+
 TEST_F(Ply, PolygonsAndStripsBecomeTriangles) {
   const std::string vertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";

@@ -39,5 +39,17 @@ TEST_F(RowsOfNumbers, SixColumnsAreNormalsOrColours) {
   }
 }
 
+TEST_F(RowsOfNumbers, ColoursGoToOneOrTo255) {
+  const auto colours = [&](const char* name, const char* text) {
+    return read_file(made(name, text), {}).geometry.colours;
+  };
+  const std::vector<std::uint8_t> fractions{255, 128, 0, 255, 51, 0, 255, 255};
+  EXPECT_EQ(fractions, colours("a.xyz", "0 0 0 1 0.5 0\n0 0 1 0.2 0 1\n"));
+  EXPECT_EQ(fractions, colours("a.pts", "0 0 0 1 0.5 0\n0 0 1 0.2 0 1\n"));
+  const std::vector<std::uint8_t> bytes{1, 1, 0, 255, 51, 0, 255, 255};
+  EXPECT_EQ(bytes, colours("b.xyz", "0 0 0 1 1 0\n0 0 1 51 0 255\n"));
+  EXPECT_EQ(bytes, colours("b.pts", "0 0 0 1 1 0\n0 0 1 51 0 255\n"));
+}
+
 }  // namespace
 }  // namespace glark::geometry

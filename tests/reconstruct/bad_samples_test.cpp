@@ -129,6 +129,11 @@ TEST(BadSamples, ThatAreNotFiniteAreErrors) {
   Shape shape = sphere(100);
   shape.normals[13] = std::nanf("");
   expect_error(Element::point, "make it zero", [&] { reconstruct(shape.points()); });
+  shape.normals[13] = 0;
+  shape.colours.resize(9);
+  expect_error(Element::array, "colours", [&] {
+    reconstruct({.positions = shape.positions, .normals = shape.normals, .colours = shape.colours});
+  });
   shape.normals.resize(9);
   expect_error(Element::array, "normals", [&] { reconstruct(shape.points()); });
 }

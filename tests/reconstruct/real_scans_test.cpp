@@ -41,8 +41,8 @@ TEST_F(RealScans, OfAHeadAreClose) {
   const double percent = 100 / bench::diagonal_of(scan.positions);
   const std::vector<float> there = bench::samples_of(mesh.positions, mesh.triangles, 100000);
   const std::vector<float> back = bench::samples_of(scan.positions, scan.triangles, 100000);
-  EXPECT_LT(bench::SurfaceDistance(scan.positions, scan.triangles).rms(there) * percent, 0.0035);
-  EXPECT_LT(bench::SurfaceDistance(mesh.positions, mesh.triangles).rms(back) * percent, 0.0035);
+  EXPECT_LT(bench::SurfaceDistance(scan.positions, scan.triangles).rms(there) * percent, 0.0032);
+  EXPECT_LT(bench::SurfaceDistance(mesh.positions, mesh.triangles).rms(back) * percent, 0.0032);
 }
 
 // Raw, overlapping and noisy.

@@ -17,6 +17,27 @@ void append(Shape& shape, const Shape& other, float scale, float x) {
   shape.normals.insert(shape.normals.end(), other.normals.begin(), other.normals.end());
 }
 
+// The root mean square distance of the middles of triangles and of edges from the unit sphere.
+double from_sphere(const Reconstructed& mesh) {
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    for (const std::array<double, 3> weights :
+         {std::array{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}}) {
+      double square = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        double at = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+          at += weights[i] * static_cast<double>(mesh.positions[3 * std::size_t{mesh.triangles[t + i]} + k]);
+        square += at * at;
+      }
+      squares += (std::sqrt(square) - 1) * (std::sqrt(square) - 1);
+      ++count;
+    }
+  }
+  return std::sqrt(squares / static_cast<double>(count));
+}
+
 float off_sphere(float x, float y, float z) { return std::hypot(x, y, z) - 1; }
 
 TEST(Reconstruct, ASphereIsClosedAndRound) {
@@ -152,7 +173,79 @@ TEST(Reconstruct, DependsOnNeitherThreadsNorScale) {
   }
 }
 
-TEST(Reconstruct, ThresholdsSmoothAndErrorsEndTheRefinement) {
+// What a colour is at a place, in bytes.
+std::array<float, 3> paint(const float* position) {
+  return {127 + 100 * position[0], 127 + 100 * position[1], position[2] > 0 ? 200.0F : 50.0F};
+}
+
+TEST(Reconstruct, ColoursAreThoseOfTheSamplesAround) {
+  Shape shape = sphere(40000);
+  for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+    for (const float channel : paint(&shape.positions[i])) shape.colours.push_back(static_cast<std::uint8_t>(channel));
+  }
+  const Reconstructed plain = reconstruct(shape.points());
+  const Reconstructed mesh =
+      reconstruct({.positions = shape.positions, .normals = shape.normals, .colours = shape.colours});
+  EXPECT_TRUE(plain.colours.empty());
+  EXPECT_EQ(plain.positions, mesh.positions);
+  EXPECT_EQ(plain.normals, mesh.normals);
+  ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.colours.size(); i += 3) {
+    const std::array<float, 3> expected = paint(&mesh.positions[i]);
+    ASSERT_NEAR(mesh.colours[i], expected[0], 4);
+    ASSERT_NEAR(mesh.colours[i + 1], expected[1], 4);
+    if (std::abs(mesh.positions[i + 2]) < mesh.node_side) continue;
+    ASSERT_EQ(mesh.colours[i + 2], expected[2]);
+  }
+}
+
+// The two sides of a sheet, thinner than a node.
+TEST(Reconstruct, ColoursOfOneSideDoNotShowOnTheOther) {
+  Shape shape;
+  for (int i = 0; i < 40000; ++i) {
+    const int row = i / 200;
+    const float x = static_cast<float>(row) * 0.01F - 1, y = static_cast<float>(i % 200) * 0.01F - 1;
+    for (const float side : {-1.0F, 1.0F}) {
+      shape.positions.insert(shape.positions.end(), {x, y, side * 0.015F});
+      shape.normals.insert(shape.normals.end(), {0, 0, side});
+      const std::uint8_t level = side > 0 ? 255 : 0;
+      shape.colours.insert(shape.colours.end(), {level, level, level});
+    }
+  }
+  const Reconstructed mesh =
+      reconstruct({.positions = shape.positions, .normals = shape.normals, .colours = shape.colours});
+  std::size_t looked_at = 0;
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+    if (std::abs(mesh.positions[i]) > 0.9F || std::abs(mesh.positions[i + 1]) > 0.9F) continue;
+    ASSERT_EQ(mesh.colours[i], mesh.normals[i + 2] > 0 ? 255 : 0);
+    ++looked_at;
+  }
+  EXPECT_GT(looked_at, 1000U);
+}
+
+TEST(Reconstruct, WhatClosesAGapHasTheColoursAround) {
+  const Shape whole = sphere(40000);
+  Shape holed;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.positions[3 * i + 2] > 0.99F) continue;
+    holed.positions.insert(holed.positions.end(), &whole.positions[3 * i], &whole.positions[3 * i] + 3);
+    holed.normals.insert(holed.normals.end(), &whole.normals[3 * i], &whole.normals[3 * i] + 3);
+    holed.colours.insert(holed.colours.end(), {7, 150, 250});
+  }
+  for (const unsigned levels : {0U, 2U}) {
+    const Reconstructed mesh =
+        reconstruct({.positions = holed.positions, .normals = holed.normals, .colours = holed.colours},
+                    {.levels = levels, .gap_edges = 200});
+    expect_closed(mesh, 1, 2);
+    for (std::size_t i = 0; i < mesh.colours.size(); i += 3) {
+      ASSERT_EQ(mesh.colours[i], 7);
+      ASSERT_EQ(mesh.colours[i + 1], 150);
+      ASSERT_EQ(mesh.colours[i + 2], 250);
+    }
+  }
+}
+
+TEST(Reconstruct, ThresholdsSmoothAndLevelsEndTheRefinement) {
   const Shape shape = torus(150, 0.002F);
   const Reconstructed fine = reconstruct(shape.points());
   const Reconstructed smooth = reconstruct(shape.points(), {.threshold = 0.005F});
@@ -160,7 +253,28 @@ TEST(Reconstruct, ThresholdsSmoothAndErrorsEndTheRefinement) {
   expect_closed(smooth, 1, 0);
   EXPECT_EQ(reconstruct(shape.points(), {.levels = 0}).levels, 0U);
   EXPECT_EQ(reconstruct(shape.points(), {.levels = 4}).levels, 4U);
-  EXPECT_LT(reconstruct(shape.points(), {.error = 1e-3F, .levels = 4}).levels, 4U);
+}
+
+// As far as they say, about, and no further: the mesh is that of so many levels.
+TEST(Reconstruct, RefinementEndsWhereTheErrorIsMet) {
+  const Shape shape = sphere(60000);
+  const double diagonal = 2 * std::sqrt(3.0);
+  unsigned before = 0;
+  for (const float error : {1e-2F, 2.5e-5F, 6e-6F}) {
+    const Reconstructed mesh = reconstruct(shape.points(), {.error = error, .levels = 4});
+    expect_closed(mesh, 1, 2);
+    EXPECT_EQ(mesh.positions, reconstruct(shape.points(), {.levels = mesh.levels}).positions);
+    EXPECT_LE(from_sphere(mesh), 1.3 * static_cast<double>(error) * diagonal) << mesh.levels;
+    if (mesh.levels > 0) {
+      EXPECT_GT(from_sphere(reconstruct(shape.points(), {.levels = mesh.levels - 1})),
+                0.7 * static_cast<double>(error) * diagonal)
+          << mesh.levels;
+    }
+    EXPECT_GE(mesh.levels, before);
+    before = mesh.levels;
+    EXPECT_EQ(error > 1e-3F, mesh.levels == 0U);
+  }
+  EXPECT_GT(before, 1U);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(Stripper, HasEveryTriangleOnceAsItIs) {
   for (const auto& triangle : delaunay.triangles()) {
     if (delaunay.finite(triangle) && random() % 4 != 0) triangles.push_back(triangle.corners);
   }
-  Stripper stripper;
+  Stripper stripper({}, false);
   const auto strip = stripper.strip(triangles);
   std::vector<StripTriangle> found;
   for (std::size_t i = 0; i + 2 < strip.size(); ++i) {

@@ -147,6 +147,16 @@ TEST(Strips, CountsAreThoseOfTheStrips) {
   EXPECT_GT(counts.redundant, 0U);
 }
 
+TEST(Strips, TurnedEdgesSaveIndices) {
+  const Points points = torus(5000);
+  const Strips free(points.cloud()), exact(points.cloud(), {.turn_edges = false});
+  EXPECT_GT(free.counts().turned, 200U);
+  EXPECT_EQ(exact.counts().turned, 0U);
+  EXPECT_EQ(free.counts().valid, exact.counts().valid);
+  EXPECT_LT(free.counts().indices, exact.counts().indices);
+  EXPECT_LT(static_cast<double>(free.counts().indices), 1.45 * static_cast<double>(free.counts().valid));
+}
+
 TEST(Strips, AreTheSameForAnyNumberOfThreads) {
   const Points points = torus(50000);
   const Strips one(points.cloud(), {.levels = 3, .threads = 1});

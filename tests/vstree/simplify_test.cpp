@@ -165,20 +165,70 @@ TEST(Simplified, CutsSheetsThatTouch) {
   EXPECT_EQ(apart.positions.size(), 3U * 8);
 }
 
-TEST(Simplified, OfAnOpenMeshKeepsItsBorderOnly) {
-  std::vector<float> positions;
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t i = 0; i < 40 * 40; ++i) {
-    const std::uint32_t row = i / 40;
-    positions.insert(positions.end(), {static_cast<float>(i % 40), static_cast<float>(row), 0});
-    if (i % 40 < 39 && row < 39) triangles.insert(triangles.end(), {i, i + 1, i + 41, i, i + 41, i + 40});
+// n times n vertices over the unit square; `place` moves its coordinates, `height` has the third.
+template <typename Place, typename Height>
+Shape sheet(std::uint32_t n, const Place& place, const Height& height) {
+  Shape shape;
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    const auto last = static_cast<float>(n - 1);
+    const std::uint32_t row = i / n;
+    const float x = place(static_cast<float>(i % n) / last), y = place(static_cast<float>(row) / last);
+    shape.positions.insert(shape.positions.end(), {x, y, height(x, y)});
+    if (i % n < n - 1 && row < n - 1)
+      shape.triangles.insert(shape.triangles.end(), {i, i + 1, i + n + 1, i, i + n + 1, i + n});
   }
-  const Simplified few = simplify({{.positions = positions}, triangles}, {.target = 200});
+  return shape;
+}
+
+TEST(Simplified, OfAnOpenMeshKeepsItsBorderOnly) {
+  const Shape shape = sheet(
+      40, [](float x) { return x; }, [](float, float) { return 0.0F; });
+  const Simplified few = simplify({{.positions = shape.positions}, shape.triangles}, {.target = 200});
   EXPECT_GT(few.triangles.size() / 3, 100U);
   const EdgeFaults faults = edge_faults(few.triangles);
   EXPECT_EQ(faults.non_manifold, 0U);
   EXPECT_GT(faults.boundary, 10U);
   for (std::size_t i = 2; i < few.positions.size(); i += 3) EXPECT_NEAR(few.positions[i], 0, 1e-5);
+}
+
+// All errors are alike there. More samples than one grid takes, from coarse to almost all.
+TEST(Simplified, OfAPlaneComesCloseToAnyTarget) {
+  const Shape shape = sheet(
+      200, [](float x) { return x; }, [](float, float) { return 0.0F; });
+  for (const std::size_t target : {10U, 100U, 1000U, 10000U, 40000U, 70000U}) {
+    const Simplified few = simplify({{.positions = shape.positions}, shape.triangles}, {.target = target});
+    EXPECT_LE(few.triangles.size() / 3, target);
+    EXPECT_GE(static_cast<double>(few.triangles.size()) / 3, 0.8 * static_cast<double>(target)) << target;
+  }
+}
+
+// A grid has cells of one size: where one has too many samples there is a grid below it.
+TEST(Simplified, DividesDenseCornersDeeper) {
+  const auto square = [](float x) { return x * x * x * x; };
+  const auto waves = [](float x, float y) {
+    return 0.1F * std::sin(400 * x) * x * (1 - std::min(1.0F, 20 * std::hypot(x, y)));
+  };
+  const Shape shape = sheet(150, square, [&](float x, float y) { return std::hypot(x, y) < 0.05F ? waves(x, y) : 0; });
+  const Mesh mesh{{.positions = shape.positions}, shape.triangles};
+  const Simplified few = simplify(mesh, {.target = 3000, .threads = 1});
+  EXPECT_GE(few.triangles.size() / 3, 2700U);
+  std::size_t dense = 0;
+  for (std::size_t i = 0; i < few.positions.size(); i += 3)
+    dense += std::hypot(few.positions[i], few.positions[i + 1]) < 0.06F ? 1 : 0;
+  EXPECT_GT(dense, few.positions.size() / 3 / 20);
+  EXPECT_EQ(simplify(mesh, {.target = 3000, .threads = 4}).positions, few.positions);
+}
+
+TEST(Simplified, OfManySamplesAtFewPlacesHasThese) {
+  Shape shape;
+  for (int i = 0; i < 20000; ++i) {
+    const auto place = static_cast<float>(i % 40);
+    shape.positions.insert(shape.positions.end(), {place, place * place / 40, 0});
+    shape.normals.insert(shape.normals.end(), {0, 0, 1});
+  }
+  const Simplified all = simplify({shape.points()}, {.target = 19999});
+  EXPECT_EQ(all.positions.size() / 3, 40U);
+  EXPECT_LE(simplify({shape.points()}, {.target = 10}).positions.size() / 3, 10U);
 }
 
 TEST(Simplified, IgnoresTrianglesWithoutArea) {

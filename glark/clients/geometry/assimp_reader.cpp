@@ -52,7 +52,7 @@ class Scene {
       : name_(std::move(name)), scene_(scene), options_(options) {}
 
   Reading gather() const {
-    PointBuilder builder(name_, "vertex", attributes(), options_);
+    PointBuilder builder(name_, "vertex", attributes(), options_, ColourRange::fraction);
     std::int64_t first = 0;
     std::vector<std::int64_t> corners;
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
@@ -91,11 +91,7 @@ class Scene {
       point.texture_coordinate = {mesh.mTextureCoords[0][index].x, mesh.mTextureCoords[0][index].y};
     if (mesh.HasVertexColors(0)) {
       const aiColor4D& colour = mesh.mColors[0][index];
-      const std::array channels{colour.r, colour.g, colour.b, colour.a};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const float channel = channels[i] > 0 ? std::min(channels[i], 1.0F) : 0.0F;
-        point.colour[i] = static_cast<std::uint8_t>(std::lround(channel * 255));
-      }
+      point.colour = {colour.r, colour.g, colour.b, std::max(0.0F, colour.a)};
     }
     builder.add_point(point, false);
   }

@@ -99,6 +99,13 @@ class Vertices {
   }
 
   const Attributes& attributes() const { return attributes_; }
+  // Channels of several types are brought to bytes each by its own.
+  ColourRange colour_range() const {
+    const auto is_float = [&](Slot slot) { return type_[slot] == Type::float32 || type_[slot] == Type::float64; };
+    const bool all_float = is_float(slot_red) && is_float(slot_green) && is_float(slot_blue) &&
+                           (column_[slot_alpha] == none || is_float(slot_alpha));
+    return all_float ? ColourRange::by_greatest : ColourRange::byte;
+  }
   const std::string& unread() const { return unread_; }
   std::span<double> values() { return values_; }
 
@@ -111,7 +118,7 @@ class Vertices {
     if (attributes_.colours) {
       for (int channel = 0; channel < 3; ++channel)
         point.colour[channel] = colour(static_cast<Slot>(slot_red + channel));
-      if (column_[slot_alpha] != none) point.colour[3] = colour(slot_alpha);
+      if (column_[slot_alpha] != none) point.colour[3] = std::max(0.0F, colour(slot_alpha));
     }
     if (attributes_.texture_coordinates)
       point.texture_coordinate = {static_cast<float>(value(slot_s)), static_cast<float>(value(slot_t))};
@@ -128,11 +135,11 @@ class Vertices {
 
   double value(Slot slot) const { return values_[static_cast<std::size_t>(column_[slot])]; }
 
-  std::uint8_t colour(Slot slot) const {
-    double scaled = value(slot);
-    if (type_[slot] == Type::float32 || type_[slot] == Type::float64) scaled *= 255;
-    if (type_[slot] == Type::uint16) scaled /= 257;
-    return static_cast<std::uint8_t>(std::lround(scaled > 0 ? std::min(scaled, 255.0) : 0.0));  // 0 for NaN too
+  float colour(Slot slot) const {
+    const auto channel = static_cast<float>(value(slot));
+    if (type_[slot] == Type::uint16) return channel / 257;
+    const bool is_fraction = type_[slot] == Type::float32 || type_[slot] == Type::float64;
+    return is_fraction && colour_range() == ColourRange::byte ? 255 * channel : channel;
   }
 
   std::array<int, slot_count> column_{};
@@ -157,7 +164,7 @@ class Body {
     if (vertex == header_.elements.end())
       throw Error(input_.name() + ": PLY header: there is no element vertex; export the file with points");
     Vertices vertices(input_, *vertex);
-    PointBuilder builder(input_.name(), "vertex", vertices.attributes(), options_);
+    PointBuilder builder(input_.name(), "vertex", vertices.attributes(), options_, vertices.colour_range());
     std::uint64_t faces = 0;
     for (const Element& element : header_.elements) faces += element.name == "face" ? element.count : 0;
     builder.expect(vertex->count, faces);

@@ -48,8 +48,9 @@ void require_memory(const std::string& file, double bytes) {
                 "; split the file into tiles or thin it first");
 }
 
-PointBuilder::PointBuilder(std::string file, std::string element, Attributes attributes, const ReadOptions& options)
-    : file_(std::move(file)), element_(std::move(element)), attributes_(attributes), options_(options) {}
+PointBuilder::PointBuilder(std::string file, std::string element, Attributes attributes, const ReadOptions& options,
+                           ColourRange range)
+    : file_(std::move(file)), element_(std::move(element)), attributes_(attributes), options_(options), range_(range) {}
 
 void PointBuilder::expect(std::uint64_t points, std::uint64_t triangles) {
   constexpr std::uint64_t most = removed;
@@ -98,10 +99,28 @@ void PointBuilder::add_point(const Point& point, bool needs_double) {
     if (good && (point.normal[0] != 0 || point.normal[1] != 0 || point.normal[2] != 0)) ++real_normals_;
     for (const float component : point.normal) geometry_.normals.push_back(good ? component : 0.0F);
   }
-  if (attributes_.colours) geometry_.colours.insert(geometry_.colours.end(), point.colour.begin(), point.colour.end());
+  if (attributes_.colours) add_colour(point.colour);
   if (attributes_.texture_coordinates)
     geometry_.texture_coordinates.insert(geometry_.texture_coordinates.end(), point.texture_coordinate.begin(),
                                          point.texture_coordinate.end());
+}
+
+// As long as nothing is above 1, or not clearly so, numbers are taken for fractions. What was taken so is 0 or 1 of 255 then.
+void PointBuilder::add_colour(const std::array<float, 4>& colour) {
+  constexpr float above_fractions = 2;
+  const auto is_above = [](float channel) { return channel > above_fractions; };
+  if (range_ == ColourRange::by_greatest && std::any_of(colour.begin(), colour.end(), is_above)) {
+    range_ = ColourRange::byte;
+    for (std::size_t i = 0; i < geometry_.colours.size(); ++i)
+      if (i % 4 < 3 || colour[3] != opaque) geometry_.colours[i] = geometry_.colours[i] < 128 ? 0 : 1;
+  }
+  const float scale = range_ == ColourRange::byte ? 1.0F : 255.0F;
+  for (const float channel : colour) {
+    const float scaled = channel > 0         ? std::min(channel * scale, 255.0F)
+                         : channel == opaque ? 255.0F
+                                             : 0.0F;  // 0 for NaN
+    geometry_.colours.push_back(static_cast<std::uint8_t>(std::lround(scaled)));
+  }
 }
 
 void PointBuilder::add_polygon(std::span<const std::int64_t> corners) {

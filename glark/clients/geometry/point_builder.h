@@ -20,17 +20,23 @@ struct Attributes {
   bool texture_coordinates = false;
 };
 
+// What a colour's numbers mean. Floats go from 0 to 1 in most files, and to 255 in some: the file's greatest tells.
+enum class ColourRange { byte, fraction, by_greatest };
+
+inline constexpr float opaque = -1;  // an alpha that the file does not have
+
 struct Point {
   std::array<double, 3> position{};
   std::array<float, 3> normal{};
-  std::array<std::uint8_t, 4> colour{0, 0, 0, 255};
+  std::array<float, 4> colour{0, 0, 0, opaque};
   std::array<float, 2> texture_coordinate{};
 };
 
 class PointBuilder {
  public:
   // `element`: what the format calls a point, for messages.
-  PointBuilder(std::string file, std::string element, Attributes attributes, const ReadOptions& options);
+  PointBuilder(std::string file, std::string element, Attributes attributes, const ReadOptions& options,
+               ColourRange range = ColourRange::byte);
 
   // Throws where the machine's memory is too small for them.
   void expect(std::uint64_t points, std::uint64_t triangles);
@@ -44,6 +50,7 @@ class PointBuilder {
 
  private:
   void choose_origin(const Point& point);
+  void add_colour(const std::array<float, 4>& colour);
   void check_triangles() const;
   void leave_out_invalid();
 
@@ -51,6 +58,7 @@ class PointBuilder {
   std::string element_;
   Attributes attributes_;
   ReadOptions options_;
+  ColourRange range_;
   Geometry geometry_;
   std::vector<std::string> warnings_;
   std::vector<std::uint32_t> invalid_;  // points with coordinates that are not finite

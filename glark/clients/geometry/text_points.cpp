@@ -95,9 +95,7 @@ class Columns {
     std::copy_n(row.values.begin(), 3, point.position.begin());
     for (std::size_t i = 0; i < 3; ++i) {
       if (normal_) point.normal[i] = static_cast<float>(row.values[*normal_ + i]);
-      if (colour_)
-        point.colour[i] = static_cast<std::uint8_t>(
-            std::lround(row.values[*colour_ + i] > 0 ? std::min(row.values[*colour_ + i], 255.0) : 0.0));
+      if (colour_) point.colour[i] = static_cast<float>(row.values[*colour_ + i]);
     }
     return point;
   }
@@ -122,11 +120,14 @@ bool any_negative(const std::vector<float>& values) {
 
 void make_colours_of_normals(Geometry& geometry) {
   const std::size_t points = geometry.point_count();
+  const bool are_fractions =
+      std::all_of(geometry.normals.begin(), geometry.normals.end(), [](float n) { return n <= 1; });
+  const float scale = are_fractions ? 255.0F : 1.0F;
   geometry.colours.assign(4 * points, 255);
   for (std::size_t i = 0; i < points; ++i)
     for (std::size_t k = 0; k < 3; ++k)
       geometry.colours[4 * i + k] =
-          static_cast<std::uint8_t>(std::lround(std::clamp(geometry.normals[3 * i + k], 0.0F, 255.0F)));
+          static_cast<std::uint8_t>(std::lround(std::clamp(scale * geometry.normals[3 * i + k], 0.0F, 255.0F)));
   geometry.normals = {};
 }
 
@@ -182,7 +183,7 @@ class Lines {
           "\" has commas between digits and other separators; write decimal points, or separate by commas only");
     if (first) {
       columns_.emplace(row, kind_, place());
-      builder_.emplace(input_.name(), "point", columns_->attributes(), options_);
+      builder_.emplace(input_.name(), "point", columns_->attributes(), options_, ColourRange::by_greatest);
       if (announced_) builder_->expect(*announced_, 0);
     }
     if (row.count != columns_->count())

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 constexpr float apart = 0.25F;  // of the way from a vertex that sheets share to the middle of the triangles of each
+constexpr float seen = 1.1F;    // around a vertex that settles, by the side of the finest cells
 
 // The transition node coarser than the grid that the cell lies in: its key with its level in the highest bits; 0 if there is none.
 std::uint64_t coarse_node_of(std::uint64_t cell, const TransitionLayer& layer) {
@@ -90,11 +91,13 @@ std::vector<Float4> triangle_normals(const BaseMesh& mesh) {
 
 // Moves the vertices to the samples.
 void settle(BaseMesh& mesh, const Octree& octree, const Workers& workers) {
-  const LocalSurface surface(octree);
   const float side = octree.finest().side();
+  const Float4 reach = Float4{1, 1, 1, 0} * (seen * side);
   mesh.normals = triangle_normals(mesh);
   workers.each(mesh.points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    LocalSurface surface(octree);
     for (std::size_t i = begin; i < end; ++i) {
+      surface.look_around(mesh.points[i] - reach, mesh.points[i] + reach);
       bool supported = false;
       for (const float radius : {1.0F, 0.7F}) {
         const LocalEstimate estimate = surface.near(mesh.points[i], mesh.normals[i], radius * side);
@@ -188,7 +191,8 @@ bool close_gaps(BaseMesh& mesh, std::uint32_t most_edges) {
 // What was one vertex of several sheets becomes one for each, a little towards its own neighbours.
 void cut_sheets(BaseMesh& mesh) {
   const std::size_t count = mesh.points.size();
-  const std::vector<std::uint32_t> copies = cut(mesh.triangles, mesh.points);
+  const std::vector<std::uint32_t> copies =
+      cut(mesh.triangles, mesh.points, irregular_vertices(mesh.triangles, mesh.points.size()));
   if (copies.size() == count) return;
   std::vector<bool> shared(copies.size());
   for (std::size_t i = count; i < copies.size(); ++i) {
@@ -257,7 +261,9 @@ BaseMesh base_mesh(const Contour& contour, const TransitionLayer& layer, const O
   const bool clustered = cluster(contour, layer, mesh.points, cluster_of);
   mesh.triangles = divide(contour.quads, mesh.points, cluster_of);
   if (clustered) {
-    mesh.triangles = without_repeats(spanning(mesh.triangles, cluster_of, workers), mesh.points.size());
+    std::vector<std::uint32_t> triangles = spanning(mesh.triangles, cluster_of, workers);
+    const std::vector<std::uint8_t> irregular = irregular_vertices(triangles, mesh.points.size());
+    mesh.triangles = without_repeats(std::move(triangles), irregular);
   } else {
     for (std::uint32_t& i : mesh.triangles) i = cluster_of[i];
   }

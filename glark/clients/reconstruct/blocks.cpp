@@ -37,60 +37,82 @@ void each_block(const Box& box, const Body& body) {
   }
 }
 
-// body(corner, offset from the plane's point in cells, square of the distance by the radius), within its ball.
+// Four corners along x, one in each lane.
+constexpr std::size_t fours = block_corners / 4;
+using Fours = std::array<Float4, fours>;
+Float4 all(float a) { return Float4{a, a, a, a}; }
+
+// body(four, their offsets from the plane's point in cells, squares of the distances), of rows that run through its ball.
 template <typename Body>
-void each_corner(const SupportPlane& plane, float cells, const CellIndex& place, const Body& body) {
+void each_four(const SupportPlane& plane, float cells, const CellIndex& place, const Body& body) {
   Box box = box_of(plane, cells);
   for (std::size_t i = 0; i < 3; ++i) {
     box.low[i] = std::max(box.low[i] - block_side * place[i], 0);
     box.high[i] = std::min(box.high[i] - block_side * place[i], block_side - 1);
   }
-  const Float4 point = without_fourth(plane.point) * cells;
+  constexpr Float4 steps{0, 1, 2, 3};
+  const auto offset = [&](std::int32_t i, int axis) {
+    return static_cast<float>(block_side * place[static_cast<std::size_t>(axis)] + i) - plane.point[axis] * cells;
+  };
   const float radius = plane.point[3] * cells;
-  const float scale = 1 / (radius * radius);
-  const Float4 low{static_cast<float>(block_side * place[0]), static_cast<float>(block_side * place[1]),
-                   static_cast<float>(block_side * place[2]), 0};
-  const Float4 start = low - point;
   for (std::int32_t z = box.low[2]; z <= box.high[2]; ++z) {
     for (std::int32_t y = box.low[1]; y <= box.high[1]; ++y) {
-      for (std::int32_t x = box.low[0]; x <= box.high[0]; ++x) {
-        const Float4 d = start + Float4{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), 0};
-        const float t = dot(d, d) * scale;
-        if (t < 1) body(corner_in_block(x, y, z), d, t);
+      const float dy = offset(y, 1), dz = offset(z, 2);
+      const float rest = dy * dy + dz * dz;
+      if (rest >= radius * radius) continue;
+      for (std::int32_t x = box.low[0] & ~3; x <= box.high[0]; x += 4) {
+        const Float4 d[3] = {offset(x, 0) + steps, all(dy), all(dz)};
+        body(corner_in_block(x, y, z) / 4, d, d[0] * d[0] + rest);
       }
     }
   }
 }
 
-void evaluate_block(const std::vector<SupportPlane>& planes, std::span<const std::uint32_t> mine, float cells,
-                    const CellIndex& place, BlockValues& values) {
-  std::array<float, block_corners> least;
-  std::array<std::uint32_t, block_corners> nearest;
-  std::array<float, block_corners> weights{};
-  least.fill(std::numeric_limits<float>::max());
-  for (const std::uint32_t i : mine) {
-    each_corner(planes[i], cells, place, [&](std::size_t corner, Float4, float t) {
-      const float square = t * planes[i].point[3] * planes[i].point[3];
-      if (square >= least[corner]) return;
-      least[corner] = square;
-      nearest[corner] = i;
-    });
-  }
-  values.fill(0);
+// Of each corner the normal of the plane whose point is nearest, of those that reach it.
+void find_nearest(const std::vector<SupportPlane>& planes, std::span<const std::uint32_t> mine, float cells,
+                  const CellIndex& place, std::array<Fours, 3>& normals) {
+  Fours least;
+  least.fill(all(std::numeric_limits<float>::max()));
   for (const std::uint32_t i : mine) {
     const SupportPlane& plane = planes[i];
-    const float band = std::max(least_band, 0.8F * plane.point[3] * cells);
-    each_corner(plane, cells, place, [&](std::size_t corner, Float4 d, float t) {
-      const float facing = dot(plane.normal, planes[nearest[corner]].normal);
-      const float height = dot(d, plane.normal);
-      if (facing <= 0 || std::abs(height) > band) return;
-      const float away = 1 + t * (2 * std::sqrt(t) - 3);  // Hermite's kernel
-      const float weight = away * facing * plane.normal[3];
-      weights[corner] += weight;
-      values[corner] += weight * height;
+    const float radius = plane.point[3] * cells;
+    each_four(plane, cells, place, [&](std::size_t four, const Float4(&)[3], Float4 square) {
+      const Int4 nearer = (square < least[four]) & (square < radius * radius);
+      least[four] = nearer ? square : least[four];
+      for (int k = 0; k < 3; ++k) {
+        Float4& normal = normals[static_cast<std::size_t>(k)][four];
+        normal = nearer ? all(plane.normal[k]) : normal;
+      }
     });
   }
-  for (std::size_t i = 0; i < block_corners; ++i) values[i] = weights[i] > 0 ? values[i] / weights[i] : no_value;
+}
+
+void evaluate_block(const std::vector<SupportPlane>& planes, std::span<const std::uint32_t> mine, float cells,
+                    const CellIndex& place, BlockValues& values) {
+  std::array<Fours, 3> nearest{};
+  find_nearest(planes, mine, cells, place, nearest);
+  Fours weights{}, heights{};
+  for (const std::uint32_t i : mine) {
+    const SupportPlane& plane = planes[i];
+    const float radius = plane.point[3] * cells, scale = 1 / (radius * radius);
+    const float band = std::max(least_band, 0.8F * radius);
+    const Float4 n[3] = {all(plane.normal[0]), all(plane.normal[1]), all(plane.normal[2])};
+    each_four(plane, cells, place, [&](std::size_t four, const Float4(&d)[3], Float4 square) {
+      const Float4 facing = n[0] * nearest[0][four] + n[1] * nearest[1][four] + n[2] * nearest[2][four];
+      const Float4 height = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
+      const Float4 t = square * scale;
+      const Int4 counts = (t < 1) & (facing > 0) & (height <= band) & (height >= -band);
+      const Float4 root{std::sqrt(t[0]), std::sqrt(t[1]), std::sqrt(t[2]), std::sqrt(t[3])};
+      const Float4 away = 1 + t * (2 * root - 3);  // Hermite's kernel
+      const Float4 weight = counts ? away * facing * plane.normal[3] : Float4{};
+      weights[four] += weight;
+      heights[four] += weight * height;
+    });
+  }
+  for (std::size_t i = 0; i < block_corners; ++i) {
+    const float weight = weights[i / 4][i % 4];
+    values[i] = weight > 0 ? heights[i / 4][i % 4] / weight : no_value;
+  }
 }
 
 }  // namespace

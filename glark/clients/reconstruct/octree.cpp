@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "glark/clients/reconstruct/near_samples.h"
 #include "glark/clients/vstree/cells.h"
 #include "glark/clients/vstree/moments.h"
 #include "glark/clients/vstree/samples.h"
@@ -16,7 +17,6 @@ namespace {
 constexpr unsigned key_bits = 3 * cell_levels;
 constexpr unsigned digit_bits = 12;
 constexpr std::size_t grain = 1 << 15;
-constexpr std::size_t cells_a_part = 1 << 10;
 constexpr unsigned coarser_levels = 2;
 constexpr std::size_t several = 8;  // samples
 constexpr std::size_t most_looked_at = 1 << 14;
@@ -26,21 +26,6 @@ struct Entry {
   std::uint64_t key;
   std::uint32_t index;
 };
-
-std::uint64_t spread(std::uint64_t x) {
-  x = (x | (x << 16)) & 0x0000FF0000FF;
-  x = (x | (x << 8)) & 0x00F00F00F00F;
-  x = (x | (x << 4)) & 0x0C30C30C30C3;
-  return (x | (x << 2)) & 0x249249249249;
-}
-
-std::int32_t gather(std::uint64_t x) {
-  x &= 0x249249249249;
-  x = (x | (x >> 2)) & 0x0C30C30C30C3;
-  x = (x | (x >> 4)) & 0x00F00F00F00F;
-  x = (x | (x >> 8)) & 0x0000FF0000FF;
-  return static_cast<std::int32_t>((x | (x >> 16)) & 0xFFFF);
-}
 
 bool has_normal(const float* normal) { return normal[0] != 0 || normal[1] != 0 || normal[2] != 0; }
 
@@ -154,13 +139,12 @@ Cube cube_with(const Cube& tight, double side, unsigned& level) {
   return cube;
 }
 
-Level level_of(const std::vector<std::uint64_t>& keys, std::vector<std::uint32_t> begins, unsigned level) {
+Level level_of(std::vector<std::uint64_t> keys, std::vector<std::uint32_t> begins, unsigned level) {
   Level result;
   result.level = level;
-  result.keys = keys;
+  result.keys = std::move(keys);
   result.begins = std::move(begins);
-  result.table = CellTable(keys.size());
-  for (std::uint32_t i = 0; i < keys.size(); ++i) result.table.insert(keys[i], i);
+  result.blocks = CellBlocks(result.keys, result.begins);
   return result;
 }
 
@@ -175,7 +159,7 @@ Level finest_level(const std::vector<Entry>& entries, unsigned level) {
     begins.push_back(i);
   }
   begins.push_back(static_cast<std::uint32_t>(entries.size()));
-  return level_of(keys, std::move(begins), level);
+  return level_of(std::move(keys), std::move(begins), level);
 }
 
 Level coarser(const Level& fine) {
@@ -187,34 +171,17 @@ Level coarser(const Level& fine) {
     begins.push_back(fine.begins[i]);
   }
   begins.push_back(fine.begins.back());
-  return level_of(keys, std::move(begins), fine.level - 1);
-}
-
-void find_neighbours(Level& level, const Workers& workers) {
-  const std::size_t count = level.keys.size();
-  std::vector<std::vector<NearCell>> parts((count + cells_a_part - 1) / cells_a_part);
-  level.around_begins.resize(count + 1);
-  workers.each(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t part = begin; part < end; ++part) {
-      for (std::size_t i = part * cells_a_part; i < std::min(count, (part + 1) * cells_a_part); ++i) {
-        const std::size_t before = parts[part].size();
-        level.add_around(cell_of_key(level.keys[i]), parts[part]);
-        level.around_begins[i + 1] = static_cast<std::uint32_t>(parts[part].size() - before);
-      }
-    }
-  });
-  for (std::size_t i = 1; i <= count; ++i) level.around_begins[i] += level.around_begins[i - 1];
-  level.around.reserve(level.around_begins[count]);
-  for (const auto& part : parts) level.around.insert(level.around.end(), part.begin(), part.end());
+  return level_of(std::move(keys), std::move(begins), fine.level - 1);
 }
 
 std::vector<Record> records_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries,
                                const Workers& workers) {
-  std::vector<Record> records(entries.size() + 3);
+  std::vector<Record> records(entries.size());
   workers.each(entries.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t index = entries[i].index;
       records[i].position = cube.inside(&points.positions[3 * index]);
+      if (!points.colours.empty()) records[i].position[3] = pack_colour(&points.colours[3 * index]);
       records[i].normal = unit_normal(&points.normals[3 * index]);
     }
   });
@@ -228,40 +195,6 @@ CellIndex cell_of(Float4 point, unsigned level) {
   const auto last = static_cast<std::int32_t>(1U << level) - 1;
   const auto of = [&](float x) { return std::clamp(static_cast<std::int32_t>(x), 0, last); };
   return {of(scaled[0]), of(scaled[1]), of(scaled[2])};
-}
-
-std::uint64_t key_of(const CellIndex& cell) {
-  return spread(static_cast<std::uint32_t>(cell[0])) | (spread(static_cast<std::uint32_t>(cell[1])) << 1) |
-         (spread(static_cast<std::uint32_t>(cell[2])) << 2);
-}
-
-CellIndex cell_of_key(std::uint64_t key) { return {gather(key), gather(key >> 1), gather(key >> 2)}; }
-
-std::uint32_t Level::find(const CellIndex& cell) const {
-  const auto end = static_cast<std::int32_t>(1U << level);
-  for (const std::int32_t i : cell) {
-    if (i < 0 || i >= end) return CellTable::absent;
-  }
-  return table.find(key_of(cell));
-}
-
-void Level::add_around(const CellIndex& cell, std::vector<NearCell>& cells) const {
-  const auto end = static_cast<std::int32_t>(1U << level);
-  std::array<std::array<std::uint64_t, 3>, 3> parts{};  // of keys, by axis; `outside` beyond the root
-  constexpr std::uint64_t outside = ~std::uint64_t{0};
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    for (std::int32_t i = 0; i < 3; ++i) {
-      const std::int32_t at = cell[axis] + i - 1;
-      parts[axis][static_cast<std::size_t>(i)] =
-          at < 0 || at >= end ? outside : spread(static_cast<std::uint32_t>(at)) << axis;
-    }
-  }
-  for (std::uint32_t which = 0; which < 27; ++which) {
-    const std::uint64_t x = parts[0][which % 3], y = parts[1][which / 3 % 3], z = parts[2][which / 9];
-    if (x == outside || y == outside || z == outside) continue;
-    const std::uint32_t number = table.find(x | y | z);
-    if (number != CellTable::absent) cells.push_back({begins[number], begins[number + 1], which});
-  }
 }
 
 Octree sort_samples(const PointSet& points, const ReconstructOptions& options, const Workers& workers) {
@@ -283,7 +216,7 @@ Octree sort_samples(const PointSet& points, const ReconstructOptions& options, c
   octree.levels.push_back(finest_level(entries, level));
   for (unsigned i = 0; i < coarser_levels && octree.levels.back().level > 0; ++i)
     octree.levels.push_back(coarser(octree.levels.back()));
-  for (Level& each : octree.levels) find_neighbours(each, workers);
+  octree.has_colours = !points.colours.empty();
   octree.records = records_of(points, octree.cube, entries, workers);
   return octree;
 }

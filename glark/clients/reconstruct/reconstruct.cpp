@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <glark/reconstruct.h>
 
+#include <algorithm>
+
 #include "glark/clients/reconstruct/refinement.h"
 #include "glark/clients/vstree/samples.h"
 
@@ -50,12 +52,18 @@ Reconstructed reconstruct(const PointSet& given, const ReconstructOptions& optio
   result.triangles = std::move(mesh.triangles);
   result.positions.resize(3 * mesh.points.size());
   result.normals.resize(3 * mesh.points.size());
+  result.colours.resize(3 * mesh.colours.size());
   workers.each(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Float4 point = octree.cube.low + mesh.points[i] * octree.cube.side;
       for (int k = 0; k < 3; ++k) {
         result.positions[3 * i + static_cast<std::size_t>(k)] = point[k];
         result.normals[3 * i + static_cast<std::size_t>(k)] = mesh.normals[i][k];
+      }
+      if (mesh.colours.empty()) continue;
+      for (int k = 0; k < 3; ++k) {
+        result.colours[3 * i + static_cast<std::size_t>(k)] =
+            static_cast<std::uint8_t>(std::clamp(mesh.colours[i][k] + 0.5F, 0.0F, 255.0F));
       }
     }
   });

@@ -12,9 +12,8 @@ namespace glark::vstree {
 struct RefinedMesh {
   std::vector<Float4> points;
   std::vector<Float4> normals;  // the fourth is 1 where samples were near
+  std::vector<Float4> colours;  // as LocalEstimate has them; none if the samples have none
   std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t>
-      opposite;  // [triangles * 3]: of the half-edge from that corner to the next; none at the border
   unsigned levels = 0;
 };
 

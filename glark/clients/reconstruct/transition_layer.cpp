@@ -48,7 +48,16 @@ class Layer {
  private:
   // Without samples around: what flies about near a scan.
   static bool is_alone(const Level& level, std::uint32_t number) {
-    return level.around_begins[number + 1] - level.around_begins[number] == 1;
+    const CellIndex cell = cell_of_key(level.keys[number]);
+    const std::int32_t last = (1 << level.level) - 1;
+    CellBox box;
+    for (unsigned i = 0; i < 3; ++i) {
+      box.low[i] = std::max(cell[i] - 1, 0);
+      box.high[i] = std::min(cell[i] + 1, last);
+    }
+    std::uint32_t records = 0;
+    level.blocks.each(box, [&](std::uint32_t begin, std::uint32_t end) { records += end - begin; });
+    return records == level.begins[number + 1] - level.begins[number];
   }
 
   // Of a square that the samples would fill.

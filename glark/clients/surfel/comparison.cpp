@@ -9,6 +9,11 @@
 namespace glark::surfel {
 namespace {
 
+bool is_before(const Corners& a, const Corners& b) {
+  const std::uint64_t one = std::uint64_t{a[0]} << 32 | a[1], other = std::uint64_t{b[0]} << 32 | b[1];
+  return one < other || (one == other && a[2] < b[2]);
+}
+
 // The same way round: where the surface bends too much for a plane, a triangle can be upside down on it.
 bool all_owners_have(const Layer& layer, std::uint32_t leaf, const Candidate& candidate, bool oriented) {
   return std::all_of(candidate.corners.begin(), candidate.corners.end(), [&](std::uint32_t corner) {
@@ -31,7 +36,7 @@ Corners sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 std::size_t find(const Layer& layer, std::uint32_t leaf, const Corners& corners) {
   const auto candidates = layer.candidates_of(leaf).first(layer.patches[leaf].shared);
   const auto found = std::lower_bound(candidates.begin(), candidates.end(), corners,
-                                      [](const Candidate& a, const Corners& b) { return a.corners < b; });
+                                      [](const Candidate& a, const Corners& b) { return is_before(a.corners, b); });
   if (found == candidates.end() || found->corners != corners) return not_found;
   return static_cast<std::size_t>(found - candidates.begin());
 }

@@ -54,6 +54,7 @@ void Delaunay::triangulate(std::span<const Point> points, std::size_t preferred)
   triangles_.clear();
   triangles_.push_back({{count_, count_ + 1, count_ + 2}, {none, none, none}});
   last_ = 0;
+  latest_.fill(none);
   const auto middle = static_cast<std::uint32_t>(std::min(preferred, points.size()));
   insert_some(0, middle);
   insert_some(middle, count_);
@@ -70,8 +71,7 @@ void Delaunay::insert_some(std::uint32_t begin, std::uint32_t end) {
 }
 
 // A walk over edges that have the point on their other side; it ends, in a Delaunay triangulation (de Floriani et al. 1991).
-std::uint32_t Delaunay::locate(Place point) const {
-  std::uint32_t at = last_;
+std::uint32_t Delaunay::locate(Place point, std::uint32_t at) const {
   std::uint32_t from = 3;  // the side by which it was entered
   for (;;) {
     const Triangle& triangle = triangles_[at];
@@ -91,7 +91,13 @@ std::uint32_t Delaunay::locate(Place point) const {
 
 void Delaunay::insert(std::uint32_t index) {
   const Place point = places_[index];
-  const std::uint32_t first = locate(point);
+  constexpr double cell = 2.0 * greatest / cells;
+  const auto cell_of = [](double x) {
+    return static_cast<std::uint32_t>(std::clamp((x + greatest) / cell, 0.0, cells - 1.0));
+  };
+  std::uint32_t& latest = latest_[cell_of(point.y) * cells + cell_of(point.x)];
+  const std::uint32_t first = locate(point, latest == none ? last_ : latest);
+  latest = first;
   const Triangle old = triangles_[first];
   std::array<bool, 3> on_edge;  // then the triangle with that edge has no area, and the edge is turned
   for (std::uint32_t i = 0; i < 3; ++i) {

@@ -53,7 +53,7 @@ class Delaunay {
   void flip(std::uint32_t triangle, std::uint32_t side);
 
  private:
-  std::uint32_t locate(Place point) const;
+  std::uint32_t locate(Place point, std::uint32_t at) const;
   void insert_some(std::uint32_t begin, std::uint32_t end);
   void insert(std::uint32_t index);
   void legalise(std::uint32_t triangle, bool forced);
@@ -65,6 +65,9 @@ class Delaunay {
   std::vector<std::uint32_t> pending_;
   std::uint32_t count_ = 0;
   std::uint32_t last_ = 0;
+  static constexpr std::uint32_t cells = 8;  // along either axis
+  std::array<std::uint32_t, cells * cells>
+      latest_{};  // triangles of points that were inserted there; `none` where there are none
 };
 
 }  // namespace glark::surfel

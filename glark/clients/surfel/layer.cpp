@@ -42,6 +42,11 @@ void fill_slots(std::span<const std::uint32_t> leaves, const Workers& workers, s
   workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
     make_run(leaves.subspan(begin, end - begin), pieces[begin / leaves_a_piece]);
   });
+  if (array.empty()) {
+    std::size_t all = 0;
+    for (const Piece<Item>& piece : pieces) all += piece.items.size();
+    array.reserve(all);
+  }
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     make_room(slot_of(leaves[i]), pieces[i / leaves_a_piece].counts[i % leaves_a_piece], array);
   }
@@ -63,20 +68,10 @@ std::uint64_t fingerprint(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return mixed ^ mixed >> 29;
 }
 
-// Whether a strip has just these triangles.
-bool draws(std::span<const std::uint32_t> strip, std::span<const StripTriangle> triangles, const Layer& layer) {
-  if (strip.size() < triangles.size() + 2) return strip.empty() && triangles.empty();
-  std::uint64_t sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
-    const std::uint32_t a = strip[i], b = strip[i + 1], c = strip[i + 2];
-    if (a == b || b == c || c == a) continue;
-    sum += i % 2 == 0 ? fingerprint(a, b, c) : fingerprint(b, a, c);
-    ++count;
-  }
-  if (count != triangles.size()) return false;
-  for (const auto& [a, b, c] : triangles) sum -= fingerprint(layer.name(a), layer.name(b), layer.name(c));
-  return sum == 0;
+std::uint64_t fingerprint(std::span<const StripTriangle> triangles) {
+  std::uint64_t sum = triangles.size();
+  for (const auto& [a, b, c] : triangles) sum += fingerprint(a, b, c);
+  return sum;
 }
 
 // Of a few points, the one nearest to their mean, whose number is kept; of many, those of either half.
@@ -130,29 +125,34 @@ void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, co
   });
 }
 
-void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers,
-                 std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
+void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                 const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
   std::vector<std::uint8_t> kept(leaves.size(), 0);
   fill_slots(
       leaves, workers, indices, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].strip; },
       [&](std::span<const std::uint32_t> run, Piece<std::uint32_t>& piece) {
         std::vector<StripTriangle> triangles;
-        Stripper stripper;
+        Stripper stripper(layer.positions, options.turn_edges);
         for (const std::uint32_t& leaf : run) {
           Patch& patch = layer.patches[leaf];
           decimate(layer, leaf, patch, triangles);
-          std::span<const std::uint32_t> strip = std::span(indices).subspan(patch.strip.first, patch.strip.count);
-          const bool same = draws(strip, triangles, layer);
-          if (!same || patch.moved) bound(layer, triangles, patch);
-          patch.moved = false;
-          kept[static_cast<std::size_t>(&leaf - leaves.data())] = same ? 1 : 0;
+          const std::span<const std::uint32_t> old = std::span(indices).subspan(patch.strip.first, patch.strip.count);
+          const std::uint64_t drawn = fingerprint(triangles);
+          const bool same = drawn == patch.drawn && (!patch.moved || patch.turned == 0);
+          patch.drawn = drawn;
+          const std::size_t begin = piece.items.size();
           if (same) {
-            piece.items.insert(piece.items.end(), strip.begin(), strip.end());
+            if (patch.moved) bound(layer, triangles, patch);
+            piece.items.insert(piece.items.end(), old.begin(), old.end());
           } else {
-            strip = stripper.strip(triangles);
-            for (const std::uint32_t point : strip) piece.items.push_back(layer.name(point));
+            for (const std::uint32_t point : stripper.strip(triangles)) piece.items.push_back(layer.name(point));
+            patch.turned = stripper.turned;
+            bound(layer, stripper.drawn(), patch);
           }
-          piece.counts.push_back(static_cast<std::uint32_t>(strip.size()));
+          patch.moved = false;
+          const auto made = std::span(std::as_const(piece.items)).subspan(begin);
+          kept[static_cast<std::size_t>(&leaf - leaves.data())] = same || std::ranges::equal(made, old) ? 1 : 0;
+          piece.counts.push_back(static_cast<std::uint32_t>(made.size()));
         }
       });
   for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -182,7 +182,7 @@ Layer build_layer(std::vector<Surfel> surfels, std::vector<std::uint32_t> names,
   agree_on_candidates(layer, leaves, options, workers);
   mend(layer, leaves, options, workers);
   std::vector<Range> changed;
-  make_strips(layer, leaves, workers, indices, changed);
+  make_strips(layer, leaves, options, workers, indices, changed);
   layer.nodes.resize(layer.tree.nodes.size());
   for (auto node = static_cast<std::uint32_t>(layer.nodes.size()); node-- > 0;) describe(layer, node, options);
   return layer;

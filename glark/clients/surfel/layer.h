@@ -28,9 +28,11 @@ struct Patch {
   std::uint32_t shared = 0;  // of the candidates, those that other leaves could have: they come first, ascending
   Slot strip;
   std::size_t outer = 0, redundant = 0, dual = 0, valid = 0, out_of_reach = 0;
+  std::uint64_t drawn = 0;             // a fingerprint of its triangles
+  std::size_t turned = 0;              // edges of these in the strip
   std::vector<MendedTriangle> mended;  // few leaves have any
   Box box;                             // of what is drawn
-  Vector cone_axis;
+  Vector cone_axis, cone_apex;
   float cone_cosine = -2;  // 2: nothing is drawn
   bool moved = true;       // since box and cone were found
 };
@@ -71,6 +73,7 @@ struct LayerOptions {
   float reach;
   float unit;     // the caller's, in that of the surfels
   bool oriented;  // points have normals
+  bool turn_edges;
 };
 
 // Takes the surfels over. The strips are appended to `indices`.
@@ -82,8 +85,8 @@ void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const 
                      const Workers& workers);
 void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
                          const Workers& workers);
-void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const Workers& workers,
-                 std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
+void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
+                 const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
 
 // The public node of a node, from its leaf or its children.
 void describe(Layer& layer, std::uint32_t node, const LayerOptions& options);

@@ -67,7 +67,7 @@ class Mover {
   void touch(std::uint32_t leaf, Vector place) {
     touched_.add(leaf);
     if (leaf >= places_.size()) places_.resize(leaf + 1);
-    places_[leaf].add(place);
+    places_[leaf].push_back(place);
   }
 
   // Those that take in points which moved, or did so.
@@ -79,20 +79,18 @@ class Mover {
         const float band = std::max(tree_.leaves[leaf].band, tree_.leaves[neighbour].band);
         const Box& box = tree_.nodes[tree_.leaves[neighbour].node].box;
         const bool is_new = leaf >= places_.size() || places_[leaf].empty();
-        if (is_new || squared_distance(box, places_[leaf]) <= band * band) leaves.add(neighbour);
+        const auto is_near = [&](Vector place) { return squared_distance(box, place) <= band * band; };
+        if (is_new || leaves.has(neighbour) || std::any_of(places_[leaf].begin(), places_[leaf].end(), is_near)) {
+          leaves.add(neighbour);
+        }
       }
     }
-  }
-
-  bool is_moved(std::uint32_t index) const {
-    const auto found = std::lower_bound(moved_.begin(), moved_.end(), index,
-                                        [](const Surfel& a, std::uint32_t b) { return a.index < b; });
-    return found != moved_.end() && found->index == index;
   }
 
   // A leaf of which all points move, about as far, goes with them; points of others leave theirs.
   void take_out() {
     std::vector<Box> boxes(touched_.list().size());
+    std::vector<std::uint8_t> is_moved(layer_.owner.size(), 0);
     std::vector<std::uint32_t> counts(boxes.size(), 0);
     number_of_.assign(tree_.leaves.size(), none);
     for (std::uint32_t k = 0; k < boxes.size(); ++k) number_of_[touched_.list()[k]] = k;
@@ -101,6 +99,7 @@ class Mover {
       const std::uint32_t k = number_of_[layer_.owner[surfel.index]];
       boxes[k].add(surfel.position);
       ++counts[k];
+      is_moved[surfel.index] = 1;
     }
     for (std::uint32_t k = 0; k < boxes.size(); ++k) {
       Leaf& leaf = tree_.leaves[touched_.list()[k]];
@@ -108,7 +107,7 @@ class Mover {
       stays_.push_back(counts[k] == leaf.surfels.count && length(boxes[k].extent()) <= stretch * before);
       Surfel* const first = tree_.surfels.data() + leaf.surfels.first;
       Surfel* const end = std::remove_if(first, first + leaf.surfels.count,
-                                         [&](const Surfel& surfel) { return is_moved(surfel.index); });
+                                         [&](const Surfel& surfel) { return is_moved[surfel.index] != 0; });
       leaf.surfels.count = static_cast<std::uint32_t>(end - first);
       if (!stays_.back()) {
         tree_.nodes[leaf.node].box = {};
@@ -174,7 +173,7 @@ class Mover {
   std::span<const Surfel> moved_;
   const LayerOptions& options_;
   Marked touched_;
-  std::vector<Box> places_;  // of leaves, where points have moved from and to
+  std::vector<std::vector<Vector>> places_;  // of leaves, where points have moved from and to
   std::vector<std::uint32_t> found_;
   std::vector<std::uint32_t> number_of_;                         // of leaves, among the first that were touched
   std::vector<bool> stays_;                                      // of these
@@ -216,7 +215,7 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
   }
   agree_on_candidates(layer, drawn.list(), options, workers);
   for (const std::uint32_t leaf : mend(layer, drawn.list(), options, workers)) drawn.add(leaf);
-  make_strips(layer, drawn.list(), workers, indices, changed);
+  make_strips(layer, drawn.list(), options, workers, indices, changed);
   layer.nodes.resize(layer.tree.nodes.size());
   Marked nodes;
   for (const std::uint32_t leaf : drawn.list()) {

@@ -133,6 +133,8 @@ bool Patcher::prefers_other_diagonal(std::uint32_t number, std::uint32_t side) c
 
 void Patcher::measure_angles(std::uint32_t number) {
   const auto [a, b, c] = delaunay_.triangles()[number].corners;
+  constexpr float none_better = 1e30F;
+  angles_[number].fill(none_better);  // edges of what reaches beyond all points stay
   if (std::max({a, b, c}) >= members_.size()) return;
   const Vector p = members_[a].position, q = members_[b].position, r = members_[c].position;
   const Vector pq = q - p, qr = r - q, rp = p - r;
@@ -140,24 +142,24 @@ void Patcher::measure_angles(std::uint32_t number) {
   angles_[number] = {dot(pq, rp) * scale, dot(qr, pq) * scale, dot(rp, qr) * scale};
 }
 
-bool Patcher::turn(std::uint32_t number, std::uint32_t side) {
+void Patcher::turn(std::uint32_t number, std::uint32_t side) {
   const Delaunay::Triangle& triangle = delaunay_.triangles()[number];
-  const std::uint32_t link = triangle.links[side];
-  if (link == Delaunay::none) return false;
-  const std::uint32_t other = Delaunay::triangle_of(link);
-  // Where Delaunay's criterion holds by far: there is no better diagonal.
-  constexpr float by_far = 0.7F;  // the sum of the cotangents of two angles of 70 degrees
-  if (!delaunay_.finite(delaunay_.triangles()[other])) return false;
-  if (angles_[number][side] + angles_[other][Delaunay::side_of(link)] >= by_far) return false;
+  const std::uint32_t other = Delaunay::triangle_of(triangle.links[side]);
   const std::uint32_t nearest = std::min({triangle.corners[0], triangle.corners[1], triangle.corners[2]});
-  if (nearest >= own_ && delaunay_.across(number, side) >= own_) return false;
-  if (!prefers_other_diagonal(number, side) || !delaunay_.can_flip(number, side)) return false;
+  if (nearest >= own_ && delaunay_.across(number, side) >= own_) return;
+  if (!prefers_other_diagonal(number, side) || !delaunay_.can_flip(number, side)) return;
   pending_.push_back(number);
   pending_.push_back(other);
   delaunay_.flip(number, side);
   measure_angles(number);
   measure_angles(other);
-  return true;
+}
+
+// Whether Delaunay's criterion does not hold by far; if it does, there is no better diagonal.
+bool Patcher::may_turn(std::uint32_t number, std::uint32_t link, std::uint32_t side) const {
+  constexpr float by_far = 0.7F;  // the sum of the cotangents of two angles of 70 degrees
+  return link != Delaunay::none &&
+         angles_[number][side] + angles_[Delaunay::triangle_of(link)][Delaunay::side_of(link)] < by_far;
 }
 
 // Delaunay's criterion once more, for the triangles in space: planes of neighbouring leaves differ, the points do not.
@@ -168,13 +170,16 @@ void Patcher::relax() {
   for (std::uint32_t number = 0; number < count; ++number) measure_angles(number);
   for (std::uint32_t number = 0; number < count; ++number) {
     for (std::uint32_t side = 0; side < 3; ++side) {
-      const Delaunay::Triangle& triangle = delaunay_.triangles()[number];
-      if (Delaunay::triangle_of(triangle.links[side]) > number && delaunay_.finite(triangle)) turn(number, side);
+      const std::uint32_t link = delaunay_.triangles()[number].links[side];
+      if (Delaunay::triangle_of(link) > number && may_turn(number, link, side)) turn(number, side);
     }
   }
   // Around those that were turned; in space edges could turn for ever.
   for (std::size_t next = 0; next < pending_.size() && pending_.size() < most_turned; ++next) {
-    for (std::uint32_t side = 0; side < 3; ++side) turn(pending_[next], side);
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const std::uint32_t number = pending_[next];
+      if (may_turn(number, delaunay_.triangles()[number].links[side], side)) turn(number, side);
+    }
   }
 }
 

@@ -60,7 +60,8 @@ class Patcher {
 
   void inflate(std::uint32_t leaf);
   void project(const Leaf& leaf);
-  bool turn(std::uint32_t triangle, std::uint32_t side);
+  bool may_turn(std::uint32_t triangle, std::uint32_t link, std::uint32_t side) const;
+  void turn(std::uint32_t triangle, std::uint32_t side);
   void measure_angles(std::uint32_t triangle);
   void relax();
   bool prefers_other_diagonal(std::uint32_t triangle, std::uint32_t side) const;

@@ -104,9 +104,8 @@ bool Camera::back_face(const Node& node) const {
   if (node.cone_sine >= 1) return false;
   const Vector axis = to_vector(node.cone_axis);
   if (parallel_) return -dot(eye_, axis) > node.cone_sine;
-  const Vector away = centre_of(node) - eye_;
-  // A ray to any point of the sphere makes less than a right angle with any normal of the cone.
-  return dot(away, axis) > node.cone_sine * length(away) + radius_of(node) * (1 + node.cone_sine);
+  const Vector away = to_vector(node.cone_apex) - eye_;
+  return dot(away, axis) > node.cone_sine * length(away);
 }
 
 float Camera::diameter(Vector centre, float radius) const {

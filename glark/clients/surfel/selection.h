@@ -20,7 +20,7 @@ class Camera {
 
   // Whether the box is outside of a plane of the frustum; planes that it is inside of leave the set.
   bool outside(const Node& node, unsigned& planes) const;
-  // Whether all triangles of the node's cone and sphere turn their back.
+  // Whether all triangles of the node turn their back.
   bool back_face(const Node& node) const;
   // Of a sphere, in pixels: an upper bound; infinite where it holds the eye.
   float diameter(Vector centre, float radius) const;

@@ -2,53 +2,56 @@
 // SPDX-License-Identifier: MIT
 //
 // Triangles of a patch as one triangle strip.
-// Based on: Boubekeur 2007, ch. 5.2.3. A greedy walk that turns where it has to (a vertex twice), tried from several triangles:
-// patches are small enough for that, and so small that what matters is the number of runs.
+// Based on: Boubekeur 2007, ch. 5.2.3. Runs of triangles, one after the other in the order that takes the fewest indices in between.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace glark::surfel {
+#include "glark/clients/surfel/runs.h"
+#include "glark/clients/surfel/turning.h"
 
-using StripTriangle = std::array<std::uint32_t, 3>;  // counter-clockwise
+namespace glark::surfel {
 
 // Makes strips, one after the other, in memory that it keeps.
 class Stripper {
  public:
-  // One strip that has all the triangles with their orientation, and others without area. Valid until the next one.
+  Stripper(std::span<const Vector> positions, bool turn_edges) : turn_edges_(turn_edges), turning_(positions) {}
+
+  // One strip that has all the triangles with their orientation, but for edges that have turned, and others without area. Valid
+  // until the next one.
   std::span<const std::uint32_t> strip(std::span<const StripTriangle> triangles);
 
+  std::size_t turned = 0;                                            // edges of the last strip
+  std::span<const StripTriangle> drawn() const { return ordered_; }  // its triangles
+
  private:
-  struct Start {
-    std::uint32_t triangle;
-    std::uint32_t first;  // corner
-    int patience;         // by how many more free neighbours the triangle ahead may have than the one that takes a turn
+  struct Run {
+    std::size_t first, count;  // in ordered_
+  };
+  // How a run begins: the first two points, and whether the first, second and third are clockwise.
+  struct Head {
+    std::uint32_t first, second;
+    bool clockwise, backwards;
+    std::uint32_t run;
   };
 
-  void find_neighbours();
-  void find_starts();
-  void cover(const Start& start);
-  bool step(int patience);
-  void begin_run();
-  void enter(std::uint32_t triangle);
-  void forget_uses();
-  std::uint32_t beyond(std::uint32_t corner_point) const;
+  void find_runs(std::span<const StripTriangle> triangles);
+  void add_heads(std::uint32_t number, bool backwards);
+  int indices_between(const Head& head) const;
+  void bridge(const Head& head);
+  void append(const Head& head);
 
-  std::span<const StripTriangle> triangles_;
-  std::vector<std::array<std::uint32_t, 3>> neighbours_;  // across the edge opposite to each corner
-  std::vector<std::uint32_t> table_;                      // of half-edges, by their ends
-  std::vector<Start> starts_;
-  std::vector<std::uint8_t> used_;
-  std::vector<std::uint8_t> free_;     // how many neighbours are not used
-  std::vector<std::uint32_t> unused_;  // triangles, some of which have been used since
+  bool turn_edges_;
+  Runs runs_;
+  Turning turning_;
+  std::vector<StripTriangle> ordered_;  // run by run
+  std::vector<Run> pieces_;
+  std::vector<Head> heads_;
+  std::vector<std::uint32_t> path_;
   std::vector<std::uint32_t> strip_;
-  std::vector<std::uint32_t> best_;
-  std::uint32_t at_ = 0;
-  std::size_t left_ = 0;
 };
 
 }  // namespace glark::surfel

@@ -96,15 +96,17 @@ class Gardener {
   // About there along the widest axis. Points of equal coordinates, and so those at one place, stay together.
   std::size_t split(std::size_t begin, std::size_t end, const Box& box, std::size_t middle) const {
     const std::size_t axis = box.widest_axis();
+    const auto coordinate = axis == 0 ? &Vector::x : axis == 1 ? &Vector::y : &Vector::z;
     const auto at = [&](std::size_t i) { return surfels_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [axis](const Surfel& a, const Surfel& b) {
-      return std::pair(a.position[axis], a.index) < std::pair(b.position[axis], b.index);
+    std::nth_element(at(begin), at(middle), at(end), [coordinate](const Surfel& a, const Surfel& b) {
+      const float x = a.position.*coordinate, y = b.position.*coordinate;
+      return x < y || (x == y && a.index < b.index);
     });
-    const float value = surfels_[middle].position[axis];
-    const auto below =
-        std::partition(at(begin), at(middle), [&](const Surfel& surfel) { return surfel.position[axis] < value; });
+    const float value = surfels_[middle].position.*coordinate;
+    const auto below = std::partition(at(begin), at(middle),
+                                      [&](const Surfel& surfel) { return surfel.position.*coordinate < value; });
     const auto above =
-        std::partition(at(middle), at(end), [&](const Surfel& surfel) { return surfel.position[axis] <= value; });
+        std::partition(at(middle), at(end), [&](const Surfel& surfel) { return surfel.position.*coordinate <= value; });
     const auto low = static_cast<std::size_t>(below - surfels_.begin());
     const auto high = static_cast<std::size_t>(above - surfels_.begin());
     return low > begin && (high == end || middle - low <= high - middle) ? low : high;

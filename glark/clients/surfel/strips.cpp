@@ -51,6 +51,7 @@ Strips::State::State(const Cloud& cloud, const Options& chosen)
       .reach = chosen.reach,
       .unit = unit_of(greatest_of(cloud.positions)),
       .oriented = !cloud.normals.empty(),
+      .turn_edges = chosen.turn_edges,
   };
   std::vector<Surfel> surfels(cloud.positions.size() / 3);
   constexpr std::size_t grain = 16384;
@@ -169,6 +170,7 @@ Counts Strips::counts(unsigned level) const {
     counts.dual += patch.dual;
     counts.valid += patch.valid;
     counts.out_of_reach += patch.out_of_reach;
+    counts.turned += patch.turned;
     counts.strips += patch.strip.count > 0 ? 1 : 0;
     counts.indices += patch.strip.count;
   }

@@ -7,6 +7,7 @@
 
 #include "glark/clients/vstree/construction.h"
 #include "glark/clients/vstree/prune.h"
+#include "glark/clients/vstree/quadtrees.h"
 #include "glark/clients/vstree/reindex.h"
 #include "glark/clients/vstree/shapes.h"
 
@@ -37,7 +38,7 @@ Clusters search(const Surface& surface, std::size_t target, const Workers& worke
       std::vector<std::uint32_t> triangles = spanning(surface.triangles, clusters.of, workers);
       size = triangles.size() / 3;
       near = static_cast<double>(size) < 1.2 * wanted && (static_cast<double>(size) > 0.97 * wanted || i > 2);
-      if (near) clusters.triangles = without_repeats(triangles, clusters.count);
+      if (near) clusters.set_triangles(std::move(triangles));
     }
     if (near) {
       size = size_of(surface, clusters);
@@ -51,11 +52,16 @@ Clusters search(const Surface& surface, std::size_t target, const Workers& worke
     const double factor = 0.998 * wanted / static_cast<double>(std::max<std::size_t>(size, 1));
     aim = static_cast<std::size_t>(static_cast<double>(aim) * std::clamp(factor, 0.25, 4.0));
   }
-  if (best.of.empty()) best = make(1);
+  while (best.of.empty()) {  // errors that are equal leave few numbers to choose from
+    aim = std::max<std::size_t>(aim / 2, 1);
+    Clusters clusters = make(aim);
+    clusters.set_triangles(spanning(surface.triangles, clusters.of, workers));
+    if (aim == 1 || size_of(surface, clusters) <= target) best = std::move(clusters);
+  }
   return best;
 }
 
-// Leaves that come from nodes whose error is small enough. They have no records yet.
+// Leaves that come from nodes whose error is small enough.
 Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> order, std::span<const float> errors,
                    float threshold) {
   Clusters clusters;
@@ -66,7 +72,6 @@ Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> o
     const bool is_leaf = node.is_leaf() || errors[i] <= threshold;
     if (is_leaf && !is_below[i]) {
       for (std::uint32_t k = node.begin; k < node.end; ++k) clusters.of[order[k]] = clusters.count;
-      clusters.runs.push_back({node.begin, node.end});
       ++clusters.count;
     }
     if (node.is_leaf() || !(is_leaf || is_below[i])) continue;
@@ -120,8 +125,7 @@ class WholeErrors {
 
   Shape combine(const Node& node, std::span<const Shape> children) {
     const Shape shape = sum_of(children);
-    const float extent = shape.radius * shape.radius * (shape.quadric.weight() + 1e-12F * shape.sum[3]);
-    float error = shape.quadric.error_at(shape.best_step()) + 1e-6F * extent;
+    float error = shape.error(1e-6F);
     for (std::size_t k = 0; k < children.size(); ++k) error = std::max(error, errors_[node.first_child + k]);
     errors_[static_cast<std::size_t>(&node - nodes_.data())] = error;
     return shape;
@@ -149,19 +153,22 @@ Clusters cluster_by_tree(const Surface& surface, const SimplifyOptions& options,
   }
   std::vector<std::uint32_t> order;
   Records sorted;
-  const Nodes tree = construct(surface.points, surface.cube, tree_options, order, workers, &sorted);
-  Clusters clusters;
-  if (options.target == 0) {
-    clusters = leaves_of(tree.nodes, order, std::vector<float>(tree.nodes.size()), -1);
-  } else {
-    const WholeErrors whole(tree.nodes, sorted.all(), workers);
-    const LeafCounts counts(tree.nodes, whole.errors());
-    clusters = search(surface, options.target, workers, [&](std::size_t aim) {
-      return leaves_of(tree.nodes, order, whole.errors(), counts.threshold_for(aim));
+  if (options.target != 0 && tree_options.surface) {
+    const Nodes layer = construct(surface.points, surface.cube, tree_options, order, workers, &sorted, true);
+    const Quadtrees quadtrees(layer, sorted.all(), static_cast<std::size_t>(tree_options.threshold), workers);
+    return search(surface, options.target, workers, [&](std::size_t aim) {
+      Clusters clusters;
+      clusters.count = quadtrees.cluster(aim, clusters.of);
+      return clusters;
     });
   }
-  clusters.sorted = std::move(sorted);
-  return clusters;
+  const Nodes tree = construct(surface.points, surface.cube, tree_options, order, workers, &sorted);
+  if (options.target == 0) return leaves_of(tree.nodes, order, std::vector<float>(tree.nodes.size()), -1);
+  const WholeErrors whole(tree.nodes, sorted.all(), workers);
+  const LeafCounts counts = LeafCounts::of(tree.nodes, whole.errors());
+  return search(surface, options.target, workers, [&](std::size_t aim) {
+    return leaves_of(tree.nodes, order, whole.errors(), counts.threshold_for(aim));
+  });
 }
 
 Clusters cluster_by_grid(const Surface& surface, std::uint32_t cells) {
@@ -182,28 +189,13 @@ Clusters cluster_by_grid(const Surface& surface, std::uint32_t cells) {
   return clusters;
 }
 
-// From the cluster of each sample the samples of each cluster.
-void sort_samples(const Surface& surface, Clusters& clusters) {
-  clusters.runs.assign(clusters.count, {0, 0});
-  for (const std::uint32_t cluster : clusters.of) ++clusters.runs[cluster].end;
-  std::uint32_t begin = 0;
-  for (Clusters::Run& run : clusters.runs) {
-    const std::uint32_t size = run.end;
-    run = {begin, begin};
-    begin += size;
-  }
-  clusters.sorted = Records(clusters.of.size());
-  for (std::uint32_t i = 0; i < clusters.of.size(); ++i)
-    clusters.sorted.all()[clusters.runs[clusters.of[i]].end++] = surface.record(i);
-}
-
 // With the most cells that keep the target.
 Clusters finest_grid(const Surface& surface, std::size_t target, const Workers& workers) {
   Clusters best = cluster_by_grid(surface, 1);
   std::uint32_t cells = 1, too_many = 2;
   const auto try_cells = [&](std::uint32_t count) {
     Clusters clusters = cluster_by_grid(surface, count);
-    clusters.triangles = without_repeats(spanning(surface.triangles, clusters.of, workers), clusters.count);
+    clusters.set_triangles(spanning(surface.triangles, clusters.of, workers));
     if (size_of(surface, clusters) > target) return false;
     best = std::move(clusters);
     return true;
@@ -221,16 +213,19 @@ Clusters finest_grid(const Surface& surface, std::size_t target, const Workers& 
 
 }  // namespace
 
+void Clusters::set_triangles(std::vector<std::uint32_t> spanning) {
+  irregular = irregular_vertices(spanning, count);
+  triangles = without_repeats(std::move(spanning), irregular);
+}
+
 Clusters cluster(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
   if (surface.size() == 0) return {};
   if (options.clustering != Clustering::grid) return cluster_by_tree(surface, options, workers);
   const double side = 1 / (double{options.threshold} * surface.cube.diagonal);  // of infinitely many the most
-  Clusters clusters =
-      options.target != 0
-          ? finest_grid(surface, options.target, workers)
-          : cluster_by_grid(surface, static_cast<std::uint32_t>(std::clamp(std::ceil(side), 1.0, double{most_cells})));
-  sort_samples(surface, clusters);
-  return clusters;
+  return options.target != 0
+             ? finest_grid(surface, options.target, workers)
+             : cluster_by_grid(surface,
+                               static_cast<std::uint32_t>(std::clamp(std::ceil(side), 1.0, double{most_cells})));
 }
 
 }  // namespace glark::vstree

@@ -20,22 +20,15 @@ struct Surface {
 
   std::size_t size() const { return points.positions.size() / 3; }
   Float4 point(std::size_t i) const { return cube.inside(&points.positions[3 * i]); }  // in the unit cube
-  Record record(std::uint32_t i) const { return record_of(points, cube, i); }
 };
 
 struct Clusters {
   std::uint32_t count = 0;
-  std::vector<std::uint32_t> of;  // [points]
-  Records sorted;                 // [points], so that those of a cluster are neighbours
-  struct Run {
-    std::uint32_t begin, end;
-  };
-  std::vector<Run> runs;                 // [count], in `sorted`
-  std::vector<std::uint32_t> triangles;  // over clusters; empty: not known yet
+  std::vector<std::uint32_t> of;         // [points]
+  std::vector<std::uint32_t> triangles;  // over clusters, each once; empty: not known yet
+  std::vector<std::uint8_t> irregular;   // [count] as of irregular_vertices(), of these triangles and their repeats
 
-  std::span<const Record> samples(std::size_t cluster) const {
-    return sorted.all().subspan(runs[cluster].begin, runs[cluster].end - runs[cluster].begin);
-  }
+  void set_triangles(std::vector<std::uint32_t> spanning);
 };
 
 Clusters cluster(const Surface& surface, const SimplifyOptions& options, const Workers& workers);

@@ -50,13 +50,14 @@ struct Task {
 class Construction {
  public:
   Construction(const PointSet& points, const Cube& cube, const Options& options, std::vector<std::uint32_t>& order,
-               const Workers& workers, bool keeps_records)
+               const Workers& workers, bool keeps_records, bool ends_at_layer)
       : points_(points),
         cube_(cube),
         options_(options),
         order_(order),
         workers_(workers),
         keeps_records_(keeps_records),
+        ends_at_layer_(ends_at_layer),
         buffers_{Records(points.positions.size() / 3), Records(points.positions.size() / 3)} {
     order.resize(points.positions.size() / 3);
   }
@@ -85,6 +86,7 @@ class Construction {
   std::vector<std::uint32_t>& order_;
   const Workers& workers_;
   const bool keeps_records_;
+  const bool ends_at_layer_;
   Records buffers_[2];
   tbb::enumerable_thread_specific<Records> rooms_;  // for tasks of one thread, small enough for its cache
 };
@@ -150,7 +152,7 @@ class Emission {
     const Options& options = owner_.options_;
     node.error = owner_.error_of(moments, records);
     const unsigned depth = sorted_.depth + level;
-    if (kind_ == Kind::volume && options.surface &&
+    if (kind_ == Kind::volume && options.surface && !(owner_.ends_at_layer_ && node.error <= options.threshold) &&
         is_height_field(records, *moments, options.delta_a, options.delta_d)) {
       Task task = task_of(slot, depth);
       task.enters_surface = true;
@@ -280,7 +282,7 @@ void Construction::enter_surface(Nodes& out, Task& task) {
 void Construction::carry_out(Nodes& out, Task& task) {
   if (task.enters_surface) enter_surface(out, task);
   const Node& node = out.nodes[task.slot];
-  if (task.enters_surface && is_leaf(node, task.records)) {
+  if (task.enters_surface && (ends_at_layer_ || is_leaf(node, task.records))) {
     close(node.begin, task.records);
     return;
   }
@@ -435,8 +437,8 @@ Nodes Construction::run() {
 }  // namespace
 
 Nodes construct(const PointSet& points, const Cube& cube, const Options& options, std::vector<std::uint32_t>& order,
-                const Workers& workers, Records* sorted) {
-  Construction construction(points, cube, options, order, workers, sorted != nullptr);
+                const Workers& workers, Records* sorted, bool ends_at_layer) {
+  Construction construction(points, cube, options, order, workers, sorted != nullptr, ends_at_layer);
   Nodes nodes = construction.run();
   if (sorted != nullptr) *sorted = construction.sorted();
   return nodes;

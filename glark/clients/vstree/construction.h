@@ -20,7 +20,8 @@ struct Nodes {
 };
 
 // The tree of points that are checked and have normals; `order` gets the samples in the tree's order, `sorted` if given their records.
+// ends_at_layer: transition nodes are leaves, and what is a leaf by the metric is none.
 Nodes construct(const PointSet& points, const Cube& cube, const Options& options, std::vector<std::uint32_t>& order,
-                const Workers& workers, Records* sorted = nullptr);
+                const Workers& workers, Records* sorted = nullptr, bool ends_at_layer = false);
 
 }  // namespace glark::vstree

@@ -43,20 +43,24 @@ LocalFrame frame_of(std::span<const Record> records, const Moments& moments) {
   const Float4 u = main_direction(records, normal);
   const Float4 v = cross(normal, u);
   for (int i = 0; i < 3; ++i) frame.columns[i] = Float4{u[i], v[i], normal[i], 0};
-  Float4 low{1e30F, 1e30F, 1e30F, 0};
-  Float4 high = -low;
+  frame.fit(records);
+  return frame;
+}
+
+void LocalFrame::fit(std::span<const Record> records) {
+  Float4 least_corner{1e30F, 1e30F, 1e30F, 0};
+  Float4 greatest_corner = -least_corner;
   for (const Record& record : records) {
-    const Float4 inside = frame.inside(record.point());
-    low = least(low, inside);
-    high = greatest(high, inside);
+    const Float4 position = inside(record.point());
+    least_corner = least(least_corner, position);
+    greatest_corner = greatest(greatest_corner, position);
   }
   constexpr float cells = 1U << quadtree_levels;
   for (int i = 0; i < 2; ++i) {
-    frame.low[i] = low[i];
-    frame.size[i] = high[i] - low[i];
-    frame.scale[i] = frame.size[i] > 1e-30F ? cells / frame.size[i] : 0;
+    low[i] = least_corner[i];
+    size[i] = greatest_corner[i] - least_corner[i];
+    scale[i] = size[i] > 1e-30F ? cells / size[i] : 0;
   }
-  return frame;
 }
 
 Frame LocalFrame::in_space(const Cube& cube, std::uint32_t node) const {

@@ -33,6 +33,8 @@ struct LocalFrame {
     return {static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(cell[1])};
   }
 
+  // Makes the rectangle as small as it can be for the records.
+  void fit(std::span<const Record> records);
   Frame in_space(const Cube& cube, std::uint32_t node) const;
 };
 

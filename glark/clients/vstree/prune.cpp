@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace glark::vstree {
 namespace {
@@ -27,13 +28,17 @@ std::vector<float> monotone_errors(std::span<const Node> nodes) {
   return errors;
 }
 
-LeafCounts::LeafCounts(std::span<const Node> nodes, std::span<const float> errors) : more_leaves_(classes) {
-  divisions_.reserve(nodes.size() / 2);
+LeafCounts::LeafCounts(std::vector<Division> divisions) : divisions_(std::move(divisions)), more_leaves_(classes) {
+  for (const Division& division : divisions_) more_leaves_[class_of(division.error)] += division.leaves;
+}
+
+LeafCounts LeafCounts::of(std::span<const Node> nodes, std::span<const float> errors) {
+  std::vector<Division> divisions;
+  divisions.reserve(nodes.size() / 2);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].is_leaf()) continue;
-    divisions_.push_back({errors[i], nodes[i].child_count() - 1});
-    more_leaves_[class_of(errors[i])] += divisions_.back().leaves;
+    if (!nodes[i].is_leaf()) divisions.push_back({errors[i], nodes[i].child_count() - 1});
   }
+  return LeafCounts(std::move(divisions));
 }
 
 float LeafCounts::threshold_for(std::size_t leaves) const {

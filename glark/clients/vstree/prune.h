@@ -15,15 +15,16 @@ std::vector<float> monotone_errors(std::span<const Node> nodes);
 // How many leaves are left when the nodes with no greater error than a threshold become leaves.
 class LeafCounts {
  public:
-  LeafCounts(std::span<const Node> nodes, std::span<const float> errors);
-  // The least threshold that leaves no more than so many, but one.
-  float threshold_for(std::size_t leaves) const;
-
- private:
   struct Division {
     float error;
     std::uint32_t leaves;  // how many more there are by this one
   };
+  explicit LeafCounts(std::vector<Division> divisions);
+  static LeafCounts of(std::span<const Node> nodes, std::span<const float> errors);
+  // The least threshold that leaves no more than so many, but one.
+  float threshold_for(std::size_t leaves) const;
+
+ private:
   std::vector<Division> divisions_;
   std::vector<std::uint32_t> more_leaves_;  // by all divisions of a class of errors, the least errors first
 };

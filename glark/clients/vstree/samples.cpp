@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/vstree/samples.h"
 
+#include <cstring>
 #include <limits>
 #include <mutex>
 
@@ -28,14 +29,27 @@ void check_size(std::size_t points, std::size_t size, std::size_t each, const ch
                   " points; give " + std::to_string(each) + " a point, or none");
 }
 
+bool all_within(std::span<const float> numbers, float limit) {
+  Int4 sound[4] = {~Int4{}, ~Int4{}, ~Int4{}, ~Int4{}};
+  const Float4 low = Float4{} - limit, high = Float4{} + limit;
+  std::size_t i = 0;
+  for (; i + 16 <= numbers.size(); i += 16) {
+    Float4 some[4];
+    std::memcpy(some, &numbers[i], sizeof(some));
+    for (int k = 0; k < 4; ++k) sound[k] &= (some[k] >= low) & (some[k] <= high);
+  }
+  const Int4 all = sound[0] & sound[1] & sound[2] & sound[3];
+  bool result = (all[0] & all[1] & all[2] & all[3]) != 0;
+  for (; i < numbers.size(); ++i) result &= std::abs(numbers[i]) <= limit;
+  return result;
+}
+
 // The first element of `numbers` beyond the limit; `numbers.size()` if there is none. A NaN compares false.
 std::size_t first_beyond(std::span<const float> numbers, float limit, const Workers& workers) {
   std::size_t first = numbers.size();
   std::mutex mutex;
   workers.each(numbers.size(), 4 * grain, [&](std::size_t begin, std::size_t end) {
-    bool sound = true;
-    for (std::size_t i = begin; i < end; ++i) sound &= std::abs(numbers[i]) <= limit;
-    if (sound) return;
+    if (all_within(numbers.subspan(begin, end - begin), limit)) return;
     while (std::abs(numbers[begin]) <= limit) ++begin;
     const std::lock_guard lock(mutex);
     first = std::min(first, begin);

@@ -15,6 +15,10 @@ struct Shape {
   Quadric quadric;
 
   Float4 centroid() const { return without_fourth(sum / sum[3]); }
+  // Of the best point: the sum of the squared distances from the planes, and so much of the extent.
+  float error(float share) const {
+    return quadric.error_at(best_step()) + share * radius * radius * (quadric.weight() + 1e-12F * sum[3]);
+  }
   // From the centroid to the best point. Planes that are nearly one, or those of a cone, meet far away. But the error only falls on the
   // way there: it ends within the cluster.
   Float4 best_step() const {
@@ -30,9 +34,15 @@ Shape shape_of(std::span<const Record> records);
 // Of all of some shapes.
 Shape sum_of(std::span<const Shape> shapes);
 
-// Where the points are that stand for the clusters, in the unit cube. By quadrics: nearest to the planes of a cluster's triangles,
-// weighed by area, each at the clusters of its corners; or, without triangles, to the tangent planes of the samples.
-std::vector<Float4> representatives(const Surface& surface, const Clusters& clusters, Representative how,
-                                    const Workers& workers);
+// Of each cluster.
+struct Representatives {
+  std::vector<Float4> points;   // in the unit cube
+  std::vector<Float4> normals;  // the sums of the samples' unit normals
+};
+
+// By quadrics: nearest to the planes of a cluster's triangles, weighed by area, each at the clusters of its corners; or, without
+// triangles, to the tangent planes of the samples.
+Representatives representatives(const Surface& surface, const Clusters& clusters, Representative how,
+                                const Workers& workers);
 
 }  // namespace glark::vstree

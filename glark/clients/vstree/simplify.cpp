@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "glark/clients/vstree/clusters.h"
 #include "glark/clients/vstree/reindex.h"
@@ -24,41 +26,44 @@ std::vector<float> vertex_normals(const Surface& surface) {
   return normals;
 }
 
-// Of each cluster: the mean normal, and what else the samples have.
-void write_attributes(const Surface& surface, const Clusters& clusters, std::span<const Float4> points,
-                      std::span<const std::uint32_t> cluster_of, const Workers& workers, Simplified& result) {
+// Of the samples of each vertex of the result: the mean normal, and what else they have.
+void write_attributes(const Surface& surface, const Clusters& clusters, const Representatives& representatives,
+                      std::span<const std::uint32_t> cluster_of, Simplified& result) {
   const PointSet& from = surface.points;
-  result.normals.resize(3 * cluster_of.size());
-  result.colours.resize(from.colours.empty() ? 0 : 3 * cluster_of.size());
-  result.texcoords.resize(from.texcoords.empty() ? 0 : 2 * cluster_of.size());
-  workers.each(cluster_of.size(), 1 << 10, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::span<const Record> samples = clusters.samples(cluster_of[i]);
-      Float4 normal{}, colour{};
-      for (const Record& sample : samples) normal += sample.normal;
-      normal = unit(normal);
-      for (std::size_t k = 0; k < 3; ++k) result.normals[3 * i + k] = normal[k];
-      if (!from.colours.empty()) {
-        for (const Record& sample : samples) {
-          const std::uint8_t* const mine = &from.colours[3 * std::size_t{sample.index()}];
-          colour += Float4{static_cast<float>(mine[0]), static_cast<float>(mine[1]), static_cast<float>(mine[2]), 1};
-        }
-        for (std::size_t k = 0; k < 3; ++k)
-          result.colours[3 * i + k] = static_cast<std::uint8_t>(colour[k] / colour[3] + 0.5F);
-      }
-      if (!from.texcoords.empty()) {
-        const auto rank = [&](const Record& sample) {
-          const Float4 apart = sample.point() - points[cluster_of[i]];
-          return std::pair(dot(apart, apart), sample.index());
-        };
-        const std::size_t nearest =
-            std::min_element(samples.begin(), samples.end(), [&](const Record& a, const Record& b) {
-              return rank(a) < rank(b);
-            })->index();
-        for (std::size_t k = 0; k < 2; ++k) result.texcoords[2 * i + k] = from.texcoords[2 * nearest + k];
-      }
+  result.normals.reserve(3 * cluster_of.size());
+  for (const std::uint32_t cluster : cluster_of) {
+    const Float4 normal = unit(representatives.normals[cluster]);
+    result.normals.insert(result.normals.end(), {normal[0], normal[1], normal[2]});
+  }
+  if (!from.colours.empty()) {
+    std::vector<std::array<std::uint64_t, 4>> sums(clusters.count);
+    for (std::size_t i = 0; i < clusters.of.size(); ++i) {
+      std::array<std::uint64_t, 4>& sum = sums[clusters.of[i]];
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += from.colours[3 * i + k];
+      ++sum[3];
     }
-  });
+    for (const std::uint32_t cluster : cluster_of) {
+      const std::array<std::uint64_t, 4>& sum = sums[cluster];
+      for (std::size_t k = 0; k < 3; ++k)
+        result.colours.push_back(static_cast<std::uint8_t>((2 * sum[k] + sum[3]) / (2 * sum[3])));
+    }
+  }
+  if (!from.texcoords.empty()) {
+    struct Nearest {
+      float square = std::numeric_limits<float>::infinity();
+      std::uint32_t sample = 0;
+    };
+    std::vector<Nearest> nearest(clusters.count);
+    for (std::uint32_t i = 0; i < clusters.of.size(); ++i) {
+      const Float4 apart = surface.point(i) - representatives.points[clusters.of[i]];
+      Nearest& best = nearest[clusters.of[i]];
+      if (dot(apart, apart) < best.square) best = {dot(apart, apart), i};
+    }
+    for (const std::uint32_t cluster : cluster_of) {
+      const float* const texcoord = &from.texcoords[2 * std::size_t{nearest[cluster].sample}];
+      result.texcoords.insert(result.texcoords.end(), {texcoord[0], texcoord[1]});
+    }
+  }
 }
 
 // Leaves out what no triangle uses. Returns of each vertex that stays which one it was.
@@ -89,16 +94,15 @@ Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
     surface.points.normals = normals;
   }
   Clusters clusters = cluster(surface, options, workers);
-  const std::vector<Float4> points = representatives(surface, clusters, options.representative, workers);
+  const Representatives stand = representatives(surface, clusters, options.representative, workers);
 
   Simplified result;
   std::vector<std::uint32_t> cluster_of(clusters.count);  // of each vertex of the result
   for (std::uint32_t i = 0; i < clusters.count; ++i) cluster_of[i] = i;
   if (!mesh.triangles.empty()) {
-    result.triangles = clusters.triangles.empty()
-                           ? without_repeats(spanning(mesh.triangles, clusters.of, workers), clusters.count)
-                           : std::move(clusters.triangles);
-    if (options.cut) cluster_of = cut(result.triangles, points);
+    if (clusters.triangles.empty()) clusters.set_triangles(spanning(mesh.triangles, clusters.of, workers));
+    result.triangles = std::move(clusters.triangles);
+    if (options.cut) cluster_of = cut(result.triangles, stand.points, clusters.irregular);
     const std::vector<std::uint32_t> kept = compact(result.triangles, cluster_of.size());
     std::vector<std::uint32_t> compacted(kept.size());
     for (std::size_t i = 0; i < kept.size(); ++i) compacted[i] = cluster_of[kept[i]];
@@ -110,10 +114,10 @@ Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
   for (const std::uint32_t cluster : clusters.of) result.representatives.push_back(vertex_of[cluster]);
   result.positions.reserve(3 * cluster_of.size());
   for (const std::uint32_t cluster : cluster_of) {
-    const Float4 point = surface.cube.low + points[cluster] * surface.cube.side;
+    const Float4 point = surface.cube.low + stand.points[cluster] * surface.cube.side;
     result.positions.insert(result.positions.end(), {point[0], point[1], point[2]});
   }
-  write_attributes(surface, clusters, points, cluster_of, workers, result);
+  write_attributes(surface, clusters, stand, cluster_of, result);
   return result;
 }
 

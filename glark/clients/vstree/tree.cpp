@@ -44,7 +44,7 @@ Tree::State::State(PointSet points, const Options& options) {
   tree = construct(points, cube, options.most_leaves == 0 ? options : finely(options, count), order, workers);
   if (options.most_leaves != 0) {
     const std::vector<float> errors = monotone_errors(tree.nodes);
-    prune(tree, errors, LeafCounts(tree.nodes, errors).threshold_for(options.most_leaves));
+    prune(tree, errors, LeafCounts::of(tree.nodes, errors).threshold_for(options.most_leaves));
   }
   tree.nodes.shrink_to_fit();
   for (std::size_t i = 0; i < tree.frames.size(); ++i)

@@ -23,6 +23,10 @@ void describe_output(CLI::App& command, Files& files) {
   command.add_flag("--text", files.text, "Write PLY as text");
 }
 
+void describe_threads(CLI::App& command, unsigned& threads) {
+  command.add_option("--threads", threads, "At most; as many as the machine has if not given. The result is the same");
+}
+
 void check_output(const Files& files) { geometry::check_writable(files.output); }
 
 geometry::Geometry load(const std::string& file, const Files& files) {

@@ -22,6 +22,7 @@ struct Files {
 
 void describe_input(CLI::App& command, Files& files);
 void describe_output(CLI::App& command, Files& files);
+void describe_threads(CLI::App& command, unsigned& threads);
 
 // Throws where the output cannot be written: before the work.
 void check_output(const Files& files);

@@ -9,6 +9,7 @@
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"
+#include "glark/tool/scan/rgb.h"
 
 namespace glark::tool {
 namespace {
@@ -22,6 +23,7 @@ struct Reconstruct {
 void reconstruct(const Reconstruct& command) {
   check_output(command.files);
   geometry::Geometry points = load(command.files.input, command.files);
+  warn_of_alpha(points.colours, command.files.input);
   geometry::Geometry mesh;
   vstree::Reconstructed result;
   double normals_seconds = 0;
@@ -36,17 +38,19 @@ void reconstruct(const Reconstruct& command) {
   {
     Progress progress("reconstructing");
     progress.show(-1);
-    result = vstree::reconstruct({.positions = points.positions, .normals = points.normals}, command.options);
+    const std::vector<std::uint8_t> colours = rgb_of(points.colours);
+    result = vstree::reconstruct({.positions = points.positions, .normals = points.normals, .colours = colours},
+                                 command.options);
     seconds = progress.seconds();
   }
   if (result.triangles.empty())
     warn(command.files.input +
          ": its points are on no surface; the mesh is empty. A point far away from all others makes the box too large: "
          "take it out");
-  if (!points.colours.empty()) warn(command.files.input + ": the mesh has normals, its colours are dropped");
   mesh.origin = points.origin;
   mesh.positions = std::move(result.positions);
   mesh.normals = std::move(result.normals);
+  mesh.colours = rgba_of(result.colours);
   mesh.triangles = std::move(result.triangles);
   store(mesh, command.files);
   Report report;
@@ -101,7 +105,7 @@ void add_reconstruct(CLI::App& app) {
       ->add_option("--gap-edges", options.gap_edges,
                    "Close holes with so many edges of the coarse mesh around, 0 to 1000; 16 if not given")
       ->check(CLI::Range(0, 1000));
-  command->add_option("--threads", options.threads, "At most; as many as the machine has if not given");
+  describe_threads(*command, options.threads);
   command->callback([reconstruction] { reconstruct(*reconstruction); });
 }
 

@@ -5,7 +5,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
+
+#include "glark/tool/scan/console.h"
 
 namespace glark::tool {
 
@@ -16,6 +19,14 @@ inline std::vector<std::uint8_t> rgb_of(const std::vector<std::uint8_t>& rgba) {
     rgb.insert(rgb.end(), rgba.begin() + static_cast<std::ptrdiff_t>(i),
                rgba.begin() + static_cast<std::ptrdiff_t>(i) + 3);
   return rgb;
+}
+
+inline void warn_of_alpha(const std::vector<std::uint8_t>& rgba, const std::string& file) {
+  for (std::size_t i = 3; i < rgba.size(); i += 4) {
+    if (rgba[i] == 255) continue;
+    warn(file + ": point " + std::to_string(i / 4) + " is not opaque; the result has no alpha");
+    return;
+  }
 }
 
 inline std::vector<std::uint8_t> rgba_of(const std::vector<std::uint8_t>& rgb) {

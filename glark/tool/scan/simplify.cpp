@@ -56,11 +56,7 @@ void warn_of_losses(const geometry::Geometry& geometry, const std::string& file)
          " of its points; the result has those of one side there, so that triangles along a seam show a wrong part of "
          "the texture: take it off, or bake it into colours first");
   }
-  for (std::size_t i = 3; i < geometry.colours.size(); i += 4) {
-    if (geometry.colours[i] == 255) continue;
-    warn(file + ": point " + std::to_string(i / 4) + " is not opaque; the result has no alpha");
-    return;
-  }
+  warn_of_alpha(geometry.colours, file);
 }
 
 void simplify(const Simplify& command) {
@@ -128,6 +124,7 @@ void add_simplify(CLI::App& app) {
                    "Where the point of a cluster lies: qef or centroid; qef if not given")
       ->transform(one_of<Representative>({{"qef", Representative::qef}, {"centroid", Representative::centroid}}))
       ->type_name("KIND");
+  describe_threads(*command, options.threads);
   command->callback([simplification] { simplify(*simplification); });
 }
 

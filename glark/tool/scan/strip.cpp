@@ -100,6 +100,7 @@ void add_strip(CLI::App& app) {
       ->add_option("--level", stripping->level,
                    "Level of detail, 0 to 15, each with a quarter of the points; 0 if not given")
       ->check(CLI::Range(0, 15));
+  describe_threads(*command, stripping->options.threads);
   command->callback([stripping] { strip(*stripping); });
 }
 

@@ -3,8 +3,10 @@
 //
 // glark-view: glark view FILE shows points or a mesh in a window, or writes a picture without one.
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include "glark/clients/geometry/output_file.h"
 #include "glark/tool/scan/files.h"
@@ -81,8 +83,18 @@ void draw_offscreen(const View& view, geometry::Geometry geometry) {
   print(report_of(drawn), view.files.json);
 }
 
+bool is_png(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return extension == ".png" || extension.empty();
+}
+
 void run(const View& view) {
-  if (!view.picture.empty()) const geometry::OutputFile trial(view.picture);
+  if (!view.picture.empty()) {
+    if (!is_png(view.picture))
+      throw std::runtime_error(view.picture + ": pictures are written as PNG; call it OUT.png");
+    const geometry::OutputFile trial(view.picture);
+  }
   geometry::Geometry geometry = load(view.files.input, view.files);
   if (view.picture.empty())
     show_window("glark " + view.files.input, std::move(geometry), view.options);

@@ -103,7 +103,7 @@ void write_screenshot(const std::string& file, int width, int height) {
     static_cast<geometry::OutputFile*>(to)->write({static_cast<const char*>(data), static_cast<std::size_t>(size)});
   };
   if (stbi_write_png_to_func(write, &output, width, height, 3, pixels.data(), 3 * width) == 0)
-    throw std::runtime_error(file + ": the picture cannot be packed; choose a smaller --size");
+    throw std::runtime_error(file + ": the picture cannot be packed; choose a smaller --width or --height");
   output.commit();
 }
 

@@ -15,7 +15,7 @@
 namespace glark::tool {
 namespace {
 
-constexpr float splat_overlap = 1.8F;
+constexpr float splat_overlap = 2.4F;
 constexpr std::size_t most_points_to_strip_unasked = 1000000;
 constexpr int deepest_level = 4;
 

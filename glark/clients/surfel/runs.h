@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The triangles of a patch as runs: sequences in which each triangle has an edge in common with the next.
+// Based on: Stewart, Tunneling for Triangle Strips, 2001: a walk over the triangles, then edges that join two runs, or that join
+// them in another way, as long as that has fewer indices.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace glark::surfel {
+
+using StripTriangle = std::array<std::uint32_t, 3>;  // counter-clockwise
+
+// Makes runs, one patch after the other, in memory that it keeps.
+class Runs {
+ public:
+  static constexpr std::uint32_t none = 0xFFFFFFFFU;
+
+  // All triangles, each in one run. The same for the same triangles.
+  void make(std::span<const StripTriangle> triangles);
+
+  std::size_t size() const { return sides_.size(); }
+  // Sides of a triangle that its run crosses, a bit for each; at most two.
+  std::uint8_t crossed(std::uint32_t triangle) const { return crossed_[triangle]; }
+  bool is_end(std::uint32_t triangle) const;
+  // Triangles of the run that begins or ends there, from there on.
+  void follow(std::uint32_t end, std::vector<std::uint32_t>& triangles) const;
+
+ private:
+  struct HalfEdge {
+    std::uint32_t from, to, link;
+  };
+
+  static std::uint32_t triangle_of(std::uint32_t link) { return link >> 2; }
+  static std::uint32_t side_of(std::uint32_t link) { return link & 3; }
+
+  void find_neighbours(std::span<const StripTriangle> triangles);
+  void walk();
+  void walk_from(std::uint32_t triangle);
+  std::uint32_t next_start();
+  void use(std::uint32_t triangle);
+  void improve();
+  void cross(std::uint32_t triangle, std::uint32_t side, bool lower);
+  int turns(std::uint32_t triangle, std::uint32_t side) const;
+  int loosened(std::uint32_t triangle, std::uint32_t side) const;
+  void join(std::uint32_t triangle, std::uint32_t side);
+  void part(std::uint32_t triangle, std::uint32_t side);
+  bool is_one_run(std::uint32_t end, std::uint32_t other) const;
+
+  std::vector<std::array<std::uint32_t, 3>>
+      sides_;  // across the edge opposite to each corner: a triangle, and its side
+  std::vector<std::uint8_t> crossed_;
+  std::vector<std::uint32_t> beside_;  // of its run's neighbours one more than their numbers, exclusively ored
+  std::vector<HalfEdge> table_;        // of half-edges, by their ends
+  std::vector<std::uint8_t> used_;
+  std::vector<std::uint8_t> free_;     // neighbours that are not used
+  std::vector<std::uint32_t> lonely_;  // triangles that had few of these left
+  std::vector<std::uint32_t> ends_;    // some of which are none any more
+  std::uint32_t first_unused_ = 0;     // none before
+};
+
+}  // namespace glark::surfel

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/surfel/strip_path.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+namespace glark::surfel {
+namespace {
+
+using Triangles = std::vector<StripTriangle>;
+
+// From its lowest corner.
+StripTriangle normal_form(StripTriangle triangle) {
+  std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+  return triangle;
+}
+
+std::multiset<StripTriangle> normal_forms(const Triangles& triangles) {
+  std::multiset<StripTriangle> all;
+  for (const StripTriangle& triangle : triangles) all.insert(normal_form(triangle));
+  return all;
+}
+
+Triangles decoded(std::span<const std::uint32_t> strip) {
+  Triangles all;
+  for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
+    StripTriangle triangle = {strip[i], strip[i + 1], strip[i + 2]};
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+    if (i % 2 == 1) std::swap(triangle[0], triangle[1]);
+    all.push_back(triangle);
+  }
+  return all;
+}
+
+struct Sheet {
+  std::vector<Vector> positions;
+  Triangles triangles;
+};
+
+// Squares of side * side points, with one diagonal or the other at random; `bend` makes a ridge along its middle.
+Sheet sheet(std::uint32_t side, unsigned seed, float bend = 0) {
+  Sheet all;
+  std::mt19937 random(seed);
+  const std::uint32_t middle = side / 2;
+  for (std::uint32_t i = 0; i < side * side; ++i) {
+    const std::uint32_t row = i / side;
+    const auto x = static_cast<float>(i % side), y = static_cast<float>(row);
+    all.positions.push_back({x, y, -bend * std::fabs(x - static_cast<float>(middle))});
+  }
+  for (std::uint32_t i = 0; i + side < side * side; ++i) {
+    if (i % side + 1 == side) continue;
+    const std::uint32_t a = i, b = i + 1, c = i + side + 1, d = i + side;
+    const bool turned = random() % 2 == 0;
+    all.triangles.push_back(turned ? StripTriangle{a, b, c} : StripTriangle{a, b, d});
+    all.triangles.push_back(turned ? StripTriangle{a, c, d} : StripTriangle{b, c, d});
+  }
+  std::ranges::shuffle(all.triangles, random);
+  return all;
+}
+
+// Of edges that one triangle has, in its direction.
+std::set<std::pair<std::uint32_t, std::uint32_t>> border(const Triangles& triangles) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> open;
+  for (const StripTriangle& triangle : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = triangle[k], to = triangle[(k + 1) % 3];
+      const bool fresh = open.erase({to, from}) > 0 || open.insert({from, to}).second;
+      EXPECT_TRUE(fresh) << from << ' ' << to;
+    }
+  }
+  return open;
+}
+
+TEST(StripPath, HasTheTrianglesAsTheyAre) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const Sheet all = sheet(3 + seed % 12, seed);
+    Stripper stripper(all.positions, false);
+    EXPECT_EQ(normal_forms(decoded(stripper.strip(all.triangles))), normal_forms(all.triangles)) << seed;
+    EXPECT_EQ(stripper.turned, 0U);
+  }
+}
+
+// Apart, with three at an edge, with one that lies on another of the opposite orientation, twice the same.
+TEST(StripPath, HasTrianglesThatAreNoSurface) {
+  std::mt19937 random(1);
+  for (unsigned turn = 0; turn < 300; ++turn) {
+    Triangles triangles;
+    const std::uint32_t points = 3 + turn % 20;
+    for (unsigned i = 0; i < 1 + turn % 30; ++i) {
+      StripTriangle triangle{};
+      for (std::uint32_t& corner : triangle) corner = static_cast<std::uint32_t>(random() % points);
+      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+      triangles.push_back(triangle);
+    }
+    const std::vector<Vector> positions(points);
+    Stripper stripper(positions, false);
+    EXPECT_EQ(normal_forms(decoded(stripper.strip(triangles))), normal_forms(triangles)) << turn;
+  }
+}
+
+TEST(StripPath, OfNothingIsNothing) {
+  Stripper stripper({}, true);
+  EXPECT_TRUE(stripper.strip({}).empty());
+}
+
+TEST(StripPath, TurnedEdgesSaveIndicesAndKeepTheBorder) {
+  std::size_t with = 0, without = 0, turned = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Sheet all = sheet(12, seed);
+    Stripper exact(all.positions, false), free(all.positions, true);
+    without += exact.strip(all.triangles).size();
+    const auto strip = free.strip(all.triangles);
+    with += strip.size();
+    turned += free.turned;
+    const Triangles drawn = decoded(strip);
+    EXPECT_EQ(drawn.size(), all.triangles.size());
+    EXPECT_EQ(border(drawn), border(all.triangles));
+    double area = 0;
+    for (const auto& [a, b, c] : drawn) {
+      const Vector normal = cross(all.positions[b] - all.positions[a], all.positions[c] - all.positions[a]);
+      EXPECT_GT(normal.z, 0);
+      area += 0.5 * double{normal.z};
+    }
+    EXPECT_NEAR(area, 11 * 11, 1e-3);
+  }
+  EXPECT_GT(turned, 100U);
+  EXPECT_LT(static_cast<double>(with), 0.95 * static_cast<double>(without));
+}
+
+// The edges along a ridge stay, and what crosses none.
+TEST(StripPath, NoEdgeOfARidgeTurns) {
+  constexpr std::uint32_t side = 12;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Sheet all = sheet(side, seed, 0.5F);
+    Stripper stripper(all.positions, true);
+    for (const StripTriangle& triangle : decoded(stripper.strip(all.triangles))) {
+      const auto on_side = [&](std::uint32_t point, bool left) {
+        return left ? point % side <= side / 2 : point % side >= side / 2;
+      };
+      EXPECT_TRUE(std::ranges::all_of(triangle, [&](std::uint32_t point) { return on_side(point, true); }) ||
+                  std::ranges::all_of(triangle, [&](std::uint32_t point) { return on_side(point, false); }));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glark::surfel
