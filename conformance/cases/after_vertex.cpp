@@ -248,8 +248,10 @@ void check_feedback_mode(Test& t) {
   gl.EndTransformFeedback();
   gl.BeginTransformFeedback(GL_TRIANGLES);
   for (const char* const when : {"first", "after refined triangles"}) {
-    gl.DrawArrays(GL_LINES, 0, 4);
-    t.expect_error(GL_INVALID_OPERATION, std::string("lines into transform feedback of triangles, ") + when);
+    for (const GLenum mode : {GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP}) {
+      gl.DrawArrays(mode, 0, 4);
+      t.expect_error(GL_INVALID_OPERATION, "mode " + as_text(mode) + " into transform feedback of triangles, " + when);
+    }
     draw_two();
     t.expect_no_error("triangles into transform feedback of triangles");
   }

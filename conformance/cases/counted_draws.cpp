@@ -31,6 +31,17 @@ Mesh four_triangles() {
   return mesh;
 }
 
+// The four again and again, with tags of 1.
+Mesh many_triangles() {
+  Mesh mesh;
+  for (int i = 0; i < 100; ++i)
+    for (MeshVertex vertex : four_triangles()) {
+      vertex.tag = 1;
+      mesh.push_back(vertex);
+    }
+  return mesh;
+}
+
 // As the unrefined draw, with 4^2 triangles for each of its own, however often.
 void expect_drawn(Test& t, const Draw& draw, const std::string& what) {
   gl.Disable(GL_ARK);
@@ -223,6 +234,16 @@ const std::vector<Counting>& countings() {
          return static_cast<GLuint>(result);
        },
        desktop},
+      {"no_wait",
+       [](GLenum target, GLuint query, const Draw& draw) {
+         GLuint result = 0;
+         draw_in(target, query, draw);
+         gl.Finish();
+         for (GLuint is_there = 0; is_there == 0;) gl.GetQueryObjectuiv(query, GL_QUERY_RESULT_AVAILABLE, &is_there);
+         gl.GetQueryObjectuiv(query, GL_QUERY_RESULT_NO_WAIT, &result);
+         return result;
+       },
+       desktop},
       {"indexed",
        [](GLenum target, GLuint query, const Draw& draw) {
          GLuint result = 0;
@@ -255,6 +276,19 @@ void check_counting(Test& t, const Counting& counting, bool is_discarded) {
         t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), GLuint{4} << (2 * level),
                        "triangles of depth " + as_text(level));
     }
+  // Edges of many pixels: all have the depth of the pool.
+  gl.ARKinit(2);
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 1);
+  for (int again = 0; again < 3; ++again)
+    t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), 64U, "triangles of measured depths");
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK);
+  const Mesh many = many_triangles();
+  upload(many);
+  for (int again = 0; again < 3; ++again)
+    t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query,
+                                  [&] { gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(many.size())); }),
+                   static_cast<GLuint>(4 * many.size() / 3), "triangles of many with tags");
   gl.Disable(GL_ARK);
   t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), 4U, "triangles that are not refined");
   t.expect_no_error("the queries");

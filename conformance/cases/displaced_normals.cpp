@@ -104,6 +104,27 @@ void check_no_area(Test& t) {
       if (!t.expect_near(vertex.normal[i], mesh[0].normal[i], 1e-6, "without an area the normal stays")) return;
 }
 
+// Fixed function without any texture enabled: a triangle that is moved aside by its normals.
+void check_untextured(Test& t) {
+  height_map(4, 4, [](int, int) { return 1.0F; });
+  const auto draw = [](float shift) {
+    gl.Begin(GL_TRIANGLES);
+    gl.Normal3f(1, 0, 0);
+    gl.TexCoord2f(0.4F, 0.6F);
+    gl.Vertex2f(-0.75F + shift, -0.5F);
+    gl.Vertex2f(0.25F + shift, -0.75F);
+    gl.Vertex2f(-0.25F + shift, 0.5F);
+    gl.End();
+  };
+  const Picture expected = picture_of([&] { draw(0.5F); });
+  gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
+  gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0.5F);
+  for (const GLuint level : {0U, 2U}) {
+    refine_uniformly(level);
+    t.expect_same_picture(picture_of([&] { draw(0); }), expected, "a triangle that is displaced aside", 2, 24);
+  }
+}
+
 }  // namespace
 
 Cases displaced_normals_cases() {
@@ -120,6 +141,12 @@ Cases displaced_normals_cases() {
                      .plan = "A plane with waves of 16 texels: between its turns the normal is known by hand.",
                      .wrong = "Slopes over more than a texel, or over a texel of the other side's size.",
                      .check = [width = width, height = height](Test& t) { check_waves(t, width, height); }});
+  cases.push_back({.name = "ark.displacement.untextured",
+                   .clauses = {"11.R.7b-7"},
+                   .plan = "Displace a triangle of the fixed function while no texture is enabled.",
+                   .wrong = "Nothing is displaced, as if there were no texture coordinates.",
+                   .apis = {Api::gl_compat},
+                   .check = check_untextured});
   cases.push_back({.name = "ark.displacement.normal.no_area",
                    .clauses = {"11.R.7b-6"},
                    .plan = "All corners in one place.",

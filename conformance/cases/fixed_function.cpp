@@ -212,6 +212,14 @@ const Stage stages[] = {
        light();
        gl.Disable(GL_LIGHT0);
      }},
+    {"light.back_material",
+     [] {
+       const GLfloat specular[] = {0.9F, 0.8F, 0.7F, 1};
+       light();
+       seen_from_behind();
+       gl.Materialfv(GL_BACK, GL_SPECULAR, specular);
+       gl.Materialf(GL_BACK, GL_SHININESS, 2);
+     }},
     {"clip_plane.0", [] { clip(0); }},
     {"clip_plane.5", [] { clip(5); }},
     {"clip_plane.last",
@@ -239,6 +247,15 @@ const Stage stages[] = {
      [] {
        texture();
        second_unit();
+     }},
+    {"texture.second_matrix",
+     [] {
+       second_unit();
+       gl.ActiveTexture(GL_TEXTURE1);
+       gl.MatrixMode(GL_TEXTURE);
+       gl.Rotatef(40, 0, 0, 1);
+       gl.Scalef(1.4F, 0.6F, 1);
+       gl.ActiveTexture(GL_TEXTURE0);
      }},
     {"texture.cube_map", [] { cube_map(0); }},
     {"texture.reflection_map", [] { cube_map(GL_REFLECTION_MAP); }},

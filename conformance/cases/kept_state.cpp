@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A refined draw is a draw, and no more (10.R.2): whatever state it needs for itself is the application's again afterwards.
+#include <cstddef>
 #include <map>
 
 #include "conformance/cases/cases.h"
@@ -65,6 +66,7 @@ constexpr Name names[] = {
     {GL_PROGRAM_POINT_SIZE, 32},
     {GL_QUERY_BUFFER_BINDING, 44},
     {GL_COLOR_SUM, 0, true},
+    {GL_EDGE_FLAG, 0, true},
     {GL_VERTEX_PROGRAM_TWO_SIDE, 0, true},
     {GL_MATRIX_MODE, 0, true},
     {GL_CLIENT_ACTIVE_TEXTURE, 0, true},
@@ -247,6 +249,39 @@ void check_fixed_function(Test& t, GLenum source, GLenum mode) {
   expect_draws_keep(t, way, [mode] { gl.DrawARP(mode, 0, 4); });
 }
 
+// Faces in different modes, edge flags, points that are attenuated, and texture coordinates of a unit that is not the active one.
+void check_drawn_modes(Test& t, GLenum source, bool is_front_lines) {
+  const GLfloat attenuation[] = {1, 0.5F, 0};
+  const Mesh mesh = tagged_mesh();
+  buffer_at(GL_ARRAY_BUFFER);
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(MeshVertex)), mesh.data(),
+                GL_STATIC_DRAW);
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.VertexPointer(4, GL_FLOAT, sizeof(MeshVertex), nullptr);
+  for (const GLenum unit : {GL_TEXTURE0, GL_TEXTURE1}) {
+    GLuint name = 0;
+    gl.GenTextures(1, &name);
+    gl.ActiveTexture(unit);
+    gl.BindTexture(GL_TEXTURE_2D, name);
+    gl.Enable(GL_TEXTURE_2D);
+    gl.ClientActiveTexture(unit);
+    gl.EnableClientState(GL_TEXTURE_COORD_ARRAY);
+    gl.TexCoordPointer(2, GL_FLOAT, sizeof(MeshVertex), reinterpret_cast<const void*>(offsetof(MeshVertex, texture)));
+  }
+  gl.ClientActiveTexture(GL_TEXTURE2);
+  gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+  gl.PolygonMode(GL_FRONT, is_front_lines ? GL_LINE : GL_POINT);
+  gl.PolygonMode(GL_BACK, is_front_lines ? GL_FILL : GL_LINE);
+  gl.EdgeFlag(GL_FALSE);
+  const Way way{.leaf = "", .refinement = GL_LINEAR_INPUTS_ARK, .source = source};
+  set_way(way);
+  gl.DepthTag1i(2);
+  occupy(t);
+  gl.Disable(GL_PRIMITIVE_RESTART);  // with it a draw may be looked at less closely
+  t.expect_no_error("set-up");
+  expect_draws_keep(t, way, [] { gl.DrawARP(GL_TRIANGLE_STRIP, 0, 5); });
+}
+
 }  // namespace
 
 Cases kept_state_cases() {
@@ -272,6 +307,16 @@ Cases kept_state_cases() {
                      .wrong = wrong,
                      .apis = {Api::gl_compat},
                      .check = [source = source, mode = mode](Test& t) { check_fixed_function(t, source, mode); }});
+  for (const bool is_front_lines : {true, false})
+    cases.push_back({.name = std::string("ark.draw.keeps.fixed_function.") + (is_front_lines ? "lines" : "points"),
+                     .clauses = {"10.R.2-6", "11.R.10-2"},
+                     .plan = "The same with polygon modes that differ by face, an edge flag of FALSE, attenuated "
+                             "points and arrays of texture coordinates.",
+                     .wrong = "Both faces have one mode; the edge flag is TRUE; another unit is active.",
+                     .apis = {Api::gl_compat},
+                     .check = [is_front_lines](Test& t) {
+                       check_drawn_modes(t, is_front_lines ? GL_UNIFORM_DEPTH_ARK : GL_DEPTH_TAG_ARK, is_front_lines);
+                     }});
   return cases;
 }
 

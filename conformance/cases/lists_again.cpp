@@ -116,6 +116,25 @@ void check_names(Test& t) {
   t.expect_no_error("the lists");
 }
 
+// A list base that is compiled counts from the call on.
+void check_compiled_base(Test& t) {
+  const GLubyte name[] = {1};
+  refine();
+  gl.DepthTag1i(1);
+  compile_as(301, triangle);
+  compile_as(401, [] {
+    triangle();
+    triangle();
+  });
+  gl.ListBase(300);
+  compile_as(900, [] { gl.ListBase(400); });
+  const auto call = [&name] { gl.CallLists(1, GL_UNSIGNED_BYTE, name); };
+  t.expect_equal(count_generated(call), 4U, "triangles with the list base before the call");
+  gl.CallList(900);
+  t.expect_equal(count_generated(call), 8U, "triangles with the list base that the list sets");
+  t.expect_no_error("the calls");
+}
+
 void check_pool_while_compiling(Test& t) {
   refine();
   gl.DepthTag1i(4);
@@ -225,6 +244,9 @@ Cases lists_again_cases() {
       list_case("names", {"chapter-21-4", "chapter-21-5"},
                 "CallLists with names of each type, at once and from a list, with two list bases.",
                 "Groups of bytes in the wrong order; a list base of the time of compilation.", check_names),
+      list_case("compiled_base", {"chapter-21-4"},
+                "ListBase in a list: CallLists before the list is called, and after.",
+                "The base counts while it is compiled, or never.", check_compiled_base),
       list_case("pool", {"chapter-21-7", "11.R.1-6"}, "ARKinit with a lower level while a list is compiled.",
                 "The current tag stays above the pool, or the list sets it.", check_pool_while_compiling),
       list_case(

@@ -133,9 +133,14 @@ Vector flat(const Mesh& mesh, const SurfaceVertex& vertex, bool is_of_place, boo
   return sum;
 }
 
-// Heights are 1 everywhere: how far each vertex goes, and which way.
-void check_normal(Test& t) {
-  const Mesh mesh = seam(false);
+// Heights are 1 everywhere: how far each vertex goes, and which way. The angles of thin triangles are small, and so are the sums.
+void check_normal(Test& t, bool is_thin) {
+  Mesh mesh = seam(false);
+  for (const std::size_t tip : {1U, 4U})
+    for (std::size_t k = 0; k < 3 && is_thin; ++k) {
+      const float middle = 0.5F * (mesh[0].position[k] + mesh[2].position[k]);
+      mesh[tip].position[k] = middle + 0.1F * (mesh[tip].position[k] - middle);
+    }
   for (const SurfaceVertex& vertex : drawn(t, mesh, GL_LINEAR_INPUTS_ARK, 1)) {
     const bool is_border = is_on_border(vertex);
     const Vector expected =
@@ -233,6 +238,40 @@ void check_zero(Test& t) {
   t.expect(moved > 0, "the inside is displaced");
 }
 
+// A program with two texture coordinates: draws that are repeated by one of them say nothing of those by the other.
+void check_other_attribute(Test& t) {
+  Mesh mesh = seam(false);
+  for (std::size_t i = 0; i < mesh.size(); ++i)
+    mesh[i].colour = {0.17F * static_cast<float>(i) + 0.05F, 0.9F - 0.13F * static_cast<float>(i), 0, 1};
+  gl.UseProgram(build_program(
+      t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 1) in vec3 normal;\n"
+                    "layout(location = 2) in vec3 weights; layout(location = 3) in vec4 first;\n"
+                    "layout(location = 4) in vec2 second; layout(location = 6) in float triangle;\n"
+                    "out vec3 weights_out; out float triangle_out; out vec4 colour;\n"
+                    "void main() { gl_Position = position; weights_out = weights; triangle_out = triangle;\n"
+                    "  colour = vec4(normal.xy, first.x, second.x); }\n",
+          .captured = {"gl_Position", "weights_out", "triangle_out"}}));
+  upload(mesh);
+  set_displacement(-1);
+  refine_uniformly(3);
+  gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 6); };
+  const auto positions_by = [&](GLuint attribute) {
+    gl.ARKParameteriARK(GL_DISPLACEMENT_COORDINATE_ARK, static_cast<GLint>(attribute));
+    std::vector<std::pair<float, Vec4>> positions;
+    for (const CapturedVertex& vertex : capture(t, draw)) positions.emplace_back(vertex.triangle, vertex.position);
+    std::sort(positions.begin(), positions.end());
+    return positions;
+  };
+  const auto expected = positions_by(at_colour);
+  for (int round = 0; round < 2; ++round) {
+    t.expect(positions_by(at_texture) != expected, "the other attribute has other heights");
+    for (int again = 0; again < 4; ++again) draw();
+    t.expect(positions_by(at_colour) == expected, "the same vertices with the first attribute again, by bits");
+    for (int again = 0; again < 4; ++again) draw();
+  }
+}
+
 constexpr Area weld_case{"ark.weld.displacement."};
 
 }  // namespace
@@ -243,7 +282,14 @@ Cases welded_displacement_cases() {
           "normal", {"11.R.15-22", "11.R.15-23", "11.R.15-24", "11.R.15-30"},
           "A height of 1 everywhere: vertices on the border of a triangle go along the normals of the places, those "
           "inside along their own.",
-          "Each side's own normal; the mean without angles; the inside welded, too.", check_normal),
+          "Each side's own normal; the mean without angles; the inside welded, too.",
+          [](Test& t) { check_normal(t, false); }),
+      weld_case("normal_of_thin_triangles", {"11.R.15-24", "11.R.15-25"},
+                "The same for triangles with small angles: their sum is short, and has a direction all the same.",
+                "Nothing is displaced where the sum is short.", [](Test& t) { check_normal(t, true); }),
+      weld_case("other_attribute", {"11.R.15-26", "11.R.15-32", "11.R.13-1"},
+                "Repeat a draw with one DISPLACEMENT_COORDINATE_ARK, then with another.",
+                "The border has the heights that it had by the attribute before.", check_other_attribute),
       weld_case("no_side", {"11.R.15-29", "11.R.15-32"}, "A triangle of which two corners are in one place.",
                 "One of its own ends.", check_no_side),
       weld_case("zero", {"11.R.15-25", "11.R.15-33"}, "Opposite normals on both sides of an edge.",

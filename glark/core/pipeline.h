@@ -137,6 +137,7 @@ class Pipeline {
   };
   bool add_array_inputs(const Plan& plan, const ArrayDraw& draw);
   bool add_segment_inputs(const Plan& plan, const ListSegment& segment);
+  void add_welded_words(const Plan& plan);
   bool make_key(const DrawCall& call, const Plan& plan);
   Keeping look_up(const DrawCall& call, const Plan& plan);
   capture::CoarseTriangles capture_draw(const DrawCall& call, const Plan& plan, Keeping& keeping, const Quiet& quiet);

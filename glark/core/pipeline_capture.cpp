@@ -123,6 +123,14 @@ bool Pipeline::add_segment_inputs(const Plan& plan, const ListSegment& segment) 
   return true;
 }
 
+// The same words are captured whichever of them are positions, normals and coordinates to the program or the application.
+void Pipeline::add_welded_words(const Plan& plan) {
+  const capture::Field* position = capture::find_role(plan.layout->fields, capture::Role::position);
+  key_.add(static_cast<std::uint32_t>(position->offset),
+           static_cast<std::uint32_t>(capture::normal_offset(plan.layout->fields)));
+  key_.add(static_cast<std::uint32_t>(plan.layout->coordinate_offset));
+}
+
 // All that decides what is captured, and for adaptive draws how it is sorted. False: nothing of this draw can be kept.
 bool Pipeline::make_key(const DrawCall& call, const Plan& plan) {
   if ((!call.exact || call.arrays == nullptr) && call.segment == nullptr) {
@@ -134,6 +142,9 @@ bool Pipeline::make_key(const DrawCall& call, const Plan& plan) {
   key_.add(plan.keeps_bins() ? 1 : 0, (context_.ark.smooth_interior ? 1U : 0U) | (plan.polygons ? 2U : 0U) |
                                           (plan.morphing ? 4U : 0U) | (plan.welded ? 8U : 0U));
   key_.add(plan.keeps_bins() ? pools_built_ : 0);
+  if (plan.welded) {
+    add_welded_words(plan);
+  }
   return call.segment != nullptr ? add_segment_inputs(plan, *call.segment) : add_array_inputs(plan, *call.arrays);
 }
 

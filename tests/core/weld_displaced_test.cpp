@@ -255,6 +255,39 @@ TEST_F(WeldDisplaced, WhereTheRecordHasNoRoom) {
   EXPECT_EQ(pending_errors(), "");
 }
 
+// What was kept of a draw has the border's coordinates from the attribute that they came from then.
+TEST_F(WeldDisplaced, KeptDrawsFollowTheCoordinateAttribute) {
+  const GLuint program = link_program(
+      {.vertex =
+           "#version 450 core\nin vec3 position; in vec3 normal; in vec3 weights; in float triangle;\n"
+           "in vec2 texcoord; in vec2 other; out vec3 passed_weights; out float passed_triangle; out vec3 color;\n"
+           "void main() { gl_Position = vec4(position, 1.0); color = vec3(normal.x, texcoord.x, other.x);\n"
+           "  passed_weights = weights; passed_triangle = triangle; }\n",
+       .fragment = "#version 450 core\nin vec3 color; out vec4 result;\n"
+                   "void main() { result = vec4(color, 1.0); }\n",
+       .varyings = {"gl_Position", "passed_weights", "passed_triangle"},
+       .attributes = {"position", "normal", "weights", "triangle", "texcoord", "other"}});
+  const MappedMesh mapped = mapped_at_random(flat_shaded(icosahedron()), 7);
+  const auto count = static_cast<GLsizei>(mapped.coordinates.size());
+  glUseProgram(program);
+  upload(mapped);
+  make_buffer(GL_ARRAY_BUFFER, mapped_at_random(mapped.mesh, 8).coordinates);
+  glVertexAttribPointer(coordinate_attribute + 1, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glEnableVertexAttribArray(coordinate_attribute + 1);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 2);
+  const auto draw = [count] { glDrawArrays(GL_TRIANGLES, 0, count); };
+  const auto captured = [&] { return bits_of_all(capture_refined((mapped.mesh.triangles() << 4) + 1, draw)); };
+  glARKParameteriARK(GL_DISPLACEMENT_COORDINATE_ARK, coordinate_attribute + 1);
+  const auto expected = captured();
+  glARKParameteriARK(GL_DISPLACEMENT_COORDINATE_ARK, coordinate_attribute);
+  for (int repetition = 0; repetition < 3; ++repetition) draw();
+  EXPECT_NE(captured(), expected);
+  glARKParameteriARK(GL_DISPLACEMENT_COORDINATE_ARK, coordinate_attribute + 1);
+  EXPECT_EQ(captured(), expected);
+  EXPECT_EQ(pending_errors(), "");
+}
+
 // A flat sheet, cut in two, with steps of height: on the cut, all have the height of one of the two.
 TEST_F(WeldDisplaced, AnEdgeHasTheHeightsOfOneOfItsSides) {
   set_refinement(GL_LINEAR_INPUTS_ARK);
