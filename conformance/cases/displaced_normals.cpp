@@ -65,6 +65,27 @@ void check_normals(Test& t) {
     if (!expect_flat_normal(t, vertex, flat_normal(0.05 * 16, -0.02 * 16))) return;
 }
 
+// Of curved and of flat triangles with bent normals; the height is there, and the same everywhere.
+void check_constant(Test& t, GLenum refinement) {
+  gl.UseProgram(surface_program(t));
+  height_map(16, 8, [](int /*x*/, int /*y*/) { return 0.75F; });
+  const Mesh mesh = bent_mesh();
+  upload(mesh);
+  refine_uniformly(3, refinement);
+  const auto plain = capture_surface(t, mesh);
+  gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
+  gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0.5F);
+  const auto displaced = capture_surface(t, mesh);
+  t.require(plain.size() == displaced.size() && plain.size() > mesh.size(), "both are refined");
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const double moved =
+        reference::length(reference::vector_of(displaced[i].position) - reference::vector_of(plain[i].position));
+    if (!t.expect_near(moved, 0.375, 1e-3, "the way along the normal")) return;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!t.expect_near(displaced[i].normal[k], plain[i].normal[k], 1e-3, "the normal where h is constant")) return;
+  }
+}
+
 constexpr int half_wave = 8;  // texels upwards, and as many downwards
 
 // Waves along the longer side. Two texels from where they turn, the slope over one texel is that of the wave; over as many as the
@@ -130,14 +151,14 @@ void check_untextured(Test& t) {
 Cases displaced_normals_cases() {
   Cases cases;
   cases.push_back({.name = "ark.displacement.normal.ramp",
-                   .clauses = {"11.R.7b-5"},
+                   .clauses = {"11.R.7b-11"},
                    .plan = "A plane displaced by a ramp is a plane: its normal is known by hand.",
                    .wrong = "The normal stays, or slopes have the wrong sign or scale.",
                    .check = check_normals});
   for (const auto& [leaf, width, height] :
        {std::tuple<const char*, int, int>{"wide", 64, 8}, {"high", 8, 64}, {"square", 64, 64}})
     cases.push_back({.name = std::string("ark.displacement.normal.waves_") + leaf,
-                     .clauses = {"11.R.7b-5"},
+                     .clauses = {"11.R.7b-11", "11.R.7b-12"},
                      .plan = "A plane with waves of 16 texels: between its turns the normal is known by hand.",
                      .wrong = "Slopes over more than a texel, or over a texel of the other side's size.",
                      .check = [width = width, height = height](Test& t) { check_waves(t, width, height); }});
@@ -147,6 +168,14 @@ Cases displaced_normals_cases() {
                    .wrong = "Nothing is displaced, as if there were no texture coordinates.",
                    .apis = {Api::gl_compat},
                    .check = check_untextured});
+  for (const auto& [leaf, refinement] : {std::pair<const char*, GLenum>{"linear", GL_LINEAR_INPUTS_ARK},
+                                         {"curved", GL_CURVED_PN_ARK},
+                                         {"tagged", GL_SCALAR_TAGGED_PN_ARK}})
+    cases.push_back({.name = std::string("ark.displacement.normal.constant_") + leaf,
+                     .clauses = {"11.R.7b-13"},
+                     .plan = "A height that is the same everywhere: positions move, normals stay.",
+                     .wrong = "The geometric normal of the displaced surface, which N is not.",
+                     .check = [mode = refinement](Test& t) { check_constant(t, mode); }});
   cases.push_back({.name = "ark.displacement.normal.no_area",
                    .clauses = {"11.R.7b-6"},
                    .plan = "All corners in one place.",

@@ -175,7 +175,7 @@ void check_displacing(Test& t, const Displacing& d) {
 std::vector<Displacing> displacings() {
   std::vector<Displacing> all = {
       {.leaf = "linear_inputs",
-       .clauses = {"11.R.7b-1", "11.R.7b-2", "11.R.7b-3"},
+       .clauses = {"11.R.7b-1", "11.R.7b-2", "11.R.7b-10"},
        .plan = "With LINEAR_INPUTS_ARK.",
        .wrong = "The normal is not scaled to unit length."},
       {.leaf = "curved",
@@ -217,7 +217,7 @@ std::vector<Displacing> displacings() {
        .wrong = "A coarser level.",
        .has_mipmaps = true},
       {.leaf = "coordinate_attribute",
-       .clauses = {"11.R.7b-3"},
+       .clauses = {"11.R.7b-10"},
        .plan = "DISPLACEMENT_COORDINATE_ARK names another attribute.",
        .wrong = "The input with the name.",
        .has_attribute = true},
@@ -320,11 +320,12 @@ Cases displacement_cases() {
                                             {"a_texture", true},
                                             {"inTex", true},
                                             {"UV", true},
+                                            {"vertex_place", false},
                                             {"other", false}})
     cases.push_back(
         {.name = std::string("ark.displacement.names.") + (is_coordinate ? "found_" : "none_") +
                  std::to_string(cases.size()),
-         .clauses = is_coordinate ? std::vector<std::string>{"11.R.7b-3"} : std::vector<std::string>{"11.R.7b-7"},
+         .clauses = is_coordinate ? std::vector<std::string>{"11.R.7b-10"} : std::vector<std::string>{"11.R.7b-7"},
          .plan = std::string("The vec2 input is called ") + name + ".",
          .wrong = "Only one spelling is known; or any vec2 is taken.",
          .check = [name = std::string(name), is_coordinate = is_coordinate](Test& t) {
