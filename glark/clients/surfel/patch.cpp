@@ -13,7 +13,8 @@ namespace {
 constexpr float opposite = -0.5F;         // the cosine to the leaf's normal below which a point is of another sheet
 constexpr std::size_t most_taken = 256;   // points that a leaf takes in, for one that is sparse among dense ones
 constexpr std::size_t most_turned = 256;  // edges
-constexpr float none_better = 1e30F;      // a cotangent: the edge does not turn
+// A cotangent of edges that stay, whatever is across: a triangle without area may have angles below any number.
+constexpr float none_better = std::numeric_limits<float>::infinity();
 
 // The sum of the cotangents of the angles opposite to edge ab in triangles abp and abd: negative where Delaunay's criterion fails.
 float cotangents(Vector a, Vector b, Vector p, Vector d) {
@@ -162,7 +163,7 @@ bool Patcher::prefers_other_diagonal(std::uint32_t number, std::uint32_t side) c
 
 void Patcher::measure_angles(std::uint32_t number) {
   const auto [a, b, c] = delaunay_.triangles()[number].corners;
-  angles_[number].fill(none_better);  // edges of what reaches beyond all points stay
+  angles_[number].fill(none_better);
   if (std::max({a, b, c}) >= members_.size()) return;
   const Vector p = members_[a].position, q = members_[b].position, r = members_[c].position;
   const Vector pq = q - p, qr = r - q, rp = p - r;
