@@ -62,7 +62,7 @@ struct Options {
   // The height-field indicator of chapter 3.2.2, by which leaves are split: the least cosine between a point's normal and the leaf's,
   // and the greatest distance of a point from the leaf's plane, in radii of the leaf.
   float delta_a = 0.0F;
-  float delta_d = 1.0F / 3;
+  float delta_d = 0.6F;
   float inflation = 1.75F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
   // The longest edge of a triangle, in the distance to neighbours of that of its points whose distance is neither least nor greatest; 1 to
   // 100. Isolated points have no triangles.

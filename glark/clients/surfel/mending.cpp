@@ -31,8 +31,9 @@ class Mender {
     constexpr std::size_t rifts_a_piece = 16;
     workers.in_pieces(rifts_.size(), rifts_a_piece, [&](std::size_t begin, std::size_t end) {
       Rift rift(layer_, options_);
+      Room room;
       for (std::size_t i = begin; i < end; ++i) {
-        close(rift, i);
+        close(rift, i, room);
         drawn[i] = rift.drawn;
       }
     });
@@ -49,7 +50,12 @@ class Mender {
   struct Piece {
     std::uint32_t first_point, points;  // in points_
     std::uint32_t first_claim, claims;  // in claims_
+  };
+  // Memory that is kept from one rift to the next.
+  struct Room {
+    std::vector<std::uint32_t> owners;
     std::vector<StripTriangle> agreed;
+    std::vector<Claim> claims;
   };
 
   // Rifts that have a point in these leaves are made anew, and so are those that what is new has a point of.
@@ -136,7 +142,7 @@ class Mender {
     for (const std::uint32_t i : order) {
       if (piece_of_root[root[i]] == none) {
         piece_of_root[root[i]] = static_cast<std::uint32_t>(rifts_.size());
-        rifts_.push_back({static_cast<std::uint32_t>(by_rift.size()), 0, 0, 0, {}});
+        rifts_.push_back({static_cast<std::uint32_t>(by_rift.size()), 0, 0, 0});
       }
       ++rifts_[piece_of_root[root[i]]].points;
       by_rift.push_back(points_[i]);
@@ -157,31 +163,34 @@ class Mender {
     points_ = std::move(by_rift);
   }
 
-  // Agreed triangles are known to the leaves of all their corners: a leaf tells of them to the rifts of its own points.
-  void add_agreed(Rift& rift, std::span<const std::uint32_t> points, std::uint32_t number) const {
-    std::vector<std::uint32_t> owners;
-    for (const std::uint32_t point : points) owners.push_back(layer_.owner[point]);
-    unique(owners);
-    std::vector<StripTriangle> agreed;
-    for (const std::uint32_t owner : owners) {
+  // Agreed triangles are known to the leaves of all their corners: the leaf of the first corner that is in the rift tells of them.
+  void add_agreed(Rift& rift, std::span<const std::uint32_t> points, Room& room) const {
+    const std::uint32_t number = points.front();
+    room.owners.clear();
+    for (const std::uint32_t point : points) room.owners.push_back(layer_.owner[point]);
+    unique(room.owners);
+    room.agreed.clear();
+    for (const std::uint32_t owner : room.owners) {
       for (const Candidate& candidate : layer_.candidates_of(owner)) {
         if (candidate.state != State::agreed) continue;
-        const bool touches = std::any_of(candidate.corners.begin(), candidate.corners.end(),
-                                         [&](std::uint32_t corner) { return layer_.rift_of[corner] == number; });
-        if (touches) agreed.push_back(triangle_of(candidate));
+        for (const std::uint32_t corner : candidate.corners) {
+          if (layer_.rift_of[corner] != number) continue;
+          if (layer_.owner[corner] == owner) room.agreed.push_back(triangle_of(candidate));
+          break;
+        }
       }
     }
-    std::sort(agreed.begin(), agreed.end());
-    agreed.erase(std::unique(agreed.begin(), agreed.end()), agreed.end());
-    for (const StripTriangle& triangle : agreed) rift.add_agreed(triangle);
+    std::sort(room.agreed.begin(), room.agreed.end());
+    for (const StripTriangle& triangle : room.agreed) rift.add_agreed(triangle);
   }
 
-  void close(Rift& rift, std::size_t i) const {
+  void close(Rift& rift, std::size_t i, Room& room) const {
     const Piece& piece = rifts_[i];
     const std::span<const std::uint32_t> points(points_.data() + piece.first_point, piece.points);
     rift.begin(points);
-    add_agreed(rift, points, points.front());
-    std::vector<Claim> claims;
+    add_agreed(rift, points, room);
+    std::vector<Claim>& claims = room.claims;
+    claims.clear();
     for (std::uint32_t k = piece.first_claim; k < piece.first_claim + piece.claims; ++k) {
       const Claimed& claimed = claims_[k];
       if (!claimed.fit) continue;

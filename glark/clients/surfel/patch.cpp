@@ -13,6 +13,8 @@ namespace {
 constexpr float opposite = -0.5F;         // the cosine to the leaf's normal below which a point is of another sheet
 constexpr std::size_t most_taken = 256;   // points that a leaf takes in, for one that is sparse among dense ones
 constexpr std::size_t most_turned = 256;  // edges
+// A cotangent of edges that stay, whatever is across: a triangle without area may have angles below any number.
+constexpr float none_better = std::numeric_limits<float>::infinity();
 
 // The sum of the cotangents of the angles opposite to edge ab in triangles abp and abd: negative where Delaunay's criterion fails.
 float cotangents(Vector a, Vector b, Vector p, Vector d) {
@@ -63,21 +65,49 @@ void Patcher::neighbours(const StrippingTree& tree, std::uint32_t number, std::v
   }
 }
 
+// The coordinates in the leaf's frame of which own points have the bounds: those of the plane, at 45 degrees to these, and the height.
+std::array<float, 5> Patcher::slabs_of(Vector position) const {
+  const Vector d = position - centre_;
+  const float x = dot(d, u_), y = dot(d, v_);
+  constexpr float diagonal = 0.70710678F;
+  return {x, y, (x + y) * diagonal, (x - y) * diagonal, dot(d, normal_)};
+}
+
 void Patcher::inflate(std::uint32_t number) {
   const Leaf& leaf = tree_.leaves[number];
   const Box& box = tree_.nodes[leaf.node].box;
   members_.clear();
   const auto take = [&](const Surfel& surfel) { members_.push_back({surfel.position, surfel.index, surfel.normal}); };
-  for (const Surfel& surfel : tree_.used(leaf)) take(surfel);
+  centre_ = leaf.centre;
+  normal_ = leaf.normal;
+  u_ = perpendicular(leaf.normal);
+  v_ = cross(leaf.normal, u_);
+  std::array<float, 5> low, high;
+  low.fill(Box::far);
+  high.fill(-Box::far);
+  for (const Surfel& surfel : tree_.used(leaf)) {
+    take(surfel);
+    const std::array<float, 5> at = slabs_of(surfel.position);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      low[k] = std::min(low[k], at[k]);
+      high[k] = std::max(high[k], at[k]);
+    }
+  }
   own_ = members_.size();
   neighbours(tree_, number, neighbours_);
   for (const std::uint32_t other : neighbours_) {
     const Leaf& neighbour = tree_.leaves[other];
     const float band = std::max(leaf.band, neighbour.band);
-    for (const Surfel& surfel : tree_.used(neighbour)) {
-      if (squared_distance(box, surfel.position) > band * band) continue;
-      if (!(surfel.normal == Vector{}) && dot(surfel.normal, leaf.normal) < opposite) continue;
-      take(surfel);
+    const std::span<const Surfel> used = tree_.used(neighbour);  // ascending by x
+    auto surfel = std::partition_point(used.begin(), used.end(),
+                                       [&](const Surfel& s) { return s.position.x < box.low.x - band; });
+    for (; surfel != used.end() && surfel->position.x <= box.high.x + band; ++surfel) {
+      if (squared_distance(box, surfel->position) > band * band) continue;
+      const std::array<float, 5> at = slabs_of(surfel->position);
+      bool near = true;
+      for (std::size_t k = 0; k < at.size(); ++k) near = near && at[k] >= low[k] - band && at[k] <= high[k] + band;
+      if (!near || (!(surfel->normal == Vector{}) && dot(surfel->normal, leaf.normal) < opposite)) continue;
+      take(*surfel);
     }
   }
   if (members_.size() <= own_ + most_taken) return;
@@ -133,8 +163,7 @@ bool Patcher::prefers_other_diagonal(std::uint32_t number, std::uint32_t side) c
 
 void Patcher::measure_angles(std::uint32_t number) {
   const auto [a, b, c] = delaunay_.triangles()[number].corners;
-  // Edges of what reaches beyond all points stay, whatever is across: a triangle without area may have angles below any number.
-  angles_[number].fill(std::numeric_limits<float>::infinity());
+  angles_[number].fill(none_better);
   if (std::max({a, b, c}) >= members_.size()) return;
   const Vector p = members_[a].position, q = members_[b].position, r = members_[c].position;
   const Vector pq = q - p, qr = r - q, rp = p - r;
@@ -155,6 +184,10 @@ void Patcher::turn(std::uint32_t number, std::uint32_t side) {
   measure_angles(other);
 }
 
+bool Patcher::is_inner(const Delaunay::Triangle& triangle) const {
+  return std::min({triangle.corners[0], triangle.corners[1], triangle.corners[2]}) < own_;
+}
+
 // Whether Delaunay's criterion does not hold by far; if it does, there is no better diagonal.
 bool Patcher::may_turn(std::uint32_t number, std::uint32_t link, std::uint32_t side) const {
   constexpr float by_far = 0.7F;  // the sum of the cotangents of two angles of 70 degrees
@@ -167,7 +200,21 @@ void Patcher::relax() {
   pending_.clear();
   const auto count = static_cast<std::uint32_t>(delaunay_.triangles().size());
   angles_.resize(count);
-  for (std::uint32_t number = 0; number < count; ++number) measure_angles(number);
+  // What is two triangles away from the leaf's points is of no use to it.
+  inner_.resize(count);
+  for (std::uint32_t number = 0; number < count; ++number)
+    inner_[number] = is_inner(delaunay_.triangles()[number]) ? 1 : 0;
+  const auto is_near = [&](std::uint32_t link) {
+    return link != Delaunay::none && inner_[Delaunay::triangle_of(link)] != 0;
+  };
+  for (std::uint32_t number = 0; number < count; ++number) {
+    const auto& links = delaunay_.triangles()[number].links;
+    if (inner_[number] != 0 || std::any_of(links.begin(), links.end(), is_near)) {
+      measure_angles(number);
+    } else {
+      angles_[number].fill(none_better);
+    }
+  }
   for (std::uint32_t number = 0; number < count; ++number) {
     for (std::uint32_t side = 0; side < 3; ++side) {
       const std::uint32_t link = delaunay_.triangles()[number].links[side];
@@ -256,7 +303,7 @@ void Patcher::measure_spacings() {
   constexpr float far = std::numeric_limits<float>::infinity();
   shortest_.assign(own_, {far, far, far});
   for (const Delaunay::Triangle& triangle : delaunay_.triangles()) {
-    if (!delaunay_.finite(triangle)) continue;
+    if (!is_inner(triangle) || !delaunay_.finite(triangle)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t from = triangle.corners[k];
       if (from >= own_) continue;

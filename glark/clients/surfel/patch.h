@@ -58,11 +58,13 @@ class Patcher {
     Vector normal;
   };
 
+  std::array<float, 5> slabs_of(Vector position) const;
   void inflate(std::uint32_t leaf);
   void project(const Leaf& leaf);
   bool may_turn(std::uint32_t triangle, std::uint32_t link, std::uint32_t side) const;
   void turn(std::uint32_t triangle, std::uint32_t side);
   void measure_angles(std::uint32_t triangle);
+  bool is_inner(const Delaunay::Triangle& triangle) const;  // has a point of the leaf
   void relax();
   bool prefers_other_diagonal(std::uint32_t triangle, std::uint32_t side) const;
   bool faces_away(const Delaunay::Triangle& triangle) const;
@@ -74,6 +76,7 @@ class Patcher {
 
   const StrippingTree& tree_;
   float reach_;
+  Vector centre_, normal_, u_, v_;  // the leaf's frame
   std::size_t own_ = 0;
   std::vector<std::uint32_t> neighbours_;
   std::vector<std::uint32_t> pending_;  // triangles whose edges may turn
@@ -82,6 +85,7 @@ class Patcher {
   std::vector<Delaunay::Point> points_;
   std::vector<std::array<float, 3>> shortest_;
   std::vector<std::array<float, 3>> angles_;  // of the triangulation's triangles, their cotangents
+  std::vector<std::uint8_t> inner_;
   std::vector<Candidate> interior_;
   Delaunay delaunay_;
 };

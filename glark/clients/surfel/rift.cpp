@@ -13,13 +13,21 @@
 namespace glark::surfel {
 namespace {
 
-constexpr float turn = 6.2831853F;
-constexpr float slack = 1e-3F;            // radians
+constexpr float turn = 4;                 // a full one, see direction_of()
+constexpr float slack = 1e-3F;            // of these
 constexpr std::size_t longest_loop = 32;  // edges of what is closed: beyond are open rims
 constexpr float penalty = 1000;           // of a triangle that is seen from behind, or has an edge that others have
 constexpr float never = std::numeric_limits<float>::infinity();
 
+float square(float x) { return x * x; }
 float wrapped(float angle) { return angle < 0 ? angle + turn : angle; }
+
+// Where an angle's point of the diamond |x| + |y| = 1 is, along the diamond: it grows as the angle does, and opposite directions are half a turn apart.
+float direction_of(float y, float x) {
+  const float size = std::fabs(x) + std::fabs(y);
+  if (!(size > 0)) return 0;
+  return x >= 0 ? y / size : y >= 0 ? 2 - y / size : -2 - y / size;
+}
 
 Vector normal_of(const Layer& layer, std::uint32_t point) {
   const Surfel& surfel = layer.surfel(point);
@@ -40,14 +48,15 @@ float badness(const Layer& layer, const StripTriangle& triangle) {
   constexpr float least_cosine = 0.1F;
   const float cosine = normal == Vector{} ? 1 : dot(unit(across), normal);
   const float radius = dot(b - a, b - a) * dot(c - b, c - b) / doubled_area * dot(a - c, a - c);
-  return radius / std::pow(std::max(std::fabs(cosine), least_cosine), 2.0F) * (cosine < 0 ? -1.0F : 1.0F);
+  return radius / square(std::max(std::fabs(cosine), least_cosine)) * (cosine < 0 ? -1.0F : 1.0F);
 }
 
 void Rift::begin(std::span<const std::uint32_t> points) {
   points_.assign(points.begin(), points.end());
-  fans_.assign(points.size(), {});
+  if (fans_.size() < points.size()) fans_.resize(points.size());  // of those before, the memory is of use
   for (std::size_t i = 0; i < points.size(); ++i) {
     Fan& fan = fans_[i];
+    fan.wedges.clear();
     fan.position = layer_.surfel(points[i]).position;
     fan.normal = normal_of(layer_, points[i]);
     fan.u = perpendicular(fan.normal);
@@ -65,7 +74,7 @@ Rift::Fan* Rift::fan_of(std::uint32_t point) {
 Rift::Wedge Rift::wedge_at(const Fan& fan, std::uint32_t first, std::uint32_t second) const {
   const auto angle_of = [&](std::uint32_t point) {
     const Vector d = layer_.surfel(point).position - fan.position;
-    return std::atan2(dot(d, fan.v), dot(d, fan.u));
+    return direction_of(dot(d, fan.v), dot(d, fan.u));
   };
   Wedge wedge{first, second, angle_of(first), 0};
   const float to = angle_of(second);
@@ -143,7 +152,7 @@ std::uint32_t Rift::next_on_border(std::uint32_t before, std::uint32_t at) {
   };
   const auto angle_of = [&](std::uint32_t point) {
     const Vector d = layer_.surfel(point).position - fan->position;
-    return std::atan2(dot(d, fan->v), dot(d, fan->u));
+    return direction_of(dot(d, fan->v), dot(d, fan->u));
   };
   const float from = angle_of(before);
   std::uint32_t next = none;

@@ -120,7 +120,7 @@ class Gardener {
     std::size_t middle = begin;
     if (shape == Shape::folded) {
       middle = begin + split_by_normals(surfels, plane);
-      band *= 1.4142F;  // of two sheets, each has half of the points, as far apart as that
+      band *= 1.2F;  // of two sheets, each has half of the points, which are farther apart
     } else if (shape == Shape::thick && surfels.size() >= least_thick) {
       Box box;
       for (const Surfel& surfel : surfels) box.add(surfel.position);
