@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 
 namespace glark::conformance {
@@ -65,18 +66,6 @@ std::size_t bind_indices(GLenum type) {
 }
 
 using Draw = std::function<void()>;
-
-GLuint count_generated(const Draw& draw) {
-  GLuint query = 0;
-  GLuint count = 0;
-  gl.GenQueries(1, &query);
-  gl.BeginQuery(GL_PRIMITIVES_GENERATED, query);
-  draw();
-  gl.EndQuery(GL_PRIMITIVES_GENERATED);
-  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
-  gl.DeleteQueries(1, &query);
-  return count;
-}
 
 // Sums of colours, which do not depend on the order of triangles.
 Picture sum_of(const Draw& draw) {
