@@ -78,10 +78,9 @@ struct Options {
 struct Node {
   std::array<float, 3> low, high;  // the box of all triangles below; low > high where there are none
   std::array<float, 3> cone_axis;  // of unit length; the triangles' normals lie within the cone about it
-  std::array<float, 3>
-      cone_apex;    // behind the planes of all triangles: from e with dot(apex - e, axis) > sine * |apex - e| their
-                    // backs are seen
-  float cone_sine;  // of its half-angle; 2 where it has 90 degrees or more
+  // Behind the planes of all triangles: from e with dot(apex - e, axis) > sine * |apex - e| their backs are seen.
+  std::array<float, 3> cone_apex;
+  float cone_sine;               // of its half-angle; 2 where it has 90 degrees or more
   std::uint32_t left, right;     // nodes; `none` for a leaf
   std::uint32_t first, count;    // a leaf's strip, in indices()
   std::uint32_t representative;  // the point nearest to the mean of those below; `none` where there are none

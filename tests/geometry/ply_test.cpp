@@ -48,7 +48,7 @@ TEST_F(Ply, FloatColoursGoToOneOrTo255) {
     return read_file(made("a.ply", header + rest), {}).geometry.colours;
   };
   EXPECT_EQ((std::vector<std::uint8_t>{255, 0, 128, 255, 0, 0, 0, 255, 51, 255, 0, 255}),
-            colours("end_header\n0 0 0 1 0 0.5\n1 0 0 0 0 nan\n0 1 0 0.2 1.01 -3\n"));
+            colours("end_header\n0 0 0 1 0 0.5\n1 0 0 0 -1 nan\n0 1 0 0.2 1.01 -3\n"));
   EXPECT_EQ((std::vector<std::uint8_t>{1, 0, 1, 255, 0, 0, 0, 255, 200, 255, 13, 255}),
             colours("end_header\n0 0 0 1 0 0.6\n1 0 0 0 0 0\n0 1 0 200 255 13\n"));
   EXPECT_EQ((std::vector<std::uint8_t>{1, 0, 1, 0, 0, 0, 0, 1, 200, 255, 13, 128}),

@@ -96,16 +96,14 @@ class Vertices {
     attributes_.normals = has({slot_nx, slot_ny, slot_nz});
     attributes_.colours = has({slot_red, slot_green, slot_blue});
     attributes_.texture_coordinates = has({slot_s, slot_t});
+    // Channels of several types are brought to bytes each by its own.
+    if (is_float(slot_red) && is_float(slot_green) && is_float(slot_blue) &&
+        (column_[slot_alpha] == none || is_float(slot_alpha)))
+      colour_range_ = ColourRange::by_greatest;
   }
 
   const Attributes& attributes() const { return attributes_; }
-  // Channels of several types are brought to bytes each by its own.
-  ColourRange colour_range() const {
-    const auto is_float = [&](Slot slot) { return type_[slot] == Type::float32 || type_[slot] == Type::float64; };
-    const bool all_float = is_float(slot_red) && is_float(slot_green) && is_float(slot_blue) &&
-                           (column_[slot_alpha] == none || is_float(slot_alpha));
-    return all_float ? ColourRange::by_greatest : ColourRange::byte;
-  }
+  ColourRange colour_range() const { return colour_range_; }
   const std::string& unread() const { return unread_; }
   std::span<double> values() { return values_; }
 
@@ -133,19 +131,21 @@ class Vertices {
     return std::all_of(slots.begin(), slots.end(), [&](Slot slot) { return column_[slot] != none; });
   }
 
+  bool is_float(Slot slot) const { return type_[slot] == Type::float32 || type_[slot] == Type::float64; }
+
   double value(Slot slot) const { return values_[static_cast<std::size_t>(column_[slot])]; }
 
   float colour(Slot slot) const {
     const auto channel = static_cast<float>(value(slot));
     if (type_[slot] == Type::uint16) return channel / 257;
-    const bool is_fraction = type_[slot] == Type::float32 || type_[slot] == Type::float64;
-    return is_fraction && colour_range() == ColourRange::byte ? 255 * channel : channel;
+    return is_float(slot) && colour_range_ == ColourRange::byte ? 255 * channel : channel;
   }
 
   std::array<int, slot_count> column_{};
   std::array<Type, slot_count> type_{};
   std::vector<double> values_;
   Attributes attributes_;
+  ColourRange colour_range_ = ColourRange::byte;
   std::string unread_;
 };
 

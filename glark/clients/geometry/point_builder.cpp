@@ -115,12 +115,15 @@ void PointBuilder::add_colour(const std::array<float, 4>& colour) {
       if (i % 4 < 3 || colour[3] != opaque) geometry_.colours[i] = geometry_.colours[i] < 128 ? 0 : 1;
   }
   const float scale = range_ == ColourRange::byte ? 1.0F : 255.0F;
-  for (const float channel : colour) {
-    const float scaled = channel > 0         ? std::min(channel * scale, 255.0F)
-                         : channel == opaque ? 255.0F
-                                             : 0.0F;  // 0 for NaN
+  const auto add = [&](float channel) {
+    const float scaled = channel > 0 ? std::min(channel * scale, 255.0F) : 0.0F;  // 0 for NaN too
     geometry_.colours.push_back(static_cast<std::uint8_t>(std::lround(scaled)));
-  }
+  };
+  for (std::size_t i = 0; i < 3; ++i) add(colour[i]);
+  if (colour[3] == opaque)
+    geometry_.colours.push_back(255);
+  else
+    add(colour[3]);
 }
 
 void PointBuilder::add_polygon(std::span<const std::int64_t> corners) {

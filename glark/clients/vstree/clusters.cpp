@@ -125,7 +125,7 @@ class WholeErrors {
 
   Shape combine(const Node& node, std::span<const Shape> children) {
     const Shape shape = sum_of(children);
-    float error = shape.error(1e-6F);
+    float error = shape.error();
     for (std::size_t k = 0; k < children.size(); ++k) error = std::max(error, errors_[node.first_child + k]);
     errors_[static_cast<std::size_t>(&node - nodes_.data())] = error;
     return shape;

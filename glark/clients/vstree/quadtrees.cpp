@@ -12,7 +12,6 @@ namespace glark::vstree {
 namespace {
 
 constexpr unsigned most_levels = 6;  // of a grid, so that its sums fit the cache
-constexpr float flat_share = 1e-6F;  // of the extent in an error, so that what is flat is divided evenly
 enum PartKind : std::uint8_t { empty, filled, divided };
 
 // 1 to 2, so that equal rectangles of what is flat are not divided all or none.
@@ -227,7 +226,7 @@ void Quadtrees::find_volume_errors(std::span<const Record> sorted, std::span<con
       continue;
     }
     shapes[i] = sum_of(std::span(shapes).subspan(node.first_child, node.child_count()));
-    volume_errors_[i] = shapes[i].error(flat_share);
+    volume_errors_[i] = shapes[i].error();
     for (std::uint32_t k = 0; k < node.child_count(); ++k)
       volume_errors_[i] = std::max(volume_errors_[i], volume_errors_[node.first_child + k]);
   }

@@ -8,6 +8,8 @@
 
 namespace glark::vstree {
 
+constexpr float flat_share = 1e-6F;  // of the extent in an error, so that what is flat is divided evenly
+
 // Its quadric is about its centroid.
 struct Shape {
   Float4 sum{};      // of the points; the fourth is their number
@@ -15,9 +17,9 @@ struct Shape {
   Quadric quadric;
 
   Float4 centroid() const { return without_fourth(sum / sum[3]); }
-  // Of the best point: the sum of the squared distances from the planes, and so much of the extent.
-  float error(float share) const {
-    return quadric.error_at(best_step()) + share * radius * radius * (quadric.weight() + 1e-12F * sum[3]);
+  // Of the best point: the sum of the squared distances from the planes, and a little of the extent.
+  float error() const {
+    return quadric.error_at(best_step()) + flat_share * radius * radius * (quadric.weight() + 1e-12F * sum[3]);
   }
   // From the centroid to the best point. Planes that are nearly one, or those of a cone, meet far away. But the error only falls on the
   // way there: it ends within the cluster.
