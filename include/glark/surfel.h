@@ -58,17 +58,17 @@ struct Cloud {
 struct Options {
   // At most in a leaf of the stripping tree, 8 to 1024. The thesis has 20 to 40; with more, fewer points are in several leaves, and strips
   // are longer: they are made faster and have fewer indices, but are culled less finely.
-  unsigned leaf_points = 128;
+  unsigned leaf_points = 192;
   // The height-field indicator of chapter 3.2.2, by which leaves are split: the least cosine between a point's normal and the leaf's,
   // and the greatest distance of a point from the leaf's plane, in radii of the leaf.
   float delta_a = 0.0F;
   float delta_d = 0.6F;
-  float inflation = 1.75F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
+  float inflation = 1.6F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
   // The longest edge of a triangle, in the distance to neighbours of that of its points whose distance is neither least nor greatest; 1 to
   // 100. Isolated points have no triangles.
   float reach = 5.0F;
-  // Whether strips may turn edges within them to the other diagonal of their two triangles, where that saves indices, the triangles are flat
-  // (their normals differ by less than 18 degrees) and nearly as good (angles opposite to the edge of less than 107 degrees on average).
+  // Whether edges within a leaf may turn to the other diagonal of their two triangles, where that saves indices, the triangles are flat
+  // (their normals differ by less than 26 degrees) and good enough (angles opposite to the edge of less than 130 degrees on average).
   bool turn_edges = true;
   unsigned levels = 1;   // of detail, 1 to 16; each has about a quarter of the points of the one before
   unsigned threads = 0;  // at most; 0: as many as the machine has, 1: none but the caller's

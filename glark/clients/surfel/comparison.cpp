@@ -9,11 +9,6 @@
 namespace glark::surfel {
 namespace {
 
-bool is_before(const Corners& a, const Corners& b) {
-  const std::uint64_t one = std::uint64_t{a[0]} << 32 | a[1], other = std::uint64_t{b[0]} << 32 | b[1];
-  return one < other || (one == other && a[2] < b[2]);
-}
-
 // The same way round: where the surface bends too much for a plane, a triangle can be upside down on it.
 bool all_owners_have(const Layer& layer, std::uint32_t leaf, const Candidate& candidate, bool oriented) {
   return std::all_of(candidate.corners.begin(), candidate.corners.end(), [&](std::uint32_t corner) {

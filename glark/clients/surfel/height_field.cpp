@@ -79,6 +79,24 @@ Plane fit_plane(std::span<const Surfel> surfels) {
   return plane;
 }
 
+float mean_distance(std::span<const Surfel> surfels, const Plane& plane) {
+  if (surfels.empty()) return 0;
+  const Vector u = perpendicular(plane.normal), v = cross(plane.normal, u);
+  double xx = 0, xy = 0, yy = 0;
+  for (const Surfel& surfel : surfels) {
+    const Vector d = surfel.position - plane.centre;
+    const double x = dot(d, u), y = dot(d, v);
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+  }
+  const auto points = static_cast<double>(surfels.size());
+  constexpr double squared_side = 12;  // of a rectangle, for a variance of one along it
+  const double area = squared_side / points * std::sqrt(std::max(0.0, xx * yy - xy * xy));
+  const double length = std::sqrt(squared_side * (xx + yy) / points);
+  return static_cast<float>(std::max(std::sqrt(area / points), length / points));
+}
+
 Shape shape_of(std::span<const Surfel> surfels, const Plane& plane, const TreeOptions& options) {
   float radius = 0;
   float height = 0;

@@ -18,6 +18,9 @@ struct Plane {
 
 Plane fit_plane(std::span<const Surfel> surfels);
 
+// Of neighbours, were the points spread evenly over a rectangle of the plane that has their variances, or over a line.
+float mean_distance(std::span<const Surfel> surfels, const Plane& plane);
+
 enum class Shape { height_field, folded, thick };  // thick: a point is too far from the plane
 
 Shape shape_of(std::span<const Surfel> surfels, const Plane& plane, const TreeOptions& options);

@@ -104,12 +104,13 @@ void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const 
   fill_slots(
       leaves, workers, layer.candidates, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].candidates; },
       [&](std::span<const std::uint32_t> run, Piece<Candidate>& piece) {
-        Patcher patcher(layer.tree, options.reach);
+        Patcher patcher(layer.tree, options.reach, options.turn_edges);
         for (const std::uint32_t leaf : run) {
           patcher.make(leaf);
           piece.items.insert(piece.items.end(), patcher.candidates.begin(), patcher.candidates.end());
           piece.counts.push_back(static_cast<std::uint32_t>(patcher.candidates.size()));
           layer.patches[leaf].outer = patcher.outer;
+          layer.patches[leaf].evened = patcher.turned;
           layer.patches[leaf].shared = patcher.shared;
           layer.patches[leaf].moved = true;
           std::span<Surfel> surfels = layer.tree.used(layer.tree.leaves[leaf]);

@@ -29,7 +29,7 @@ struct Patch {
   Slot strip;
   std::size_t outer = 0, redundant = 0, dual = 0, valid = 0, out_of_reach = 0;
   std::uint64_t drawn = 0;             // a fingerprint of its triangles
-  std::size_t turned = 0;              // edges of these in the strip
+  std::size_t evened = 0, turned = 0;  // edges, in the triangulation and in the strip
   std::vector<MendedTriangle> mended;  // few leaves have any
   Box box;                             // of what is drawn
   Vector cone_axis, cone_apex;

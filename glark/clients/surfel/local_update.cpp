@@ -74,7 +74,7 @@ class Mover {
   void add_neighbours() {
     for (const std::uint32_t leaf : touched_.list()) {
       leaves.add(leaf);
-      Patcher::neighbours(tree_, leaf, found_);
+      find_neighbours(tree_, leaf, found_);
       for (const std::uint32_t neighbour : found_) {
         const float band = std::max(tree_.leaves[leaf].band, tree_.leaves[neighbour].band);
         const Box& box = tree_.nodes[tree_.leaves[neighbour].node].box;
@@ -210,7 +210,7 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
   std::vector<std::uint32_t> found;
   for (const std::uint32_t leaf : mover.leaves.list()) {
     drawn.add(leaf);
-    Patcher::neighbours(layer.tree, leaf, found);
+    find_neighbours(layer.tree, leaf, found);
     for (const std::uint32_t neighbour : found) drawn.add(neighbour);
   }
   agree_on_candidates(layer, drawn.list(), options, workers);

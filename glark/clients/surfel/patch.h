@@ -10,11 +10,17 @@
 #include <vector>
 
 #include "glark/clients/surfel/delaunay.h"
+#include "glark/clients/surfel/inflation.h"
 #include "glark/clients/surfel/stripping_tree.h"
 
 namespace glark::surfel {
 
 using Corners = std::array<std::uint32_t, 3>;  // points, ascending
+
+inline bool is_before(const Corners& a, const Corners& b) {
+  const std::uint64_t one = std::uint64_t{a[0]} << 32 | a[1], other = std::uint64_t{b[0]} << 32 | b[1];
+  return one < other || (one == other && a[2] < b[2]);
+}
 
 enum class State : std::uint8_t {
   contested,     // some leaf that could have it has it not
@@ -38,7 +44,8 @@ float spacing_of(float a, float b, float c);
 // Makes patches, one after the other, in memory that it keeps.
 class Patcher {
  public:
-  Patcher(const StrippingTree& tree, float reach) : tree_(tree), reach_(reach) {}
+  Patcher(const StrippingTree& tree, float reach, bool turn_edges)
+      : reach_(reach), turn_edges_(turn_edges), inflation_(tree) {}
 
   // Afterwards the members below are of this leaf.
   void make(std::uint32_t leaf);
@@ -47,47 +54,44 @@ class Patcher {
   std::uint32_t shared = 0;           // how many these are
   std::vector<float> spacings;        // of the leaf's used points
   std::size_t outer = 0;              // triangles without any of these
-
-  // Leaves of which points are taken in, or that take in points of this one.
-  static void neighbours(const StrippingTree& tree, std::uint32_t leaf, std::vector<std::uint32_t>& found);
+  std::size_t turned = 0;             // edges, for strips that turn less
 
  private:
-  struct Member {
-    Vector position;
-    std::uint32_t index;
+  // What is measured of a triangle in space.
+  struct Facet {
+    std::array<float, 3> cotangents;  // of its angles
+    std::array<float, 3> sizes;       // of the edges opposite to these, squared
     Vector normal;
   };
 
-  std::array<float, 5> slabs_of(Vector position) const;
-  void inflate(std::uint32_t leaf);
-  void project(const Leaf& leaf);
-  bool may_turn(std::uint32_t triangle, std::uint32_t link, std::uint32_t side) const;
-  void turn(std::uint32_t triangle, std::uint32_t side);
-  void measure_angles(std::uint32_t triangle);
+  const Inflation::Member& member(std::uint32_t corner) const { return inflation_.members[corner]; }
   bool is_inner(const Delaunay::Triangle& triangle) const;  // has a point of the leaf
-  void relax();
+  bool is_interior(const Delaunay::Triangle& triangle) const;
+  void measure(std::uint32_t triangle);
+  bool may_turn(std::uint32_t triangle, std::uint32_t side) const;
+  void turn(std::uint32_t triangle, std::uint32_t side);
   bool prefers_other_diagonal(std::uint32_t triangle, std::uint32_t side) const;
-  bool faces_away(const Delaunay::Triangle& triangle) const;
+  void relax();
+  void measure_spacings();
+  bool faces_away(std::uint32_t triangle) const;
+  State state_of_interior(std::uint32_t triangle, bool away) const;
+  bool is_agreed(std::uint32_t triangle) const;
+  bool even(std::uint32_t triangle, std::uint32_t side);
+  void find_valences();
+  void even_valences();
+  Candidate candidate_of(std::uint32_t triangle) const;
   void collect();
   void collect_rim(const Delaunay::Triangle& triangle);
-  void measure_spacings();
 
-  State state_of_interior(const Delaunay::Triangle& triangle, bool away) const;
-
-  const StrippingTree& tree_;
   float reach_;
-  Vector centre_, normal_, u_, v_;  // the leaf's frame
-  std::size_t own_ = 0;
-  std::vector<std::uint32_t> neighbours_;
-  std::vector<std::uint32_t> pending_;  // triangles whose edges may turn
-  std::vector<Member> members_;         // the leaf's own first
-  std::vector<std::array<float, 2>> plane_;
-  std::vector<Delaunay::Point> points_;
-  std::vector<std::array<float, 3>> shortest_;
-  std::vector<std::array<float, 3>> angles_;  // of the triangulation's triangles, their cotangents
-  std::vector<std::uint8_t> inner_;
-  std::vector<Candidate> interior_;
+  bool turn_edges_;
+  Inflation inflation_;
   Delaunay delaunay_;
+  std::vector<Facet> facets_;           // of the triangulation's triangles
+  std::vector<std::uint32_t> pending_;  // triangles whose edges may turn
+  std::vector<std::array<float, 3>> shortest_;
+  std::vector<std::uint8_t> valences_;  // of the members, their triangles modulo three
+  std::vector<Candidate> interior_;
 };
 
 }  // namespace glark::surfel

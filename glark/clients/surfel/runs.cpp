@@ -7,6 +7,7 @@
 namespace glark::surfel {
 namespace {
 
+constexpr std::size_t steps = 2;            // of improvement, for each triangle
 constexpr int end_cost = 3, turn_cost = 2;  // in half indices: a run costs three on average, a turn one
 
 std::uint32_t hash(std::uint32_t from, std::uint32_t to) {
@@ -152,14 +153,14 @@ int Runs::loosened(std::uint32_t triangle, std::uint32_t side) const {
   return turns(triangle, side) + (rest != 0 ? turns(beyond, lowest[rest]) : 0);
 }
 
-// From the end of a run on.
-bool Runs::is_one_run(std::uint32_t end, std::uint32_t other) const {
-  std::uint32_t before = 0;
-  for (std::uint32_t at = end + 1; at != 0;) {
-    if (at == other + 1) return true;
-    const std::uint32_t next = beside_[at - 1] ^ before;
+// From a triangle to the next, and on from there.
+bool Runs::is_loop(std::uint32_t first, std::uint32_t next) const {
+  std::uint32_t before = first + 1;
+  for (std::uint32_t at = next + 1; at != 0;) {
+    if (at == first + 1) return true;
+    const std::uint32_t beyond = beside_[at - 1] ^ before;
     before = at;
-    at = next;
+    at = beyond;
   }
   return false;
 }
@@ -172,7 +173,7 @@ void Runs::improve() {
     if (is_end(t)) ends_.push_back(t);
   }
   std::uint32_t random = 1;
-  for (std::size_t step = 0; step < size() / 2 && !ends_.empty(); ++step) {
+  for (std::size_t step = 0; step < steps * size() && !ends_.empty(); ++step) {
     random = random * 1664525U + 1013904223U;
     const std::size_t at = std::uint64_t{random} * ends_.size() >> 32;
     const std::uint32_t t = ends_[at];
@@ -189,29 +190,27 @@ void Runs::improve() {
 void Runs::cross(std::uint32_t t, std::uint32_t side, bool lower) {
   const std::uint32_t u = triangle_of(sides_[t][side]);
   const std::uint8_t mask = crossed_[u], rest = crossed_[t];
-  int cost = -2 * end_cost;
+  const auto turns_at = [&](std::uint32_t triangle, std::uint8_t at) {
+    return at != 0 ? turns(triangle, lowest[at]) : 0;
+  };
+  int cost = -turns_at(t, rest);
   std::uint32_t left = 3;
   if (is_end(u)) {
-    if (mask != 0) cost -= turns(u, lowest[mask]);
+    cost -= 2 * end_cost + turns_at(u, mask);
   } else {
     left = lower ? lowest[mask] : lowest[mask & (mask - 1)];
-    cost += 2 * end_cost - loosened(u, left) - turns(u, lowest[mask & static_cast<std::uint8_t>(~(1U << left))]);
+    cost -= loosened(u, left) + turns_at(u, mask & static_cast<std::uint8_t>(~(1U << left)));
     part(u, left);
   }
-  if (rest != 0) cost -= turns(t, lowest[rest]);
-  if (cost <= 0 && !is_one_run(t, u)) {
-    const std::uint8_t u_rest = crossed_[u];
-    join(t, side);
-    cost += turns(t, side);
-    if (rest != 0) cost += turns(t, lowest[rest]);
-    if (u_rest != 0) cost += turns(u, lowest[u_rest]);
-    if (cost <= 0) {
-      if (left < 3) ends_.push_back(triangle_of(sides_[u][left]));
-      return;
-    }
+  const std::uint8_t u_rest = crossed_[u];
+  join(t, side);
+  cost += turns(t, side) + turns_at(t, rest) + turns_at(u, u_rest);
+  if (cost > 0 || is_loop(u, t)) {
     part(t, side);
+    if (left < 3) join(u, left);
+  } else if (left < 3) {
+    ends_.push_back(triangle_of(sides_[u][left]));
   }
-  if (left < 3) join(u, left);
 }
 
 void Runs::follow(std::uint32_t end, std::vector<std::uint32_t>& triangles) const {

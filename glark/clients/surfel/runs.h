@@ -50,7 +50,7 @@ class Runs {
   int loosened(std::uint32_t triangle, std::uint32_t side) const;
   void join(std::uint32_t triangle, std::uint32_t side);
   void part(std::uint32_t triangle, std::uint32_t side);
-  bool is_one_run(std::uint32_t end, std::uint32_t other) const;
+  bool is_loop(std::uint32_t first, std::uint32_t next) const;
 
   std::vector<std::array<std::uint32_t, 3>>
       sides_;  // across the edge opposite to each corner: a triangle, and its side

@@ -51,7 +51,7 @@ class Gardener {
     Box box;
     for (std::size_t i = begin; i < end; ++i) box.add(surfels_[i].position);
     if (end - begin <= options_.leaf_points || box.low == box.high) {
-      return grow_leaves(branch, begin, end, band_of(box, end - begin));
+      return grow_leaves(branch, begin, end);
     }
     const std::size_t leaves = (end - begin + options_.leaf_points - 1) / options_.leaf_points;
     const std::size_t middle = split(begin, end, box, begin + (end - begin) * (leaves / 2) / leaves);
@@ -83,16 +83,6 @@ class Gardener {
     return node;
   }
 
-  // Twice the mean distance of points on a surface that fills the box, or on a line.
-  float band_of(const Box& box, std::size_t count) const {
-    if (count == 0) return 0;
-    const Vector size = box.extent();
-    std::array<float, 3> sizes = to_array(size);
-    std::sort(sizes.begin(), sizes.end());
-    const auto points = static_cast<float>(count);
-    return options_.inflation * std::max(std::sqrt(sizes[2] * sizes[1] / points), sizes[2] / points);
-  }
-
   // About there along the widest axis. Points of equal coordinates, and so those at one place, stay together.
   std::size_t split(std::size_t begin, std::size_t end, const Box& box, std::size_t middle) const {
     const std::size_t axis = box.widest_axis();
@@ -113,26 +103,25 @@ class Gardener {
   }
 
   // The height-field criterion. A fold is split by the normals, so that the two sides of a thin sheet part.
-  std::uint32_t grow_leaves(Branch& branch, std::size_t begin, std::size_t end, float band) const {
+  std::uint32_t grow_leaves(Branch& branch, std::size_t begin, std::size_t end) const {
     const std::span<Surfel> surfels = surfels_.subspan(begin, end - begin);
     const Plane plane = fit_plane(surfels);
     const Shape shape = shape_of(surfels, plane, options_);
     std::size_t middle = begin;
     if (shape == Shape::folded) {
       middle = begin + split_by_normals(surfels, plane);
-      band *= 1.2F;  // of two sheets, each has half of the points, which are farther apart
     } else if (shape == Shape::thick && surfels.size() >= least_thick) {
       Box box;
       for (const Surfel& surfel : surfels) box.add(surfel.position);
       if (!(box.low == box.high)) middle = split(begin, end, box, begin + (end - begin) / 2);
     }
-    if (middle == begin || middle == end) return make_leaf(branch, begin, end, band);
+    if (middle == begin || middle == end) return make_leaf(branch, begin, end);
     return join(
-        branch, end - begin, [&](Branch& to) { return grow_leaves(to, begin, middle, band); },
-        [&](Branch& to) { return grow_leaves(to, middle, end, band); });
+        branch, end - begin, [&](Branch& to) { return grow_leaves(to, begin, middle); },
+        [&](Branch& to) { return grow_leaves(to, middle, end); });
   }
 
-  std::uint32_t make_leaf(Branch& branch, std::size_t begin, std::size_t end, float band) const {
+  std::uint32_t make_leaf(Branch& branch, std::size_t begin, std::size_t end) const {
     const std::span<Surfel> surfels = surfels_.subspan(begin, end - begin);
     std::sort(surfels.begin(), surfels.end(), [](const Surfel& a, const Surfel& b) {
       return std::tie(a.position.x, a.position.y, a.position.z, a.index) <
@@ -142,12 +131,13 @@ class Gardener {
     Leaf leaf{.node = static_cast<std::uint32_t>(branch.nodes.size()),
               .surfels = {static_cast<std::uint32_t>(begin), count, count},
               .used = put_copies_last(surfels),
-              .band = band,
+              .band = 0,
               .normal = {},
               .centre = {}};
     const Plane plane = fit_plane(surfels.first(leaf.used));
     leaf.normal = plane.normal;
     leaf.centre = plane.centre;
+    leaf.band = options_.inflation * mean_distance(surfels.first(leaf.used), plane);
     TreeNode node;
     node.leaf = static_cast<std::uint32_t>(branch.leaves.size());
     branch.leaves.push_back(leaf);

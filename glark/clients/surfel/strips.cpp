@@ -170,7 +170,7 @@ Counts Strips::counts(unsigned level) const {
     counts.dual += patch.dual;
     counts.valid += patch.valid;
     counts.out_of_reach += patch.out_of_reach;
-    counts.turned += patch.turned;
+    counts.turned += patch.evened + patch.turned;
     counts.strips += patch.strip.count > 0 ? 1 : 0;
     counts.indices += patch.strip.count;
   }

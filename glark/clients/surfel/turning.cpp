@@ -8,13 +8,26 @@
 namespace glark::surfel {
 namespace {
 
-constexpr std::size_t most_turned = 3;  // edges for one or two indices
+constexpr std::size_t most_turned = 8;  // edges for one or two indices
 // Of the sum of the cotangents of the angles opposite to the new edge, which is not negative where it fulfils Delaunay's criterion: what
-// two angles of 107 degrees have.
-constexpr float least_cotangents = -0.6F;
-constexpr float flat = 0.95F;  // the least cosine between the four triangles
+// two angles of 130 degrees have.
+constexpr float least_cotangents = -1.68F;
+constexpr float flat = 0.9F;  // the least cosine between the four triangles
 
 }  // namespace
+
+bool may_turn_edge(Vector p, Vector a, Vector d, Vector b) {
+  const Vector pa = a - p, pb = b - p, pd = d - p, da = a - d, db = b - d;
+  const Vector at_a = cross(pa, pd), at_b = cross(pd, pb);
+  const float size_a = length(at_a), size_b = length(at_b);
+  const float smallest = std::numeric_limits<float>::min();
+  if (dot(pa, da) / std::max(size_a, smallest) + dot(pb, db) / std::max(size_b, smallest) < least_cotangents)
+    return false;
+  const Vector now = cross(pa, pb), beyond = cross(db, da);
+  const float size = length(now), size_beyond = length(beyond);
+  return dot(now, beyond) > flat * size * size_beyond && dot(at_a, at_b) > flat * size_a * size_b &&
+         dot(now, at_a) > flat * size * size_a && dot(now, at_b) > flat * size * size_b;
+}
 
 bool has(const StripTriangle& triangle, std::uint32_t point) {
   return triangle[0] == point || triangle[1] == point || triangle[2] == point;
@@ -33,18 +46,8 @@ std::uint32_t common_point(const StripTriangle& a, const StripTriangle& b, const
 
 bool Turning::can_turn(const StripTriangle& one, const StripTriangle& other) const {
   const std::uint32_t k = corner_off(one, other);
-  const Vector p = positions_[one[k]], a = positions_[one[(k + 1) % 3]], b = positions_[one[(k + 2) % 3]];
-  const Vector d = positions_[other[corner_off(other, one)]];
-  const Vector pa = a - p, pb = b - p, pd = d - p, da = a - d, db = b - d;
-  const Vector at_a = cross(pa, pd), at_b = cross(pd, pb);
-  const float size_a = length(at_a), size_b = length(at_b);
-  const float smallest = std::numeric_limits<float>::min();
-  if (dot(pa, da) / std::max(size_a, smallest) + dot(pb, db) / std::max(size_b, smallest) < least_cotangents)
-    return false;
-  const Vector now = cross(pa, pb), beyond = cross(db, da);
-  const float size = length(now), size_beyond = length(beyond);
-  return dot(now, beyond) > flat * size * size_beyond && dot(at_a, at_b) > flat * size_a * size_b &&
-         dot(now, at_a) > flat * size * size_a && dot(now, at_b) > flat * size * size_b;
+  return may_turn_edge(positions_[one[k]], positions_[one[(k + 1) % 3]], positions_[other[corner_off(other, one)]],
+                       positions_[one[(k + 2) % 3]]);
 }
 
 // Of every other edge.

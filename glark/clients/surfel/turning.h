@@ -14,6 +14,9 @@
 
 namespace glark::surfel {
 
+// Whether triangles p, a, b and d, b, a may become p, a, d and p, d, b: all are flat, and the new ones nearly as good.
+bool may_turn_edge(Vector p, Vector a, Vector d, Vector b);
+
 // A strip goes around the points on its two sides in turn; where it goes around one on the same side twice, it has an index more. Two such
 // places, on different sides, have none if the edges between them turn; so does one by its own if those up to the run's end turn.
 // What is around the two triangles of such an edge stays as it is, so that patches match as before.
