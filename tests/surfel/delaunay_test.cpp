@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "glark/clients/surfel/strip_path.h"
@@ -143,6 +144,15 @@ TEST(Delaunay, UnevenPoints) {
   delaunay.triangulate(points);
   EXPECT_EQ(area(delaunay, points), 0);
   EXPECT_TRUE(linked(delaunay));
+}
+
+TEST(Delaunay, CoordinatesThatAreTooGreat) {
+  constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max(),
+                         least = std::numeric_limits<std::int32_t>::min();
+  Delaunay delaunay;
+  delaunay.triangulate(std::vector<Point>{{least, 0}, {0, least}, {most, most}, {0, 0}, {least, least}});
+  EXPECT_TRUE(linked(delaunay));
+  EXPECT_EQ(delaunay.triangles().size(), 11U);
 }
 
 TEST(Delaunay, PrefersTheFirstOfPointsAtOnePlace) {

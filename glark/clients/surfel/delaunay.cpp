@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace glark::surfel {
 namespace {
@@ -14,7 +15,8 @@ __extension__ using Int128 = __int128;
 
 constexpr std::int32_t far_away = 1 << 25;
 
-// Twice the signed area, and squared lengths. Coordinates relative to a point are below 2^26, these below 2^52: both are exact.
+// Twice the signed area, and squared lengths. Relative to a point of the input, coordinates are little above 2^25 and these below 2^52;
+// relative to one far away, areas are at most 2^53: all are exact.
 template <typename Vector>
 double cross(const Vector& a, const Vector& b) {
   return a.x * b.y - a.y * b.x;
@@ -67,19 +69,24 @@ void Delaunay::triangulate(std::span<const Point> points, std::size_t preferred)
   triangles_[0] = {{count_, count_ + 1, count_ + 2}, {none, none, none}};
   made_ = 1;
   last_ = 0;
+  if (count_ == 0) return;
+  std::uint32_t waiting = order_[0];
+  const auto insert_before = [&](std::uint32_t following) { insert(std::exchange(waiting, following), following); };
   // A few all over first: with these, fewer triangles are made only to make way again.
   constexpr std::uint32_t apart = 6;
-  for (std::uint32_t i = 0; i < count_; i += apart) insert(order_[i]);
+  for (std::uint32_t i = apart; i < count_; i += apart) insert_before(order_[i]);
   for (std::uint32_t i = 0; i < count_; ++i) {
-    if (i % apart != 0) insert(order_[i]);
+    if (i % apart != 0) insert_before(order_[i]);
   }
+  insert(waiting, waiting);
 }
 
 void Delaunay::place(std::span<const Point> points) {
   places_.resize(points.size() + 3);
   Place low = {greatest, greatest}, high = {-greatest, -greatest};
   for (std::uint32_t i = 0; i < count_; ++i) {
-    const Place at = {static_cast<double>(points[i].x), static_cast<double>(points[i].y)};
+    const Place at = {static_cast<double>(std::clamp(points[i].x, -greatest, greatest)),
+                      static_cast<double>(std::clamp(points[i].y, -greatest, greatest))};
     low = {std::min(low.x, at.x), std::min(low.y, at.y)};
     high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     places_[i] = at;
@@ -110,12 +117,12 @@ void Delaunay::sort(Place low, Place high) {
   for (std::uint32_t i = 0; i < count_; ++i) order_[starts_[cells_[i]]++] = i;
 }
 
-void Delaunay::insert(std::uint32_t index) {
+void Delaunay::insert(std::uint32_t index, std::uint32_t following) {
   last_ = locate(places_[index]);
   for (std::size_t i = 0; i < 3; ++i) {
     if (sides_[i].lift == 0) return prefer(last_, index);
   }
-  connect(last_, index);
+  connect(last_, index, following);
 }
 
 // A walk over edges that have the point on their other side; it ends, in a Delaunay triangulation (de Floriani et al. 1991).
@@ -169,15 +176,21 @@ void Delaunay::prefer(std::uint32_t triangle, std::uint32_t index) {
 }
 
 // The cavity grows over each side beyond which is a triangle whose circle has the point. The other sides, in order, and the point
-// are triangles, then. There are as many vacant as sides, always; so those that follow are known.
-void Delaunay::connect(std::uint32_t triangle, std::uint32_t index) {
+// are triangles, then. There are as many vacant as sides, always; so the number of the next triangle is known. The walk to the
+// following point begins in the triangle in its direction.
+void Delaunay::connect(std::uint32_t triangle, std::uint32_t index, std::uint32_t following) {
   const Place point = places_[index];
   std::uint32_t* vacant = vacant_.data();
-  std::uint32_t* vacant_end = std::copy_n(std::array{triangle, made_, made_ + 1}.begin(), 3, vacant);
-  made_ += 2;
+  vacant[0] = triangle;
+  vacant[1] = made_++;
+  vacant[2] = made_++;
+  std::uint32_t* vacant_end = vacant + 3;
   std::uint32_t previous = triangle;
   Corner a = sides_[0].end;
   double a2 = sides_[0].lift;
+  const Corner ahead = corner(following, point);
+  double side_of_a = cross(a, ahead);
+  std::uint32_t nearest = triangle;
   for (Side* end = sides_.data() + 3; end != sides_.data();) {
     Side& side = end[-1];
     const std::uint32_t link = side.link;
@@ -197,10 +210,14 @@ void Delaunay::connect(std::uint32_t triangle, std::uint32_t index) {
     }
     triangles_[*vacant] = {{index, a.index, side.end.index}, {link, link_to(vacant[1], 2), link_to(previous, 1)}};
     previous = *vacant++;
+    const double side_of_end = cross(side.end, ahead);
+    if ((side_of_a >= 0) & (side_of_end < 0)) nearest = previous;
+    side_of_a = side_of_end;
     a = side.end;
     a2 = side.lift;
     --end;
   }
+  last_ = nearest;
   triangles_[triangle].links[2] = link_to(previous, 1);
   triangles_[previous].links[1] = link_to(triangle, 2);
 }

@@ -15,7 +15,7 @@ namespace glark::surfel {
 
 class Delaunay {
  public:
-  static constexpr std::int32_t greatest = 1 << 20;  // of a coordinate's magnitude
+  static constexpr std::int32_t greatest = 1 << 20;  // of a coordinate's magnitude; those beyond are taken for it
   static constexpr std::uint32_t none = 0xFFFFFFFFU;
 
   struct Point {
@@ -72,10 +72,10 @@ class Delaunay {
 
   void place(std::span<const Point> points);
   void sort(Place low, Place high);
-  void insert(std::uint32_t index);
+  void insert(std::uint32_t index, std::uint32_t following);
   std::uint32_t locate(Place point);
   void prefer(std::uint32_t triangle, std::uint32_t index);
-  void connect(std::uint32_t triangle, std::uint32_t index);
+  void connect(std::uint32_t triangle, std::uint32_t index, std::uint32_t following);
 
   std::uint32_t count_ = 0, preferred_ = 0;
   std::vector<Place> places_;
