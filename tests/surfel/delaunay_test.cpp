@@ -130,6 +130,26 @@ TEST(Delaunay, PointsOfACircle) {
   EXPECT_GT(area(delaunay, points), whole / 1000 * 999);
 }
 
+// Doubles round the determinants of these to nothing or to the other sign.
+TEST(Delaunay, AlmostOnACircle) {
+  const std::vector<std::array<Point, 4>> all = {
+      {{{-1045110, -71119}, {-175536, -1032715}, {-1020975, -234356}, {539759, 897762}}},
+      {{{-440552, -950383}, {-411913, -963141}, {-1034634, -163847}, {196470, 1028882}}},
+      {{{-49467, -1046359}, {-71043, -1045116}, {634455, -833535}, {-464625, 938907}}},
+      {{{-1025616, 213133}, {164483, -1034533}, {180786, -1031809}, {580868, 871740}}},
+      {{{259004, -1015003}, {-792595, -684914}, {-835161, -632312}, {232118, 1021445}}}};
+  Delaunay delaunay;
+  for (const std::array<Point, 4>& four : all) {
+    std::vector<Point> points(four.begin(), four.end());
+    for (int turned = 0; turned < 4; ++turned) {  // the last that is inserted is another one
+      for (Point& point : points) point = {-point.y, point.x};
+      delaunay.triangulate(points);
+      EXPECT_TRUE(empty_circles(delaunay, points));
+      EXPECT_TRUE(linked(delaunay));
+    }
+  }
+}
+
 // Where points are dense, far away from the others, and with neither width nor height.
 TEST(Delaunay, UnevenPoints) {
   std::mt19937 random(8);
