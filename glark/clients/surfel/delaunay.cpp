@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace glark::surfel {
 namespace {
@@ -13,33 +15,41 @@ __extension__ using Int128 = __int128;
 
 constexpr std::int32_t far_away = 1 << 25;
 
-// Twice the signed area: at most 2^53, exact.
-double orientation(Place a, Place b, Place c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
-
-// The determinant of the circle through a, b, c, relative to d, in integers of at most 110 bits.
-bool in_circle_exactly(Place a, Place b, Place c, Place d) {
-  const auto away = [](double from, double to) { return static_cast<std::int64_t>(to - from); };
-  const std::int64_t ax = away(d.x, a.x), ay = away(d.y, a.y), bx = away(d.x, b.x), by = away(d.y, b.y);
-  const std::int64_t cx = away(d.x, c.x), cy = away(d.y, c.y);
-  const Int128 bc = Int128{bx} * cy - Int128{by} * cx;
-  const Int128 ca = Int128{cx} * ay - Int128{cy} * ax;
-  const Int128 ab = Int128{ax} * by - Int128{ay} * bx;
-  return (ax * ax + ay * ay) * bc + (bx * bx + by * by) * ca + (cx * cx + cy * cy) * ab > 0;
+// Twice the signed area, and squared lengths. Relative to a point of the input, coordinates are little above 2^25 and these below 2^52;
+// relative to one far away, areas are at most 2^53: all are exact.
+template <typename Vector>
+double cross(const Vector& a, const Vector& b) {
+  return a.x * b.y - a.y * b.x;
+}
+template <typename Vector>
+double lift(const Vector& a) {
+  return a.x * a.x + a.y * a.y;
 }
 
-// In doubles where their error leaves no doubt. Based on: Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997, ch. 4.
-bool in_circle(Place a, Place b, Place c, Place d) {
-  const double ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;
-  const double a2 = ax * ax + ay * ay, b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
-  const double bxcy = bx * cy, bycx = by * cx, cxay = cx * ay, cyax = cy * ax, axby = ax * by, aybx = ay * bx;
-  const double determinant = a2 * (bxcy - bycx) + b2 * (cxay - cyax) + c2 * (axby - aybx);
-  constexpr double any_error = 0x1p60;  // the one below is less for differences up to 2^26
+double orientation(Place a, Place b, Place c) {
+  return cross(Place{b.x - a.x, b.y - a.y}, Place{c.x - a.x, c.y - a.y});
+}
+
+// Of triangle a, b, d, with the point in the origin, on the other side of ab than d.
+struct Circle {
+  double a2, b2, d2;  // lifts
+  double ab, ad, db;  // cross products
+};
+
+// The determinant has at most 106 bits.
+bool has_origin_exactly(const Circle& circle) {
+  const auto product = [](double a, double b) {
+    return Int128{static_cast<std::int64_t>(a)} * static_cast<std::int64_t>(b);
+  };
+  return product(circle.a2, circle.db) + product(circle.b2, circle.ad) - product(circle.d2, circle.ab) > 0;
+}
+
+// In doubles where their error leaves no doubt: three products below 2^104, each rounded at most three times.
+bool has_origin(const Circle& circle) {
+  const double determinant = circle.a2 * circle.db + circle.b2 * circle.ad - circle.d2 * circle.ab;
+  constexpr double any_error = 0x1p55;
   if (std::fabs(determinant) > any_error) return determinant > 0;
-  const double permanent = a2 * (std::fabs(bxcy) + std::fabs(bycx)) + b2 * (std::fabs(cxay) + std::fabs(cyax)) +
-                           c2 * (std::fabs(axby) + std::fabs(aybx));
-  constexpr double error = 1.2e-15;  // (10 + 96 epsilon) epsilon, epsilon = 2^-53, rounded up
-  if (std::fabs(determinant) > error * permanent) return determinant > 0;
-  return in_circle_exactly(a, b, c, d);
+  return has_origin_exactly(circle);
 }
 
 constexpr std::array<std::uint32_t, 3> next = {1, 2, 0}, before = {2, 0, 1};
@@ -48,103 +58,168 @@ constexpr std::array<std::uint32_t, 3> next = {1, 2, 0}, before = {2, 0, 1};
 
 void Delaunay::triangulate(std::span<const Point> points, std::size_t preferred) {
   count_ = static_cast<std::uint32_t>(points.size());
-  places_.clear();
-  for (const auto& [x, y] : points) places_.push_back({static_cast<double>(x), static_cast<double>(y)});
-  places_.insert(places_.end(), {{-far_away, -far_away}, {far_away, -far_away}, {0, far_away}});
-  triangles_.clear();
-  triangles_.push_back({{count_, count_ + 1, count_ + 2}, {none, none, none}});
+  preferred_ = static_cast<std::uint32_t>(std::min(preferred, points.size()));
+  place(points);
+  const std::size_t most = 2 * std::size_t{count_} + 1;  // each point adds two triangles
+  if (triangles_.size() < most) {
+    triangles_.resize(most);
+    sides_.resize(most + 3);
+    vacant_.resize(most + 4);
+  }
+  triangles_[0] = {{count_, count_ + 1, count_ + 2}, {none, none, none}};
+  made_ = 1;
   last_ = 0;
-  latest_.fill(none);
-  const auto middle = static_cast<std::uint32_t>(std::min(preferred, points.size()));
-  insert_some(0, middle);
-  insert_some(middle, count_);
+  if (count_ == 0) return;
+  std::uint32_t waiting = order_[0];
+  const auto insert_before = [&](std::uint32_t following) { insert(std::exchange(waiting, following), following); };
+  // A few all over first: with these, fewer triangles are made only to make way again.
+  constexpr std::uint32_t apart = 6;
+  for (std::uint32_t i = apart; i < count_; i += apart) insert_before(order_[i]);
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    if (i % apart != 0) insert_before(order_[i]);
+  }
+  insert(waiting, waiting);
 }
 
-// Every sixteenth first, then every fourth: with points that are sorted along a line, fewer edges turn.
-void Delaunay::insert_some(std::uint32_t begin, std::uint32_t end) {
-  constexpr std::uint32_t widest = 16, narrower = 4;
-  for (std::uint32_t step = widest; step > 0; step /= narrower) {
-    for (std::uint32_t i = begin; i < end; i += step) {
-      if (step == widest || (i - begin) % (narrower * step) != 0) insert(i);
-    }
+void Delaunay::place(std::span<const Point> points) {
+  places_.resize(points.size() + 3);
+  Place low = {greatest, greatest}, high = {-greatest, -greatest};
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    const Place at = {static_cast<double>(std::clamp(points[i].x, -greatest, greatest)),
+                      static_cast<double>(std::clamp(points[i].y, -greatest, greatest))};
+    low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+    high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    places_[i] = at;
   }
+  places_[count_] = {-far_away, -far_away};
+  places_[count_ + 1] = {far_away, -far_away};
+  places_[count_ + 2] = {0, far_away};
+  sort(low, high);
+}
+
+// Row after row, to and fro, so that each point is near the one before it.
+void Delaunay::sort(Place low, Place high) {
+  constexpr double in_square = 3;      // as high and as wide as a row is high
+  constexpr std::uint32_t narrow = 4;  // cells in a square
+  const auto rows = static_cast<std::uint32_t>(std::sqrt(count_ / in_square)) + 1;
+  const std::uint32_t columns = narrow * rows;
+  const double to_column = columns / (high.x - low.x + 1), to_row = rows / (high.y - low.y + 1);
+  cells_.resize(count_);
+  starts_.assign(std::size_t{rows} * columns + 1, 0);
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    const auto column = static_cast<std::uint32_t>((places_[i].x - low.x) * to_column);
+    const auto row = static_cast<std::uint32_t>((places_[i].y - low.y) * to_row);
+    cells_[i] = row * columns + (row % 2 == 0 ? column : columns - 1 - column);
+    ++starts_[cells_[i] + 1];
+  }
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  order_.resize(count_);
+  for (std::uint32_t i = 0; i < count_; ++i) order_[starts_[cells_[i]]++] = i;
+}
+
+void Delaunay::insert(std::uint32_t index, std::uint32_t following) {
+  last_ = locate(places_[index]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (sides_[i].lift == 0) return prefer(last_, index);
+  }
+  connect(last_, index, following);
 }
 
 // A walk over edges that have the point on their other side; it ends, in a Delaunay triangulation (de Floriani et al. 1991).
-std::uint32_t Delaunay::locate(Place point, std::uint32_t at) const {
-  std::uint32_t from = 3;  // the side by which it was entered
+// The triangle that it ends in is the cavity to begin with.
+std::uint32_t Delaunay::locate(Place point) {
+  // Over the edge from a to b, the point is left of it or on it, and so is d.
+  std::uint32_t link = link_to(last_, 0);
+  Corner a = corner(triangles_[last_].corners[1], point), b = corner(triangles_[last_].corners[2], point);
+  double ab = cross(a, b);
+  if (ab < 0) {
+    link = triangles_[last_].links[0];
+    std::swap(a, b);
+    ab = -ab;
+  }
   for (;;) {
-    const Triangle& triangle = triangles_[at];
-    std::uint32_t link = none;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      if (i == from) continue;
-      const Place a = places_[triangle.corners[next[i]]], b = places_[triangle.corners[before[i]]];
-      if (orientation(a, b, point) >= 0) continue;
-      link = triangle.links[i];
-      break;
+    const Triangle& triangle = triangles_[triangle_of(link)];
+    const std::uint32_t side = side_of(link);
+    const Corner d = corner(triangle.corners[side], point);
+    const double bd = cross(b, d), da = cross(d, a);
+    if (bd < 0) {
+      link = triangle.links[next[side]];
+      a = d;
+      ab = -bd;
+    } else if (da < 0) {
+      link = triangle.links[before[side]];
+      b = d;
+      ab = -da;
+    } else {
+      sides_[2] = {b, lift(b), ab, triangle.links[side]};
+      sides_[1] = {d, lift(d), bd, triangle.links[next[side]]};
+      sides_[0] = {a, lift(a), da, triangle.links[before[side]]};
+      return triangle_of(link);
     }
-    if (link == none) return at;
-    at = triangle_of(link);
-    from = side_of(link);
   }
 }
 
-void Delaunay::insert(std::uint32_t index) {
-  const Place point = places_[index];
-  constexpr double cell = 2.0 * greatest / cells;
-  const auto cell_of = [](double x) {
-    return static_cast<std::uint32_t>(std::clamp((x + greatest) / cell, 0.0, cells - 1.0));
+// The triangle has a corner in the point's place already; of the two, the point stays if it alone is of the preferred.
+void Delaunay::prefer(std::uint32_t triangle, std::uint32_t index) {
+  const auto is_met = [&](std::uint32_t other) {
+    return places_[other].x == places_[index].x && places_[other].y == places_[index].y;
   };
-  std::uint32_t& latest = latest_[cell_of(point.y) * cells + cell_of(point.x)];
-  const std::uint32_t first = locate(point, latest == none ? last_ : latest);
-  latest = first;
-  const Triangle old = triangles_[first];
-  std::array<bool, 3> on_edge;  // then the triangle with that edge has no area, and the edge is turned
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const Place a = places_[old.corners[i]];
-    if (a.x == point.x && a.y == point.y) {
-      last_ = first;
-      return;
-    }
-    on_edge[i] = orientation(places_[old.corners[next[i]]], places_[old.corners[before[i]]], point) == 0;
-  }
-  const auto second = static_cast<std::uint32_t>(triangles_.size());
-  const std::array<std::uint32_t, 3> made = {first, second, second + 1};
-  triangles_.resize(triangles_.size() + 2);
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    // Across the new edges: the one after shares the edge to corner i + 2, the one before that to corner i + 1.
-    triangles_[made[i]] = {{index, old.corners[next[i]], old.corners[before[i]]},
-                           {old.links[i], link_to(made[next[i]], 2), link_to(made[before[i]], 1)}};
-    if (i > 0 && old.links[i] != none)
-      triangles_[triangle_of(old.links[i])].links[side_of(old.links[i])] = link_to(made[i], 0);
-  }
-  if (old.links[0] != none) triangles_[triangle_of(old.links[0])].links[side_of(old.links[0])] = link_to(first, 0);
-  last_ = first;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    if (on_edge[i]) legalise(made[i], true);
-  }
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    if (!on_edge[i]) legalise(made[i], false);
+  const auto& corners = triangles_[triangle].corners;
+  auto side = static_cast<std::uint32_t>(std::find_if(corners.begin(), corners.end(), is_met) - corners.begin());
+  if (index >= preferred_ || corners[side] < preferred_) return;
+  for (std::uint32_t at = triangle; triangles_[at].corners[side] != index;) {  // around the corner
+    triangles_[at].corners[side] = index;
+    const std::uint32_t link = triangles_[at].links[next[side]];
+    at = triangle_of(link);
+    side = next[side_of(link)];
   }
 }
 
-// The point that was inserted is the first corner of all triangles that are looked at.
-void Delaunay::legalise(std::uint32_t number, bool forced) {
-  pending_.push_back(number);
-  while (!pending_.empty()) {
-    const std::uint32_t at = pending_.back();
-    pending_.pop_back();
-    const Triangle& triangle = triangles_[at];
-    const std::uint32_t link = triangle.links[0];
-    if (link == none) continue;
-    const std::uint32_t beyond = triangles_[triangle_of(link)].corners[side_of(link)];
-    const auto& [a, b, c] = triangle.corners;
-    if (!forced && !in_circle(places_[a], places_[b], places_[c], places_[beyond])) continue;
-    forced = false;
-    flip(at, 0);
-    pending_.push_back(at);
-    pending_.push_back(triangle_of(link));
+// The cavity grows over each side beyond which is a triangle whose circle has the point. The other sides, in order, and the point
+// are triangles, then. There are as many vacant as sides, always; so the number of the next triangle is known. The walk to the
+// following point begins in the triangle in its direction.
+void Delaunay::connect(std::uint32_t triangle, std::uint32_t index, std::uint32_t following) {
+  const Place point = places_[index];
+  std::uint32_t* vacant = vacant_.data();
+  vacant[0] = triangle;
+  vacant[1] = made_++;
+  vacant[2] = made_++;
+  std::uint32_t* vacant_end = vacant + 3;
+  std::uint32_t previous = triangle;
+  Corner a = sides_[0].end;
+  double a2 = sides_[0].lift;
+  const Corner ahead = corner(following, point);
+  double side_of_a = cross(a, ahead);
+  std::uint32_t nearest = triangle;
+  for (Side* end = sides_.data() + 3; end != sides_.data();) {
+    Side& side = end[-1];
+    const std::uint32_t link = side.link;
+    if (link != none) {
+      Triangle& other = triangles_[triangle_of(link)];
+      const std::uint32_t j = side_of(link);
+      const Corner d = corner(other.corners[j], point);
+      const Circle circle = {a2, side.lift, lift(d), side.cross, cross(a, d), cross(d, side.end)};
+      if (has_origin(circle)) {
+        *vacant_end++ = triangle_of(link);
+        side.cross = circle.db;
+        side.link = other.links[before[j]];
+        *end++ = {d, circle.d2, circle.ad, other.links[next[j]]};
+        continue;
+      }
+      other.links[j] = link_to(*vacant, 0);
+    }
+    triangles_[*vacant] = {{index, a.index, side.end.index}, {link, link_to(vacant[1], 2), link_to(previous, 1)}};
+    previous = *vacant++;
+    const double side_of_end = cross(side.end, ahead);
+    if ((side_of_a >= 0) & (side_of_end < 0)) nearest = previous;
+    side_of_a = side_of_end;
+    a = side.end;
+    a2 = side.lift;
+    --end;
   }
+  last_ = nearest;
+  triangles_[triangle].links[2] = link_to(previous, 1);
+  triangles_[previous].links[1] = link_to(triangle, 2);
 }
 
 bool Delaunay::can_flip(std::uint32_t triangle, std::uint32_t side) const {

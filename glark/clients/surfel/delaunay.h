@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Delaunay triangulation of a few points of a plane, with exact predicates.
-// Based on: Boubekeur 2007, alg. 3, which inserts point after point; with a walk to the point and flips of edges (Lawson 1977)
-// in place of its loop over all triangles.
+// Based on: Boubekeur 2007, alg. 3, which inserts point after point; with a walk to the point, and from there to the triangles
+// that make way for it (Bowyer 1981), in place of its loop over all triangles.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace glark::surfel {
 
 class Delaunay {
  public:
-  static constexpr std::int32_t greatest = 1 << 20;  // of a coordinate's magnitude
+  static constexpr std::int32_t greatest = 1 << 20;  // of a coordinate's magnitude; those beyond are taken for it
   static constexpr std::uint32_t none = 0xFFFFFFFFU;
 
   struct Point {
@@ -36,7 +36,7 @@ class Delaunay {
   void triangulate(std::span<const Point> points, std::size_t preferred = 0);
 
   // Those of corners beyond the number of points reach to the three points far away that enclose all.
-  std::span<const Triangle> triangles() const { return triangles_; }
+  std::span<const Triangle> triangles() const { return {triangles_.data(), made_}; }
   // Whether the corners are points of the input.
   bool finite(const Triangle& triangle) const {
     return triangle.corners[0] < count_ && triangle.corners[1] < count_ && triangle.corners[2] < count_;
@@ -53,21 +53,38 @@ class Delaunay {
   void flip(std::uint32_t triangle, std::uint32_t side);
 
  private:
-  std::uint32_t locate(Place point, std::uint32_t at) const;
-  void insert_some(std::uint32_t begin, std::uint32_t end);
-  void insert(std::uint32_t index);
-  void legalise(std::uint32_t triangle, bool forced);
+  struct Corner {
+    double x, y;  // from the point that is inserted
+    std::uint32_t index;
+  };
+  // Of the cavity around that point; it begins where the side before it ends.
+  struct Side {
+    Corner end;
+    double lift;   // the end's squared distance
+    double cross;  // of its two ends: twice the area between it and the point
+    std::uint32_t link;
+  };
 
   static std::uint32_t link_to(std::uint32_t triangle, std::uint32_t side) { return triangle << 2 | side; }
+  Corner corner(std::uint32_t index, Place from) const {
+    return {places_[index].x - from.x, places_[index].y - from.y, index};
+  }
 
+  void place(std::span<const Point> points);
+  void sort(Place low, Place high);
+  void insert(std::uint32_t index, std::uint32_t following);
+  std::uint32_t locate(Place point);
+  void prefer(std::uint32_t triangle, std::uint32_t index);
+  void connect(std::uint32_t triangle, std::uint32_t index, std::uint32_t following);
+
+  std::uint32_t count_ = 0, preferred_ = 0;
   std::vector<Place> places_;
-  std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> pending_;
-  std::uint32_t count_ = 0;
+  std::vector<std::uint32_t> cells_, starts_, order_;
+  std::vector<Triangle> triangles_;  // the first `made_` of them
+  std::uint32_t made_ = 0;
   std::uint32_t last_ = 0;
-  static constexpr std::uint32_t cells = 8;  // along either axis
-  std::array<std::uint32_t, cells * cells>
-      latest_{};  // triangles of points that were inserted there; `none` where there are none
+  std::vector<Side> sides_;            // a stack: the next in counter-clockwise order is on top
+  std::vector<std::uint32_t> vacant_;  // triangles to be made
 };
 
 }  // namespace glark::surfel
