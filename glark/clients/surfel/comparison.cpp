@@ -9,19 +9,24 @@
 namespace glark::surfel {
 namespace {
 
-bool is_before(const Corners& a, const Corners& b) {
-  const std::uint64_t one = std::uint64_t{a[0]} << 32 | a[1], other = std::uint64_t{b[0]} << 32 | b[1];
-  return one < other || (one == other && a[2] < b[2]);
-}
+// The first two as one.
+std::uint64_t leading(const Corners& corners) { return std::uint64_t{corners[0]} << 32 | corners[1]; }
 
 // The same way round: where the surface bends too much for a plane, a triangle can be upside down on it.
+bool has(const Layer& layer, std::uint32_t leaf, const Candidate& candidate, bool oriented) {
+  const std::size_t found = find(layer, leaf, candidate.corners);
+  return found != not_found && (!oriented || layer.candidates_of(leaf)[found].reversed == candidate.reversed);
+}
+
+// Few triangles have more than one owner other than the leaf.
 bool all_owners_have(const Layer& layer, std::uint32_t leaf, const Candidate& candidate, bool oriented) {
-  return std::all_of(candidate.corners.begin(), candidate.corners.end(), [&](std::uint32_t corner) {
-    const std::uint32_t owner = layer.owner[corner];
-    if (owner == leaf) return true;
-    const std::size_t found = find(layer, owner, candidate.corners);
-    return found != not_found && (!oriented || layer.candidates_of(owner)[found].reversed == candidate.reversed);
-  });
+  const auto [a, b, c] = candidate.corners;
+  const std::array<std::uint32_t, 3> owners = {layer.owner[a], layer.owner[b], layer.owner[c]};
+  const std::uint32_t other = owners[0] != leaf ? owners[0] : owners[1] != leaf ? owners[1] : owners[2];
+  if (other == leaf) return true;
+  return has(layer, other, candidate, oriented) && std::all_of(owners.begin(), owners.end(), [&](std::uint32_t owner) {
+           return owner == leaf || owner == other || has(layer, owner, candidate, oriented);
+         });
 }
 
 }  // namespace
@@ -35,10 +40,18 @@ Corners sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 
 std::size_t find(const Layer& layer, std::uint32_t leaf, const Corners& corners) {
   const auto candidates = layer.candidates_of(leaf).first(layer.patches[leaf].shared);
-  const auto found = std::lower_bound(candidates.begin(), candidates.end(), corners,
-                                      [](const Candidate& a, const Corners& b) { return is_before(a.corners, b); });
-  if (found == candidates.end() || found->corners != corners) return not_found;
-  return static_cast<std::size_t>(found - candidates.begin());
+  const std::uint64_t key = leading(corners);
+  std::size_t first = 0;  // none before has the key
+  // Halves without branches, of which every other one would be mispredicted.
+  for (std::size_t count = candidates.size(); count > 0;) {
+    const std::size_t half = (count + 1) / 2;
+    first += half & (0 - static_cast<std::size_t>(leading(candidates[first + half - 1].corners) < key));
+    count -= half;
+  }
+  for (; first < candidates.size() && leading(candidates[first].corners) == key; ++first) {
+    if (candidates[first].corners[2] == corners[2]) return first;
+  }
+  return not_found;
 }
 
 float squared_size(const Layer& layer, const Corners& corners) {
