@@ -14,6 +14,12 @@ namespace glark::surfel {
 // Ascending.
 Corners sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
+// Of points, or of triangles' corners as they are.
+inline bool is_before(const Corners& a, const Corners& b) {
+  const std::uint64_t one = std::uint64_t{a[0]} << 32 | a[1], other = std::uint64_t{b[0]} << 32 | b[1];
+  return one < other || (one == other && a[2] < b[2]);
+}
+
 inline constexpr std::size_t not_found = static_cast<std::size_t>(-1);
 
 // Among those of a leaf's candidates that other leaves could have.
