@@ -29,6 +29,11 @@ bool all_owners_have(const Layer& layer, std::uint32_t leaf, const Candidate& ca
          });
 }
 
+// Squared.
+float longest_edge(Vector a, Vector b, Vector c) {
+  return std::max({dot(a - b, a - b), dot(b - c, b - c), dot(c - a, c - a)});
+}
+
 }  // namespace
 
 Corners sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -55,15 +60,15 @@ std::size_t find(const Layer& layer, std::uint32_t leaf, const Corners& corners)
 }
 
 float squared_size(const Layer& layer, const Corners& corners) {
-  const Vector a = layer.surfel(corners[0]).position, b = layer.surfel(corners[1]).position;
-  const Vector c = layer.surfel(corners[2]).position;
-  return std::max({dot(a - b, a - b), dot(b - c, b - c), dot(c - a, c - a)});
+  return longest_edge(layer.positions[corners[0]], layer.positions[corners[1]], layer.positions[corners[2]]);
 }
 
 bool in_reach(const Layer& layer, const Corners& corners, float reach) {
-  const float most = reach * spacing_of(layer.surfel(corners[0]).spacing, layer.surfel(corners[1]).spacing,
-                                        layer.surfel(corners[2]).spacing);
-  return squared_size(layer, corners) <= most * most;
+  const Surfel& a = layer.surfel(corners[0]);
+  const Surfel& b = layer.surfel(corners[1]);
+  const Surfel& c = layer.surfel(corners[2]);
+  const float most = reach * spacing_of(a.spacing, b.spacing, c.spacing);
+  return longest_edge(a.position, b.position, c.position) <= most * most;
 }
 
 std::uint32_t drawing_leaf(const Layer& layer, const Corners& corners) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
 #include "glark/clients/surfel/comparison.h"
@@ -34,7 +35,7 @@ class Mender {
     gather_agreed(workers);
     std::vector<std::vector<MendedTriangle>> drawn((rifts_.size() + rifts_a_piece - 1) / rifts_a_piece);
     workers.in_pieces(rifts_.size(), rifts_a_piece, [&](std::size_t begin, std::size_t end) {
-      Rift rift(layer_, options_);
+      Rift rift(layer_, in_rift_.get(), options_);
       std::vector<Claim> room;
       for (std::size_t i = begin; i < end; ++i) {
         close(rift, rifts_[i], room);
@@ -149,7 +150,10 @@ class Mender {
       order.push_back(std::uint64_t{layer_.rift_of[point]} << 32 | point);
     }
     std::sort(order.begin(), order.end());
-    if (!order.empty()) layer_.next_in_rift.resize(layer_.rift_of.size());
+    if (!order.empty()) {
+      layer_.next_in_rift.resize(layer_.rift_of.size());
+      in_rift_ = std::make_unique_for_overwrite<std::uint32_t[]>(layer_.rift_of.size());
+    }
     for (std::size_t i = 0; i < order.size(); ++i) {
       const auto rift = static_cast<std::uint32_t>(order[i] >> 32);
       points_[i] = static_cast<std::uint32_t>(order[i]);
@@ -160,7 +164,7 @@ class Mender {
         layer_.next_in_rift[points_[i - 1]] = points_[i];
       }
       layer_.next_in_rift[points_[i]] = rift;
-      ++rifts_.back().points.count;
+      in_rift_[points_[i]] = static_cast<std::uint32_t>(rifts_.back().points.count++);
     }
   }
 
@@ -259,7 +263,9 @@ class Mender {
   std::vector<std::uint32_t> leaves_;
   std::vector<Claimed> claims_;
   std::vector<Agreed> agreed_;
-  std::vector<std::uint32_t> points_;   // of all rifts
+  std::vector<std::uint32_t> points_;  // of all rifts
+  std::unique_ptr<std::uint32_t[]>
+      in_rift_;                         // of points of the cloud that are among these: which of their rift's they are
   std::vector<std::uint32_t> numbers_;  // of rifts, ascending
   std::vector<Place> rifts_;
 };
