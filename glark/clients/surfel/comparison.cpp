@@ -71,10 +71,6 @@ bool in_reach(const Layer& layer, const Corners& corners, float reach) {
   return longest_edge(a.position, b.position, c.position) <= most * most;
 }
 
-std::uint32_t drawing_leaf(const Layer& layer, const Corners& corners) {
-  return std::min({layer.owner[corners[0]], layer.owner[corners[1]], layer.owner[corners[2]]});
-}
-
 void agree(Layer& layer, std::uint32_t leaf, const LayerOptions& options) {
   const Patch& patch = layer.patches[leaf];
   for (Candidate& candidate : std::span(layer.candidates).subspan(patch.candidates.first, patch.shared)) {

@@ -30,6 +30,7 @@ class Mender {
     leaves_.assign(leaves.begin(), leaves.end());
     retire();
     gather();
+    join_claims();
     number_rifts();
     order_claims();
     gather_agreed(workers);
@@ -128,7 +129,7 @@ class Mender {
   }
 
   // Triangles that hang together by points.
-  void number_rifts() {
+  void join_claims() {
     for (const Claimed& claim : claims_) {
       std::uint32_t root = none;
       for (const std::uint32_t corner : claim.corners) {
@@ -142,7 +143,10 @@ class Mender {
         root = low;
       }
     }
-    // By rift, and ascending within.
+  }
+
+  // Orders points by rift, and ascending within.
+  void number_rifts() {
     std::vector<std::uint64_t> order;
     order.reserve(points_.size());
     for (const std::uint32_t point : points_) {
@@ -174,7 +178,7 @@ class Mender {
     return found == numbers_.end() || *found != number ? none : static_cast<std::uint32_t>(found - numbers_.begin());
   }
 
-  // Puts items in the order of their places, each of which learns of its own.
+  // Puts items in the order of their places, each of which learns where its own are.
   template <typename Item>
   void order_by_place(std::vector<Item>& items, Run Place::*run) {
     for (const Item& item : items) ++(rifts_[item.place].*run).count;
@@ -264,8 +268,8 @@ class Mender {
   std::vector<Claimed> claims_;
   std::vector<Agreed> agreed_;
   std::vector<std::uint32_t> points_;  // of all rifts
-  std::unique_ptr<std::uint32_t[]>
-      in_rift_;                         // of points of the cloud that are among these: which of their rift's they are
+  // Of points of the cloud that are among these: which of their rift's they are.
+  std::unique_ptr<std::uint32_t[]> in_rift_;
   std::vector<std::uint32_t> numbers_;  // of rifts, ascending
   std::vector<Place> rifts_;
 };
