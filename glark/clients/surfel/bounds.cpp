@@ -3,6 +3,7 @@
 #include "glark/clients/surfel/bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -33,6 +34,99 @@ void place_apex(Node& node) {
   const float cosine = std::sqrt(std::max(0.0F, 1 - node.cone_sine * node.cone_sine));
   const float back = cosine > 0 ? 0.5F * length(high - low) / cosine : 0;
   node.cone_apex = to_array((low + high) * 0.5F - to_vector(node.cone_axis) * back);
+}
+
+constexpr std::size_t lanes = 8;
+
+// Of a few triangles at a time, coordinate by coordinate: so the compiler has its vectors.
+struct Lanes {
+  std::array<float, lanes> x, y, z;
+
+  void set(std::size_t i, const Vector& vector) {
+    x[i] = vector.x;
+    y[i] = vector.y;
+    z[i] = vector.z;
+  }
+  Vector at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+struct Planes {
+  Lanes points, normals;  // a normal of zero: there is no plane
+};
+
+struct Boxes {
+  Lanes low, high;
+
+  void add(const Lanes& points) {
+    for (std::size_t i = 0; i < lanes; ++i) {
+      low.set(i, least(low.at(i), points.at(i)));
+      high.set(i, greatest(high.at(i), points.at(i)));
+    }
+  }
+  Box box() const {
+    Box all;
+    for (std::size_t i = 0; i < lanes; ++i) all.add({low.at(i), high.at(i)});
+    return all;
+  }
+};
+
+// How far planes are from an axis, and from a centre along that.
+struct Spread {
+  std::array<float, lanes> squared_cosine, behind;  // the former with the sign of the cosine
+
+  void add(const Planes& planes, Vector axis, Vector centre) {
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const Vector normal = planes.normals.at(i);
+      const float along = dot(normal, axis), squared = dot(normal, normal);
+      const float cosine = along * std::fabs(along) / squared;
+      const float back = dot(centre - planes.points.at(i), normal) / along;
+      const float least = cosine < squared_cosine[i] ? cosine : squared_cosine[i];
+      const float farthest = back > behind[i] ? back : behind[i];
+      squared_cosine[i] = squared > 0 ? least : squared_cosine[i];
+      behind[i] = squared > 0 ? farthest : behind[i];
+    }
+  }
+};
+
+// The box and the planes of triangles, and the sum of their normals by area.
+Vector measure(const Layer& layer, std::span<const StripTriangle> triangles, Box& box, std::vector<Planes>& all) {
+  Boxes boxes;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    boxes.low.set(i, box.low);
+    boxes.high.set(i, box.high);
+  }
+  Vector sum;
+  all.resize((triangles.size() + lanes - 1) / lanes);
+  for (std::size_t first = 0; first < triangles.size(); first += lanes) {
+    Lanes p, q, r;
+    const std::size_t count = std::min(lanes, triangles.size() - first);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const StripTriangle& triangle =
+          triangles[first + std::min(i, count - 1)];  // the last again where there are no more
+      p.set(i, layer.positions[triangle[0]]);
+      q.set(i, layer.positions[triangle[1]]);
+      r.set(i, layer.positions[triangle[2]]);
+    }
+    Planes& planes = all[first / lanes];
+    planes.points = p;
+    std::array<float, lanes> squared;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const Vector normal = cross(q.at(i) - p.at(i), r.at(i) - p.at(i));
+      planes.normals.set(i, normal);
+      squared[i] = dot(normal, normal);
+    }
+    boxes.add(p);
+    boxes.add(q);
+    boxes.add(r);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector normal = planes.normals.at(i);
+      sum = sum + normal;
+      constexpr float small = 1e-28F;  // the square of a size below which squares are no measure
+      if (!(squared[i] > small)) planes.normals.set(i, unit(normal));
+    }
+  }
+  box = boxes.box();
+  return sum;
 }
 
 bool draws_nothing(const Node& node) { return node.low[0] > node.high[0]; }
@@ -70,32 +164,18 @@ void describe_inner(const Node& left, const Node& right, Node& node) {
 // The axis is the mean of the normals by area. The apex lies behind all planes of triangles, as near as it can to the box.
 // Based on: meshoptimizer's bounds of clusters (Kapoulkine).
 void bound(const Layer& layer, std::span<const StripTriangle> triangles, Patch& patch) {
+  thread_local std::vector<Planes> all;
   patch.box = {};
-  Vector sum;
-  thread_local std::vector<Vector> normals;
-  normals.clear();
-  constexpr float small = 1e-28F;  // the square of a size below which squares are no measure
-  for (const auto& [a, b, c] : triangles) {
-    const Vector p = layer.positions[a], q = layer.positions[b], r = layer.positions[c];
-    patch.box.low = least(patch.box.low, least(p, least(q, r)));
-    patch.box.high = greatest(patch.box.high, greatest(p, greatest(q, r)));
-    const Vector normal = cross(q - p, r - p);
-    sum = sum + normal;
-    normals.push_back(dot(normal, normal) > small ? normal : unit(normal));
-  }
-  patch.cone_axis = unit(sum);
-  float squared_cosine = 1;  // with the sign of the cosine
+  patch.cone_axis = unit(measure(layer, triangles, patch.box, all));
   const Vector centre = patch.box.centre();
-  float back = -Box::far;
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    const Vector& normal = normals[i];
-    const float along = dot(normal, patch.cone_axis), squared = dot(normal, normal);
-    if (!(squared > 0)) continue;
-    squared_cosine = std::min(squared_cosine, along * std::fabs(along) / squared);
-    back = std::max(back, dot(centre - layer.positions[triangles[i][0]], normal) / along);
-  }
+  Spread spread;
+  spread.squared_cosine.fill(1);
+  spread.behind.fill(-Box::far);
+  for (const Planes& planes : all) spread.add(planes, patch.cone_axis, centre);
+  const float squared_cosine = *std::min_element(spread.squared_cosine.begin(), spread.squared_cosine.end());
+  const float behind = *std::max_element(spread.behind.begin(), spread.behind.end());
   const float margin = slack * length(patch.box.extent());
-  patch.cone_apex = back > -Box::far ? centre - patch.cone_axis * (back + margin) : centre;
+  patch.cone_apex = behind > -Box::far ? centre - patch.cone_axis * (behind + margin) : centre;
   patch.cone_cosine = std::copysign(std::sqrt(std::fabs(squared_cosine)), squared_cosine);
 }
 

@@ -10,13 +10,25 @@ namespace glark::surfel {
 namespace {
 
 // The same way round: where the surface bends too much for a plane, a triangle can be upside down on it.
+bool has(const Layer& layer, std::uint32_t leaf, const Candidate& candidate, bool oriented) {
+  const std::size_t found = find(layer, leaf, candidate.corners);
+  return found != not_found && (!oriented || layer.candidates_of(leaf)[found].reversed == candidate.reversed);
+}
+
+// Few triangles have more than one owner other than the leaf.
 bool all_owners_have(const Layer& layer, std::uint32_t leaf, const Candidate& candidate, bool oriented) {
-  return std::all_of(candidate.corners.begin(), candidate.corners.end(), [&](std::uint32_t corner) {
-    const std::uint32_t owner = layer.owner[corner];
-    if (owner == leaf) return true;
-    const std::size_t found = find(layer, owner, candidate.corners);
-    return found != not_found && (!oriented || layer.candidates_of(owner)[found].reversed == candidate.reversed);
-  });
+  const auto [a, b, c] = candidate.corners;
+  const std::array<std::uint32_t, 3> owners = {layer.owner[a], layer.owner[b], layer.owner[c]};
+  const std::uint32_t other = owners[0] != leaf ? owners[0] : owners[1] != leaf ? owners[1] : owners[2];
+  if (other == leaf) return true;
+  return has(layer, other, candidate, oriented) && std::all_of(owners.begin(), owners.end(), [&](std::uint32_t owner) {
+           return owner == leaf || owner == other || has(layer, owner, candidate, oriented);
+         });
+}
+
+// Squared.
+float longest_edge(Vector a, Vector b, Vector c) {
+  return std::max({dot(a - b, a - b), dot(b - c, b - c), dot(c - a, c - a)});
 }
 
 }  // namespace
@@ -30,26 +42,30 @@ Corners sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 
 std::size_t find(const Layer& layer, std::uint32_t leaf, const Corners& corners) {
   const auto candidates = layer.candidates_of(leaf).first(layer.patches[leaf].shared);
-  const auto found = std::lower_bound(candidates.begin(), candidates.end(), corners,
-                                      [](const Candidate& a, const Corners& b) { return is_before(a.corners, b); });
-  if (found == candidates.end() || found->corners != corners) return not_found;
-  return static_cast<std::size_t>(found - candidates.begin());
+  const std::uint64_t key = leading(corners);
+  std::size_t first = 0;  // none before has the key
+  // Halves without branches, of which every other one would be mispredicted.
+  for (std::size_t count = candidates.size(); count > 0;) {
+    const std::size_t half = (count + 1) / 2;
+    first += half & (0 - static_cast<std::size_t>(leading(candidates[first + half - 1].corners) < key));
+    count -= half;
+  }
+  for (; first < candidates.size() && leading(candidates[first].corners) == key; ++first) {
+    if (candidates[first].corners[2] == corners[2]) return first;
+  }
+  return not_found;
 }
 
 float squared_size(const Layer& layer, const Corners& corners) {
-  const Vector a = layer.surfel(corners[0]).position, b = layer.surfel(corners[1]).position;
-  const Vector c = layer.surfel(corners[2]).position;
-  return std::max({dot(a - b, a - b), dot(b - c, b - c), dot(c - a, c - a)});
+  return longest_edge(layer.positions[corners[0]], layer.positions[corners[1]], layer.positions[corners[2]]);
 }
 
 bool in_reach(const Layer& layer, const Corners& corners, float reach) {
-  const float most = reach * spacing_of(layer.surfel(corners[0]).spacing, layer.surfel(corners[1]).spacing,
-                                        layer.surfel(corners[2]).spacing);
-  return squared_size(layer, corners) <= most * most;
-}
-
-std::uint32_t drawing_leaf(const Layer& layer, const Corners& corners) {
-  return std::min({layer.owner[corners[0]], layer.owner[corners[1]], layer.owner[corners[2]]});
+  const Surfel& a = layer.surfel(corners[0]);
+  const Surfel& b = layer.surfel(corners[1]);
+  const Surfel& c = layer.surfel(corners[2]);
+  const float most = reach * spacing_of(a.spacing, b.spacing, c.spacing);
+  return longest_edge(a.position, b.position, c.position) <= most * most;
 }
 
 void agree(Layer& layer, std::uint32_t leaf, const LayerOptions& options) {

@@ -4,6 +4,7 @@
 // What leaves look up in one another's triangulations.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -26,7 +27,9 @@ float squared_size(const Layer& layer, const Corners& corners);
 bool in_reach(const Layer& layer, const Corners& corners, float reach);
 
 // Of the leaves that have a triangle, the one that draws it.
-std::uint32_t drawing_leaf(const Layer& layer, const Corners& corners);
+inline std::uint32_t drawing_leaf(const Layer& layer, const Corners& corners) {
+  return std::min({layer.owner[corners[0]], layer.owner[corners[1]], layer.owner[corners[2]]});
+}
 
 // Fills in the states of a leaf's candidates. Reads no states of others.
 void agree(Layer& layer, std::uint32_t leaf, const LayerOptions& options);

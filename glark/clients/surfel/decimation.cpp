@@ -11,9 +11,10 @@ namespace {
 
 bool is_mended(const Layer& layer, const Corners& corners) {
   const auto& mended = layer.patches[drawing_leaf(layer, corners)].mended;
+  const std::uint32_t all = corners[0] ^ corners[1] ^ corners[2];
   return std::any_of(mended.begin(), mended.end(), [&](const MendedTriangle& other) {
     const auto [a, b, c] = other.triangle;
-    return sorted(a, b, c) == corners;
+    return (a ^ b ^ c) == all && sorted(a, b, c) == corners;
   });
 }
 

@@ -24,40 +24,50 @@ struct Piece {
   std::vector<std::uint32_t> counts;
 };
 
-// Room for `count` items: where they were if they fit there, at the end otherwise.
+// Where the items were if they fit there, at the end otherwise.
 template <typename Item>
-void make_room(Slot& slot, std::size_t count, std::vector<Item>& array) {
-  slot.count = static_cast<std::uint32_t>(count);
-  if (count <= slot.capacity) return;
+void put(Slot& slot, std::span<const Item> items, std::vector<Item>& array) {
+  slot.count = static_cast<std::uint32_t>(items.size());
+  if (slot.count <= slot.capacity) {
+    std::copy(items.begin(), items.end(), array.begin() + slot.first);
+    return;
+  }
   slot.first = static_cast<std::uint32_t>(array.size());
   slot.capacity = slot.count;
-  array.resize(array.size() + count);
+  array.insert(array.end(), items.begin(), items.end());
 }
 
-// Runs make(leaf, piece) for all leaves, and puts what it appends to the pieces into the leaves' slots.
+// Enough for what most clouds have of candidates or indices.
+std::size_t room_for(const Layer& layer, std::span<const std::uint32_t> leaves) {
+  std::size_t points = 0;
+  for (const std::uint32_t leaf : leaves) points += layer.tree.leaves[leaf].used;
+  return 3 * points;
+}
+
+// Runs make_run(leaves, piece) for all leaves, and puts what it appends to the pieces into the leaves' slots. A worker who is alone has
+// the memory of one piece for all.
 template <typename Item, typename SlotOf, typename MakeRun>
 void fill_slots(std::span<const std::uint32_t> leaves, const Workers& workers, std::vector<Item>& array,
                 const SlotOf& slot_of, const MakeRun& make_run) {
-  std::vector<Piece<Item>> pieces((leaves.size() + leaves_a_piece - 1) / leaves_a_piece);
-  workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
-    make_run(leaves.subspan(begin, end - begin), pieces[begin / leaves_a_piece]);
-  });
-  if (array.empty()) {
-    std::size_t all = 0;
-    for (const Piece<Item>& piece : pieces) all += piece.items.size();
-    array.reserve(all);
-  }
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    make_room(slot_of(leaves[i]), pieces[i / leaves_a_piece].counts[i % leaves_a_piece], array);
-  }
-  workers.in_pieces(leaves.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
-    auto from = pieces[begin / leaves_a_piece].items.begin();
-    for (std::size_t i = begin; i < end; ++i) {
-      const Slot& slot = slot_of(leaves[i]);
-      std::copy_n(from, slot.count, array.begin() + slot.first);
-      from += slot.count;
+  const std::size_t leaves_at_once = workers.count() == 1 ? leaves_a_piece : leaves.size();
+  std::vector<Piece<Item>> pieces((leaves_at_once + leaves_a_piece - 1) / leaves_a_piece);
+  for (; !leaves.empty(); leaves = leaves.subspan(std::min(leaves_at_once, leaves.size()))) {
+    const auto some = leaves.first(std::min(leaves_at_once, leaves.size()));
+    workers.in_pieces(some.size(), leaves_a_piece, [&](std::size_t begin, std::size_t end) {
+      Piece<Item>& piece = pieces[begin / leaves_a_piece];
+      piece.items.clear();
+      piece.counts.clear();
+      make_run(some.subspan(begin, end - begin), piece);
+    });
+    for (std::size_t i = 0; i < some.size(); i += leaves_a_piece) {
+      std::span<const Item> rest = pieces[i / leaves_a_piece].items;
+      std::size_t leaf = i;
+      for (const std::uint32_t count : pieces[i / leaves_a_piece].counts) {
+        put(slot_of(some[leaf++]), rest.first(count), array);
+        rest = rest.subspan(count);
+      }
     }
-  });
+  }
 }
 
 // The same for a triangle whichever of its corners is the first.
@@ -101,6 +111,7 @@ void keep_middles(std::span<Surfel> surfels, std::vector<Surfel>& kept) {
 
 void make_candidates(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
                      const Workers& workers) {
+  if (layer.candidates.empty()) layer.candidates.reserve(room_for(layer, leaves));
   fill_slots(
       leaves, workers, layer.candidates, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].candidates; },
       [&](std::span<const std::uint32_t> run, Piece<Candidate>& piece) {
@@ -129,6 +140,7 @@ void agree_on_candidates(Layer& layer, std::span<const std::uint32_t> leaves, co
 void make_strips(Layer& layer, std::span<const std::uint32_t> leaves, const LayerOptions& options,
                  const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
   std::vector<std::uint8_t> kept(leaves.size(), 0);
+  if (indices.empty()) indices.reserve(room_for(layer, leaves));
   fill_slots(
       leaves, workers, indices, [&](std::uint32_t leaf) -> Slot& { return layer.patches[leaf].strip; },
       [&](std::span<const std::uint32_t> run, Piece<std::uint32_t>& piece) {

@@ -7,7 +7,6 @@
 #include <glark/surfel.h>
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "glark/clients/surfel/patch.h"
@@ -49,9 +48,10 @@ struct Layer {
       names;  // of points: their number in the cloud; empty: they are all the points of the cloud
 
   std::size_t planted = 0;  // leaves, when the tree was built
-  // Places of disagreement, by their lowest point: the points that have triangles there; and that lowest point for each of these.
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> rifts;
-  std::vector<std::uint32_t> rift_of;  // of points; `none` for most
+  // Places of disagreement, which have their lowest point's number; of points that have triangles there: that number, and the next of
+  // these points, in a ring.
+  std::vector<std::uint32_t> rift_of;       // `none` for most
+  std::vector<std::uint32_t> next_in_rift;  // empty before there is a rift
 
   const Surfel& surfel(std::uint32_t point) const { return tree.surfels[place[point]]; }
   std::span<const Candidate> candidates_of(std::uint32_t leaf) const {

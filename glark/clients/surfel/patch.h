@@ -17,9 +17,11 @@ namespace glark::surfel {
 
 using Corners = std::array<std::uint32_t, 3>;  // points, ascending
 
+// The first two as one.
+inline std::uint64_t leading(const Corners& corners) { return std::uint64_t{corners[0]} << 32 | corners[1]; }
+// Of points, or of triangles' corners as they are.
 inline bool is_before(const Corners& a, const Corners& b) {
-  const std::uint64_t one = std::uint64_t{a[0]} << 32 | a[1], other = std::uint64_t{b[0]} << 32 | b[1];
-  return one < other || (one == other && a[2] < b[2]);
+  return leading(a) < leading(b) || (leading(a) == leading(b) && a[2] < b[2]);
 }
 
 enum class State : std::uint8_t {

@@ -26,7 +26,8 @@ float wrapped(float angle) { return angle < 0 ? angle + turn : angle; }
 float direction_of(float y, float x) {
   const float size = std::fabs(x) + std::fabs(y);
   if (!(size > 0)) return 0;
-  return x >= 0 ? y / size : y >= 0 ? 2 - y / size : -2 - y / size;
+  const float ahead = y / size, behind = (y >= 0 ? 2.0F : -2.0F) - ahead;
+  return x >= 0 ? ahead : behind;
 }
 
 Vector normal_of(const Layer& layer, std::uint32_t point) {
@@ -37,8 +38,8 @@ Vector normal_of(const Layer& layer, std::uint32_t point) {
 }  // namespace
 
 float badness(const Layer& layer, const StripTriangle& triangle) {
-  const Vector a = layer.surfel(triangle[0]).position, b = layer.surfel(triangle[1]).position;
-  const Vector c = layer.surfel(triangle[2]).position;
+  const Vector a = layer.positions[triangle[0]], b = layer.positions[triangle[1]];
+  const Vector c = layer.positions[triangle[2]];
   const Vector across = cross(b - a, c - a);
   const float doubled_area = dot(across, across);
   if (!(doubled_area > 0)) return never;
@@ -52,12 +53,12 @@ float badness(const Layer& layer, const StripTriangle& triangle) {
 }
 
 void Rift::begin(std::span<const std::uint32_t> points) {
-  points_.assign(points.begin(), points.end());
+  points_ = points;
   if (fans_.size() < points.size()) fans_.resize(points.size());  // of those before, the memory is of use
   for (std::size_t i = 0; i < points.size(); ++i) {
     Fan& fan = fans_[i];
     fan.wedges.clear();
-    fan.position = layer_.surfel(points[i]).position;
+    fan.position = layer_.positions[points[i]];
     fan.normal = normal_of(layer_, points[i]);
     fan.u = perpendicular(fan.normal);
     fan.v = cross(fan.normal, fan.u);
@@ -66,14 +67,12 @@ void Rift::begin(std::span<const std::uint32_t> points) {
 }
 
 Rift::Fan* Rift::fan_of(std::uint32_t point) {
-  const auto found = std::lower_bound(points_.begin(), points_.end(), point);
-  return found == points_.end() || *found != point ? nullptr
-                                                   : &fans_[static_cast<std::size_t>(found - points_.begin())];
+  return layer_.rift_of[point] == points_.front() ? &fans_[numbers_[point]] : nullptr;
 }
 
 Rift::Wedge Rift::wedge_at(const Fan& fan, std::uint32_t first, std::uint32_t second) const {
   const auto angle_of = [&](std::uint32_t point) {
-    const Vector d = layer_.surfel(point).position - fan.position;
+    const Vector d = layer_.positions[point] - fan.position;
     return direction_of(dot(d, fan.v), dot(d, fan.u));
   };
   Wedge wedge{first, second, angle_of(first), 0};
@@ -151,7 +150,7 @@ std::uint32_t Rift::next_on_border(std::uint32_t before, std::uint32_t at) {
     return std::any_of(fan->wedges.begin(), fan->wedges.end(), [=](const Wedge& w) { return w.first == point; });
   };
   const auto angle_of = [&](std::uint32_t point) {
-    const Vector d = layer_.surfel(point).position - fan->position;
+    const Vector d = layer_.positions[point] - fan->position;
     return direction_of(dot(d, fan->v), dot(d, fan->u));
   };
   const float from = angle_of(before);
@@ -206,7 +205,7 @@ void Rift::fill(std::span<const std::uint32_t> loop) {
   if (n < 3 || n > longest_loop) return;
   float longest = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vector edge = layer_.surfel(loop[i]).position - layer_.surfel(loop[(i + 1) % n]).position;
+    const Vector edge = layer_.positions[loop[i]] - layer_.positions[loop[(i + 1) % n]];
     longest = std::max(longest, dot(edge, edge));
   }
   std::vector<float> least(n * n, 0);

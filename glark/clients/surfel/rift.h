@@ -22,9 +22,11 @@ struct Claim {
 
 class Rift {
  public:
-  Rift(const Layer& layer, const LayerOptions& options) : layer_(layer), options_(options) {}
+  // numbers: of points that are in a rift, which of its points they are.
+  Rift(const Layer& layer, const std::uint32_t* numbers, const LayerOptions& options)
+      : layer_(layer), numbers_(numbers), options_(options) {}
 
-  // points: ascending.
+  // points: those of a rift, ascending.
   void begin(std::span<const std::uint32_t> points);
   void add_agreed(const StripTriangle& triangle);
   // The best first, as long as they fit to what is there; then what they leave open. `drawn` are the triangles.
@@ -55,8 +57,9 @@ class Rift {
   float cost(std::uint32_t a, std::uint32_t b, std::uint32_t c, float longest) const;
 
   const Layer& layer_;
+  const std::uint32_t* numbers_;
   const LayerOptions& options_;
-  std::vector<std::uint32_t> points_;
+  std::span<const std::uint32_t> points_;
   std::vector<Fan> fans_;
 };
 

@@ -10,10 +10,10 @@ namespace {
 constexpr std::size_t steps = 2;            // of improvement, for each triangle
 constexpr int end_cost = 3, turn_cost = 2;  // in half indices: a run costs three on average, a turn one
 
-std::uint32_t hash(std::uint32_t from, std::uint32_t to) {
-  const std::uint32_t mixed = from * 0x9E3779B1U ^ to * 0x85EBCA77U;
-  return mixed ^ mixed >> 15;
-}
+constexpr std::uint64_t no_edge = ~std::uint64_t{0};
+constexpr std::uint32_t is_used = 1U << 27;  // beyond any number of neighbours
+
+constexpr std::uint64_t edge(std::uint32_t from, std::uint32_t to) { return std::uint64_t{from} << 32 | to; }
 
 // Of two sides that are crossed, whether the corner that they share is the next after a side (1) or the one after that (2);
 // 0 where there are no two.
@@ -34,86 +34,96 @@ constexpr std::array<std::uint8_t, 8> lowest = {3, 0, 1, 0, 2, 0, 1, 0};
 
 bool Runs::is_end(std::uint32_t triangle) const { return (crossed_[triangle] & (crossed_[triangle] - 1)) == 0; }
 
-// Pairs of half-edges that run in opposite directions; those of two triangles on one another are none.
+// Pairs of half-edges that run in opposite directions; those of two triangles on one another are none. Whether a half-edge is the
+// first of its pair, nobody can predict: there is no branch on that.
 void Runs::find_neighbours(std::span<const StripTriangle> triangles) {
-  sides_.assign(triangles.size(), {none, none, none});
-  std::size_t size = 64;
-  while (size < 4 * triangles.size()) size *= 2;
-  table_.assign(size, {none, none, none});
-  const auto mask = static_cast<std::uint32_t>(size - 1);
-  constexpr std::array<std::uint32_t, 3> next = {1, 2, 0}, before = {2, 0, 1};
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::uint32_t side = 0; side < 3; ++side) {
-      const std::uint32_t from = triangles[t][next[side]], to = triangles[t][before[side]];
-      std::uint32_t at = hash(std::min(from, to), std::max(from, to)) & mask;
-      for (; table_[at].link != none; at = (at + 1) & mask) {
-        HalfEdge& other = table_[at];
-        if (other.from != to || other.to != from) continue;
-        if (triangles[triangle_of(other.link)][side_of(other.link)] == triangles[t][side]) continue;
-        sides_[triangle_of(other.link)][side_of(other.link)] = t << 2 | side;
-        sides_[t][side] = other.link;
-        other.from = other.to = none;  // taken
-        break;
-      }
-      if (table_[at].link == none) table_[at] = {from, to, t << 2 | side};
+  const auto count = static_cast<std::uint32_t>(triangles.size());
+  const std::uint32_t nothing = count << 2;  // a link to one triangle more, which takes what is written there
+  sides_.resize(count + 1);
+  edges_.resize(nothing + 1);
+  int bits = 6;
+  while (std::size_t{1} << bits < 8 * triangles.size()) ++bits;
+  table_.assign(std::size_t{1} << bits, nothing);
+  const std::size_t mask = table_.size() - 1;
+  const auto pair = [&](std::uint32_t t, std::uint32_t side, std::uint32_t tip, std::uint32_t from, std::uint32_t to) {
+    const std::uint64_t opposite = edge(to, from);
+    edges_[nothing] = opposite;  // where the search ends at the latest
+    std::size_t at = edge(std::min(from, to), std::max(from, to)) * 0x9E3779B97F4A7C15U >> (64 - bits);
+    std::uint32_t other = table_[at];
+    while (edges_[other] != opposite ||
+           (triangles[std::min(triangle_of(other), count - 1)][side_of(other)] == tip && other != nothing)) {
+      at = (at + 1) & mask;
+      other = table_[at];
     }
+    const std::uint32_t is_first = other == nothing ? 1 : 0;
+    const std::uint32_t link = t << 2 | side;
+    table_[at] = link;
+    edges_[link] = edge(from, to) | (std::uint64_t{is_first} - 1);  // none where it is taken
+    edges_[other] = no_edge;
+    sides_[t][side] = other | (0 - is_first);
+    sides_[triangle_of(other)][side_of(other)] = link;
+  };
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const auto [a, b, c] = triangles[t];
+    pair(t, 0, a, b, c);
+    pair(t, 1, b, c, a);
+    pair(t, 2, c, a, b);
   }
 }
 
+// A triangle with few neighbours left is written down in any case, and kept if it is one: nobody can predict that either.
+void Runs::note_if_lonely(std::uint32_t triangle) {
+  lonely_[lonely_count_] = triangle;
+  lonely_count_ += free_[triangle] < 2 ? 1 : 0;
+}
+
 void Runs::use(std::uint32_t triangle) {
-  used_[triangle] = 1;
-  for (const std::uint32_t link : sides_[triangle]) {
-    if (link == none) continue;
-    const std::uint32_t neighbour = triangle_of(link);
-    if (--free_[neighbour] < 2 && used_[neighbour] == 0) lonely_.push_back(neighbour);
+  free_[triangle] += is_used;
+  for (std::size_t side = 0; side < 3; ++side) {
+    const std::uint32_t neighbour = beyond(triangle, side);
+    --free_[neighbour];
+    note_if_lonely(neighbour);
   }
 }
 
 // Triangles with few neighbours first: they are hard to come by later.
 std::uint32_t Runs::next_start() {
-  while (!lonely_.empty()) {
-    const std::uint32_t last = lonely_.back();
-    lonely_.pop_back();
-    if (used_[last] == 0) return last;
+  while (lonely_count_ > 0) {
+    const std::uint32_t last = lonely_[--lonely_count_];
+    if (free_[last] < is_used) return last;
   }
-  while (first_unused_ < used_.size() && used_[first_unused_] != 0) ++first_unused_;
-  return first_unused_ < used_.size() ? first_unused_ : none;
+  while (first_unused_ < size() && free_[first_unused_] >= is_used) ++first_unused_;
+  return first_unused_ < size() ? first_unused_ : none;
 }
 
 // To the neighbour with the fewest neighbours that are left; straight on where there is a choice.
 void Runs::walk_from(std::uint32_t at) {
   for (std::uint32_t straight = 3;;) {
-    std::uint32_t best = none;
-    std::uint32_t best_side = 0;
-    int best_rank = 0;
+    std::uint32_t best = none;  // how many are left, whether it is not straight on, and the side
     for (std::uint32_t side = 0; side < 3; ++side) {
-      const std::uint32_t link = sides_[at][side];
-      if (link == none || used_[triangle_of(link)] != 0) continue;
-      const int rank = 2 * free_[triangle_of(link)] + (side == straight ? 0 : 1);
-      if (best != none && rank >= best_rank) continue;
-      best = link;
-      best_side = side;
-      best_rank = rank;
+      best = std::min(best, free_[beyond(at, side)] << 3 | (side == straight ? 0U : 4U) | side);
     }
-    if (best == none) return;
-    join(at, best_side);
+    if (best >> 3 >= is_used) return;
+    const std::uint32_t side = best & 3, link = sides_[at][side];
+    join(at, side);
     // Straight on is around the other point of the edge than before.
-    const int pivot = pivots[crossed_[at]][best_side];
-    straight = pivot == 0 ? 3 : (side_of(best) + (pivot == 1 ? 2 : 1)) % 3;
-    at = triangle_of(best);
+    const int pivot = pivots[crossed_[at]][side];
+    straight = pivot == 0 ? 3 : (side_of(link) + (pivot == 1 ? 2 : 1)) % 3;
+    at = triangle_of(link);
     use(at);
   }
 }
 
 void Runs::walk() {
-  used_.assign(size(), 0);
-  free_.resize(size());
-  lonely_.clear();
+  free_.resize(size() + 1);
+  free_[size()] = 2 * is_used;  // on the outside
+  lonely_.resize(2 * size() + 1);
+  lonely_count_ = 0;
   first_unused_ = 0;
-  for (std::size_t t = 0; t < size(); ++t) {
-    free_[t] = static_cast<std::uint8_t>(
-        std::count_if(sides_[t].begin(), sides_[t].end(), [](std::uint32_t link) { return link != none; }));
-    if (free_[t] < 2) lonely_.push_back(static_cast<std::uint32_t>(t));
+  for (std::uint32_t t = 0; t < size(); ++t) {
+    const auto [a, b, c] = sides_[t];
+    free_[t] = (a != none ? 1U : 0U) + (b != none ? 1U : 0U) + (c != none ? 1U : 0U);
+    note_if_lonely(t);
   }
   for (std::uint32_t start = next_start(); start != none; start = next_start()) {
     use(start);
@@ -214,18 +224,19 @@ void Runs::cross(std::uint32_t t, std::uint32_t side, bool lower) {
 }
 
 void Runs::follow(std::uint32_t end, std::vector<std::uint32_t>& triangles) const {
-  triangles.assign(1, end);
-  std::uint8_t out = crossed_[end];
-  while (out != 0) {
-    const std::uint32_t link = sides_[triangles.back()][lowest[out]];
-    triangles.push_back(triangle_of(link));
-    out = crossed_[triangles.back()] & static_cast<std::uint8_t>(~(1U << side_of(link)));
+  triangles.clear();
+  std::uint32_t before = 0;
+  for (std::uint32_t at = end + 1; at != 0;) {
+    triangles.push_back(at - 1);
+    const std::uint32_t next = beside_[at - 1] ^ before;
+    before = at;
+    at = next;
   }
 }
 
 void Runs::make(std::span<const StripTriangle> triangles) {
-  find_neighbours(triangles);
   crossed_.assign(triangles.size(), 0);
+  find_neighbours(triangles);
   beside_.assign(triangles.size(), 0);
   walk();
   improve();

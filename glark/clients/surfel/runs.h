@@ -6,6 +6,7 @@
 // them in another way, as long as that has fewer indices.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,7 @@ class Runs {
   // All triangles, each in one run. The same for the same triangles.
   void make(std::span<const StripTriangle> triangles);
 
-  std::size_t size() const { return sides_.size(); }
+  std::size_t size() const { return crossed_.size(); }
   // Sides of a triangle that its run crosses, a bit for each; at most two.
   std::uint8_t crossed(std::uint32_t triangle) const { return crossed_[triangle]; }
   bool is_end(std::uint32_t triangle) const;
@@ -32,10 +33,6 @@ class Runs {
   void follow(std::uint32_t end, std::vector<std::uint32_t>& triangles) const;
 
  private:
-  struct HalfEdge {
-    std::uint32_t from, to, link;
-  };
-
   static std::uint32_t triangle_of(std::uint32_t link) { return link >> 2; }
   static std::uint32_t side_of(std::uint32_t link) { return link & 3; }
 
@@ -44,6 +41,11 @@ class Runs {
   void walk_from(std::uint32_t triangle);
   std::uint32_t next_start();
   void use(std::uint32_t triangle);
+  void note_if_lonely(std::uint32_t triangle);
+  // The triangle there; as many as there are where there is none.
+  std::uint32_t beyond(std::uint32_t triangle, std::size_t side) const {
+    return std::min(triangle_of(sides_[triangle][side]), static_cast<std::uint32_t>(size()));
+  }
   void improve();
   void cross(std::uint32_t triangle, std::uint32_t side, bool lower);
   int turns(std::uint32_t triangle, std::uint32_t side) const;
@@ -53,15 +55,16 @@ class Runs {
   bool is_loop(std::uint32_t first, std::uint32_t next) const;
 
   std::vector<std::array<std::uint32_t, 3>>
-      sides_;  // across the edge opposite to each corner: a triangle, and its side
+      sides_;  // across the edge opposite to each corner: a triangle, and its side; one more than triangles
   std::vector<std::uint8_t> crossed_;
   std::vector<std::uint32_t> beside_;  // of its run's neighbours one more than their numbers, exclusively ored
-  std::vector<HalfEdge> table_;        // of half-edges, by their ends
-  std::vector<std::uint8_t> used_;
-  std::vector<std::uint8_t> free_;     // neighbours that are not used
+  std::vector<std::uint64_t> edges_;   // where they run from and to, by their links
+  std::vector<std::uint32_t> table_;   // links, by a hash of both ends
+  std::vector<std::uint32_t> free_;    // neighbours that are not used; more than any number of these: it is used itself
   std::vector<std::uint32_t> lonely_;  // triangles that had few of these left
-  std::vector<std::uint32_t> ends_;    // some of which are none any more
-  std::uint32_t first_unused_ = 0;     // none before
+  std::size_t lonely_count_ = 0;
+  std::vector<std::uint32_t> ends_;  // some of which are none any more
+  std::uint32_t first_unused_ = 0;   // none before
 };
 
 }  // namespace glark::surfel

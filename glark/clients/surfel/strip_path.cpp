@@ -6,6 +6,15 @@
 #include <limits>
 
 namespace glark::surfel {
+namespace {
+
+// Without branches: nobody can predict how a run turns.
+std::size_t is_corner(const StripTriangle& triangle, std::uint32_t point) {
+  return static_cast<std::size_t>(triangle[0] == point) | static_cast<std::size_t>(triangle[1] == point) |
+         static_cast<std::size_t>(triangle[2] == point);
+}
+
+}  // namespace
 
 void Stripper::find_runs(std::span<const StripTriangle> triangles) {
   runs_.make(triangles);
@@ -69,20 +78,25 @@ void Stripper::bridge(const Head& head) {
 void Stripper::append(const Head& head) {
   const Run& run = pieces_[head.run];
   const auto at = [&](std::size_t i) -> const StripTriangle& {
-    return ordered_[run.first + (head.backwards ? run.count - 1 - i : i)];
+    return ordered_[head.backwards ? run.first + run.count - 1 - i : run.first + i];
   };
-  strip_.push_back(head.first);
-  strip_.push_back(head.second);
-  for (const std::uint32_t point : at(0)) {
-    if (point == head.first || point == head.second) continue;
-    strip_.push_back(point);
-    break;
-  }
+  std::size_t size = strip_.size();
+  strip_.resize(size + 2 + 2 * run.count);
+  strip_[size++] = head.first;
+  strip_[size++] = head.second;
+  const auto [a, b, c] = at(0);
+  strip_[size++] = a ^ b ^ c ^ head.first ^ head.second;  // the third
   for (std::size_t i = 1; i < run.count; ++i) {
     // Around the last point but one: that again.
-    if (i + 1 < run.count && !has(at(i + 1), strip_.back())) strip_.push_back(strip_[strip_.size() - 2]);
-    strip_.push_back(at(i)[corner_off(at(i), at(i - 1))]);
+    if (i + 1 < run.count) {
+      strip_[size] = strip_[size - 2];
+      size += 1 - is_corner(at(i + 1), strip_[size - 1]);
+    }
+    const StripTriangle& triangle = at(i);
+    // The corner off the one before.
+    strip_[size++] = triangle[is_corner(at(i - 1), triangle[0]) * (1 + is_corner(at(i - 1), triangle[1]))];
   }
+  strip_.resize(size);
 }
 
 std::span<const std::uint32_t> Stripper::strip(std::span<const StripTriangle> triangles) {
@@ -105,7 +119,10 @@ std::span<const std::uint32_t> Stripper::strip(std::span<const StripTriangle> tr
     const Head head = heads_[best];
     bridge(head);
     append(head);
-    std::erase_if(heads_, [&](const Head& other) { return other.run == head.run; });
+    const auto others = std::equal_range(heads_.begin(), heads_.end(), head, [](const Head& a, const Head& b) {
+      return a.run < b.run;  // they were added run by run
+    });
+    heads_.erase(others.first, others.second);
   }
   return strip_;
 }

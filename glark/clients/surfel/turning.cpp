@@ -44,17 +44,22 @@ std::uint32_t common_point(const StripTriangle& a, const StripTriangle& b, const
   return b[0];
 }
 
-bool Turning::can_turn(const StripTriangle& one, const StripTriangle& other) const {
+// The edge to the next. What is before and after may be folded on the two triangles, in noise, and have the other diagonal already.
+bool Turning::can_turn(std::span<const StripTriangle> triangles, std::size_t at) const {
+  const StripTriangle &one = triangles[at], &other = triangles[at + 1];
   const std::uint32_t k = corner_off(one, other);
-  return may_turn_edge(positions_[one[k]], positions_[one[(k + 1) % 3]], positions_[other[corner_off(other, one)]],
-                       positions_[one[(k + 2) % 3]]);
+  const std::uint32_t p = one[k], d = other[corner_off(other, one)];
+  const auto has_both = [&](const StripTriangle& beside) { return has(beside, p) && has(beside, d); };
+  if (at > 0 && has_both(triangles[at - 1])) return false;
+  if (at + 2 < triangles.size() && has_both(triangles[at + 2])) return false;
+  return may_turn_edge(positions_[p], positions_[one[(k + 1) % 3]], positions_[d], positions_[one[(k + 2) % 3]]);
 }
 
 // Of every other edge.
 bool Turning::can_turn_all(std::span<const StripTriangle> triangles, std::size_t first, std::size_t last) const {
   if ((last - first) / 2 + 1 > most_turned) return false;
   for (std::size_t at = first; at <= last; at += 2) {
-    if (!can_turn(triangles[at], triangles[at + 1])) return false;
+    if (!can_turn(triangles, at)) return false;
   }
   return true;
 }
