@@ -7,7 +7,6 @@
 namespace glark::surfel {
 namespace {
 
-constexpr std::size_t steps = 2;            // of improvement, for each triangle
 constexpr int end_cost = 3, turn_cost = 2;  // in half indices: a run costs three on average, a turn one
 
 constexpr std::uint64_t no_edge = ~std::uint64_t{0};
@@ -148,11 +147,16 @@ void Runs::part(std::uint32_t triangle, std::uint32_t side) {
   beside_[other] ^= triangle + 1;
 }
 
-// Whether the triangles at a side that is crossed go around the same corner.
-int Runs::turns(std::uint32_t triangle, std::uint32_t side) const {
-  const std::uint32_t link = sides_[triangle][side];
-  const int one = pivots[crossed_[triangle]][side], other = pivots[crossed_[triangle_of(link)]][side_of(link)];
+// Whether triangles that cross these sides go around the same corner, at the one side of either where they meet.
+int Runs::turn_at(std::uint8_t crossed, std::uint32_t side, std::uint8_t crossed_there, std::uint32_t side_there) {
+  const int one = pivots[crossed][side], other = pivots[crossed_there][side_there];
   return one != 0 && one + other == 3 ? turn_cost : 0;
+}
+
+// The same at a side of a triangle that would cross these.
+int Runs::turn_with(std::uint32_t triangle, std::uint32_t side, std::uint8_t crossed) const {
+  const std::uint32_t link = sides_[triangle][side];
+  return turn_at(crossed, side, crossed_[triangle_of(link)], side_of(link));
 }
 
 // What turns cost, at a side and beyond the triangle there, that go if it is not crossed any more.
@@ -160,7 +164,21 @@ int Runs::loosened(std::uint32_t triangle, std::uint32_t side) const {
   const std::uint32_t link = sides_[triangle][side];
   const std::uint32_t beyond = triangle_of(link);
   const std::uint8_t rest = crossed_[beyond] & static_cast<std::uint8_t>(~(1U << side_of(link)));
-  return turns(triangle, side) + (rest != 0 ? turns(beyond, lowest[rest]) : 0);
+  return turn_with(triangle, side, crossed_[triangle]) +
+         (rest != 0 ? turn_with(beyond, lowest[rest], crossed_[beyond]) : 0);
+}
+
+// Of a run that goes on over a side of the triangle in which it ends, where the next triangle gives up the side `left` (3: none).
+int Runs::cost_of(std::uint32_t t, std::uint32_t side, std::uint32_t left) const {
+  const std::uint32_t link = sides_[t][side], u = triangle_of(link);
+  const std::uint8_t rest = crossed_[t], kept = crossed_[u] & static_cast<std::uint8_t>(~(1U << left));
+  const auto crossed = static_cast<std::uint8_t>(rest | 1U << side);
+  const auto crossed_there = static_cast<std::uint8_t>(kept | 1U << side_of(link));
+  int cost = turn_at(crossed, side, crossed_there, side_of(link));
+  if (rest != 0) cost += turn_with(t, lowest[rest], crossed);
+  if (kept != 0) cost += turn_with(u, lowest[kept], crossed_there);
+  if (left == 3) return cost - 2 * end_cost;
+  return cost - loosened(u, left) - turn_with(u, lowest[kept], crossed_[u]);
 }
 
 // From a triangle to the next, and on from there.
@@ -183,39 +201,41 @@ void Runs::improve() {
     if (is_end(t)) ends_.push_back(t);
   }
   std::uint32_t random = 1;
-  for (std::size_t step = 0; step < steps * size() && !ends_.empty(); ++step) {
+  for (std::size_t step = 0; step < size() * 3 / 4 && !ends_.empty(); ++step) {
     random = random * 1664525U + 1013904223U;
     const std::size_t at = std::uint64_t{random} * ends_.size() >> 32;
-    const std::uint32_t t = ends_[at];
-    if (!is_end(t)) {
+    if (is_end(ends_[at])) {
+      go_on(ends_[at], random >> 8);
+    } else {
       ends_[at] = ends_.back();
       ends_.pop_back();
-      continue;
     }
-    const std::uint32_t side = (random >> 12) % 3;
-    if ((crossed_[t] >> side & 1) == 0 && sides_[t][side] != none) cross(t, side, (random >> 8 & 1) != 0);
   }
 }
 
-void Runs::cross(std::uint32_t t, std::uint32_t side, bool lower) {
-  const std::uint32_t u = triangle_of(sides_[t][side]);
-  const std::uint8_t mask = crossed_[u], rest = crossed_[t];
-  const auto turns_at = [&](std::uint32_t triangle, std::uint8_t at) {
-    return at != 0 ? turns(triangle, lowest[at]) : 0;
-  };
-  int cost = -turns_at(t, rest);
-  std::uint32_t left = 3;
-  if (is_end(u)) {
-    cost -= 2 * end_cost + turns_at(u, mask);
-  } else {
-    left = lower ? lowest[mask] : lowest[mask & (mask - 1)];
-    cost -= loosened(u, left) + turns_at(u, mask & static_cast<std::uint8_t>(~(1U << left)));
-    part(u, left);
+void Runs::go_on(std::uint32_t t, std::uint32_t random) {
+  int least = 1;
+  std::uint32_t best = none;
+  for (std::uint32_t i = 0, side = random % 3; i < 3; ++i, side = side == 2 ? 0 : side + 1) {
+    const std::uint32_t link = sides_[t][side];
+    if ((crossed_[t] >> side & 1) != 0 || link == none) continue;
+    const std::uint8_t there = crossed_[triangle_of(link)];
+    const bool is_full = (there & (there - 1)) != 0;
+    const std::uint32_t one = is_full ? lowest[there] : 3, other = is_full ? lowest[there & (there - 1)] : 3;
+    const auto weigh = [&](std::uint32_t left) {
+      const int cost = cost_of(t, side, left);
+      if (cost >= least) return;
+      least = cost;
+      best = side << 2 | left;
+    };
+    weigh((random & 4) != 0 ? one : other);
+    if (is_full) weigh((random & 4) != 0 ? other : one);
   }
-  const std::uint8_t u_rest = crossed_[u];
+  if (best == none) return;
+  const std::uint32_t side = best >> 2, left = best & 3, u = triangle_of(sides_[t][side]);
+  if (left < 3) part(u, left);
   join(t, side);
-  cost += turns(t, side) + turns_at(t, rest) + turns_at(u, u_rest);
-  if (cost > 0 || is_loop(u, t)) {
+  if (is_loop(u, t)) {
     part(t, side);
     if (left < 3) join(u, left);
   } else if (left < 3) {

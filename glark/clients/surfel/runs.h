@@ -47,8 +47,10 @@ class Runs {
     return std::min(triangle_of(sides_[triangle][side]), static_cast<std::uint32_t>(size()));
   }
   void improve();
-  void cross(std::uint32_t triangle, std::uint32_t side, bool lower);
-  int turns(std::uint32_t triangle, std::uint32_t side) const;
+  void go_on(std::uint32_t end, std::uint32_t random);
+  int cost_of(std::uint32_t end, std::uint32_t side, std::uint32_t left) const;
+  static int turn_at(std::uint8_t crossed, std::uint32_t side, std::uint8_t crossed_there, std::uint32_t side_there);
+  int turn_with(std::uint32_t triangle, std::uint32_t side, std::uint8_t crossed) const;
   int loosened(std::uint32_t triangle, std::uint32_t side) const;
   void join(std::uint32_t triangle, std::uint32_t side);
   void part(std::uint32_t triangle, std::uint32_t side);
