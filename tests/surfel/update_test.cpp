@@ -61,6 +61,31 @@ TEST(Update, TouchesOnlyWhatMoved) {
   }
 }
 
+// And so are those of triangles that leaves draw without having taken in all their points.
+TEST(Update, BoxesHoldWhatIsDrawn) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> step(-0.05F, 0.05F);
+  Points points = torus(1500);
+  Strips strips(points.cloud(), {.leaf_points = 16});
+  for (int round = 0; round < 60; ++round) {
+    std::vector<std::uint32_t> moved;
+    for (int i = 0; i < 30; ++i) moved.push_back(static_cast<std::uint32_t>(random() % points.size()));
+    for (const std::uint32_t point : moved) {
+      for (std::size_t k = 0; k < 3; ++k) points.positions[3 * point + k] += step(random);
+    }
+    strips.update(points.cloud(), moved);
+    for (const Node& node : strips.nodes()) {
+      if (node.left != none) continue;
+      for (const std::uint32_t point : strips.indices().subspan(node.first, node.count)) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          ASSERT_GE(points.positions[3 * point + k], node.low[k]) << round;
+          ASSERT_LE(points.positions[3 * point + k], node.high[k]) << round;
+        }
+      }
+    }
+  }
+}
+
 TEST(Update, NothingMovedChangesNothing) {
   const Points points = sphere(5000);
   Strips strips(points.cloud());

@@ -180,6 +180,18 @@ class Mover {
   std::vector<std::pair<std::uint32_t, std::size_t>> arrivals_;  // leaf, and which of the moved
 };
 
+// Mended triangles may have points that their leaf does not take in: it has not seen these move.
+void note_moved(Patch& patch, std::span<const Surfel> moved) {
+  const auto has_moved = [&](std::uint32_t point) {
+    const auto found = std::lower_bound(moved.begin(), moved.end(), point,
+                                        [](const Surfel& surfel, std::uint32_t index) { return surfel.index < index; });
+    return found != moved.end() && found->index == point;
+  };
+  patch.moved = patch.moved || std::any_of(patch.mended.begin(), patch.mended.end(), [&](const MendedTriangle& mended) {
+                  return std::any_of(mended.triangle.begin(), mended.triangle.end(), has_moved);
+                });
+}
+
 template <typename Item, typename Slots>
 bool move_together(std::vector<Item>& array, const Slots& slots) {
   std::size_t live = 0;
@@ -215,6 +227,7 @@ void update_layer(Layer& layer, std::span<const Surfel> moved, const LayerOption
   }
   agree_on_candidates(layer, drawn.list(), options, workers);
   for (const std::uint32_t leaf : mend(layer, drawn.list(), options, workers)) drawn.add(leaf);
+  for (const std::uint32_t leaf : drawn.list()) note_moved(layer.patches[leaf], moved);
   make_strips(layer, drawn.list(), options, workers, indices, changed);
   layer.nodes.resize(layer.tree.nodes.size());
   Marked nodes;
