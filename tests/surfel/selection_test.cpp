@@ -72,6 +72,19 @@ TEST(Selection, LeavesNothingOutThatIsSeen) {
   expect_complete(points, strips, parallel(3));
 }
 
+// The squares of its lengths are no floats.
+TEST(Selection, LeavesNothingOutOfWhatIsTiny) {
+  constexpr float size = 1e-30F;
+  Points points = torus(5000);
+  for (float& coordinate : points.positions) coordinate *= size;
+  const Strips strips(points.cloud(), {.leaf_points = 32});
+  for (const float z : {0.2F, 1.0F, 3.0F, 20.0F}) {
+    Matrix matrix = perspective(0.3F, 0, z);
+    for (std::size_t i = 0; i < 12; ++i) matrix[i] /= size;
+    expect_complete(points, strips, matrix);
+  }
+}
+
 // Of what is drawn, edges that have turned in strips among it.
 TEST(Selection, ConesHoldTheNormalsAndTheirApexLiesBehindTheTriangles) {
   const Points points = torus(20000);

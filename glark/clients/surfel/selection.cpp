@@ -105,7 +105,7 @@ bool Camera::back_face(const Node& node) const {
   const Vector axis = to_vector(node.cone_axis);
   if (parallel_) return -dot(eye_, axis) > node.cone_sine;
   const Vector away = to_vector(node.cone_apex) - eye_;
-  return dot(away, axis) > node.cone_sine * length(away);
+  return dot(away, axis) > node.cone_sine * length_of_any(away);
 }
 
 float Camera::diameter(Vector centre, float radius) const {

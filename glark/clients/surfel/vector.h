@@ -30,6 +30,12 @@ inline Vector greatest(Vector a, Vector b) { return {std::max(a.x, b.x), std::ma
 inline std::array<float, 3> to_array(Vector a) { return {a.x, a.y, a.z}; }
 inline Vector to_vector(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
 
+// In the caller's units, without overflow or underflow of the squares.
+inline float length_of_any(Vector a) {
+  const float size = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+  return size > 0 ? size * length({a.x / size, a.y / size, a.z / size}) : 0;
+}
+
 // Zero stays zero, without overflow or underflow of the squares.
 inline Vector unit(Vector a) {
   const float squared = dot(a, a);
