@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 #include "tests/surfel/clouds.h"
@@ -208,6 +209,21 @@ TEST_P(Scans, PatchesMatch) {
 
 INSTANTIATE_TEST_SUITE_P(All, Scans,
                          testing::Values("igea", "bunny", "horse", "armadillo", "nefertiti", "bunny_scans"));
+
+// Leaves have neighbours that are a million times sparser.
+TEST(Strips, PointsOfAnyDensityHaveTriangles) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  Points points;
+  for (int i = 0; i < 30000; ++i) {
+    const float size = std::exp2(-40 * uniform(random));
+    points.add({size * (uniform(random) - 0.5F), size * (uniform(random) - 0.5F), 0}, {0, 0, 1});
+  }
+  for (const unsigned leaf_points : {32U, 192U}) {
+    const Strips strips(points.cloud(), {.leaf_points = leaf_points});
+    EXPECT_GT(triangles(strips).size(), 59000U);
+  }
+}
 
 }  // namespace
 }  // namespace glark::surfel::test

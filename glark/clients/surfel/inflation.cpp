@@ -98,7 +98,7 @@ void Inflation::keep_nearest() {
 // a line. So a crease is covered from either side, and leaves of different planes agree on more edges.
 void Inflation::project() {
   plane_.clear();
-  float farthest = 0;
+  float farthest = 0, farthest_own = 0;
   for (const Member& member : members) {
     const auto [x, y, height] = member.at;
     const float radius = std::sqrt(x * x + y * y);
@@ -107,6 +107,17 @@ void Inflation::project() {
     const float unrolled = radius > 0 ? 1 + std::fabs(height) / radius * std::sqrt((1 - cosine) / (1 + cosine)) : 1.0F;
     plane_.push_back({x * unrolled, y * unrolled});
     farthest = std::max({farthest, std::fabs(plane_.back()[0]), std::fabs(plane_.back()[1])});
+    if (plane_.size() == own) farthest_own = farthest;
+  }
+  // Of a leaf that is dense among sparse ones, its own points must not fall together: of what is far beyond, the direction counts.
+  constexpr float most_apart = 1024;
+  if (farthest_own > 0 && farthest > most_apart * farthest_own) {
+    farthest = most_apart * farthest_own;
+    for (auto& [x, y] : plane_) {
+      const float beyond = std::max({1.0F, std::fabs(x) / farthest, std::fabs(y) / farthest});
+      x /= beyond;
+      y /= beyond;
+    }
   }
   const double scale = farthest > 0 ? Delaunay::greatest / double{farthest} : 0;
   places.clear();
