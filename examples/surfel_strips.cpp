@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
 
   // When points move: their strips, and no others. (A program with much to draw uploads the ranges that update() returns.)
-  const float seconds = argc == 3 ? std::strtof(argv[2], nullptr) : 0.5F;
+  const float seconds = argc == 3 ? std::strtof(argv[2], nullptr) : 0.2F;
   const std::vector<std::uint32_t> moved = bulge(points, seconds);
   strips.update({points.positions, points.normals}, moved);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(strips.indices().size_bytes()), strips.indices().data(),

@@ -161,6 +161,9 @@ class Commands(unittest.TestCase):
         self.assertIn(b"element tristrips", (self.path / "strips.ply").read_bytes())
         self.assertEqual(report["output"]["triangles"], self.report("info", "strips.ply")["triangles"])
         self.assertLess(report["quality"]["rms_percent"], 0.1)
+        kept = self.report("strip", self.sphere, "-o", "kept.ply", "--keep-edges")
+        self.assertEqual(report["output"]["triangles"], kept["output"]["triangles"])
+        self.assertLess(report["indices"], kept["indices"])
 
     def test_view(self):
         self.needs("view")

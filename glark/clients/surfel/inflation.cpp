@@ -46,9 +46,15 @@ void find_neighbours(const StrippingTree& tree, std::uint32_t number, std::vecto
   }
 }
 
-std::array<float, 3> Inflation::in_frame(Vector position) const {
-  const Vector d = position - leaf_->centre;
-  return {dot(d, u_), dot(d, v_), dot(d, leaf_->normal)};
+// Over the plane, and the height. What bends away is unrolled, for as far as it bends about the leaf: a wall at a right angle stays a wall,
+// not a line. So a crease is covered from either side, and leaves of different planes agree on more edges.
+std::array<float, 3> Inflation::unrolled(const Surfel& surfel) const {
+  const Vector d = surfel.position - leaf_->centre;
+  const float x = dot(d, u_), y = dot(d, v_), height = dot(d, leaf_->normal);
+  const float radius = std::sqrt(x * x + y * y);
+  const float cosine = surfel.normal == Vector{} ? 1.0F : std::clamp(dot(surfel.normal, leaf_->normal), opposite, 1.0F);
+  const float longer = radius > 0 ? 1 + std::fabs(height) / radius * std::sqrt((1 - cosine) / (1 + cosine)) : 1.0F;
+  return {x * longer, y * longer, height};
 }
 
 void Inflation::take(const Surfel& surfel, const std::array<float, 3>& at) {
@@ -61,7 +67,7 @@ void Inflation::take_own() {
   low_ = Box::far;
   high_ = -Box::far;
   for (const Surfel& surfel : tree_.used(*leaf_)) {
-    const std::array<float, 3> at = in_frame(surfel.position);
+    const std::array<float, 3> at = unrolled(surfel);
     take(surfel, at);
     own_places_.push_back({at[0], at[1]});
     low_ = std::min(low_, at[2]);
@@ -78,7 +84,7 @@ void Inflation::take_near(const Leaf& neighbour) {
   for (; surfel != used.end() && surfel->position.x <= box_.high.x + band; ++surfel) {
     if (squared_distance(box_, surfel->position) > band * band) continue;
     if (!(surfel->normal == Vector{}) && dot(surfel->normal, leaf_->normal) < opposite) continue;
-    const std::array<float, 3> at = in_frame(surfel->position);
+    const std::array<float, 3> at = unrolled(*surfel);
     if (at[2] < low_ - band || at[2] > high_ + band || !nearness_.is_near({at[0], at[1]}, band)) continue;
     take(*surfel, at);
   }
@@ -94,36 +100,29 @@ void Inflation::keep_nearest() {
   members.resize(own + most_taken);
 }
 
-// What bends away is unrolled, for as far as it bends about the leaf: a wall at a right angle stays a wall, not
-// a line. So a crease is covered from either side, and leaves of different planes agree on more edges.
-void Inflation::project() {
-  plane_.clear();
-  float farthest = 0, farthest_own = 0;
-  for (const Member& member : members) {
-    const auto [x, y, height] = member.at;
-    const float radius = std::sqrt(x * x + y * y);
-    const float cosine =
-        member.normal == Vector{} ? 1.0F : std::clamp(dot(member.normal, leaf_->normal), opposite, 1.0F);
-    const float unrolled = radius > 0 ? 1 + std::fabs(height) / radius * std::sqrt((1 - cosine) / (1 + cosine)) : 1.0F;
-    plane_.push_back({x * unrolled, y * unrolled});
-    farthest = std::max({farthest, std::fabs(plane_.back()[0]), std::fabs(plane_.back()[1])});
-    if (plane_.size() == own) farthest_own = farthest;
-  }
+void Inflation::scale() {
+  const auto reach_of = [](std::span<const Member> some) {
+    float farthest = 0;
+    for (const Member& member : some) farthest = std::max({farthest, std::fabs(member.at[0]), std::fabs(member.at[1])});
+    return farthest;
+  };
+  float farthest = reach_of(members);
   // Of a leaf that is dense among sparse ones, its own points must not fall together: of what is far beyond, the direction counts.
   constexpr float most_apart = 1024;
-  if (farthest_own > 0 && farthest > most_apart * farthest_own) {
-    farthest = most_apart * farthest_own;
-    for (auto& [x, y] : plane_) {
-      const float beyond = std::max({1.0F, std::fabs(x) / farthest, std::fabs(y) / farthest});
-      x /= beyond;
-      y /= beyond;
+  const float most = most_apart * reach_of(std::span(members).first(own));
+  if (most > 0 && farthest > most) {
+    farthest = most;
+    for (Member& member : members) {
+      const float beyond = std::max({1.0F, std::fabs(member.at[0]) / most, std::fabs(member.at[1]) / most});
+      member.at[0] /= beyond;
+      member.at[1] /= beyond;
     }
   }
   const double scale = farthest > 0 ? Delaunay::greatest / double{farthest} : 0;
   places.clear();
-  for (const auto& [x, y] : plane_) {
-    places.push_back(
-        {static_cast<std::int32_t>(std::lrint(x * scale)), static_cast<std::int32_t>(std::lrint(y * scale))});
+  for (const Member& member : members) {
+    places.push_back({static_cast<std::int32_t>(std::lrint(member.at[0] * scale)),
+                      static_cast<std::int32_t>(std::lrint(member.at[1] * scale))});
   }
 }
 
@@ -139,7 +138,7 @@ void Inflation::make(std::uint32_t number) {
   nearness_.begin(own_places_, most);
   for (const std::uint32_t other : neighbours_) take_near(tree_.leaves[other]);
   keep_nearest();
-  project();
+  scale();
 }
 
 }  // namespace glark::surfel

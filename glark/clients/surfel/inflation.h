@@ -26,7 +26,7 @@ class Inflation {
     Vector position;
     std::uint32_t index;
     Vector normal;
-    std::array<float, 3> at;  // in the leaf's frame: over the plane, and the height
+    std::array<float, 3> at;  // over the leaf's plane, and the height
   };
 
   explicit Inflation(const StrippingTree& tree) : tree_(tree) {}
@@ -38,12 +38,12 @@ class Inflation {
   std::vector<Delaunay::Point> places;  // of the members, on the plane
 
  private:
-  std::array<float, 3> in_frame(Vector position) const;
+  std::array<float, 3> unrolled(const Surfel& surfel) const;
   void take(const Surfel& surfel, const std::array<float, 3>& at);
   void take_own();
   void take_near(const Leaf& neighbour);
   void keep_nearest();
-  void project();
+  void scale();
 
   const StrippingTree& tree_;
   const Leaf* leaf_ = nullptr;
@@ -53,7 +53,6 @@ class Inflation {
   std::vector<std::uint32_t> neighbours_;
   std::vector<Nearness::Place> own_places_;
   Nearness nearness_;
-  std::vector<Nearness::Place> plane_;
 };
 
 }  // namespace glark::surfel

@@ -5,6 +5,7 @@
 #include <glark/surfel.h>
 
 #include <memory>
+#include <string>
 
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
@@ -84,9 +85,13 @@ void add_strip(CLI::App& app) {
   describe_output(*command, stripping->files);
   describe_measure(*command, stripping->reference);
   command
-      ->add_option("--leaf-points", stripping->options.leaf_points,
-                   "Points of a strip at most, 8 to 1024; 128 if not given")
+      ->add_option(
+          "--leaf-points", stripping->options.leaf_points,
+          "Points of a strip at most, 8 to 1024; " + std::to_string(stripping->options.leaf_points) + " if not given")
       ->check(CLI::Range(8, 1024));
+  command->add_flag_callback(
+      "--keep-edges", [stripping] { stripping->options.turn_edges = false; },
+      "Keep all edges as they were triangulated: strips have more indices");
   command
       ->add_option("--reach", stripping->options.reach,
                    "The longest edge, in distances of neighbouring points, 1 to 100; 5 if not given")
