@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "glark/clients/surfel/selection.h"
 #include "tests/surfel/clouds.h"
 
 namespace glark::surfel::test {
@@ -130,6 +131,31 @@ TEST(Selection, LeavesOutHalfOfASphere) {
   view.cull_back_faces = false;
   strips.select(view, frame);
   EXPECT_EQ(frame.indices, strips.indices().size());
+}
+
+// At the edge of a wide view spheres are longer than in its middle.
+TEST(Selection, DiametersAreThoseOfSpheresOnTheScreenOrALittleMore) {
+  const View view{.clip_from_object = perspective(0, 0, 0, 2), .width = 400, .height = 400};
+  const Camera camera(view);
+  constexpr float radius = 0.01F;
+  for (const float x : {0.0F, 1.0F, -1.9F}) {
+    std::array<float, 2> low{1e9F, 1e9F}, high{-1e9F, -1e9F};
+    const Points on_sphere = sphere(5000);
+    for (std::size_t i = 0; i < on_sphere.size(); ++i) {
+      const float* const d = &on_sphere.positions[3 * i];
+      const std::array<float, 3> at = {x + radius * d[0], 0.5F + radius * d[1], -1 + radius * d[2]};
+      const auto place = clip(view.clip_from_object, at.data());
+      for (std::size_t k = 0; k < 2; ++k) {
+        low[k] = std::min(low[k], 200 * place[k] / place[3]);
+        high[k] = std::max(high[k], 200 * place[k] / place[3]);
+      }
+    }
+    const float size = std::max(high[0] - low[0], high[1] - low[1]);
+    const float said = camera.diameter({x, 0.5F, -1}, radius);
+    EXPECT_GE(said, size * 0.999F);
+    EXPECT_LE(said, size * 1.05F);
+  }
+  EXPECT_TRUE(std::isinf(camera.diameter({0, 0, -0.5F * radius}, radius)));
 }
 
 TEST(Selection, LeavesOutWhatIsBesideTheView) {

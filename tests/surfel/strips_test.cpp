@@ -87,6 +87,18 @@ TEST(Strips, IsolatedPointsMakeNoLongTriangles) {
   EXPECT_EQ(edges.other, 0U);
 }
 
+// Their outlines are no longer than the holes that are closed.
+TEST(Strips, SmallPiecesKeepTheirOutlines) {
+  for (const unsigned side : {2U, 3U, 5U, 9U}) {
+    const Points points = plane(side, 0);
+    const Strips strips(points.cloud());
+    const std::vector<Triangle> all = triangles(strips);
+    EXPECT_EQ(all.size(), 2UL * (side - 1) * (side - 1));
+    EXPECT_NEAR(area_facing_up(points, all), 1, 1e-5) << "of " << side << " points a side";
+    EXPECT_EQ(count_edges(strips).single, 4UL * (side - 1));
+  }
+}
+
 // A sheet so coarse that its bends are as sharp as its points are dense: leaves see it from different sides.
 TEST(Strips, ACoarseFoldHasNoHolesAndNothingTwice) {
   Points points;

@@ -221,6 +221,18 @@ TEST(Update, TheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(Update, WhatIsEmptyIsNoChange) {
+  Points points = sphere(300);
+  Strips strips(points.cloud());
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < points.size(); ++i) all.push_back(i);
+  std::fill(points.positions.begin(), points.positions.end(), 0.5F);
+  for (int round = 0; round < 2; ++round) {
+    for (const Range& range : strips.update(points.cloud(), all)) EXPECT_GT(range.count, 0U);
+    EXPECT_TRUE(triangles(strips).empty());
+  }
+}
+
 TEST(Update, WrongOnesChangeNothing) {
   Points points = sphere(1000);
   Strips strips(points.cloud());

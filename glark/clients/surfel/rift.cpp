@@ -199,10 +199,26 @@ float Rift::cost(std::uint32_t a, std::uint32_t b, std::uint32_t c, float longes
   return size < 0 ? -size * penalty : size;
 }
 
+// Whether the loop, filled, is seen from behind, and there is no more surface at its points than within it: then it is no hole but the
+// outline of a small piece, or of one triangle. Around a fold there is more.
+bool Rift::is_outline(std::span<const std::uint32_t> loop) {
+  Vector area, normals;
+  float angles = 0;
+  const Vector from = layer_.positions[loop[0]];
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    area = area + cross(layer_.positions[loop[i]] - from, layer_.positions[loop[(i + 1) % loop.size()]] - from);
+    normals = normals + normal_of(layer_, loop[i]);
+    for (const Wedge& wedge : fan_of(loop[i])->wedges) angles += std::max(wedge.angle, 0.0F);
+  }
+  constexpr float behind = -0.5F;
+  const float within = turn / 2 * static_cast<float>(loop.size() - 2);
+  return angles < within + turn / 2 && dot(unit(area), unit(normals)) < behind;
+}
+
 // Based on: Liepa, Filling Holes in Meshes, 2003: the triangulation of least cost, by dynamic programming.
 void Rift::fill(std::span<const std::uint32_t> loop) {
   const std::size_t n = loop.size();
-  if (n < 3 || n > longest_loop) return;
+  if (n < 3 || n > longest_loop || is_outline(loop)) return;
   float longest = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Vector edge = layer_.positions[loop[i]] - layer_.positions[loop[(i + 1) % n]];

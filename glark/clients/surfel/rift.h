@@ -53,6 +53,7 @@ class Rift {
   void insert(const StripTriangle& triangle);
   std::uint32_t next_on_border(std::uint32_t before, std::uint32_t at);
   void close_loops();
+  bool is_outline(std::span<const std::uint32_t> loop);
   void fill(std::span<const std::uint32_t> loop);
   float cost(std::uint32_t a, std::uint32_t b, std::uint32_t c, float longest) const;
 

@@ -108,10 +108,15 @@ bool Camera::back_face(const Node& node) const {
   return dot(away, axis) > node.cone_sine * length_of_any(away);
 }
 
+// A step d from the centre changes x / w by (x's slope - x / w * w's slope) * d / w, with the w that is there.
 float Camera::diameter(Vector centre, float radius) const {
-  const float w = at(w_, centre) - radius * slope(w_);
-  if (!(w > 0)) return std::numeric_limits<float>::infinity();
-  return 2 * radius * std::max(half_width_ * slope(x_), half_height_ * slope(y_)) / w;
+  const float w = at(w_, centre), least = w - radius * slope(w_);
+  if (!(least > 0)) return std::numeric_limits<float>::infinity();
+  const auto pixels = [&](const Plane& axis, float half_size) {
+    const float there = at(axis, centre) / w;
+    return half_size * slope({axis[0] - there * w_[0], axis[1] - there * w_[1], axis[2] - there * w_[2], 0});
+  };
+  return 2 * radius * std::max(pixels(x_, half_width_), pixels(y_, half_height_)) / least;
 }
 
 void select_nodes(std::span<const Node> nodes, const View& view, const Camera& camera, Frame& frame) {

@@ -28,8 +28,9 @@ float spacing_of(const Node& root, std::size_t points) {
   return std::sqrt(size[2] * size[1] / static_cast<float>(std::max<std::size_t>(points, 1)));
 }
 
-// Sorted, and those that touch as one.
+// Sorted, those that touch as one, and none that is empty.
 std::vector<Range> joined(std::vector<Range> ranges) {
+  std::erase_if(ranges, [](const Range& range) { return range.count == 0; });
   std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
   std::vector<Range> all;
   for (const Range& range : ranges) {
@@ -84,7 +85,7 @@ std::vector<Range> Strips::State::update(const Cloud& cloud, std::span<const std
   constexpr float most = 1024;  // units beyond which the unit no longer fits
   if (farthest > most || points == 0) {
     *this = State(cloud, options);
-    return {{0, indices.size()}};
+    return joined({{0, indices.size()}});
   }
   points = cloud.positions.size() / 3;
   std::vector<Range> changed;
@@ -108,7 +109,7 @@ std::vector<Range> Strips::State::update(const Cloud& cloud, std::span<const std
     }
     tidy(layer);
   }
-  if (tidy_indices()) return {{0, indices.size()}};
+  if (tidy_indices()) return joined({{0, indices.size()}});
   return joined(std::move(changed));
 }
 

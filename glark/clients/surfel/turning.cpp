@@ -44,40 +44,41 @@ std::uint32_t common_point(const StripTriangle& a, const StripTriangle& b, const
   return b[0];
 }
 
-// The edge to the next. What is before and after may be folded on the two triangles, in noise, and have the other diagonal already.
-bool Turning::can_turn(std::span<const StripTriangle> triangles, std::size_t at) const {
-  const StripTriangle &one = triangles[at], &other = triangles[at + 1];
+// The edge to the next.
+bool Turning::can_turn(const StripTriangle& one, const StripTriangle& other) const {
   const std::uint32_t k = corner_off(one, other);
-  const std::uint32_t p = one[k], d = other[corner_off(other, one)];
-  const auto has_both = [&](const StripTriangle& beside) { return has(beside, p) && has(beside, d); };
-  if (at > 0 && has_both(triangles[at - 1])) return false;
-  if (at + 2 < triangles.size() && has_both(triangles[at + 2])) return false;
-  return may_turn_edge(positions_[p], positions_[one[(k + 1) % 3]], positions_[d], positions_[one[(k + 2) % 3]]);
+  return may_turn_edge(positions_[one[k]], positions_[one[(k + 1) % 3]], positions_[other[corner_off(other, one)]],
+                       positions_[one[(k + 2) % 3]]);
 }
 
 // Of every other edge.
 bool Turning::can_turn_all(std::span<const StripTriangle> triangles, std::size_t first, std::size_t last) const {
   if ((last - first) / 2 + 1 > most_turned) return false;
   for (std::size_t at = first; at <= last; at += 2) {
-    if (!can_turn(triangles, at)) return false;
+    if (!can_turn(triangles[at], triangles[at + 1])) return false;
   }
   return true;
 }
 
-// That between a triangle and the next. The first of the new ones has the edge to the one before.
-void Turning::turn(std::span<StripTriangle> triangles, std::size_t at) const {
+// That between a triangle and the next, but where what is before or after is folded on the two, in noise, and has the other diagonal
+// already. The first of the new ones has the edge to the one before.
+bool Turning::turn(std::span<StripTriangle> triangles, std::size_t at) const {
   const StripTriangle one = triangles[at], other = triangles[at + 1];
   const std::uint32_t k = corner_off(one, other);
   const std::uint32_t p = one[k], a = one[(k + 1) % 3], b = one[(k + 2) % 3];
   const std::uint32_t d = other[corner_off(other, one)];
+  const auto has_both = [&](const StripTriangle& beside) { return has(beside, p) && has(beside, d); };
+  if ((at > 0 && has_both(triangles[at - 1])) || (at + 2 < triangles.size() && has_both(triangles[at + 2])))
+    return false;
   const bool a_first = at > 0 ? has(triangles[at - 1], a) && has(triangles[at - 1], p)
                               : !(has(triangles[at + 2], a) && has(triangles[at + 2], d));
   triangles[at] = a_first ? StripTriangle{p, a, d} : StripTriangle{p, d, b};
   triangles[at + 1] = a_first ? StripTriangle{p, d, b} : StripTriangle{p, a, d};
+  return true;
 }
 
 void Turning::turn_all(std::span<StripTriangle> triangles, std::size_t first, std::size_t last) {
-  for (std::size_t at = first; at <= last; at += 2, ++turned_) turn(triangles, at);
+  for (std::size_t at = first; at <= last; at += 2) turned_ += turn(triangles, at) ? 1 : 0;
 }
 
 std::size_t Turning::run(std::span<StripTriangle> triangles) {

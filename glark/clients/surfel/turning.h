@@ -28,9 +28,9 @@ class Turning {
   std::size_t run(std::span<StripTriangle> triangles);
 
  private:
-  bool can_turn(std::span<const StripTriangle> triangles, std::size_t at) const;
+  bool can_turn(const StripTriangle& one, const StripTriangle& other) const;
   bool can_turn_all(std::span<const StripTriangle> triangles, std::size_t first, std::size_t last) const;
-  void turn(std::span<StripTriangle> triangles, std::size_t at) const;
+  bool turn(std::span<StripTriangle> triangles, std::size_t at) const;
   void turn_all(std::span<StripTriangle> triangles, std::size_t first, std::size_t last);
 
   std::span<const Vector> positions_;
