@@ -79,7 +79,7 @@ bool Patcher::may_turn(std::uint32_t number, std::uint32_t side) const {
   if (link == Delaunay::none) return false;
   const Facet& one = facets_[number];
   const Facet& other = facets_[Delaunay::triangle_of(link)];
-  constexpr float by_far = 0.7F, flat = 0.02F, bent = 4;
+  constexpr float by_far = 0.7F, flat = 0.02F, bent = 2.5F;
   const float sum = one.cotangents[side] + other.cotangents[Delaunay::side_of(link)];
   return sum < flat || (sum < by_far && sum < flat + bent * (1 - dot(one.normal, other.normal)));
 }
