@@ -79,9 +79,9 @@ bool Patcher::may_turn(std::uint32_t number, std::uint32_t side) const {
   if (link == Delaunay::none) return false;
   const Facet& one = facets_[number];
   const Facet& other = facets_[Delaunay::triangle_of(link)];
-  constexpr float by_far = 0.7F, flat = 0.02F, bent = 2.5F;
+  constexpr float by_far = 0.7F, straight = 0.02F, bent = 2.5F;
   const float sum = one.cotangents[side] + other.cotangents[Delaunay::side_of(link)];
-  return sum < flat || (sum < by_far && sum < flat + bent * (1 - dot(one.normal, other.normal)));
+  return sum < straight || (sum < by_far && sum < straight + bent * (1 - dot(one.normal, other.normal)));
 }
 
 void Patcher::turn(std::uint32_t number, std::uint32_t side) {
@@ -153,6 +153,7 @@ bool Patcher::even(std::uint32_t number, std::uint32_t side) {
   const std::uint32_t other = Delaunay::triangle_of(delaunay_.triangles()[number].links[side]);
   const std::uint32_t p = corners[side], d = delaunay_.across(number, side);
   const std::uint32_t a = corners[(side + 1) % 3], b = corners[(side + 2) % 3];
+  if (dot(facets_[number].normal, facets_[other].normal) < flat) return false;
   if (!may_turn_edge(member(p).position, member(a).position, member(d).position, member(b).position)) return false;
   if (!delaunay_.can_flip(number, side) || !is_agreed(number) || !is_agreed(other)) return false;
   const auto flip = [&](std::uint32_t at) {

@@ -12,7 +12,6 @@ constexpr std::size_t most_turned = 8;  // edges for one or two indices
 // Of the sum of the cotangents of the angles opposite to the new edge, which is not negative where it fulfils Delaunay's criterion: what
 // two angles of 130 degrees have.
 constexpr float least_cotangents = -1.68F;
-constexpr float flat = 0.9F;  // the least cosine between the four triangles
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 
 namespace glark::surfel {
 
+constexpr float flat = 0.9F;  // the least cosine between triangles of which an edge turns
 // Whether triangles p, a, b and d, b, a may become p, a, d and p, d, b: all are flat, and the new ones nearly as good.
 bool may_turn_edge(Vector p, Vector a, Vector d, Vector b);
 
