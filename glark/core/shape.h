@@ -9,7 +9,9 @@
 
 namespace glark::core {
 
-inline bool displaces(const Context& context) { return !context.options.transparent && context.ark.displacement.on(); }
+inline bool displaces(const Context& context) {
+  return !context.options().transparent && context.ark().displacement.on();
+}
 
 void add_shape(const Context& context, DerivedKey& key);
 // Sets the uniforms of displacement.
