@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "glark/core/state/polygon_sides.h"
+#include "glark/core/state/lists/polygon_sides.h"
 #include "glark/gl/types.h"
 
 namespace glark::core {

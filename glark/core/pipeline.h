@@ -23,10 +23,10 @@
 #include "glark/core/draw_key.h"
 #include "glark/core/draw_plan.h"
 #include "glark/core/pattern/gpu_pool.h"
-#include "glark/core/program.h"
 #include "glark/core/refine/fixed_function_state.h"
 #include "glark/core/refine/program_builder.h"
 #include "glark/core/report.h"
+#include "glark/core/state/programs/program.h"
 #include "glark/core/submit/submit.h"
 #include "glark/core/weld/weld.h"
 

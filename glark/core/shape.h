@@ -5,7 +5,7 @@
 #pragma once
 
 #include "glark/core/context.h"
-#include "glark/core/program.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::core {
 
