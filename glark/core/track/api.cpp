@@ -67,6 +67,7 @@ void with_ark(Context& c, Draw&& draw) {
   draw();
   c.options().transparent = was_transparent;
   c.ark().enabled = was_enabled;
+  c.update_refining();
 }
 
 bool set_choice(Context& c, bool known, bool first, bool& state_is_first) {
@@ -129,7 +130,7 @@ void set_attribute(Context& c, GLenum name, GLint index) {
   switch (name) {
     case GL_DEPTH_TAG_ATTRIBUTE_ARK:
       c.ark().tag_attribute = static_cast<GLuint>(index);
-      c.pipeline()->tag_attribute_changed();
+      c.stages()->programs().tag_attribute_changed();
       break;
     case GL_DISCONTINUITY_ATTRIBUTE_ARK: c.ark().discontinuity_attribute = static_cast<GLuint>(index); break;
     default: c.ark().scalar_tag_attribute = static_cast<GLuint>(index); break;
@@ -177,7 +178,7 @@ Program* named_program(Context& c, GLuint name) {
     c.raise(GL_INVALID_VALUE);
     return nullptr;
   }
-  Program* program = c.pipeline()->program_for_refinement(name);
+  Program* program = c.stages()->programs().named(name);
   if (program == nullptr) {
     // Not linked yet: the source waits for it.
     const std::lock_guard lock(c.share().mutex);
@@ -211,7 +212,7 @@ void ARKinit(Context& c, GLuint max_level) {
     return;
   }
   ErrorScope errors(c.pending_error());
-  if (!c.pipeline()->build_pool(max_level)) {
+  if (!c.stages()->pool().build(max_level)) {
     c.raise(GL_OUT_OF_MEMORY);
     return;
   }
@@ -365,11 +366,11 @@ void RefinementShaderSourceARK(Context& c, GLuint name, GLsizei count, const GLc
   ErrorScope errors(c.pending_error());
   std::string source = join(count, string, length);
   if (name == 0) {
-    c.pipeline()->set_fixed_function_refinement(std::move(source));
+    c.stages()->programs().fixed_function().set_refinement_source(std::move(source));
     return;
   }
   const std::lock_guard lock(program->mutex);
-  c.pipeline()->discard(*program);
+  c.stages()->programs().derived().discard(*program);
   program->refinement_source = std::move(source);
   program->virtual_uniforms.clear();
 }
@@ -381,7 +382,8 @@ void GetRefinementivARK(Context& c, GLuint name, GLenum parameter, GLint* value)
   }
   switch (parameter) {
     case GL_REFINEMENT_STATUS_ARK:
-      *value = c.pipeline()->derived_for(*program, name != 0 ? program : nullptr) != nullptr ? GL_TRUE : GL_FALSE;
+      *value = c.stages()->planner().derive_for_status(*program, name != 0 ? program : nullptr) != nullptr ? GL_TRUE
+                                                                                                           : GL_FALSE;
       break;
     case GL_REFINEMENT_LOG_LENGTH_ARK:
       *value = program->refinement_log.empty() ? 0 : static_cast<GLint>(program->refinement_log.size() + 1);
