@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/window_system.h"
+#include "shim/names/real_functions.h"
 
 #include <array>
 #include <atomic>
@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "glark/core/report.h"
-#include "shim/dynamic_linker.h"
-#include "shim/name_table.h"
+#include "shim/linker/dynamic_linker.h"
+#include "shim/names/name_table.h"
 
 namespace glark::shim {
 namespace {
@@ -18,7 +18,7 @@ constexpr std::size_t function_count = static_cast<std::size_t>(WindowFunction::
 
 constexpr std::array<const char*, function_count> names{
 #define GLARK_WINDOW_FUNCTION(function) #function,
-#include "shim/window_functions.inc"
+#include "shim/names/window_functions.inc"
 #undef GLARK_WINDOW_FUNCTION
 };
 

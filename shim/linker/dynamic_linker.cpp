@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/dynamic_linker.h"
+#include "shim/linker/dynamic_linker.h"
 
 #include <dlfcn.h>
 #include <elf.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/statistics.h"
+#include "shim/report/statistics.h"
 
 #include <unistd.h>
 
@@ -21,7 +21,7 @@
 
 #include "glark/core/program.h"
 #include "glark/core/report.h"
-#include "shim/options.h"
+#include "shim/report/options.h"
 
 namespace glark::shim {
 namespace {

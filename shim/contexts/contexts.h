@@ -4,26 +4,9 @@
 // Which contexts exist, which share objects, and which is current on the calling thread.
 #pragma once
 
-#include "shim/provider.h"
-
-namespace glark::core {
-class Context;
-}
+#include "shim/contexts/surface.h"
 
 namespace glark::shim {
-
-// Where a context draws to; the size is asked for when it is needed.
-struct Surface {
-  void* display = nullptr;
-  void* drawable = nullptr;  // an XID, an EGLSurface; null for OSMesa and for a context without a surface
-  int width = 0;             // OSMesa only
-  int height = 0;
-};
-
-struct Size {
-  int width = 0;
-  int height = 0;
-};
 
 // `native` is the GLXContext, EGLContext or OSMesaContext; null means none.
 void context_created(Provider provider, void* native, void* share);

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/thread.h"
+#include "shim/contexts/adopt.h"
 
-#include "shim/contexts.h"
-#include "shim/dynamic_linker.h"
-#include "shim/window_system.h"
+#include "shim/contexts/contexts.h"
+#include "shim/contexts/thread.h"
+#include "shim/linker/dynamic_linker.h"
+#include "shim/names/real_functions.h"
 
 namespace glark::shim {
 namespace {
@@ -46,8 +47,6 @@ bool adopt_osmesa() {
 }
 
 }  // namespace
-
-constinit thread_local Thread current_thread __attribute__((tls_model("initial-exec"))) = {&first_call, nullptr};
 
 bool adopt_current_context() {
   Thread& t = thread();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/contexts.h"
+#include "shim/contexts/contexts.h"
 
 #include <algorithm>
 #include <exception>
@@ -13,10 +13,10 @@
 
 #include "glark/core/context.h"
 #include "glark/core/report.h"
-#include "shim/options.h"
-#include "shim/statistics.h"
-#include "shim/surface_size.h"
-#include "shim/thread.h"
+#include "shim/report/options.h"
+#include "shim/report/statistics.h"
+#include "shim/contexts/surface_size.h"
+#include "shim/contexts/thread.h"
 
 namespace glark::shim {
 namespace {

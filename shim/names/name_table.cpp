@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/name_table.h"
+#include "shim/names/name_table.h"
 
 #include <dlfcn.h>
 
@@ -8,15 +8,15 @@
 #include <iterator>
 
 #include "glark/gl/types.h"
-#include "glark/gl/wrappers.h"
-#include "shim/window_system.h"
+#include "shim/names/wrappers.h"
+#include "shim/names/window_functions.h"
 
 namespace glark::shim {
 namespace {
 
 // Sorted.
 const Name gl_names[] = {
-#include "glark/gl/names.inc"
+#include "shim/names/names.inc"
 };
 
 const Name* find_gl(std::string_view name) {
@@ -27,7 +27,7 @@ const Name* find_gl(std::string_view name) {
 
 const Name window_system_names[] = {
 #define GLARK_WINDOW_FUNCTION(function) {#function, reinterpret_cast<void*>(&function), NameKind::window_system},
-#include "shim/window_functions.inc"
+#include "shim/names/window_functions.inc"
 #undef GLARK_WINDOW_FUNCTION
     {"dlsym", reinterpret_cast<void*>(&dlsym), NameKind::linker},
     {"dlvsym", reinterpret_cast<void*>(&dlvsym), NameKind::linker},

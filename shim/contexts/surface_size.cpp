@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/surface_size.h"
+#include "shim/contexts/surface_size.h"
 
-#include "shim/dynamic_linker.h"
-#include "shim/window_system.h"
+#include "shim/linker/dynamic_linker.h"
+#include "shim/names/real_functions.h"
 
 namespace glark::shim {
 namespace {

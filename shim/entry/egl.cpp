@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/contexts.h"
-#include "shim/dynamic_linker.h"
-#include "shim/frame.h"
-#include "shim/thread.h"
-#include "shim/window_system.h"
+#include "shim/contexts/contexts.h"
+#include "shim/linker/dynamic_linker.h"
+#include "shim/frames/frame.h"
+#include "shim/contexts/thread.h"
+#include "shim/names/real_functions.h"
 
 using namespace glark::shim;
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The functions of GLX, EGL and OSMesa that have a wrapper, as we export them, and the real ones behind them. Types are
-// declared by their size only: neither X11 nor EGL headers are needed.
+// The functions of GLX, EGL and OSMesa that this library wraps and exports. Types are declared by their size only, so that
+// no header of X11 or EGL is needed.
 #pragma once
 
 #include <cstdint>
@@ -51,28 +51,3 @@ void* OSMesaCreateContextAttribs(const int* attributes, void* share);
 void OSMesaDestroyContext(void* context);
 GLboolean OSMesaMakeCurrent(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height);
 }
-
-namespace glark::shim {
-
-enum class WindowFunction {
-#define GLARK_WINDOW_FUNCTION(function) function,
-#include "shim/window_functions.inc"
-#undef GLARK_WINDOW_FUNCTION
-  count_
-};
-
-// The real function; one that nothing in the process has is a function that does nothing and returns 0.
-void* real_window_function(WindowFunction function);
-
-// The program found this one itself; it is the real function from now on unless we already use another. Wrappers are ignored.
-void note_real_window_function(const char* name, void* real);
-
-// GLARK_REAL(glXSwapBuffers)(display, drawable)
-#define GLARK_REAL(function)                \
-  (reinterpret_cast<decltype(&::function)>( \
-      ::glark::shim::real_window_function(::glark::shim::WindowFunction::function)))
-
-// What a GetProcAddress shall return: our wrapper of that name where the real one is there or the function is ours.
-void* wrapper_or(const char* name, void* real);
-
-}  // namespace glark::shim

@@ -6,9 +6,9 @@
 // return address and arguments in place.
 #include <dlfcn.h>
 
-#include "shim/dynamic_linker.h"
-#include "shim/name_table.h"
-#include "shim/window_system.h"
+#include "shim/linker/dynamic_linker.h"
+#include "shim/names/name_table.h"
+#include "shim/names/real_functions.h"
 
 namespace glark::shim {
 namespace {

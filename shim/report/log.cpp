@@ -3,7 +3,7 @@
 //
 // Plain write(2) instead of a logging library: one call is one line even among several threads and processes, and there is
 // nothing to construct or destroy, so that it works before main and after exit.
-#include "shim/log.h"
+#include "shim/report/log.h"
 
 #include <sys/uio.h>
 #include <unistd.h>

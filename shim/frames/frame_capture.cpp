@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/frame_capture.h"
+#include "shim/frames/frame_capture.h"
 
 #include <array>
 #include <cerrno>
@@ -18,8 +18,8 @@
 #pragma GCC diagnostic pop
 
 #include "glark/core/report.h"
-#include "shim/contexts.h"
-#include "shim/options.h"
+#include "shim/contexts/contexts.h"
+#include "shim/report/options.h"
 
 namespace glark::shim {
 namespace {

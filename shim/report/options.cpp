@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/options.h"
+#include "shim/report/options.h"
 
 #include <unistd.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "glark/settings/configuration.h"
-#include "shim/log.h"
-#include "shim/shader_dump.h"
+#include "shim/report/log.h"
+#include "shim/report/shader_dump.h"
 
 namespace glark::shim {
 

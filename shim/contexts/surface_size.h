@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "shim/contexts.h"
+#include "shim/contexts/surface.h"
 
 namespace glark::shim {
 

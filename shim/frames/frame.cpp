@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/frame.h"
+#include "shim/frames/frame.h"
 
 #include "glark/core/context.h"
-#include "shim/contexts.h"
-#include "shim/frame_capture.h"
-#include "shim/statistics.h"
-#include "shim/thread.h"
+#include "shim/contexts/contexts.h"
+#include "shim/frames/frame_capture.h"
+#include "shim/report/statistics.h"
+#include "shim/contexts/thread.h"
 
 namespace glark::shim {
 

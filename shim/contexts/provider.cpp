@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/provider.h"
+#include "shim/contexts/provider.h"
 
 #include <array>
 #include <atomic>
@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "glark/core/report.h"
-#include "shim/dynamic_linker.h"
-#include "shim/name_table.h"
-#include "shim/window_system.h"
+#include "shim/linker/dynamic_linker.h"
+#include "shim/names/name_table.h"
+#include "shim/names/real_functions.h"
 
 namespace glark::shim {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/contexts.h"
-#include "shim/thread.h"
-#include "shim/window_system.h"
+#include "shim/contexts/contexts.h"
+#include "shim/contexts/thread.h"
+#include "shim/names/real_functions.h"
 
 using namespace glark::shim;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What every wrapper looks at first: the real functions of the calling thread and its context.
+// The first thing that every wrapper reads: the calling thread's real functions and its context.
 #pragma once
 
 #include "glark/gl/dispatch.h"
@@ -14,20 +14,17 @@ class Context;
 
 namespace glark::shim {
 
-// `gl` is never null and has no null member that a wrapper calls; `context` is null while no context of ours is current.
+// `gl` is never null, and no member of it that a wrapper calls is null. `context` is null while the thread has no context of ours.
 struct Thread {
   const gl::Dispatch* gl;
   core::Context* context;
 };
 
-// The dispatch of a thread that has not called GL yet.
+// The functions of a thread that has not called GL yet: each one adopts the current context and calls its wrapper again.
 extern constinit const gl::Dispatch first_call;
 
 extern constinit thread_local Thread current_thread __attribute__((tls_model("initial-exec")));
 
 inline Thread& thread() { return current_thread; }
-
-// Looks for a context that was made current without our seeing it. Returns whether the thread has a context of ours now.
-bool adopt_current_context();
 
 }  // namespace glark::shim

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/shader_dump.h"
+#include "shim/report/shader_dump.h"
 
 #include <atomic>
 #include <cerrno>
