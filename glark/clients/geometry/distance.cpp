@@ -57,19 +57,19 @@ class Surface {
   Nearest nearest_to(const Vector& from) const {
     std::uint32_t place = 0;
     double square = 0;
-    tree_->knnSearch(from.data(), 1, &place, &square);
+    tree_->knnSearch(&from.x, 1, &place, &square);
     if (geometry_.triangles.empty()) return {std::sqrt(square), point_normal(places_.owner[place])};
     // The nearest triangle has a place within `spacing` of its nearest point, hence within this radius.
     const double radius = std::sqrt(square) + places_.spacing;
     std::vector<std::pair<std::uint32_t, double>>& found = found_;
     nanoflann::SearchParams unsorted;
     unsorted.sorted = false;
-    tree_->radiusSearch(from.data(), radius * radius * (1 + 1e-9), found, unsorted);
+    tree_->radiusSearch(&from.x, radius * radius * (1 + 1e-9), found, unsorted);
     double best = square;
     std::uint32_t triangle = places_.owner[place];
     for (const auto& [candidate, unused] : found) {
       const std::array<Vector, 3> corners = corners_of(places_.owner[candidate]);
-      const double distance = square_distance(from, nearest_on_triangle(from, corners));
+      const double distance = squared_distance(from, nearest_on_triangle(from, corners));
       if (distance < best) {
         best = distance;
         triangle = places_.owner[candidate];
@@ -232,7 +232,7 @@ Distance distance_between(const Geometry& result, const Geometry& reference,
     low[i % 3] = std::min(low[i % 3], static_cast<double>(reference.positions[i]));
     high[i % 3] = std::max(high[i % 3], static_cast<double>(reference.positions[i]));
   }
-  distance.diagonal = std::sqrt(square_distance(low, high));
+  distance.diagonal = std::sqrt(squared_distance(low, high));
   const auto half = [&](double begin) {
     return [&progress, begin](double fraction) {
       if (progress) progress(begin + fraction / 2);

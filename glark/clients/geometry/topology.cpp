@@ -6,7 +6,8 @@
 #include <array>
 #include <bit>
 #include <limits>
-#include <numeric>
+
+#include "glark/clients/common/disjoint_sets.h"
 
 namespace glark::geometry {
 namespace {
@@ -46,23 +47,6 @@ template <class Value>
 void move_row(std::vector<Value>& values, std::size_t width, std::size_t from, std::size_t to) {
   if (!values.empty() && from != to) std::copy_n(&values[width * from], width, &values[width * to]);
 }
-
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t find(std::uint32_t member) {
-    while (parent_[member] != member) {
-      parent_[member] = parent_[parent_[member]];
-      member = parent_[member];
-    }
-    return member;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 void count_edges(std::vector<std::uint64_t>& edges, Topology& topology) {
   std::sort(edges.begin(), edges.end());
@@ -123,7 +107,7 @@ Topology topology_of(const Geometry& geometry) {
   std::vector<bool> used(first.size());
   std::vector<std::uint64_t> edges;
   edges.reserve(geometry.triangles.size());
-  Sets sets(first.size());
+  common::DisjointSets sets(first.size());
   const auto corner = [&](std::size_t index) { return first[geometry.triangles[index]]; };
   for (std::size_t i = 0; i < geometry.triangles.size(); i += 3) {
     for (std::size_t k = 0; k < 3; ++k) used[geometry.triangles[i + k]] = true;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "glark/clients/common/vector.h"
 #include "glark/clients/geometry/numbers.h"
 #include "glark/clients/geometry/writers.h"
 
@@ -34,16 +35,13 @@ std::string corner(const Geometry& geometry, std::uint32_t index) {
   return text;
 }
 
-using Vector = std::array<float, 3>;
+using Vector = common::Vector3f;
 
-// Of unit length; zero for a triangle without area.
-Vector face_normal(const Vector& a, const Vector& b, const Vector& c) {
-  const Vector u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  const Vector v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  Vector normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  const float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-  for (float& component : normal) component = length > 0 ? component / length : 0;
-  return normal;
+// Has unit length, or is zero for a triangle without area.
+Vector face_normal(Vector a, Vector b, Vector c) {
+  const Vector normal = cross(b - a, c - a);
+  const float size = length(normal);
+  return size > 0 ? Vector{normal.x / size, normal.y / size, normal.z / size} : Vector{};
 }
 
 }  // namespace

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/qas/float4.h"
 #include "glark/clients/qas/topology.h"
-#include "glark/clients/workers.h"
 
 namespace glark::qas {
 

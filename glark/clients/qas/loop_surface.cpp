@@ -8,10 +8,10 @@
 #include <cmath>
 #include <string>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/qas/float4.h"
 #include "glark/clients/qas/frame.h"
 #include "glark/clients/qas/loop_patch.h"
-#include "glark/clients/workers.h"
 
 namespace glark::qas {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glark/clients/common/disjoint_sets.h"
 #include "glark/clients/reconstruct/half_edges.h"
-#include "glark/clients/vstree/disjoint_sets.h"
 #include "glark/clients/vstree/reindex.h"
 
 namespace glark::vstree {

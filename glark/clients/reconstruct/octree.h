@@ -9,9 +9,9 @@
 #include <array>
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/reconstruct/cell_blocks.h"
 #include "glark/clients/vstree/record.h"
-#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/reconstruct/sheets.h"
 
+#include "glark/clients/common/disjoint_sets.h"
+
 namespace glark::vstree {
 namespace {
 
@@ -14,20 +16,8 @@ unsigned edge_between(unsigned a, unsigned b) {
   return 12;
 }
 
-class Joined {
- public:
-  unsigned find(unsigned i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
-  void join(unsigned a, unsigned b) { parent_[find(a)] = find(b); }
-
- private:
-  std::array<unsigned, 12> parent_{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
-};
-
 // Joins the crossed edges of one face; `corners` go around it.
-void join_face(unsigned inside, const std::array<unsigned, 4>& corners, Joined& joined) {
+void join_face(unsigned inside, const std::array<unsigned, 4>& corners, common::DisjointSets& joined) {
   const auto is_inside = [&](unsigned i) { return ((inside >> corners[i % 4]) & 1) != 0; };
   std::array<unsigned, 4> crossed{};
   unsigned count = 0;
@@ -42,7 +32,7 @@ void join_face(unsigned inside, const std::array<unsigned, 4>& corners, Joined& 
 }
 
 Sheets make(unsigned inside) {
-  Joined joined;
+  common::DisjointSets joined(12);
   for (unsigned axis = 0; axis < 3; ++axis) {
     const unsigned u = 1U << ((axis + 1) % 3), v = 1U << ((axis + 2) % 3);
     for (const unsigned low : {0U, 1U << axis}) join_face(inside, {low, low | u, low | u | v, low | v}, joined);

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/vstree/moments.h"
-#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 

@@ -6,9 +6,9 @@
 
 #include <glark/vstree.h>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/vstree/quadric.h"
 #include "glark/clients/vstree/samples.h"
-#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 

@@ -8,8 +8,8 @@
 
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/vstree/local_frame.h"
-#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 

@@ -7,7 +7,7 @@
 #include <compare>
 #include <numeric>
 
-#include "glark/clients/vstree/disjoint_sets.h"
+#include "glark/clients/common/disjoint_sets.h"
 #include "glark/clients/vstree/reindex.h"
 
 namespace glark::vstree {

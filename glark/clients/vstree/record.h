@@ -11,9 +11,11 @@
 #include <new>
 #include <span>
 
-#include "glark/clients/vstree/float4.h"
+#include "glark/clients/common/float4.h"
 
 namespace glark::vstree {
+
+using namespace common;  // Float4 and what is computed with it
 
 // Within the unit cube. The fourth of the position holds the bits of the sample's index, that of the normal is 1 if there is a normal.
 struct Record {

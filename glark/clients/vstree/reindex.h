@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "glark/clients/vstree/float4.h"
-#include "glark/clients/workers.h"
+#include "glark/clients/common/workers.h"
+#include "glark/clients/vstree/record.h"
 
 namespace glark::vstree {
 

@@ -5,6 +5,9 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <optional>
+
+#include "glark/clients/common/error_message.h"
 
 namespace glark::vstree {
 namespace {
@@ -12,14 +15,19 @@ namespace {
 constexpr float largest = 1e18F;  // so that squares stay in range
 constexpr std::size_t grain = 1 << 16;
 
-std::string numbered(Element element, std::size_t index) {
+const char* name_of(Element element) {
   switch (element) {
-    case Element::point: return "glark-vstree: point " + std::to_string(index) + " ";
-    case Element::triangle: return "glark-vstree: triangle " + std::to_string(index) + " ";
-    case Element::array: return "glark-vstree: array ";
+    case Element::point: return "point";
+    case Element::triangle: return "triangle";
+    case Element::array: return "array";
     case Element::option: break;
   }
-  return "glark-vstree: option ";
+  return "option";
+}
+
+std::optional<std::size_t> number_of(Element element, std::size_t index) {
+  const bool is_one_of_many = element == Element::point || element == Element::triangle;
+  return is_one_of_many ? std::optional(index) : std::nullopt;
 }
 
 void check_size(std::size_t points, std::size_t size, std::size_t each, const char* name) {
@@ -60,7 +68,8 @@ std::size_t first_beyond(std::span<const float> numbers, float limit, const Work
 }  // namespace
 
 Error::Error(Element element, std::size_t index, const std::string& what)
-    : std::invalid_argument(numbered(element, index) + what), element_(element), index_(index) {}
+    : ElementError(element, index,
+                   common::error_message("glark-vstree", name_of(element), number_of(element, index), what)) {}
 
 void check(const PointSet& points, const Workers& workers) {
   if (points.positions.size() % 3 != 0) {

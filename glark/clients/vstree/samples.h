@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/vstree/record.h"
-#include "glark/clients/workers.h"
 
 namespace glark::vstree {
 

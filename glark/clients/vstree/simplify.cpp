@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "glark/clients/common/vertex_normals.h"
 #include "glark/clients/vstree/clusters.h"
 #include "glark/clients/vstree/reindex.h"
 #include "glark/clients/vstree/samples.h"
@@ -15,14 +16,11 @@ namespace {
 // Area-weighted means of the triangles' normals, not of unit length.
 std::vector<float> vertex_normals(const Surface& surface) {
   std::vector<float> normals(surface.points.positions.size());
-  for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
-    const std::uint32_t* const corners = &surface.triangles[t];
-    const Float4 a = surface.point(corners[0]);
-    const Float4 normal = cross(surface.point(corners[1]) - a, surface.point(corners[2]) - a);
-    for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < 3; ++k) normals[3 * std::size_t{corners[i]} + k] += normal[k];
-    }
-  }
+  add_triangle_normals(
+      surface.triangles, [&](std::uint32_t vertex) { return surface.point(vertex); },
+      [&](std::uint32_t vertex, Float4 normal) {
+        for (int k = 0; k < 3; ++k) normals[3 * std::size_t{vertex} + static_cast<std::size_t>(k)] += normal[k];
+      });
   return normals;
 }
 

@@ -19,7 +19,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-namespace glark {
+namespace glark::common {
 
 // ThreadSanitizer does not see that oneTBB, which is not compiled for it, hands what was done before a loop to its pieces and what they did
 // to what comes after it.
@@ -120,4 +120,4 @@ class Workers {
   std::unique_ptr<tbb::task_arena> arena_;
 };
 
-}  // namespace glark
+}  // namespace glark::common

@@ -8,7 +8,7 @@
 #include <bit>
 #include <cmath>
 
-namespace glark::vstree {
+namespace glark::common {
 
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = int __attribute__((vector_size(16)));
@@ -47,4 +47,4 @@ inline Float4 greatest(Float4 a, Float4 b) { return a > b ? a : b; }
 
 inline std::array<float, 3> triple(Float4 a) { return {a[0], a[1], a[2]}; }
 
-}  // namespace glark::vstree
+}  // namespace glark::common
