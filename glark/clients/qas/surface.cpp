@@ -9,12 +9,12 @@
 #include <string>
 
 #include "glark/clients/common/error_message.h"
-#include "glark/clients/qas/butterfly_step.h"
+#include "glark/clients/qas/limit_step/butterfly_step.h"
 #include "glark/clients/qas/frame.h"
-#include "glark/clients/qas/limit_step.h"
-#include "glark/clients/qas/quadratic.h"
-#include "glark/clients/qas/quartic.h"
-#include "glark/clients/qas/split.h"
+#include "glark/clients/qas/limit_step/limit_step.h"
+#include "glark/clients/qas/shader/quadratic.h"
+#include "glark/clients/qas/shader/quartic.h"
+#include "glark/clients/qas/limit_step/split.h"
 
 namespace glark::qas {
 namespace {
