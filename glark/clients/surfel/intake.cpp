@@ -4,8 +4,10 @@
 // What callers give: looked at, and taken over.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
+#include "glark/clients/common/error_message.h"
 #include "glark/clients/surfel/state.h"
 
 namespace glark::surfel {
@@ -15,18 +17,18 @@ constexpr float greatest_coordinate = 1e18F;
 
 const char* name_of(Element element) {
   switch (element) {
-    case Element::point: return "point ";
-    case Element::normal: return "normal ";
-    case Element::option: return "option ";
-    case Element::view: return "view ";
+    case Element::point: return "point";
+    case Element::normal: return "normal";
+    case Element::option: return "option";
+    case Element::view: return "view";
     case Element::cloud: break;
   }
-  return "cloud ";
+  return "cloud";
 }
 
-std::string numbered(Element element, std::size_t index) {
-  const bool one_of_many = element == Element::point || element == Element::normal;
-  return std::string("glark-surfel: ") + name_of(element) + (one_of_many ? std::to_string(index) + " " : "");
+std::optional<std::size_t> number_of(Element element, std::size_t index) {
+  const bool is_one_of_many = element == Element::point || element == Element::normal;
+  return is_one_of_many ? std::optional(index) : std::nullopt;
 }
 
 void check_range(const char* name, float value, float low, float high) {
@@ -39,7 +41,8 @@ void check_range(const char* name, float value, float low, float high) {
 }  // namespace
 
 Error::Error(Element element, std::size_t index, const std::string& what)
-    : std::invalid_argument(numbered(element, index) + what), element_(element), index_(index) {}
+    : ElementError(element, index,
+                   common::error_message("glark-surfel", name_of(element), number_of(element, index), what)) {}
 
 void check_options(const Options& options) {
   check_range("leaf_points", static_cast<float>(options.leaf_points), 8, 1024);

@@ -6,8 +6,8 @@
 
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/layer.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 

@@ -11,10 +11,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/vector.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
+
+using common::Workers;
 
 // A point of the cloud.
 struct Surfel {
