@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "glark/core/current_values.h"
-#include "glark/core/draw_call.h"
+#include "glark/core/state/polygon_sides.h"
 #include "glark/gl/types.h"
 
 namespace glark::core {
