@@ -43,7 +43,7 @@ void keep_central_surfels(std::span<Surfel> surfels, std::vector<Surfel>& kept) 
 }  // namespace
 
 Level build_level(std::vector<Surfel> surfels, std::vector<std::uint32_t> cloud_indices, const LevelOptions& options,
-                  const Workers& workers, std::vector<std::uint32_t>& indices) {
+                  const common::Workers& workers, std::vector<std::uint32_t>& indices) {
   Level level;
   level.cloud_indices = std::move(cloud_indices);
   const std::size_t count = surfels.size();
@@ -93,7 +93,7 @@ bool needs_rebuild(const Level& level, const LevelOptions& options) {
   return level.tree.leaves.size() > 2 * level.initial_leaves + 4 * full_leaves + tolerated;
 }
 
-void rebuild_level(Level& level, const LevelOptions& options, const Workers& workers,
+void rebuild_level(Level& level, const LevelOptions& options, const common::Workers& workers,
                    std::vector<std::uint32_t>& indices) {
   std::vector<Surfel> surfels(level.owner.size());
   for (std::uint32_t point = 0; point < surfels.size(); ++point) surfels[point] = level.surfel(point);

@@ -7,14 +7,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/level/level.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 
 // Takes the surfels over. Appends the strips to `indices`. cloud_indices: see Level.
 Level build_level(std::vector<Surfel> surfels, std::vector<std::uint32_t> cloud_indices, const LevelOptions& options,
-                  const Workers& workers, std::vector<std::uint32_t>& indices);
+                  const common::Workers& workers, std::vector<std::uint32_t>& indices);
 
 // The surfels of the next coarser level, about a quarter. cloud_indices: receives their indices in the cloud.
 std::vector<Surfel> coarser_surfels(const Level& level, std::vector<std::uint32_t>& cloud_indices);
@@ -23,7 +23,7 @@ std::vector<Surfel> coarser_surfels(const Level& level, std::vector<std::uint32_
 bool needs_rebuild(const Level& level, const LevelOptions& options);
 
 // Builds the level again from its points. Appends the strips to `indices`.
-void rebuild_level(Level& level, const LevelOptions& options, const Workers& workers,
+void rebuild_level(Level& level, const LevelOptions& options, const common::Workers& workers,
                    std::vector<std::uint32_t>& indices);
 
 }  // namespace glark::surfel

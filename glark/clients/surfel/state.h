@@ -10,15 +10,15 @@
 #include <span>
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/level/level.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 
 struct Strips::State {
   Options options;
   LevelOptions level_options;
-  Workers workers;
+  common::Workers workers;
   std::size_t points = 0;
   std::vector<Level> levels;  // the finest first
   std::vector<std::uint32_t> indices;

@@ -70,7 +70,7 @@ void Camera::find_eye() {
     eye_ = size > 0 ? unit(Vector{static_cast<float>(eye[0] / size), static_cast<float>(eye[1] / size),
                                   static_cast<float>(eye[2] / size)})
                     : Vector{};
-    if (dot(Vector{z_[0], z_[1], z_[2]}, eye_) * w_[3] > 0) eye_ = eye_ * -1;
+    if (dot(Vector{z_[0], z_[1], z_[2]}, eye_) * w_[3] > 0) eye_ = eye_ * -1.0F;
   } else {
     eye_ = {static_cast<float>(eye[0] / eye[3]), static_cast<float>(eye[1] / eye[3]),
             static_cast<float>(eye[2] / eye[3])};
@@ -100,7 +100,7 @@ bool Camera::is_back_facing(const Node& node) const {
   const Vector axis = to_vector(node.cone_axis);
   if (parallel_) return -dot(eye_, axis) > node.cone_sine;
   const Vector away = to_vector(node.cone_apex) - eye_;
-  return dot(away, axis) > node.cone_sine * length_of_any(away);
+  return dot(away, axis) > node.cone_sine * robust_length(away);
 }
 
 // A step d from the centre changes x / w by (slope of x - x / w * slope of w) * d, divided by the w after the step.

@@ -31,7 +31,7 @@ void join_cones(const Node& a, const Node& b, Node& node) {
 void place_apex(Node& node) {
   const Vector low = to_vector(node.low), high = to_vector(node.high);
   const float cosine = std::sqrt(std::max(0.0F, 1 - node.cone_sine * node.cone_sine));
-  const float back = cosine > 0 ? 0.5F * length_of_any(high - low) / cosine : 0;
+  const float back = cosine > 0 ? 0.5F * robust_length(high - low) / cosine : 0;
   node.cone_apex = to_array((low + high) * 0.5F - to_vector(node.cone_axis) * back);
 }
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/tree/stripping_tree.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 
@@ -40,7 +40,7 @@ void store(Slot& slot, std::span<const Item> items, std::vector<Item>& array) {
 // Calls make_batch(leaves, batch) for all leaves and stores what it appends to the batch in slot_of(leaf). A single worker needs the
 // memory of one batch only.
 template <typename Item, typename SlotOf, typename MakeBatch>
-void fill_slots(std::span<const std::uint32_t> leaves, const Workers& workers, std::vector<Item>& array,
+void fill_slots(std::span<const std::uint32_t> leaves, const common::Workers& workers, std::vector<Item>& array,
                 const SlotOf& slot_of, const MakeBatch& make_batch) {
   const std::size_t leaves_at_once = workers.count() == 1 ? leaves_a_batch : leaves.size();
   std::vector<Batch<Item>> batches((leaves_at_once + leaves_a_batch - 1) / leaves_a_batch);

@@ -66,7 +66,7 @@ void classify_candidates_of(Level& level, std::uint32_t leaf, const LevelOptions
 }  // namespace
 
 void classify_candidates(Level& level, std::span<const std::uint32_t> leaves, const LevelOptions& options,
-                         const Workers& workers) {
+                         const common::Workers& workers) {
   workers.in_pieces(leaves.size(), leaves_a_batch, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) classify_candidates_of(level, leaves[i], options);
   });

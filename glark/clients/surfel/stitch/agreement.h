@@ -9,14 +9,14 @@
 #include <cstdint>
 #include <span>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/level/level.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 
 // Classifies the shared candidates of the leaves, that is, sets their states.
 void classify_candidates(Level& level, std::span<const std::uint32_t> leaves, const LevelOptions& options,
-                         const Workers& workers);
+                         const common::Workers& workers);
 
 Corners sorted_corners(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 

@@ -26,7 +26,7 @@ class Stitcher {
  public:
   Stitcher(Level& level, const LevelOptions& options) : level_(level), options_(options) {}
 
-  std::vector<std::uint32_t> run(std::span<const std::uint32_t> leaves, const Workers& workers);
+  std::vector<std::uint32_t> run(std::span<const std::uint32_t> leaves, const common::Workers& workers);
 
  private:
   // A triangle that not all leaves agree on.
@@ -57,7 +57,7 @@ class Stitcher {
   template <typename Item>
   void sort_by_region(std::vector<Item>& items, Extent Region::*part);
   void sort_conflicts();
-  void collect_agreed(const Workers& workers);
+  void collect_agreed(const common::Workers& workers);
   void collect_agreed_of(std::uint32_t leaf, std::vector<AgreedTriangle>& found) const;
   void stitch_region(ConflictRegion& region, const Region& parts, std::vector<ConflictingTriangle>& conflicting);
   void distribute(const std::vector<std::vector<StitchedTriangle>>& batches);
@@ -73,7 +73,7 @@ class Stitcher {
   std::vector<Region> regions_;
 };
 
-std::vector<std::uint32_t> Stitcher::run(std::span<const std::uint32_t> leaves, const Workers& workers) {
+std::vector<std::uint32_t> Stitcher::run(std::span<const std::uint32_t> leaves, const common::Workers& workers) {
   leaves_.assign(leaves.begin(), leaves.end());
   dissolve_regions();
   collect_conflicts();
@@ -232,7 +232,7 @@ void Stitcher::sort_conflicts() {
 }
 
 // Collects the agreed triangles that have a point of a region.
-void Stitcher::collect_agreed(const Workers& workers) {
+void Stitcher::collect_agreed(const common::Workers& workers) {
   std::vector<std::uint32_t> owners;
   for (const std::uint32_t point : points_) owners.push_back(level_.owner[point]);
   sort_unique(owners);
@@ -291,7 +291,7 @@ void Stitcher::distribute(const std::vector<std::vector<StitchedTriangle>>& batc
 }  // namespace
 
 std::vector<std::uint32_t> stitch(Level& level, std::span<const std::uint32_t> leaves, const LevelOptions& options,
-                                  const Workers& workers) {
+                                  const common::Workers& workers) {
   return Stitcher(level, options).run(leaves, workers);
 }
 

@@ -10,14 +10,14 @@
 #include <span>
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/level/level.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 
 // Stitches the conflict regions at `leaves`, whose candidates were classified again. Fills in Patch::stitched of these leaves and of all
 // others at the same regions. Returns all of them, ascending.
 std::vector<std::uint32_t> stitch(Level& level, std::span<const std::uint32_t> leaves, const LevelOptions& options,
-                                  const Workers& workers);
+                                  const common::Workers& workers);
 
 }  // namespace glark::surfel

@@ -67,7 +67,7 @@ class LeafStripper {
 }  // namespace
 
 void make_strips(Level& level, std::span<const std::uint32_t> leaves, const LevelOptions& options,
-                 const Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
+                 const common::Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
   std::vector<std::uint8_t> is_same(leaves.size(), 0);
   if (indices.empty()) indices.reserve(usual_capacity(level, leaves));
   fill_slots(

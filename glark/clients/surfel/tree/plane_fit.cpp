@@ -54,10 +54,10 @@ Vector direction_of_least_variance(std::span<const Surfel> surfels, Vector centr
     rotate(a, vectors, 1, 2);
   }
   const std::size_t best = a[2][2] <= a[0][0] && a[2][2] <= a[1][1] ? 2 : a[1][1] <= a[0][0] ? 1 : 0;
-  const Vector normal = unit({static_cast<float>(vectors[0][best]), static_cast<float>(vectors[1][best]),
-                              static_cast<float>(vectors[2][best])});
+  const Vector normal = unit(Vector{static_cast<float>(vectors[0][best]), static_cast<float>(vectors[1][best]),
+                                    static_cast<float>(vectors[2][best])});
   const float largest = std::max({normal.x, normal.y, normal.z});
-  return -std::min({normal.x, normal.y, normal.z}) > largest ? normal * -1 : normal;
+  return -std::min({normal.x, normal.y, normal.z}) > largest ? normal * -1.0F : normal;
 }
 
 }  // namespace

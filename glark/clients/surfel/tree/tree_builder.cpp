@@ -44,7 +44,7 @@ struct Subtree {
 class TreeBuilder {
  public:
   // workers: null for a single thread.
-  TreeBuilder(std::span<Surfel> surfels, const TreeOptions& options, const Workers* workers)
+  TreeBuilder(std::span<Surfel> surfels, const TreeOptions& options, const common::Workers* workers)
       : surfels_(surfels), options_(options), workers_(workers) {}
 
   // Appends a tree over the surfels begin .. end and returns the number of its root.
@@ -164,12 +164,12 @@ class TreeBuilder {
 
   std::span<Surfel> surfels_;
   const TreeOptions& options_;
-  const Workers* workers_;
+  const common::Workers* workers_;
 };
 
 }  // namespace
 
-StrippingTree build_tree(std::vector<Surfel> surfels, const TreeOptions& options, const Workers& workers) {
+StrippingTree build_tree(std::vector<Surfel> surfels, const TreeOptions& options, const common::Workers& workers) {
   StrippingTree tree;
   tree.surfels = std::move(surfels);
   Subtree subtree;

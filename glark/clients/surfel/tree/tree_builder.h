@@ -8,9 +8,9 @@
 
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/tree/height_field.h"
 #include "glark/clients/surfel/tree/stripping_tree.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 
@@ -21,7 +21,7 @@ struct TreeOptions {
 };
 
 // Takes the surfels over and reorders them.
-StrippingTree build_tree(std::vector<Surfel> surfels, const TreeOptions& options, const Workers& workers);
+StrippingTree build_tree(std::vector<Surfel> surfels, const TreeOptions& options, const common::Workers& workers);
 
 // Builds a subtree over `surfels`, a range of tree.surfels that is reordered in place. The subtree replaces `node`, which is a leaf. The
 // first leaf of the subtree keeps the number of the old leaf; further leaves and nodes are appended.

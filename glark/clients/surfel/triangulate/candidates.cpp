@@ -8,7 +8,7 @@
 namespace glark::surfel {
 
 void make_candidates(Level& level, std::span<const std::uint32_t> leaves, const LevelOptions& options,
-                     const Workers& workers) {
+                     const common::Workers& workers) {
   if (level.candidates.empty()) level.candidates.reserve(usual_capacity(level, leaves));
   fill_slots(
       leaves, workers, level.candidates, [&](std::uint32_t leaf) -> Slot& { return level.patches[leaf].candidates; },

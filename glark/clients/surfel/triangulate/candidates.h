@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <span>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/level/level.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 
 // Triangulates the leaves and fills in their candidates and the spacings of their points.
 void make_candidates(Level& level, std::span<const std::uint32_t> leaves, const LevelOptions& options,
-                     const Workers& workers);
+                     const common::Workers& workers);
 
 }  // namespace glark::surfel

@@ -44,8 +44,8 @@ void update_nodes(Level& level, std::span<const std::uint32_t> leaves, const Lev
 
 }  // namespace
 
-void update_level(Level& level, std::span<const Surfel> moved, const LevelOptions& options, const Workers& workers,
-                  std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
+void update_level(Level& level, std::span<const Surfel> moved, const LevelOptions& options,
+                  const common::Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
   const std::vector<std::uint32_t> triangulated = PointMover(level, moved, options).run();
   make_candidates(level, triangulated, options, workers);
   // Neighbours may share triangles with these leaves; other leaves may share conflict regions.

@@ -9,15 +9,15 @@
 #include <span>
 #include <vector>
 
+#include "glark/clients/common/workers.h"
 #include "glark/clients/surfel/level/level.h"
-#include "glark/clients/workers.h"
 
 namespace glark::surfel {
 
 // moved: points of the level at their new positions, in ascending order of their indices, without duplicates. Indices beyond the level's
 // points are new points, without gaps. Ranges of `indices` that changed are appended to `changed`.
-void update_level(Level& level, std::span<const Surfel> moved, const LevelOptions& options, const Workers& workers,
-                  std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
+void update_level(Level& level, std::span<const Surfel> moved, const LevelOptions& options,
+                  const common::Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
 
 // Closes the gaps in the level's arrays where more than half of an array is unused.
 void compact_level(Level& level);
