@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "glark/core/stages.h"
 #include "glark/core/report.h"
+#include "glark/core/stages.h"
 
 namespace glark::core {
 
@@ -53,8 +53,8 @@ void Context::start() {
   }
   state_.read_client_state();
   supported_ = supported_functions(gl_, capabilities_);
-  stages_ = std::make_unique<Stages>(
-      Environment{supported_, capabilities_, options_, ark_, state_, pending_error_, *share_});
+  stages_ =
+      std::make_unique<Stages>(Environment{supported_, capabilities_, options_, ark_, state_, pending_error_, *share_});
   const auto attributes = static_cast<GLuint>(capabilities_.max_vertex_attributes);
   ark_.tag_attribute = attributes - 1;
   ark_.discontinuity_attribute = attributes - 2;
@@ -81,14 +81,12 @@ void Context::frame_finished() {
   }
 }
 
-void Context::program_changed(Program& program, GLuint name) {
-  stages_->programs().changed(program, name);
-}
+void Context::program_changed(Program& program, GLuint name) { stages_->programs().changed(program, name); }
 
 void Context::update_refining() {
-  refining_ =
-      capabilities_.refinable && (options_.transparent || (ark_.enabled && ark_.pool_level >= 0) ||
-                                  state_.lists().cutting || (stages_ != nullptr && stages_->feedback().watches_draws()));
+  refining_ = capabilities_.refinable &&
+              (options_.transparent || (ark_.enabled && ark_.pool_level >= 0) || state_.lists().cutting ||
+               (stages_ != nullptr && stages_->feedback().watches_draws()));
 }
 
 }  // namespace glark::core

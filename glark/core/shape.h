@@ -5,7 +5,7 @@
 #pragma once
 
 #include "glark/core/ark_state.h"
-#include "glark/core/program.h"
+#include "glark/core/state/programs/program.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {

@@ -36,9 +36,7 @@ KeyState key_state(const Environment& environment) {
 }  // namespace
 
 Planner::Planner(const Environment& environment, const Parts& parts)
-    : env_(environment),
-      parts_(parts),
-      decompositions_(environment, parts.capture, parts.programs.in_use()) {}
+    : env_(environment), parts_(parts), decompositions_(environment, parts.capture, parts.programs.in_use()) {}
 
 Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   env_.state.refresh();
@@ -87,8 +85,7 @@ std::optional<Cause> Planner::find_program(DrawPlan& plan) {
     return find_pipeline_programs(plan);
   }
   plan.owner = current;
-  plan.program =
-      choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
+  plan.program = choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
   parts_.programs.derived().prepare(*plan.program);
   ++plan.program->counters->draws_seen;
   return plan.program->cause;
@@ -130,8 +127,7 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
 }
 
 bool Planner::can_measure(const Program& program) const {
-  return core::can_measure(edge_measure(env_.options, env_.ark), program,
-                           !env_.state.programs().subroutines().empty());
+  return core::can_measure(edge_measure(env_.options, env_.ark), program, !env_.state.programs().subroutines().empty());
 }
 
 void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
@@ -188,7 +184,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
     return Cause::transform_feedback;
   }
   if (plan.derived->stored() && plan.pipeline != nullptr) {
-    return Cause::too_many_attributes;  // other programs of the pipeline may need the storage binding
+    return Cause::too_many_attributes;  // other stages of the program pipeline may need the storage binding
   }
   plan.capture.layout = &plan.derived->layout;
   if (const std::optional<Cause> cause = find_corner_program(plan)) {

@@ -12,8 +12,8 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/polygons/decomposition.h"
-#include "glark/core/gpu_buffer.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::polygons {

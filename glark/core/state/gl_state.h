@@ -7,20 +7,20 @@
 
 #include <cstdint>
 
-#include "glark/core/bindings.h"
-#include "glark/core/bound_buffers.h"
-#include "glark/core/current_values.h"
 #include "glark/core/objects/error_scope.h"
-#include "glark/core/quiet.h"
-#include "glark/core/share_group.h"
+#include "glark/core/objects/quiet.h"
+#include "glark/core/state/arrays/bound_buffers.h"
+#include "glark/core/state/arrays/current_values.h"
+#include "glark/core/state/arrays/vertex_arrays.h"
 #include "glark/core/state/attribute_stack.h"
+#include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/immediate_mode.h"
-#include "glark/core/state/list_compilation.h"
+#include "glark/core/state/lists/list_compilation.h"
 #include "glark/core/state/matrices.h"
-#include "glark/core/state/programs.h"
+#include "glark/core/state/programs/programs.h"
 #include "glark/core/state/query_surplus.h"
-#include "glark/core/vertex_arrays.h"
+#include "glark/core/state/share_group.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {

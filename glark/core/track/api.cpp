@@ -382,7 +382,8 @@ void GetRefinementivARK(Context& c, GLuint name, GLenum parameter, GLint* value)
   }
   switch (parameter) {
     case GL_REFINEMENT_STATUS_ARK:
-      *value = c.stages()->planner().derive_for_status(*program, name != 0 ? program : nullptr) != nullptr ? GL_TRUE : GL_FALSE;
+      *value = c.stages()->planner().derive_for_status(*program, name != 0 ? program : nullptr) != nullptr ? GL_TRUE
+                                                                                                           : GL_FALSE;
       break;
     case GL_REFINEMENT_LOG_LENGTH_ARK:
       *value = program->refinement_log.empty() ? 0 : static_cast<GLint>(program->refinement_log.size() + 1);

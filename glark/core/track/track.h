@@ -6,8 +6,8 @@
 
 #include <memory>
 
+#include "glark/core/capture/draw_call.h"
 #include "glark/core/context.h"
-#include "glark/core/draw_call.h"
 #include "glark/core/stages.h"
 #include "glark/gl/hooks.h"
 #include "include/GL/glark.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// One draw of the application, as the pipeline sees it.
+// One draw of the application, as the stages see it.
 #pragma once
 
 #include <compare>
@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "glark/core/state/polygon_sides.h"
+#include "glark/core/state/lists/polygon_sides.h"
 #include "glark/gl/types.h"
 
 namespace glark::core {

@@ -12,9 +12,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "glark/core/buffer_stamps.h"
-#include "glark/core/display_list.h"
-#include "glark/core/program.h"
+#include "glark/core/state/arrays/buffer_stamps.h"
+#include "glark/core/state/lists/display_list.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::core {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "glark/core/display_list.h"
+#include "glark/core/state/lists/display_list.h"
 
 namespace glark::core {
 

@@ -4,9 +4,9 @@
 
 #include "glark/core/ark_state.h"
 #include "glark/core/objects/error_scope.h"
-#include "glark/core/share_group.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/gl_state.h"
+#include "glark/core/state/share_group.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {

@@ -45,16 +45,16 @@ void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
   bool issued = false;
   const bool watched = !segment.effects.opaque && segment.vertex_lists.empty();
   refine(c, {.mode = segment.mode,
-                      .triangles = triangles,
-                      .exact = segment.exact,
-                      .tags_vary = segment.sets_tags,
-                      .whole_polygons = segment.whole_polygons,
-                      .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
-                      .segment = watched ? &segment : nullptr,
-                      .issue = [&] {
-                        c.gl().CallList(segment.list);
-                        issued = true;
-                      }});
+             .triangles = triangles,
+             .exact = segment.exact,
+             .tags_vary = segment.sets_tags,
+             .whole_polygons = segment.whole_polygons,
+             .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
+             .segment = watched ? &segment : nullptr,
+             .issue = [&] {
+               c.gl().CallList(segment.list);
+               issued = true;
+             }});
   if (!watched) {
     c.state().forget_current_values();
   }

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "glark/core/objects/error_scope.h"
-#include "glark/core/program.h"
-#include "glark/core/program_pipelines.h"
 #include "glark/core/state/capabilities.h"
+#include "glark/core/state/programs/program.h"
+#include "glark/core/state/programs/program_pipelines.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {

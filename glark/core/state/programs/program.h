@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "glark/core/capture/record.h"
-#include "glark/core/quiet.h"
+#include "glark/core/objects/quiet.h"
 #include "glark/core/refine/derive.h"
 #include "glark/core/refinement.h"
 #include "glark/core/report.h"
@@ -109,9 +109,9 @@ struct Program {
   bool from_binary = false;
   bool linked =
       true;  // by its last glLinkProgram; otherwise what it ran before stays in use, and GL cannot return to it
-  bool may_store = false;       // its shaders may write buffers
-  bool prepared = false;        // fields, traits and cause below are valid
-  std::optional<Cause> cause;   // why it cannot be refined
+  bool may_store = false;      // its shaders may write buffers
+  bool prepared = false;       // fields, traits and cause below are valid
+  std::optional<Cause> cause;  // why it cannot be refined
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
   bool subroutines_asked = false;  // the next is valid

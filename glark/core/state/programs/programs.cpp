@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/state/programs.h"
+#include "glark/core/state/programs/programs.h"
 
 #include <algorithm>
 #include <iterator>
 #include <string>
 #include <string_view>
 
-#include "glark/core/share_group.h"
+#include "glark/core/state/share_group.h"
 
 namespace glark::core {
 namespace {
