@@ -16,6 +16,7 @@
 #include "glark/core/depth/measured_depths.h"
 #include "glark/core/depth/reorder.h"
 #include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/compute_pass.h"
 #include "glark/core/pattern/gpu_pool.h"
 
 namespace glark::depth {
@@ -54,17 +55,12 @@ class BinStage {
   void release();
 
  private:
-  struct Pass {
-    GLuint program = 0;
-    std::array<GLint, 12> uniform{};
-  };
-
-  Pass compile(int pass) const;
-  void set_uniforms(const Pass& pass, const BinRequest& request) const;
+  bool compile();
+  void set_uniforms(const core::ComputePass& pass, const BinRequest& request) const;
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::array<Pass, 3> passes_{};
+  std::array<core::ComputePass, 3> passes_;
   core::GpuBuffer work_;
   core::GpuBuffer instances_;
   std::uint32_t capacity_ = 0;  // instances

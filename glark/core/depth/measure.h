@@ -5,14 +5,12 @@
 // captured corners run once more through the application's vertex stage, and a compute pass looks at pairs of them.
 #pragma once
 
-#include <array>
-#include <string>
-
 #include "glark/core/bindings.h"
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/measured_depths.h"
 #include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/compute_pass.h"
 #include "glark/core/refinement.h"
 #include "glark/gl/dispatch.h"
 
@@ -45,29 +43,15 @@ class MeasureStage {
   void release();
 
  private:
-  struct LimitsPass {
-    GLuint program = 0;
-    GLint pixels = -1;
-    GLint radians = -1;
-    GLint budget = -1;
-    GLint restart = -1;
-    GLint most_change = -1;
-  };
-  struct DepthPass {
-    GLuint program = 0;
-    std::array<GLint, 10> uniform{};
-    GLint half_size = -1;
-  };
-
-  GLuint compile(int pass) const;
+  bool compile();
   bool prepare();
   void update_limits(const core::EdgeMeasure& rule, bool morphs, GLuint work);
   void capture_positions(const MeasureRequest& request, const core::Bindings& bindings);
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  LimitsPass limits_pass_;
-  DepthPass depth_pass_;
+  core::ComputePass limits_pass_;
+  core::ComputePass depth_pass_;
   core::GpuBuffer limits_;
   core::GpuBuffer ends_;  // four words for each corner, then a word for each triangle
   GLuint feedback_ = 0;

@@ -12,6 +12,7 @@
 #include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measure.h"
 #include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/compute_pass.h"
 
 namespace glark::depth {
 
@@ -39,20 +40,13 @@ class OrderedStage {
   void release();
 
  private:
-  struct Pass {
-    GLuint program = 0;
-    std::array<GLint, 10> uniform{};
-    GLint half_size = -1;
-  };
-
   void prepare();
-  Pass compile(int group) const;
   void drop_programs();
 
   const gl::Dispatch& gl_;
   capture::Language language_;
   bool prepared_ = false;
-  std::array<Pass, 3> passes_{};  // by size of the work group; all or none
+  std::array<core::ComputePass, 3> passes_;  // by size of the work group; all or none
   core::GpuBuffer result_;
 };
 

@@ -11,7 +11,7 @@
 #include "glark/core/refine/subroutines.h"
 #include "glark/core/refine/uniform_copy.h"
 #include "glark/core/report.h"
-#include "glark/core/shader.h"
+#include "glark/core/objects/shader.h"
 
 namespace glark::refine {
 namespace {

@@ -17,6 +17,7 @@
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/compute_pass.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::weld {
@@ -47,19 +48,12 @@ class WeldStage {
   void release();
 
  private:
-  static constexpr std::size_t uniform_count = 14;
-  struct Pass {
-    GLuint program = 0;
-    std::array<GLint, uniform_count> uniform{};
-    GLint key_words = -1;
-  };
-
-  Pass compile(int pass) const;
+  bool build(std::size_t pass);
   void dispatch(std::size_t pass, const WeldRequest& request, std::uint32_t invocations) const;
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::array<Pass, 4> passes_{};
+  std::array<core::ComputePass, 4> passes_;
   core::GpuBuffer tables_;
   GLint64 largest_block_ = 0;
 };

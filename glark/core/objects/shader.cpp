@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/shader.h"
+#include "glark/core/objects/shader.h"
 
 #include <array>
 #include <vector>
@@ -29,7 +29,7 @@ GLuint compile_shader(const gl::Dispatch& gl, GLenum stage, const std::string& s
     LogText text_of_log{};
     gl.GetShaderInfoLog(shader, static_cast<GLsizei>(text_of_log.size()), nullptr, text_of_log.data());
     error += text_of_log.data();
-    log(LogLevel::debug, "shader of glark's that does not compile:\n" + source);
+    log(LogLevel::debug, "this shader of glark does not compile:\n" + source);
   }
   return shader;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Shaders and programs of ours. The caller wraps these in an ErrorScope.
+// glark's own shaders and programs. The caller wraps these functions in an ErrorScope.
 #pragma once
 
 #include <span>
@@ -16,17 +16,17 @@ struct ShaderText {
   std::string source;
 };
 
-// Of a program that only captures: without a fragment shader, draws to integer framebuffers would be errors.
+// The fragment shader of a program that only captures. Without one, draws to integer framebuffers would be errors.
 std::string idle_fragment_shader(bool es);
 
-// A shader object; what the compiler says of one that does not compile goes to the end of `error`.
+// Makes a shader object. Appends the compiler's log to `error` if the shader does not compile.
 GLuint compile_shader(const gl::Dispatch& gl, GLenum stage, const std::string& source, std::string& error);
 
-// Links what the caller has made ready and takes the shaders apart from it again. False: the program is deleted, and what the
-// linker says goes to the end of `error`.
+// Links the program and deletes the shaders. If linking fails, deletes the program too, appends the program's log to `error` and
+// returns false.
 bool link_program(const gl::Dispatch& gl, GLuint program, std::span<const GLuint> shaders, std::string& error);
 
-// The same from texts, capturing `varyings`. 0 and a line in the log, which calls it `what`, if it cannot be built.
+// Compiles and links; the program captures `varyings`. Returns 0 and logs an error that begins with `what` if it cannot be built.
 GLuint build_program(const gl::Dispatch& gl, const std::string& what, std::span<const ShaderText> texts,
                      std::span<const std::string> varyings = {});
 
