@@ -18,7 +18,7 @@
 #include "glark/core/immediate_draw.h"
 #include "glark/core/program.h"
 #include "glark/core/quiet.h"
-#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refine/fixed_function/fixed_function.h"
 #include "glark/core/refinement.h"
 #include "glark/core/share_group.h"
 #include "glark/core/vertex_arrays.h"

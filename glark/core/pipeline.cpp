@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "glark/core/context.h"
-#include "glark/core/refine/fixed_function_state.h"
-#include "glark/core/refine/uniform_copy.h"
+#include "glark/core/refine/fixed_function/state.h"
+#include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/shape.h"
 
 namespace glark::core {

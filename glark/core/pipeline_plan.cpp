@@ -8,8 +8,8 @@
 #include "glark/core/context.h"
 #include "glark/core/input_slots.h"
 #include "glark/core/pipeline.h"
-#include "glark/core/refine/fixed_function_state.h"
-#include "glark/core/refine/uniform_copy.h"
+#include "glark/core/refine/fixed_function/state.h"
+#include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/shape.h"
 #include "glark/core/track/track.h"
 

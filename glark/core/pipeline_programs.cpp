@@ -4,7 +4,7 @@
 // The program in use where it is more than one name: stages of a program pipeline, and the subroutines that were chosen.
 #include "glark/core/context.h"
 #include "glark/core/pipeline.h"
-#include "glark/core/refine/subroutines.h"
+#include "glark/core/refine/program/subroutines.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {

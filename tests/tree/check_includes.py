@@ -22,7 +22,7 @@ VALUE_HEADERS = {
     "glark/core/pattern/pieces.glsl.h",
     "glark/core/pattern/pool.h",
     "glark/core/refine/derive.h",
-    "glark/core/refine/fixed_function.h",
+    "glark/core/refine/fixed_function/fixed_function.h",
     "glark/core/weld/tangent.glsl",
 }
 WINDOW_SYSTEMS = ("EGL/", "X11/", "GL/glx", "GL/osmesa", "epoxy/", "dlfcn.h", "link.h")
@@ -136,7 +136,7 @@ class Includes(unittest.TestCase):
         for name, line in [
             ("glark/core/submit/submit.cpp", '#include "glark/core/capture/record.h"'),
             ("glark/core/pipeline.cpp", '#include "glark/core/submit/submit.h"'),
-            ("glark/core/context.h", '#include "glark/core/refine/fixed_function.h"'),
+            ("glark/core/context.h", '#include "glark/core/refine/fixed_function/fixed_function.h"'),
             ("shim/glx.cpp", '#include "glark/core/context.h"'),
             ("examples/a.cpp", "#include <GL/glark.h>"),
             ("conformance/cases/a.cpp", '#include "conformance/suite/test.h"'),

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "glark/core/refine/epilogue.h"
+#include "glark/core/refine/epilogue/epilogue.h"
 #include "glark/core/refine/refinement_source.h"
 
 namespace glark::refine {

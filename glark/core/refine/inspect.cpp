@@ -4,9 +4,9 @@
 #include <exception>
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/refine/epilogue.h"
-#include "glark/core/refine/glsl_frontend.h"
-#include "glark/core/refine/rewrite.h"
+#include "glark/core/refine/epilogue/epilogue.h"
+#include "glark/core/refine/glsl/frontend.h"
+#include "glark/core/refine/glsl/rewrite.h"
 
 namespace glark::refine {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/rewrite.h"
+#include "glark/core/refine/glsl/rewrite.h"
 
 #include <algorithm>
 
-#include "glark/core/refine/glsl_frontend.h"
+#include "glark/core/refine/glsl/frontend.h"
 
 namespace glark::refine {
 namespace {

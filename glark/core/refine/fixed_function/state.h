@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refine/fixed_function/fixed_function.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::refine {

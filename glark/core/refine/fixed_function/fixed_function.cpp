@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refine/fixed_function/fixed_function.h"
 
-#include "glark/core/refine/fixed_function_parts.h"
+#include "glark/core/refine/fixed_function/parts.h"
 
 namespace glark::refine {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/fixed_function_state.h"
+#include "glark/core/refine/fixed_function/state.h"
 
 #include <algorithm>
 #include <cctype>

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "glark/core/refine/fixed_function_parts.h"
+#include "glark/core/refine/fixed_function/parts.h"
 
 namespace glark::refine {
 namespace {

@@ -4,7 +4,7 @@
 // Based on: The OpenGL Graphics System, version 2.1, section 2.14.1, equations 2.2 to 2.5, and section 2.14.3
 // (ColorMaterial). The values of a light choose its branches when the shader runs, not the shader: they change more
 // often than the enables, and a branch on them is uniform.
-#include "glark/core/refine/fixed_function_parts.h"
+#include "glark/core/refine/fixed_function/parts.h"
 
 namespace glark::refine {
 namespace {

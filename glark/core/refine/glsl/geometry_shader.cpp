@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/geometry_shader.h"
+#include "glark/core/refine/glsl/geometry_shader.h"
 
 #include <algorithm>
 
-#include "glark/core/refine/glsl_tokens.h"
-#include "glark/core/refine/glsl_types.h"
+#include "glark/core/refine/glsl/tokens.h"
+#include "glark/core/refine/glsl/types.h"
 
 namespace glark::refine {
 namespace {

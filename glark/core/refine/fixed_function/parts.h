@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refine/fixed_function/fixed_function.h"
 
 namespace glark::refine {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/subroutines.h"
+#include "glark/core/refine/program/subroutines.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <map>
 
-#include "glark/core/refine/epilogue.h"
+#include "glark/core/refine/epilogue/epilogue.h"
 
 namespace glark::refine {
 namespace {

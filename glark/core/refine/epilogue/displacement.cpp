@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/epilogue.h"
+#include "glark/core/refine/epilogue/epilogue.h"
 
 namespace glark::refine {
 namespace {

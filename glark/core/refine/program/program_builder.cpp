@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/program_builder.h"
+#include "glark/core/refine/program/program_builder.h"
 
 #include <algorithm>
 #include <map>
 
-#include "glark/core/refine/geometry_shader.h"
-#include "glark/core/refine/rewrite.h"
-#include "glark/core/refine/shape_fields.h"
-#include "glark/core/refine/subroutines.h"
-#include "glark/core/refine/uniform_copy.h"
+#include "glark/core/refine/glsl/geometry_shader.h"
+#include "glark/core/refine/glsl/rewrite.h"
+#include "glark/core/refine/program/shape_fields.h"
+#include "glark/core/refine/program/subroutines.h"
+#include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/report.h"
 #include "glark/core/objects/shader.h"
 

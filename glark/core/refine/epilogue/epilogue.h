@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/refine/glsl_types.h"
-#include "glark/core/refine/rewrite.h"
+#include "glark/core/refine/glsl/types.h"
+#include "glark/core/refine/glsl/rewrite.h"
 
 namespace glark::refine {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "glark/core/refine/epilogue.h"
+#include "glark/core/refine/epilogue/epilogue.h"
 
 namespace glark::refine {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "glark/core/capture/layout.h"
 #include "glark/core/program.h"
-#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refine/fixed_function/fixed_function.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::refine {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/glsl_types.h"
+#include "glark/core/refine/glsl/types.h"
 
 namespace glark::refine {
 namespace {

@@ -4,7 +4,7 @@
 // Refined vertices that move between levels: docs/architecture.md, Geomorphing. Based on: H. Hoppe, Progressive Meshes, 1996,
 // section 3.2 (geomorphs), over the lattice of a pattern.
 #include "glark/core/pattern/pieces.glsl.h"
-#include "glark/core/refine/epilogue.h"
+#include "glark/core/refine/epilogue/epilogue.h"
 
 namespace glark::refine {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/refine/glsl_interface.h"
-#include "glark/core/refine/glsl_tokens.h"
+#include "glark/core/refine/glsl/interface.h"
+#include "glark/core/refine/glsl/tokens.h"
 
 namespace glark::refine {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/glsl_frontend.h"
+#include "glark/core/refine/glsl/frontend.h"
 
 #include <glslang/Include/intermediate.h>
 #include <glslang/MachineIndependent/localintermediate.h>
@@ -12,7 +12,7 @@
 #include <mutex>
 #include <unordered_set>
 
-#include "glark/core/refine/glsl_interface.h"
+#include "glark/core/refine/glsl/interface.h"
 
 namespace glark::refine {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/uniform_copy.h"
+#include "glark/core/refine/program/uniform_copy.h"
 
 #include <array>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/shape_fields.h"
+#include "glark/core/refine/program/shape_fields.h"
 
 #include <algorithm>
 

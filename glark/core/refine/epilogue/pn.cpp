@@ -3,19 +3,19 @@
 #include <array>
 #include <charconv>
 
-#include "glark/core/refine/epilogue.h"
+#include "glark/core/refine/epilogue/epilogue.h"
 
 namespace glark::refine {
 namespace {
 
 constexpr char pn_source[] =
-#include "glark/core/refine/pn.glsl.inc"
+#include "glark/core/refine/epilogue/pn.glsl.inc"
     ;
 constexpr char scalar_tagged_source[] =
-#include "glark/core/refine/scalar_tagged_pn.glsl.inc"
+#include "glark/core/refine/epilogue/scalar_tagged_pn.glsl.inc"
     ;
 constexpr char displacement_source[] =
-#include "glark/core/refine/displacement.glsl.inc"
+#include "glark/core/refine/epilogue/displacement.glsl.inc"
     ;
 
 const InputVariable* find_vector(const EpiloguePlan& plan, capture::Role role) {

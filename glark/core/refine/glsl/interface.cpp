@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/refine/glsl_interface.h"
+#include "glark/core/refine/glsl/interface.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "glark/core/refine/glsl_tokens.h"
+#include "glark/core/refine/glsl/tokens.h"
 
 namespace glark::refine {
 
