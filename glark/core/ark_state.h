@@ -17,6 +17,7 @@ struct ArkState {
   bool enabled = false;
   int pool_level = -1;  // -1 before glARKinit
   Refinement refinement = Refinement::linear_inputs;
+  ShapeNumbers shape_numbers = initial_shape_numbers();
   DepthSource depth_source = DepthSource::tag;
   GLuint uniform_level = 0;
   EdgeMeasure measure{.pixels = 8};

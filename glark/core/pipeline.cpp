@@ -26,7 +26,7 @@ refine::BuilderTraits builder_traits(const Capabilities& capabilities, const Con
   refine::BuilderTraits traits;
   traits.language = language_of(capabilities);
   traits.roles = options.roles;
-  traits.scalar_tags = options.scalar_tags;
+  traits.scalar_tags = constant_tags(options);
   traits.transparent = options.transparent;
   traits.glsl_version = capabilities.version * 10;
   traits.extensions = capabilities.extensions;
@@ -133,9 +133,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
   }
   set_modes(plan);
   const bool stored = plan.derived->stored();
-  if (plan.derived->height_map >= 0) {
-    set_displacement(context_, *plan.derived);
-  }
+  set_shape(context_, *plan.derived);
   if (stored) {
     const GLintptr first_word = plan.adaptive ? 0 : records.triangles.offset / 4;
     gl_.ProgramUniform1i(plan.derived->name, plan.derived->first_word, static_cast<GLint>(first_word));

@@ -76,8 +76,12 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
   limit_level(parsed);
   if (settings.context.measure.budget > 0 && !settings.context.measure.on())
     parsed.problems.emplace_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
-  if (settings.context.scalar_tags.tension != 0 && settings.context.refinement != core::Refinement::scalar_tagged_pn)
-    parsed.problems.emplace_back("GLARK_TENSION has no effect without GLARK_REFINE=stpn");
+  for (const core::RefinementTraits& row : core::refinements) {
+    const float number = settings.context.shape_numbers.at(static_cast<std::size_t>(row.refinement));
+    if (number != row.number.initial && settings.context.refinement != row.refinement)
+      parsed.problems.push_back(std::string(row.number.variable) + " has no effect without GLARK_REFINE=" +
+                                std::string(row.word));
+  }
   if (settings.context.geomorph && !settings.context.measure.on())
     parsed.problems.emplace_back("GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
   settings.context.transparent = settings.context.transparent && !settings.leave_alone;

@@ -52,10 +52,10 @@ Parsed parse(const char* const* environment, std::span<const std::string> names 
 // The value of a variable; nothing if it is not there.
 std::optional<std::string_view> find_variable(const char* const* environment, std::string_view name);
 
-// Of single values; nothing if the text is not one. What would be one, in words, is in needed_*().
+// Each reads one value. Nothing if the text is not such a value.
 std::optional<unsigned> parse_level(std::string_view text);
 std::optional<core::Refinement> parse_refinement(std::string_view text);
-std::optional<float> parse_tension(std::string_view text);
+std::optional<float> parse_shape_number(const core::ShapeNumber& number, std::string_view text);
 std::optional<float> parse_edge_pixels(std::string_view text);
 std::optional<float> parse_curvature(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);

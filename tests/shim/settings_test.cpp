@@ -101,7 +101,7 @@ TEST(Settings, ABudgetNeedsAMeasure) {
 TEST(Settings, Tension) {
   const Parsed parsed = parse_all({"GLARK_REFINE=stpn", "GLARK_TENSION=-0.5"});
   EXPECT_EQ(parsed.settings.context.refinement, core::Refinement::scalar_tagged_pn);
-  EXPECT_EQ(parsed.settings.context.scalar_tags.tension, -0.5F);
+  EXPECT_EQ(parsed.settings.context.shape_numbers[static_cast<std::size_t>(core::Refinement::scalar_tagged_pn)], -0.5F);
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_EQ(only_problem("GLARK_TENSION=1.5"), "GLARK_TENSION is \"1.5\"; a number from -1 to 1 is needed");
   EXPECT_EQ(only_problem("GLARK_TENSION=1"), "GLARK_TENSION has no effect without GLARK_REFINE=stpn");

@@ -71,7 +71,8 @@ class Deriver {
   bool resolve_collisions() {
     IdentifierSet fixed = {lattice_input,          patch_input,          records_block,
                            words_member,           first_word_uniform,   height_map_uniform,
-                           height_channel_uniform, height_range_uniform, instance_input};
+                           height_channel_uniform, height_range_uniform, instance_input,
+                           shape_number_uniform};
     for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
     for (const std::string& name : application_identifiers_) {
       const bool ours =
@@ -122,13 +123,13 @@ class Deriver {
     plan_refinement();
     plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.outputs);
     plan_morphing();
-    if (plan_.refinement != core::Refinement::linear_outputs) {
+    if (!plan_.interpolates_outputs()) {
       std::erase_if(plan_.outputs, [&](const OutputVariable& output) { return !is_flat(output, plan_.structures); });
     }
     int indexed_words = 0;
     for (const OutputVariable& output : plan_.outputs) {
       indexed_words += output.indexed_words;
-      if (plan_.refinement == core::Refinement::linear_outputs && indexed_words > most_indexed_words) {
+      if (plan_.interpolates_outputs() && indexed_words > most_indexed_words) {
         error_ = "output array '" + output.path + "' is too large to be interpolated where its index is no constant";
         return false;
       }
@@ -143,7 +144,7 @@ class Deriver {
   // Outputs that are linear in between do not move; what cannot be saved keeps its own value.
   void plan_morphing() {
     plan_.morphing = request_.morphing;
-    if (!plan_.morphing || plan_.refinement == core::Refinement::linear_outputs) return;
+    if (!plan_.morphing || plan_.interpolates_outputs()) return;
     plan_.morphed = plan_.outputs;
     std::erase_if(plan_.morphed, [&](const OutputVariable& output) {
       return is_flat(output, plan_.structures) || !output.problem.empty() || output.indexed_words > most_indexed_words;
@@ -185,16 +186,15 @@ class Deriver {
     plan_.constant_tags = request_.scalar_tags;
     const bool own = !request_.refinement_source.empty();
     // The application's refinement shader places inputs: there is nothing for it to do between outputs.
-    if (own && plan_.refinement == core::Refinement::linear_outputs) plan_.refinement = core::Refinement::linear_inputs;
-    if (plan_.curved() && (pn_position(plan_) == nullptr || pn_normal(plan_) == nullptr)) {
+    if (own && plan_.interpolates_outputs()) plan_.refinement = core::Refinement::linear_inputs;
+    if (plan_.curved() && (position_of(plan_) == nullptr || normal_of(plan_) == nullptr)) {
       plan_.refinement = core::Refinement::linear_inputs;
     }
-    if (plan_.refinement == core::Refinement::linear_outputs || pn_position(plan_) == nullptr ||
-        pn_normal(plan_) == nullptr) {
+    if (plan_.interpolates_outputs() || position_of(plan_) == nullptr || normal_of(plan_) == nullptr) {
       plan_.coordinate.reset();  // nothing to move, or no direction
     }
-    if (plan_.displaced() && plan_.refinement == core::Refinement::pn) {  // its bits are those of untagged vertices
-      plan_.refinement = core::Refinement::scalar_tagged_pn;
+    if (plan_.displaced() && plan_.traits().displaced_as) {  // the same bits, where vertices are untagged
+      plan_.refinement = *plan_.traits().displaced_as;
       plan_.discontinuity.reset();
       plan_.scalar_tags.reset();
       plan_.constant_tags = {};
@@ -217,7 +217,7 @@ class Deriver {
   // Globals keep their values from one run of main to the next, and those initialised from inputs precede the inputs' values.
   void plan_resets() {
     const bool runs_again =
-        !plan_.outputs.empty() || !plan_.morphed.empty() || plan_.refinement == core::Refinement::linear_outputs;
+        !plan_.outputs.empty() || !plan_.morphed.empty() || plan_.interpolates_outputs();
     IdentifierSet varying;
     for (const VertexUnit& unit : units_) {
       for (const Declaration& declaration : unit.interface.declarations) {

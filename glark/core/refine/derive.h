@@ -28,7 +28,10 @@ inline constexpr unsigned records_binding = 4;
 // uint, in OpenGL ES and with a placement: the number of the instance among those of all bins. Its place is that of the first chunk.
 inline constexpr const char* instance_input = "glark_instance";
 
-// Of displacement: a sampler; a vec4 that picks the channel of the texel; a vec2 of scale and bias.
+// The ShapeNumber of the refinement.
+inline constexpr const char* shape_number_uniform = "glark_shape_number";
+
+// For displacement: a sampler; a vec4 that picks the channel of the texel; a vec2 of scale and bias.
 inline constexpr const char* height_map_uniform = "glark_height_map";
 inline constexpr const char* height_channel_uniform = "glark_height_channel";
 inline constexpr const char* height_range_uniform = "glark_height_range";
@@ -47,8 +50,8 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
-  // For Refinement::scalar_tagged_pn: which fields of the layout are the discontinuities of the normals and the scalar tags, vec3 or
-  // vec4; -1: none, and the constant tags hold.
+  // For a refinement that takes tags: the fields of the layout with the discontinuities of the normals and with the scalar tags, vec3
+  // or vec4. -1: vertices carry none, and the constant tags hold.
   int discontinuity_field = -1;
   int scalar_tag_field = -1;
   core::ScalarTags scalar_tags;

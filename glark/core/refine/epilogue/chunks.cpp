@@ -111,7 +111,8 @@ std::string fill_from_corner(const EpiloguePlan& plan, int corner) {
 std::string fill_by_interpolation(const EpiloguePlan& plan, TypeSet& mixed_types) {
   std::string text;
   for (const InputVariable& input : plan.inputs) {
-    if (plan.curved() && (&input == pn_position(plan) || &input == pn_normal(plan))) continue;
+    if (plan.curved() && &input == position_of(plan)) continue;
+    if (plan.traits().curves_normals && &input == normal_of(plan)) continue;
     for (int element = 0; element < input.field.array_size; ++element) {
       text += "  " + element_name(input, element) + " = ";
       if (!input.type->interpolates()) {

@@ -16,7 +16,7 @@ class MainText {
     if (plan_.at_corner) return "void main() {\n" + fill_from_corner(plan_, 0) + run() + "}\n";
     std::string main = "void main() {\n  @place();\n";
     if (plan_.stored) main += "  @find_record();\n";
-    if (plan_.refinement == core::Refinement::linear_outputs) {
+    if (plan_.interpolates_outputs()) {
       for (int corner = 0; corner < 3; ++corner) {
         main += fill_from_corner(plan_, corner) + run() + for_output_units("save" + std::to_string(corner));
         if (plan_.has_screen_outputs()) main += "  @corner_w[" + std::to_string(corner) + "] = gl_Position.w;\n";
@@ -71,7 +71,7 @@ std::string prototypes_of_other_units(const EpiloguePlan& plan) {
     if (plan.resets[unit]) text += "void @reset" + suffix;
     text += prototypes_of_morphed_unit(plan, unit);
     if (!unit_has_outputs(plan, unit)) continue;
-    const int slots = plan.refinement == core::Refinement::linear_outputs ? 3 : 1;
+    const int slots = plan.interpolates_outputs() ? 3 : 1;
     for (int slot = 0; slot < slots; ++slot) text += "void @save" + std::to_string(slot) + suffix;
     text += "void @finish" + suffix;
     if (unit_has_screen_outputs(plan, unit)) text += "void @finish_screen" + suffix;
@@ -128,7 +128,7 @@ std::string refinement_declarations(const EpiloguePlan& plan) {
 
 std::string interpolate_function(const EpiloguePlan& plan, TypeSet& mixed_types) {
   std::string text = "void @interpolate() {\n" + fill_by_interpolation(plan, mixed_types);
-  if (plan.curved()) text += fill_by_pn(plan, mixed_types);
+  if (plan.curved()) text += fill_from_surface(plan, mixed_types);
   if (plan.displaced()) text += displace(plan, mixed_types);
   return text + "}\n";
 }
@@ -175,7 +175,7 @@ MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarat
   TypeSet added_types;
   std::string functions = output_functions(plan, plan.main_unit, mixed_types);
   functions += morph_functions(plan, plan.main_unit, added_types);
-  if (plan.refinement != core::Refinement::linear_outputs && !plan.at_corner)
+  if (!plan.interpolates_outputs() && !plan.at_corner)
     functions += interpolate_function(plan, mixed_types);
   for (std::size_t unit = 0; unit < plan.resets.size(); ++unit) {
     if (unit == plan.main_unit) continue;
@@ -191,7 +191,7 @@ MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarat
   if (plan.has_screen_outputs()) text += screen_function;
   text += mix_functions(mixed_types, true) + add_functions(added_types, true);
   if (plan.displaced()) text += displacement_uniforms(plan);
-  if (plan.curved() || plan.displaced()) text += pn_functions(plan);
+  if (plan.curved() || plan.displaced()) text += surface_functions(plan);
   text += functions;
   if (!plan.refinement_source.empty()) text += refinement_declarations(plan);
   epilogue.main = MainText(plan).text();

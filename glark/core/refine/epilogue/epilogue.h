@@ -64,16 +64,17 @@ struct EpiloguePlan {
   std::string refinement_source;  // rewritten text of the application's refinement shader, or empty
   std::set<std::string> refinement_identifiers;
 
-  // Some outputs are to vary linearly on the screen.
-  bool has_screen_outputs() const;
-  bool scalar_tagged() const { return refinement == core::Refinement::scalar_tagged_pn; }
+  const core::RefinementTraits& traits() const { return core::traits_of(refinement); }
+  bool interpolates_outputs() const { return traits().interpolates_outputs; }
+  bool curved() const { return traits().curves_positions; }
   bool displaced() const { return coordinate.has_value(); }
-  bool curved() const { return refinement == core::Refinement::pn || scalar_tagged(); }
+  // Some outputs vary linearly on the screen.
+  bool has_screen_outputs() const;
 };
 
 using TypeSet = std::set<std::string>;
 
-// epilogue_chunks.cpp: the record as expressions, and the statements that fill the inputs.
+// chunks.cpp: the record as expressions, and the statements that fill the inputs.
 std::string chunk_declarations(const EpiloguePlan& plan);
 std::string corner_expression(const EpiloguePlan& plan, const InputVariable& input, int element, int corner);
 // Words of a corner as a vector.
@@ -83,21 +84,31 @@ std::string fill_by_interpolation(const EpiloguePlan& plan, TypeSet& mixed_types
 // Definitions or prototypes of "T @mix(T, T, T)".
 std::string mix_functions(const TypeSet& types, bool define);
 
-// epilogue_pn.cpp: the position and the normal on the curved triangle.
-const InputVariable* pn_position(const EpiloguePlan& plan);
-const InputVariable* pn_normal(const EpiloguePlan& plan);
-std::string pn_functions(const EpiloguePlan& plan);
-std::string fill_by_pn(const EpiloguePlan& plan, TypeSet& mixed_types);
+// surface.cpp: the position and the normal on the curved triangle.
+// The input that is curved or displaced, and its normal; null where the stage has none of a fitting type.
+const InputVariable* position_of(const EpiloguePlan& plan);
+const InputVariable* normal_of(const EpiloguePlan& plan);
+// The GLSL functions of the refinement, of displacement too if `plan` displaces.
+std::string surface_functions(const EpiloguePlan& plan);
+std::string fill_from_surface(const EpiloguePlan& plan, TypeSet& mixed_types);
+// The first `rows` components of a vector at a corner. A missing fourth component is 1.
+std::string resized(const EpiloguePlan& plan, const InputVariable& input, int corner, int rows);
+// `value` for the first three components; the fourth, if the input has one, stays linear.
+std::string with_linear_w(const EpiloguePlan& plan, const InputVariable& input, const std::string& value,
+                          TypeSet& mixed_types);
+// The argument list of WORD_patch() and WORD_slopes(), without the closing parenthesis.
+std::string patch_arguments(const EpiloguePlan& plan);
+
+// scalar_tags.cpp: the surface that tags of the vertices shape.
 // Declares @c0, @c1 and @c2: the corners with their tags.
 std::string tagged_corners(const EpiloguePlan& plan);
-// The first `rows` components of a vector at a corner; a fourth that it lacks is 1.
-std::string resized(const EpiloguePlan& plan, const InputVariable& input, int corner, int rows);
+std::string fill_from_tagged_surface(const EpiloguePlan& plan, TypeSet& mixed_types);
 
-// epilogue_displacement.cpp: moves the position and turns the normal, after they are filled.
+// displacement.cpp: moves the position and turns the normal, after they are filled.
 std::string displacement_uniforms(const EpiloguePlan& plan);
 std::string displace(const EpiloguePlan& plan, TypeSet& mixed_types);
 
-// epilogue_outputs.cpp
+// outputs.cpp
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
                                             const OutputRules& rules);
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures);
@@ -109,7 +120,7 @@ bool unit_has_screen_outputs(const EpiloguePlan& plan, std::size_t unit);
 // Functions "@begin_<unit>", "@gather_<unit>" and "@settle_<unit>": see add_functions().
 std::string morph_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& added_types);
 
-// epilogue_morph.cpp
+// morph.cpp
 std::string morph_place_function();
 std::string run_between_parents(const EpiloguePlan& plan);
 std::string prototypes_of_morphed_unit(const EpiloguePlan& plan, std::size_t unit);

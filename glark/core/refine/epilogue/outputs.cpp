@@ -290,7 +290,7 @@ bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit) {
 }
 
 bool unit_has_screen_outputs(const EpiloguePlan& plan, std::size_t unit) {
-  return plan.refinement == core::Refinement::linear_outputs &&
+  return plan.interpolates_outputs() &&
          std::any_of(plan.outputs.begin(), plan.outputs.end(), [&](const OutputVariable& output) {
            return output.unit == unit && output.noperspective && !is_flat(output, plan.structures);
          });
@@ -329,7 +329,7 @@ std::string morph_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet&
 // With linear_outputs there are three slots, one per corner; otherwise slot 0 holds the provoking corner's flat outputs.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types) {
   if (!unit_has_outputs(plan, unit)) return {};
-  const bool interpolated = plan.refinement == core::Refinement::linear_outputs;
+  const bool interpolated = plan.interpolates_outputs();
   Statements statements(plan, mixed_types);
   std::string variables;
   std::string saves[3];

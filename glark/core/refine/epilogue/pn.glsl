@@ -4,6 +4,12 @@
 // Curved PN triangles, in the words of GLSL 1.10. The unit that includes this defines the macro glark_precise.
 // Based on: A. Vlachos, J. Peters, C. Boyd, J. L. Mitchell, Curved PN Triangles, I3D 2001, section 3.
 //
+// A refinement with the word W that curves positions defines two functions, with a number in front of p0 if its row has one:
+//   vec3 glark_W_patch(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec3 b210, vec3 b120, vec3 b021, vec3 b012, vec3 b102, vec3 b201)
+//     the position. The b are the control points of the edges times 3, which neighbours share. pn.glsl comes first.
+//   void glark_W_slopes(the same, out vec3 along_u, out vec3 along_v)
+//     its derivatives by u and v, w giving way; not needed if the row has displaced_as.
+//
 // Watertight: whatever lies on an edge is computed from that edge's ends alone, by expressions that give the same bits when the
 // ends change places. The centre is kept multiplied by 6.
 
@@ -39,16 +45,6 @@ vec3 glark_pn_patch(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec3 b210, vec3 b12
   glark_precise vec3 middle = 0.5 * (((b210 + b120) + (b021 + b012)) + (b102 + b201)) - ((p0 + p1) + p2);
   glark_precise vec3 position = (corners + edges) + middle * ((w * u) * v);
   return position;
-}
-
-vec3 glark_pn_position(vec3 weights, vec4 p0, vec4 p1, vec4 p2, vec3 normal0, vec3 normal1, vec3 normal2) {
-  vec3 n0 = glark_pn_unit(normal0);
-  vec3 n1 = glark_pn_unit(normal1);
-  vec3 n2 = glark_pn_unit(normal2);
-  return glark_pn_patch(weights, p0.xyz, p1.xyz, p2.xyz,                            //
-                        glark_pn_tangent(p0, n0, p1), glark_pn_tangent(p1, n1, p0),  //
-                        glark_pn_tangent(p1, n1, p2), glark_pn_tangent(p2, n2, p1),  //
-                        glark_pn_tangent(p2, n2, p0), glark_pn_tangent(p0, n0, p2));
 }
 
 // n110: the mean of the ends' normals, reflected by the plane across the edge.

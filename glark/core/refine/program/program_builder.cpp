@@ -2,165 +2,69 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/program/program_builder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <map>
 
 #include "glark/core/refine/glsl/geometry_shader.h"
-#include "glark/core/refine/glsl/rewrite.h"
 #include "glark/core/refine/program/shape_fields.h"
 #include "glark/core/refine/program/subroutines.h"
+#include "glark/core/refine/program/labels.h"
 #include "glark/core/refine/program/uniform_copy.h"
+#include "glark/core/refine/program/vertex_inputs.h"
 #include "glark/core/report.h"
 #include "glark/core/objects/shader.h"
 
 namespace glark::refine {
 namespace {
 
-std::vector<std::string> vertex_sources(const core::Program& program) {
+std::vector<std::string> sources_of(const core::Program& program, GLenum stage) {
   std::vector<std::string> result;
-  for (const core::StageSource& stage : program.stages) {
-    if (stage.stage == GL_VERTEX_SHADER) {
-      result.push_back(*stage.source);
+  for (const core::StageSource& source : program.stages) {
+    if (source.stage == stage) {
+      result.push_back(*source.source);
     }
   }
   return result;
 }
 
-std::vector<std::string> geometry_sources(const core::Program& program) {
-  std::vector<std::string> result;
-  for (const core::StageSource& stage : program.stages) {
-    if (stage.stage == GL_GEOMETRY_SHADER) {
-      result.push_back(*stage.source);
-    }
-  }
-  return result;
-}
-
-core::Cause cause_of(const core::Program& program, const VertexStageTraits& traits) {
-  if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
-    return core::Cause::tessellation;
-  }
-  if (traits.has_side_effects) {
-    return core::Cause::side_effects;
-  }
-  return core::Cause::count_;
-}
-
-// Without sources there is nothing to read: a binary.
+// Whether a source of that stage mentions `name`. Binaries have no sources.
 bool reads(const core::Program& program, GLenum stage, std::string_view name) {
   return std::any_of(program.stages.begin(), program.stages.end(), [&](const core::StageSource& source) {
     return source.stage == stage && source.source->find(name) != std::string::npos;
   });
 }
 
-std::string label(const core::Program& program) {
-  return (program.fixed_function ? std::string("fixed function") : "program " + std::to_string(program.name)) + " [" +
-         core::hash_text(program.hash) + "]";
-}
-
-std::string_view stage_name(GLenum stage) {
-  switch (stage) {
-    case GL_VERTEX_SHADER: return "vert";
-    case GL_TESS_CONTROL_SHADER: return "tesc";
-    case GL_TESS_EVALUATION_SHADER: return "tese";
-    case GL_GEOMETRY_SHADER: return "geom";
-    case GL_FRAGMENT_SHADER: return "frag";
-    default: return "comp";
+// Why the stages of the program, or what its vertex stage does, rule out refinement; count_ if they do not.
+core::Cause cause_of(const core::Program& program, const VertexStageTraits& traits, bool transparent) {
+  if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
+    return core::Cause::tessellation;
   }
-}
-
-void show(const core::Program& program, GLenum stage, std::string_view kind, unsigned object,
-          const std::string& source) {
-  core::show_shader({program.hash, program.fixed_function ? 0 : program.name, stage_name(stage), kind, object, source});
-}
-
-void show_originals(const core::Program& program) {
-  std::map<GLenum, unsigned> objects;
-  for (const core::StageSource& stage : program.stages) {
-    show(program, stage.stage, "original", objects[stage.stage]++, *stage.source);
+  if (traits.has_side_effects) {
+    return core::Cause::side_effects;
   }
-}
-
-bool is_curved(core::Refinement refinement) {
-  return refinement == core::Refinement::pn || refinement == core::Refinement::scalar_tagged_pn;
-}
-
-std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
-  if (key.at_corner) return "corners";
-  std::string kind = refinement == core::Refinement::pn                 ? "pn"
-                     : refinement == core::Refinement::scalar_tagged_pn ? "stpn"
-                     : refinement == core::Refinement::linear_outputs   ? "outputs"
-                                                                        : "linear";
-  kind += key.displaced ? "-displaced" : "";
-  kind += key.tagged ? "-tagged" : "";
-  kind += key.welded && is_curved(refinement) ? "-welded" : "";
-  kind += key.border ? "-border" : "";
-  kind += key.placed ? "-placed" : "";
-  kind += key.morphing ? "-morphing" : "";
-  kind += key.flat_colors ? "-flat" : "";
-  kind += key.provoking_corner == 0 ? "-first" : "";
-  kind += key.clamp_colors ? "" : "-unclamped";
-  return kind;
+  if (!transparent) {
+    return core::Cause::count_;
+  }
+  const bool has_geometry_shader = program.has_stage(GL_GEOMETRY_SHADER);
+  if (has_geometry_shader ? reads(program, GL_GEOMETRY_SHADER, "gl_PrimitiveIDIn")
+                          : reads(program, GL_FRAGMENT_SHADER, "gl_PrimitiveID")) {
+    return core::Cause::primitive_id;
+  }
+  if (has_geometry_shader &&
+      (traits.writes_integers || makes_its_own_positions(sources_of(program, GL_GEOMETRY_SHADER)))) {
+    return core::Cause::geometry_shader;
+  }
+  return core::Cause::count_;
 }
 
 void leave(core::Program& program, const std::string& reason) {
   program.cause = core::Cause::program_not_derived;
-  core::log(core::LogLevel::warning, label(program) + " is not refined: " + reason + "; its draws stay as they are");
+  core::log(core::LogLevel::warning,
+            fmt::format("{} is not refined: {}; its draws stay as they are", label(program), reason));
 }
 
 }  // namespace
-
-void ProgramBuilder::read_fields(core::Program& program) const {
-  GLint count = 0;
-  GLint longest = 0;
-  gl_.GetProgramiv(program.name, GL_ACTIVE_ATTRIBUTES, &count);
-  gl_.GetProgramiv(program.name, GL_ACTIVE_ATTRIBUTE_MAX_LENGTH, &longest);
-  std::string buffer(static_cast<std::size_t>(longest) + 1, '\0');
-  program.fields.clear();
-  for (GLint i = 0; i < count; ++i) {
-    capture::Field field;
-    GLsizei length = 0;
-    gl_.GetActiveAttrib(program.name, static_cast<GLuint>(i), static_cast<GLsizei>(buffer.size()), &length,
-                        &field.array_size, &field.type, buffer.data());
-    field.name = buffer.substr(0, static_cast<std::size_t>(length));
-    const BuiltInInput* const built_in = built_in_input(field.name);
-    if (built_in != nullptr && built_in->system_value) {
-      continue;  // below: not every driver lists them
-    }
-    if (field.name.ends_with("[0]")) {
-      field.name.resize(field.name.size() - 3);
-      field.is_array = true;
-    }
-    field.is_array = field.is_array || field.array_size > 1;
-    field.location = capture::is_builtin(field) ? -1 : gl_.GetAttribLocation(program.name, field.name.c_str());
-    if (capture::words_of(field.type) == 0) {
-      program.cause = core::Cause::program_not_derived;
-      core::log(core::LogLevel::warning, label(program) + ": vertex input " + field.name +
-                                             " has a type that is not captured; its draws stay as they are");
-      return;
-    }
-    program.fields.push_back(std::move(field));
-  }
-  // A fixed order: the record must not depend on the driver's enumeration, and a vec4 position is best first.
-  std::sort(program.fields.begin(), program.fields.end(), [](const capture::Field& a, const capture::Field& b) {
-    return a.location != b.location ? a.location < b.location : a.name > b.name;
-  });
-  int end = 0;
-  for (const capture::Field& field : program.fields) {
-    if (field.location >= 0 && field.location < end) {
-      program.cause = core::Cause::program_not_derived;
-      core::log(core::LogLevel::warning, label(program) + ": vertex input " + field.name +
-                                             " shares a location with another; its draws stay as they are");
-      return;
-    }
-    end = std::max(end, field.location + capture::columns_of(field.type) * field.array_size);
-  }
-  for (const std::string& name : program.traits.system_values) {
-    program.fields.push_back({.name = name, .type = GL_INT});
-  }
-  capture::assign_roles(program.fields, traits_.roles);
-  core::log(core::LogLevel::info, label(program) + ": " + capture::roles_text(program.fields));
-}
 
 // Attribute locations that are left for the coarse record.
 int ProgramBuilder::most_chunks(bool placed) const {
@@ -186,27 +90,18 @@ void ProgramBuilder::prepare(core::Program& program) const {
     program.cause = program.from_binary ? core::Cause::program_binary : core::Cause::no_program;
     return;
   }
-  const Inspection inspection =
-      inspect_vertex_stage(vertex_sources(program), traits_.language == capture::Language::es, traits_.extensions);
+  const Inspection inspection = inspect_vertex_stage(sources_of(program, GL_VERTEX_SHADER),
+                                                     traits_.language == capture::Language::es, traits_.extensions);
   program.traits = inspection.traits;
   if (!inspection.ok) {
     leave(program, inspection.error);
     return;
   }
-  program.cause = cause_of(program, inspection.traits);
-  if (traits_.transparent && program.cause == core::Cause::count_ &&
-      (program.has_stage(GL_GEOMETRY_SHADER) ? reads(program, GL_GEOMETRY_SHADER, "gl_PrimitiveIDIn")
-                                             : reads(program, GL_FRAGMENT_SHADER, "gl_PrimitiveID"))) {
-    program.cause = core::Cause::primitive_id;
-  }
-  if (traits_.transparent && program.cause == core::Cause::count_ && program.has_stage(GL_GEOMETRY_SHADER) &&
-      (inspection.traits.writes_integers || makes_its_own_positions(geometry_sources(program)))) {
-    program.cause = core::Cause::geometry_shader;
-  }
+  program.cause = cause_of(program, inspection.traits, traits_.transparent);
   if (program.cause != core::Cause::count_) {
     return;
   }
-  read_fields(program);
+  read_vertex_inputs(gl_, traits_.roles, program);
   const capture::Layout layout = capture::make_layout(program.fields, false);
   const int free_locations = most_chunks(false);
   if (program.cause != core::Cause::count_) {
@@ -289,8 +184,9 @@ capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
     return layout.corner_words <= traits_.max_feedback_components && (layout.chunk_count() <= most || stored);
   };
   const bool stored = can_store_records(program);
-  const bool refines = !interpolates_outputs(program) && key.refinement != core::Refinement::linear_outputs;
-  const bool curved = key.welded && is_curved(key.refinement) && refines;
+  const core::RefinementTraits& refinement = core::traits_of(key.refinement);
+  const bool refines = !interpolates_outputs(program) && !refinement.interpolates_outputs;
+  const bool curved = key.welded && refinement.curves_positions && refines;
   const bool displaced = key.border && coordinate_field >= 0 && refines;
   words.controls = curved && fits({.controls = true}, stored);
   words.turns = key.turns && fits({words.controls, true}, stored);
@@ -299,22 +195,16 @@ capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
   }
   if (words.controls != curved || words.turns != key.turns || (displaced && words.displaced_by < 0)) {
     core::log(core::LogLevel::info,
-              label(program) +
-                  ": its vertex attributes leave no room for what welded edges need; where "
-                  "normals or texture coordinates differ at an edge, its triangles may part there");
+              fmt::format("{}: its vertex attributes leave no room for what welded edges need; where normals or texture "
+                          "coordinates differ at an edge, its triangles may part there",
+                          label(program)));
   }
   return words;
 }
 
-std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& program, core::Program* owner,
-                                                             const core::DerivedKey& key) const {
-  const auto found = program.derived.find(key);
-  if (found != program.derived.end()) {
-    return found->second;
-  }
-  std::shared_ptr<core::DerivedProgram>& slot = program.derived[key];
+DeriveRequest ProgramBuilder::request_for(const core::Program& program, const core::DerivedKey& key) const {
   DeriveRequest request;
-  request.vertex_sources = vertex_sources(program);
+  request.vertex_sources = sources_of(program, GL_VERTEX_SHADER);
   request.es = traits_.language == capture::Language::es;
   request.context_glsl_version = traits_.glsl_version;
   std::vector<capture::Field> fields = program.fields;
@@ -327,62 +217,86 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   request.placed = key.placed;
   request.morphing = key.morphing;
   request.provoking_corner = key.provoking_corner;
-  request.outputs = {key.flat_colors, key.clamp_colors, words_of_positions(geometry_sources(program))};
+  request.outputs = {key.flat_colors, key.clamp_colors, words_of_positions(sources_of(program, GL_GEOMETRY_SHADER))};
   // There is no gl_VertexID between corners: the stage runs on these, and the refinement shader is ignored.
   if (!key.at_corner && !program.traits.reads_vertex_id) {
     request.refinement_source = program.refinement_source;
   }
   request.extensions = traits_.extensions;
   request.stored = !key.at_corner && request.layout.chunk_count() > most_chunks(key.placed);
-  Derivation derivation;
+  return request;
+}
+
+Derivation ProgramBuilder::derive_if_it_fits(const core::Program& program, const DeriveRequest& request) const {
   if (request.layout.corner_words > traits_.max_feedback_components) {
-    derivation.error = "its vertex attributes leave no room for scalar tags";
-  } else if (key.at_corner || !request.stored || can_store_records(program)) {
-    derivation = derive_vertex_stage(request);
-  } else {
-    derivation.error = "its vertex attributes leave no room for depth tags and placement";
+    return {false, {}, "its vertex attributes leave no room for scalar tags"};
   }
+  if (request.stored && !can_store_records(program)) {
+    return {false, {}, "its vertex attributes leave no room for depth tags and placement"};
+  }
+  return derive_vertex_stage(request);
+}
+
+void ProgramBuilder::find_uniforms(const DeriveRequest& request, core::DerivedProgram& derived) const {
+  derived.shape_number = gl_.GetUniformLocation(derived.name, shape_number_uniform);
+  derived.height_map = gl_.GetUniformLocation(derived.name, height_map_uniform);
+  derived.height_channel = gl_.GetUniformLocation(derived.name, height_channel_uniform);
+  derived.height_range = gl_.GetUniformLocation(derived.name, height_range_uniform);
+  if (!request.stored) {
+    return;
+  }
+  derived.first_word = gl_.GetUniformLocation(derived.name, first_word_uniform);
+  derived.numbered = gl_.GetAttribLocation(derived.name, instance_input) >= 0;
+  if (gl_.ShaderStorageBlockBinding != nullptr) {
+    const GLuint block = gl_.GetProgramResourceIndex(derived.name, GL_SHADER_STORAGE_BLOCK, records_block);
+    gl_.ShaderStorageBlockBinding(derived.name, block, records_binding);
+  }
+}
+
+// Gives the derived program the application's uniform values, and from now on those that it sets.
+void ProgramBuilder::follow_uniforms(core::Program& program, core::Program* owner,
+                                     const std::shared_ptr<core::DerivedProgram>& derived) const {
+  // Programs that run at corners have no refinement shader, so none of its uniforms.
+  const auto other = std::find_if(program.derived.begin(), program.derived.end(), [&](const auto& entry) {
+    return entry.second != nullptr && entry.second != derived && !entry.first.at_corner;
+  });
+  copy_virtual_uniforms(gl_, program.virtual_uniforms, other != program.derived.end() ? other->second.get() : nullptr,
+                        *derived);
+  if (owner != nullptr) {
+    map_uniform_locations(gl_, owner->name, *derived);
+    copy_uniform_values(gl_, owner->name, *derived);
+    copy_block_bindings(gl_, owner->name, derived->name);
+    derived->subroutines = map_subroutines(gl_, *owner, derived->name);
+    owner->mirrors.push_back({derived->name, derived.get()});
+  }
+}
+
+std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& program, core::Program* owner,
+                                                             const core::DerivedKey& key) const {
+  const auto found = program.derived.find(key);
+  if (found != program.derived.end()) {
+    return found->second;
+  }
+  std::shared_ptr<core::DerivedProgram>& slot = program.derived[key];
+  DeriveRequest request = request_for(program, key);
+  const Derivation derivation = derive_if_it_fits(program, request);
+  show_derived(program, key, request.refinement, derivation.vertex_sources);
   std::string error = derivation.error;
-  for (std::size_t i = 0; i < derivation.vertex_sources.size() && core::wants_shaders(); ++i) {
-    show(program, GL_VERTEX_SHADER, kind_of(key, request.refinement), static_cast<unsigned>(i),
-         derivation.vertex_sources[i]);
-  }
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
                                                        owner != nullptr ? owner->name : 0, key, error)
                                     : 0;
   program.refinement_log = error;
   if (name == 0) {
     ++core::statistics().programs_failed;
-    core::log(core::LogLevel::warning, label(program) + " is not refined: " + error + "; its draws stay as they are");
+    core::log(core::LogLevel::warning,
+              fmt::format("{} is not refined: {}; its draws stay as they are", label(program), error));
     return nullptr;
   }
   slot = std::make_shared<core::DerivedProgram>();
   slot->name = name;
+  find_uniforms(request, *slot);
   slot->layout = std::move(request.layout);
-  slot->height_map = gl_.GetUniformLocation(name, height_map_uniform);
-  slot->height_channel = gl_.GetUniformLocation(name, height_channel_uniform);
-  slot->height_range = gl_.GetUniformLocation(name, height_range_uniform);
-  if (request.stored) {
-    slot->first_word = gl_.GetUniformLocation(name, first_word_uniform);
-    slot->numbered = gl_.GetAttribLocation(name, instance_input) >= 0;
-    if (gl_.ShaderStorageBlockBinding != nullptr) {
-      gl_.ShaderStorageBlockBinding(name, gl_.GetProgramResourceIndex(name, GL_SHADER_STORAGE_BLOCK, records_block),
-                                    records_binding);
-    }
-  }
-  // Whatever runs at corners alone has no refinement shader, so none of its uniforms.
-  const auto other = std::find_if(program.derived.begin(), program.derived.end(), [&](const auto& entry) {
-    return entry.second != nullptr && entry.second != slot && !entry.first.at_corner;
-  });
-  copy_virtual_uniforms(gl_, program.virtual_uniforms, other != program.derived.end() ? other->second.get() : nullptr,
-                        *slot);
-  if (owner != nullptr) {
-    map_uniform_locations(gl_, owner->name, *slot);
-    copy_uniform_values(gl_, owner->name, *slot);
-    copy_block_bindings(gl_, owner->name, name);
-    slot->subroutines = map_subroutines(gl_, *owner, name);
-    owner->mirrors.push_back({name, slot.get()});
-  }
+  follow_uniforms(program, owner, slot);
   ++core::statistics().programs_derived;
   return slot;
 }
@@ -397,7 +311,7 @@ std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctio
   std::string error;
   program->name = compile_and_link(*program, {source}, 0, core::DerivedKey{.placed = false}, error);
   if (program->name == 0) {
-    core::log(core::LogLevel::error, "fixed-function vertex stage: " + error);
+    core::log(core::LogLevel::error, fmt::format("the fixed-function vertex stage cannot be built: {}", error));
   }
   if (fragment != nullptr) {
     for (const core::StageSource& stage : fragment->stages) {

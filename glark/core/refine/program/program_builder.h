@@ -33,10 +33,10 @@ class ProgramBuilder {
  public:
   ProgramBuilder(const gl::Dispatch& gl, const BuilderTraits& traits) : gl_(gl), traits_(traits) {}
 
-  // Fills in the fields and traits of a linked program, and the cause if it cannot be refined. Reads only.
+  // Fills in the fields and traits of a linked program, and the cause if it cannot be refined. Only reads from GL.
   void prepare(core::Program& program) const;
 
-  // The derived program for `key`, with the uniform values of now; nullptr (and a line in the log) if it cannot be built.
+  // The derived program for `key`, with the current uniform values; nullptr (and a line in the log) if it cannot be built.
   // `owner`: the application's program whose uniforms it follows; null for plain fixed function.
   std::shared_ptr<core::DerivedProgram> derive(core::Program& program, core::Program* owner,
                                                const core::DerivedKey& key) const;
@@ -44,7 +44,7 @@ class ProgramBuilder {
   // A Program that holds the generated vertex stage of `state` beside the fragment stages of `fragment` (may be null).
   std::shared_ptr<core::Program> fixed_function(const FixedFunctionState& state, const core::Program* fragment) const;
 
-  // Deletes the GL programs derived from `program`; one that another context draws with just now, at a later call.
+  // Deletes the GL programs derived from `program`. One that another context is drawing with is deleted at a later call.
   void discard(core::Program& program);
 
  private:
@@ -57,7 +57,11 @@ class ProgramBuilder {
   capture::WeldedWords welded_words(const core::Program& program, const std::vector<capture::Field>& fields,
                                     int coordinate_field, const core::DerivedKey& key) const;
   bool can_store_records(const core::Program& program) const;
-  void read_fields(core::Program& program) const;
+  DeriveRequest request_for(const core::Program& program, const core::DerivedKey& key) const;
+  Derivation derive_if_it_fits(const core::Program& program, const DeriveRequest& request) const;
+  void find_uniforms(const DeriveRequest& request, core::DerivedProgram& derived) const;
+  void follow_uniforms(core::Program& program, core::Program* owner,
+                       const std::shared_ptr<core::DerivedProgram>& derived) const;
 
   const gl::Dispatch& gl_;
   BuilderTraits traits_;
