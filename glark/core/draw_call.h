@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
+#include "glark/core/state/lists/polygon_sides.h"
 #include "glark/gl/types.h"
 
 namespace glark::core {
@@ -43,9 +43,6 @@ struct ArrayDraw {
   GLuint base_instance = 0;
   auto operator<=>(const ArrayDraw&) const = default;
 };
-
-// Vertices of each polygon, in their order.
-using PolygonSides = std::vector<std::uint32_t>;
 
 struct DrawCall {
   GLenum mode = 0;

@@ -11,8 +11,8 @@
 #include "glark/core/depth/centroid_split.h"
 #include "glark/core/draw_call.h"
 #include "glark/core/pattern/pool.h"
-#include "glark/core/program.h"
-#include "glark/core/program_pipelines.h"
+#include "glark/core/state/programs/program.h"
+#include "glark/core/state/programs/program_pipelines.h"
 
 namespace glark::core {
 

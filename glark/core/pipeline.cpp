@@ -46,20 +46,19 @@ constexpr std::uint64_t most_immediate_bytes = std::uint64_t{512} << 20;
 
 Pipeline::Pipeline(Context& context)
     : context_(context),
-      gl_(context.supported),
-      capture_(context.supported, language_of(context.capabilities), context.capabilities.query_buffer),
-      weld_(context.supported, language_of(context.capabilities)),
-      centroids_(context.supported),
-      measure_(context.supported, language_of(context.capabilities)),
-      bins_(context.supported, language_of(context.capabilities)),
-      ordered_(context.supported, language_of(context.capabilities)),
-      submit_(context.supported),
-      pipelines_(context.supported),
-      builder_(context.supported, builder_traits(context.capabilities, context.options)) {}
+      gl_(context.supported()),
+      capture_(context.supported(), language_of(context.capabilities()), context.capabilities().query_buffer),
+      weld_(context.supported(), language_of(context.capabilities())),
+      centroids_(context.supported()),
+      measure_(context.supported(), language_of(context.capabilities())),
+      bins_(context.supported(), language_of(context.capabilities())),
+      ordered_(context.supported(), language_of(context.capabilities())),
+      submit_(context.supported()),
+      builder_(context.supported(), builder_traits(context.capabilities(), context.options())) {}
 
 bool Pipeline::build_pool(unsigned max_level) {
-  const Quiet quiet = context_.quiet();
-  if (!pool_.build(gl_, max_level, geomorphs(context_.options, context_.ark))) {
+  const Quiet quiet = context_.state().quiet();
+  if (!pool_.build(gl_, max_level, geomorphs(context_.options(), context_.ark()))) {
     return false;
   }
   ++pools_built_;
@@ -68,12 +67,12 @@ bool Pipeline::build_pool(unsigned max_level) {
 }
 
 bool Pipeline::takes_in_order(const Plan& plan, const capture::CoarseTriangles& triangles) const {
-  return (plan.morphing || !context_.ark.smooth_interior) && !plan.derived->stored() &&
+  return (plan.morphing || !context_.ark().smooth_interior) && !plan.derived->stored() &&
          ordered_.takes(*plan.layout, triangles, plan.deepest);
 }
 
 depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) {
-  const Bindings& b = context_.bindings;
+  const Bindings& b = context_.state().bindings();
   counted_on_gpu_ = true;
   const unsigned deepest = plan.coarse ? 0 : pool_.max_level();
   const depth::MeasureRequest measured{plan.layout,        records.triangles, plan.corner_program,
@@ -88,9 +87,9 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
   if (takes_in_order(plan, records.triangles)) {
     bins = ordered_.sort({measured, ends, bins_.work_buffer(), records.tags_are_edge_depths}, b);
   } else {
-    const pattern::Interior interior = plan.morphing                  ? pattern::Interior::morphing
-                                       : context_.ark.smooth_interior ? pattern::Interior::smooth
-                                                                      : pattern::Interior::minimum;
+    const pattern::Interior interior = plan.morphing                    ? pattern::Interior::morphing
+                                       : context_.ark().smooth_interior ? pattern::Interior::smooth
+                                                                        : pattern::Interior::minimum;
     depth::BinRequest request{plan.layout, records.triangles, 0, deepest, interior, records.tags_are_edge_depths, {}};
     if (plan.measured) {
       request.measured = measure_.measure(measured, b);
@@ -103,7 +102,7 @@ depth::BinnedInstances Pipeline::sort(const Plan& plan, const Records& records) 
 }
 
 void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured, const Keeping& keeping) {
-  const Bindings& b = context_.bindings;
+  const Bindings& b = context_.state().bindings();
   copy_stale_uniforms(plan);
   if (b.primitive_restart) {
     gl_.Disable(GL_PRIMITIVE_RESTART);  // our indices are none of the application's, those that sort neither
@@ -159,7 +158,7 @@ void Pipeline::submit(const Plan& plan, const capture::CoarseTriangles& captured
 }
 
 bool Pipeline::selects_back_colors(const Plan& plan) const {
-  return plan.program->fixed_function && fixed_function_state_.two_sided && !context_.bindings.two_side;
+  return plan.program->fixed_function && fixed_function_state_.two_sided && !context_.state().bindings().two_side;
 }
 
 // Fixed-function lighting adds the separate specular colour by itself, a vertex shader only with GL_COLOR_SUM.
@@ -179,18 +178,18 @@ void Pipeline::set_point_size(bool by_program) {
 
 // The current one; our vertex arrays have no array of them.
 void Pipeline::raise_edge_flag() {
-  if (!takes_edge_flags() && !(context_.is_compatibility() && context_.options.wireframe)) {
+  if (!takes_edge_flags() && !(context_.is_compatibility() && context_.options().wireframe)) {
     return;
   }
-  const CurrentValue* known = context_.current_values.find(edge_flag_slot);
+  const CurrentValue* known = context_.state().current_values().find(edge_flag_slot);
   if (known == nullptr) {
     GLboolean flag = GL_TRUE;
     gl_.GetBooleanv(GL_EDGE_FLAG, &flag);
     const auto set = [](const gl::Dispatch& gl, GLuint, const void* components) {
       gl.EdgeFlag(*static_cast<const GLboolean*>(components));
     };
-    context_.current_values.set(edge_flag_slot, set, 0, &flag, sizeof(flag));
-    known = context_.current_values.find(edge_flag_slot);
+    context_.state().current_values().set(edge_flag_slot, set, 0, &flag, sizeof(flag));
+    known = context_.state().current_values().find(edge_flag_slot);
   }
   edge_flag_raised_ = std::all_of(known->components.begin(), known->components.begin() + known->bytes,
                                   [](unsigned char part) { return part == 0; });
@@ -215,15 +214,15 @@ void Pipeline::set_modes(const Plan& plan) {
   if (sets_point_size(plan)) {
     set_point_size(fixed_function_state_.point_size);
   }
-  if (context_.options.wireframe && gl_.PolygonMode != nullptr) {
+  if (context_.options().wireframe && gl_.PolygonMode != nullptr) {
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   }
 }
 
 void Pipeline::reset_modes(const Plan& plan) {
   reset_edge_flag();
-  const Bindings& b = context_.bindings;
-  if (context_.options.wireframe && gl_.PolygonMode != nullptr) {
+  const Bindings& b = context_.state().bindings();
+  if (context_.options().wireframe && gl_.PolygonMode != nullptr) {
     if (context_.is_compatibility()) {
       gl_.PolygonMode(GL_FRONT, b.front_polygon_mode);
       gl_.PolygonMode(GL_BACK, b.back_polygon_mode);
@@ -246,7 +245,7 @@ void Pipeline::reset_modes(const Plan& plan) {
 }
 
 void Pipeline::restore(const Changed& changed) {
-  const Bindings& b = context_.bindings;
+  const Bindings& b = context_.state().bindings();
   gl_.BindVertexArray(b.vertex_array);
   use_application_program();
   if (changed.indirect) {
@@ -259,7 +258,7 @@ void Pipeline::restore(const Changed& changed) {
 
 void Pipeline::restore_storage() {
   storage_changed_ = false;
-  const Bindings& b = context_.bindings;
+  const Bindings& b = context_.state().bindings();
   for (GLuint i = 0; i < b.storage.size(); ++i) {
     const IndexedBuffer& binding = b.storage[i];
     if (binding.size > 0 && binding.buffer != 0) {
@@ -273,7 +272,7 @@ void Pipeline::restore_storage() {
 
 void Pipeline::draw(const DrawCall& call) {
   ++statistics().draws_seen;
-  const Quiet quiet = context_.quiet();
+  const Quiet quiet = context_.state().quiet();
   take_awaited_feedback();
   Plan plan;
   Cause cause = plan_draw(call, plan);
@@ -313,16 +312,16 @@ void Pipeline::read_uncounted() {
     return;
   }
   uncounted_capture_ = false;
-  const std::uint64_t coarse = capture_.counted(context_.bindings);
+  const std::uint64_t coarse = capture_.counted(context_.state().bindings());
   statistics().coarse_triangles += coarse;
   statistics().refined_triangles += uncounted_level_ > 0 ? coarse << (2 * uncounted_level_) : 0;
 }
 
 void Pipeline::read_counts() {
-  if (!context_.options.read_counts) {
+  if (!context_.options().read_counts) {
     return;
   }
-  ErrorScope errors(context_);
+  ErrorScope errors(context_.pending_error());
   read_uncounted();
   if (counted_on_gpu_) {
     statistics().refined_triangles += bins_.take_refined_triangles();
@@ -333,11 +332,11 @@ void Pipeline::read_counts() {
 std::uint64_t Pipeline::begin_immediate(GLenum mode) {
   const auto nothing = [] {};
   const DrawCall call{.mode = mode,
-                      .tags_vary = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag,
+                      .tags_vary = !context_.options().transparent && context_.ark().depth_source == DepthSource::tag,
                       .whole_polygons = true,
                       .issue = nothing};
   ++statistics().draws_seen;
-  const Quiet quiet = context_.quiet();
+  const Quiet quiet = context_.state().quiet();
   immediate_plan_ = Plan{};
   Cause cause = plan_draw(call, immediate_plan_);
   std::uint64_t capacity = 0;
@@ -350,13 +349,14 @@ std::uint64_t Pipeline::begin_immediate(GLenum mode) {
     return 0;
   }
   // glArrayElement may restart the primitive.
-  immediate_exact_ = !context_.bindings.primitive_restart && !context_.elements_restart;
+  immediate_exact_ = !context_.state().bindings().primitive_restart && !context_.state().immediate().elements_restart;
   begin_capture(immediate_plan_, immediate_exact_ ? capture::Count::known : capture::Count::by_query, nullptr);
   return capacity;
 }
 
 void Pipeline::end_immediate(std::uint64_t triangles) {
-  const Quiet quiet(gl_, context_.bindings.debug_output);  // while our feedback is bound, bindings are not read again
+  const Quiet quiet(
+      gl_, context_.state().bindings().debug_output);  // while our feedback is bound, bindings are not read again
   const std::uint64_t capacity =
       immediate_bytes_ / static_cast<std::uint64_t>(immediate_plan_.layout->triangle_words() * 4);
   if (triangles > capacity) {
@@ -387,15 +387,15 @@ void Pipeline::end_immediate(std::uint64_t triangles) {
 }
 
 void Pipeline::frame_finished() {
-  const Quiet quiet(gl_, context_.bindings.debug_output);
+  const Quiet quiet(gl_, context_.state().bindings().debug_output);
   read_counts();
   measure_.frame_finished();
   kept_.frame_finished(gl_);
 }
 
 void Pipeline::release() {
-  const Quiet quiet(gl_, context_.bindings.debug_output);
-  ErrorScope errors(context_);
+  const Quiet quiet(gl_, context_.state().bindings().debug_output);
+  ErrorScope errors(context_.pending_error());
   read_counts();
   for (auto& [key, program] : fixed_function_) {
     discard_fixed_function(key.second, *program);
@@ -410,7 +410,7 @@ void Pipeline::release() {
   bins_.release();
   ordered_.release();
   submit_.release();
-  pipelines_.release();
+  context_.state().programs().pipelines().release();
   pool_.release(gl_);
   bins_ready_ = false;
 }

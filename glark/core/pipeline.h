@@ -23,11 +23,10 @@
 #include "glark/core/draw_key.h"
 #include "glark/core/draw_plan.h"
 #include "glark/core/pattern/gpu_pool.h"
-#include "glark/core/program.h"
-#include "glark/core/program_pipelines.h"
 #include "glark/core/refine/fixed_function/state.h"
 #include "glark/core/refine/program/program_builder.h"
 #include "glark/core/report.h"
+#include "glark/core/state/programs/program.h"
 #include "glark/core/submit/submit.h"
 #include "glark/core/weld/weld.h"
 
@@ -72,8 +71,6 @@ class Pipeline {
   const std::string& fixed_function_refinement() const { return fixed_function_refinement_; }
   void forget_program(GLuint name);  // linked again or deleted
   void discard(Program& program);
-  void pipeline_changed(GLuint pipeline) { pipelines_.changed(pipeline); }
-  GLuint active_program(GLuint pipeline) { return pipelines_.object(pipeline).active; }
 
   void tag_attribute_changed();  // captures read the tag from another attribute
 
@@ -102,7 +99,6 @@ class Pipeline {
   void use_application_program();  // with its pipeline and subroutines, after programs of ours
   bool leaves_draws() const;
   Cause exemption(const Program& program, std::uint64_t triangles);  // `triangles`: 0 before they are counted
-  const MatrixTraits& matrix_traits();
   void count_refined(const Plan& plan);
   refine::FragmentReads fragment_reads(const Program* fragment) const;
   Program* fixed_function_program(Program* fragment);
@@ -181,7 +177,6 @@ class Pipeline {
   depth::BinStage bins_;
   depth::OrderedStage ordered_;
   submit::SubmitStage submit_;
-  ProgramPipelines pipelines_;
   refine::ProgramBuilder builder_;
   std::map<std::pair<refine::FixedFunctionState, GLuint>, std::shared_ptr<Program>> fixed_function_;
   refine::FixedFunctionState fixed_function_state_;

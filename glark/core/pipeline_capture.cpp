@@ -74,7 +74,7 @@ std::vector<int> input_slots(const capture::Layout& layout, GLuint tag_attribute
 
 // False: it reads what cannot be watched.
 bool Pipeline::add_array_inputs(const Plan& plan, const ArrayDraw& draw) {
-  if (context_.bindings.primitive_restart || context_.bindings.primitive_restart_fixed) {
+  if (context_.state().bindings().primitive_restart || context_.state().bindings().primitive_restart_fixed) {
     return false;
   }
   key_.add(draw.mode, draw.index_type);
@@ -83,7 +83,7 @@ bool Pipeline::add_array_inputs(const Plan& plan, const ArrayDraw& draw) {
   if (draw.index_type != 0) {
     key_.add(reinterpret_cast<std::uint64_t>(draw.indices));
     key_.add(static_cast<std::uint32_t>(draw.base_vertex));
-    const BoundBuffer& elements = context_.element_buffer();
+    const BoundBuffer& elements = context_.state().element_buffer();
     if (!key_.add_buffer(elements.name, elements.generation)) {
       return false;
     }
@@ -94,14 +94,14 @@ bool Pipeline::add_array_inputs(const Plan& plan, const ArrayDraw& draw) {
     }
     // In compatibility contexts glVertexPointer and attribute 0 are one, and the attribute goes first.
     if (context_.is_compatibility() && (slot == vertex_slot || slot == 0)) {
-      slot = context_.attribute_source(0).enabled ? 0 : static_cast<int>(vertex_slot);
-      if (!context_.attribute_source(slot).enabled) {
+      slot = context_.state().attribute_source(0).enabled ? 0 : static_cast<int>(vertex_slot);
+      if (!context_.state().attribute_source(slot).enabled) {
         return false;
       }
     }
-    const AttributeSource& source = context_.attribute_source(slot);
+    const AttributeSource& source = context_.state().attribute_source(slot);
     if (!source.enabled) {
-      key_.add_value(slot, context_.current_values);
+      key_.add_value(slot, context_.state().current_values());
     } else if (!key_.add_source(slot, source)) {
       return false;
     }
@@ -117,7 +117,7 @@ bool Pipeline::add_segment_inputs(const Plan& plan, const ListSegment& segment) 
     }
     const bool is_vertex = slot == vertex_slot || slot == 0;  // lists are of compatibility contexts: the two are one
     if (!is_vertex && (segment.effects.own & slot_bit(slot)) == 0) {
-      key_.add_value(slot, context_.current_values);
+      key_.add_value(slot, context_.state().current_values());
     }
   }
   return true;
@@ -138,8 +138,8 @@ bool Pipeline::make_key(const DrawCall& call, const Plan& plan) {
   }
   key_.clear();
   key_.add(plan.capture_program,
-           plan.last_vertex_convention ? GL_LAST_VERTEX_CONVENTION : context_.bindings.provoking_vertex);
-  key_.add(plan.keeps_bins() ? 1 : 0, (context_.ark.smooth_interior ? 1U : 0U) | (plan.polygons ? 2U : 0U) |
+           plan.last_vertex_convention ? GL_LAST_VERTEX_CONVENTION : context_.state().bindings().provoking_vertex);
+  key_.add(plan.keeps_bins() ? 1 : 0, (context_.ark().smooth_interior ? 1U : 0U) | (plan.polygons ? 2U : 0U) |
                                           (plan.morphing ? 4U : 0U) | (plan.welded ? 8U : 0U));
   key_.add(plan.keeps_bins() ? pools_built_ : 0);
   if (plan.welded) {
@@ -152,20 +152,20 @@ Pipeline::Keeping Pipeline::look_up(const DrawCall& call, const Plan& plan) {
   if (!make_key(call, plan)) {
     return {};
   }
-  if (context_.current_program != nullptr && context_.current_program->may_store) {
-    context_.gpu_wrote();  // by its earlier draws
+  if (context_.state().programs().current() != nullptr && context_.state().programs().current()->may_store) {
+    context_.writes().by_gpu();  // by its earlier draws
   }
-  const auto [answer, entry] = kept_.look_up(gl_, key_, context_.share->buffers);
+  const auto [answer, entry] = kept_.look_up(gl_, key_, context_.share().buffers);
   if (answer == DrawCache::Answer::kept) {
     return {entry, true};
   }
   // How much was captured has to be read back, and the application counts the same just now.
-  if (answer == DrawCache::Answer::fresh || context_.bindings.primitives_written_query != 0) {
+  if (answer == DrawCache::Answer::fresh || context_.state().bindings().primitives_written_query != 0) {
     return {};
   }
-  ErrorScope errors(context_);
+  ErrorScope errors(context_.pending_error());
   const bool all_watched = std::all_of(key_.buffers().begin(), key_.buffers().end(),
-                                       [&](GLuint buffer) { return watched(gl_, context_.share->buffers, buffer); });
+                                       [&](GLuint buffer) { return watched(gl_, context_.share().buffers, buffer); });
   const GLsizeiptr bytes = plan.keeps_bins() ? 0 : bytes_to_keep(*plan.layout, call.triangles);
   if (!all_watched || !kept_.make_room(gl_, *entry, bytes) || !kept_.allocate(gl_, *entry, bytes)) {
     entry->refused = true;
@@ -215,11 +215,11 @@ capture::CoarseTriangles Pipeline::capture_draw(const DrawCall& call, const Plan
 }
 
 bool Pipeline::takes_edge_flags() const {
-  return context_.is_compatibility() && context_.bindings.polygon_mode != GL_FILL;
+  return context_.is_compatibility() && context_.state().bindings().polygon_mode != GL_FILL;
 }
 
 void Pipeline::begin_capture(const Plan& plan, capture::Count count, GpuBuffer* own) {
-  if (count == capture::Count::by_query && context_.options.read_counts) {
+  if (count == capture::Count::by_query && context_.options().read_counts) {
     read_uncounted();  // its query is used again
   }
   if (plan.last_vertex_convention) {
@@ -228,11 +228,11 @@ void Pipeline::begin_capture(const Plan& plan, capture::Count count, GpuBuffer* 
   if (takes_edge_flags()) {
     gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);  // Mesa 22 captures nothing of vertices with edge flags of their own
   }
-  capture_.begin(plan.capture_program, context_.bindings, count, own);
+  capture_.begin(plan.capture_program, context_.state().bindings(), count, own);
 }
 
 capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t triangles, bool exact) {
-  const Bindings& b = context_.bindings;
+  const Bindings& b = context_.state().bindings();
   const capture::CoarseTriangles captured = capture_.end(*plan.layout, triangles, b);
   if (plan.last_vertex_convention) {
     gl_.ProvokingVertex(b.provoking_vertex);
@@ -253,9 +253,9 @@ capture::CoarseTriangles Pipeline::end_capture(const Plan& plan, std::uint64_t t
 
 void Pipeline::add_surplus(std::int64_t triangles) {
   for (const GLuint query :
-       {context_.bindings.primitives_generated_query, context_.bindings.primitives_written_query}) {
+       {context_.state().bindings().primitives_generated_query, context_.state().bindings().primitives_written_query}) {
     if (query != 0) {
-      context_.query_surplus[query] += static_cast<std::uint64_t>(triangles);  // modulo 2^64
+      context_.state().query_surplus().add(query, triangles);  // modulo 2^64
     }
   }
 }
@@ -273,7 +273,7 @@ depth::BinnedInstances Pipeline::binned(const Plan& plan, const Records& records
   if (keeping.entry == nullptr) {
     return bins;
   }
-  ErrorScope errors(context_);
+  ErrorScope errors(context_.pending_error());
   DrawCache::Entry& entry = *keeping.entry;
   const bool in_order = takes_in_order(plan, records.triangles);
   const depth::InstanceExtent extent = in_order ? ordered_.extent(bins) : bins_.extent(bins);

@@ -6,9 +6,6 @@
 // A draw that neither reads nor writes depth cannot meet another one by its depth values, so leaving it alone cannot part the
 // passes of a program that draws the same triangles twice. That is the condition of every rule that holds by default, but for
 // drawings in the plane, which are left by their matrices alone: all passes of them or none.
-#include <algorithm>
-#include <cmath>
-
 #include "glark/core/context.h"
 #include "glark/core/pipeline.h"
 
@@ -17,49 +14,17 @@ namespace {
 
 bool ignores_depth(const Bindings& b) { return !b.depth_test || (b.depth_function == GL_ALWAYS && !b.depth_writes); }
 
-// Column by column, as GL has them. Without perspective, the last row is (0, 0, 0, 1).
-bool is_affine(const GLfloat* m) { return m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1; }
-
-bool keeps_z_apart(const GLfloat* m) { return is_affine(m) && m[2] == 0 && m[6] == 0 && m[8] == 0 && m[9] == 0; }
-
-// Moves, turns and scales in the plane.
-bool keeps_z(const GLfloat* m) { return keeps_z_apart(m) && m[10] == 1 && m[14] == 0; }
-
-// gluOrtho2D; or the space between near and far plane is a sheet, as where a scene graph fits it to what is drawn.
-bool projects_plane(const GLfloat* m) {
-  constexpr GLfloat thin = 8;
-  const bool sheet = std::abs(m[10]) >= thin * std::max(std::abs(m[0]), std::abs(m[5]));
-  return keeps_z_apart(m) && ((m[10] == -1 && m[14] == 0) || sheet);
-}
-
 }  // namespace
 
-const MatrixTraits& Pipeline::matrix_traits() {
-  MatrixTraits& traits = context_.matrices;
-  GLfloat matrix[16];
-  if (context_.projection_stale) {
-    context_.projection_stale = false;
-    gl_.GetFloatv(GL_PROJECTION_MATRIX, matrix);
-    traits.affine = is_affine(matrix);
-    traits.projects_plane = projects_plane(matrix);
-  }
-  if (context_.modelview_stale && traits.projects_plane) {
-    context_.modelview_stale = false;
-    gl_.GetFloatv(GL_MODELVIEW_MATRIX, matrix);
-    traits.moves_in_plane = keeps_z(matrix);
-  }
-  return traits;
-}
-
 bool Pipeline::leaves_draws() const {
-  return context_.options.transparent && !context_.ark.enabled &&
-         (context_.options.left_draws != 0 || !context_.options.left_shaders.empty());
+  return context_.options().transparent && !context_.ark().enabled &&
+         (context_.options().left_draws != 0 || !context_.options().left_shaders.empty());
 }
 
 Cause Pipeline::exemption(const Program& program, std::uint64_t triangles) {
   namespace left = left_draws;
-  const Bindings& b = context_.bindings;
-  const unsigned rules = context_.options.left_draws;
+  const Bindings& b = context_.state().bindings();
+  const unsigned rules = context_.options().left_draws;
   if (program.left_alone) {
     return Cause::left_shader;
   }
@@ -75,7 +40,7 @@ Cause Pipeline::exemption(const Program& program, std::uint64_t triangles) {
   // What is drawn in perspective is neither a user interface nor a full-screen pass.
   const bool conventional = program.conventional_projection && context_.is_compatibility();
   const bool ignored = ignores_depth(b);
-  if (ignored && (!conventional || (rules & left::by_default) == 0 || matrix_traits().affine)) {
+  if (ignored && (!conventional || (rules & left::by_default) == 0 || context_.state().matrices().traits(gl_).affine)) {
     if ((rules & left::screen_quads) != 0 && triangles > 0 && triangles <= 2) {
       return Cause::screen_quad;
     }
@@ -84,7 +49,7 @@ Cause Pipeline::exemption(const Program& program, std::uint64_t triangles) {
     }
   }
   if (conventional && (rules & left::orthographic) != 0) {
-    const MatrixTraits& traits = matrix_traits();
+    const MatrixTraits& traits = context_.state().matrices().traits(gl_);
     if ((ignored && traits.affine) || (traits.projects_plane && traits.moves_in_plane)) {
       return Cause::orthographic;
     }

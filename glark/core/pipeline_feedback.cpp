@@ -66,11 +66,11 @@ GLenum feedback_mode(const gl::Dispatch& gl, const Program& owner, GLuint derive
 }  // namespace
 
 bool Pipeline::begin_feedback(GLenum mode) {
-  const Quiet quiet = context_.quiet();
+  const Quiet quiet = context_.state().quiet();
   const auto nothing = [] {};
   Plan plan;
   plan.for_feedback = true;
-  const bool tagged = context_.ark.depth_source == DepthSource::tag;
+  const bool tagged = context_.ark().depth_source == DepthSource::tag;
   const DrawCall call{.mode = GL_TRIANGLES, .tags_vary = tagged, .issue = nothing};
   if (plan_draw(call, plan) != Cause::count_ || plan.pipeline != nullptr ||
       (plan.owner != nullptr ? feedback_mode(gl_, *plan.owner, plan.derived->name) : GL_TRIANGLES) != mode) {
@@ -81,6 +81,7 @@ bool Pipeline::begin_feedback(GLenum mode) {
   gl_.PauseTransformFeedback();
   use_application_program();
   feedback_program_ = plan.derived;
+  context_.state().set_feedback_ours(true);
   feedback_mode_ = mode;
   feedback_begun_ = false;
   return true;
@@ -90,25 +91,27 @@ void Pipeline::hand_back_feedback() {
   if (!owns_feedback() || feedback_begun_) {
     return;
   }
-  context_.refresh_bindings();
-  if (context_.bindings.transform_feedback_paused || !context_.bindings.transform_feedback_active) {
+  context_.state().refresh();
+  if (context_.state().bindings().transform_feedback_paused || !context_.state().bindings().transform_feedback_active) {
     return;
   }
-  const Quiet quiet = context_.quiet();
+  const Quiet quiet = context_.state().quiet();
   gl_.EndTransformFeedback();
   feedback_program_ = nullptr;
+  context_.state().set_feedback_ours(false);
   gl_.BeginTransformFeedback(feedback_mode_);
   context_.update_refining();
 }
 
 bool Pipeline::feedback_refuses(GLenum mode) const {
   const bool points_or_lines = mode == GL_POINTS || mode == GL_LINES || mode == GL_LINE_LOOP || mode == GL_LINE_STRIP;
-  return points_or_lines && owns_feedback() && !context_.bindings.transform_feedback_paused &&
+  return points_or_lines && owns_feedback() && !context_.state().bindings().transform_feedback_paused &&
          feedback_mode_ == GL_TRIANGLES;
 }
 
 void Pipeline::end_feedback() {
   feedback_program_ = nullptr;
+  context_.state().set_feedback_ours(false);
   awaited_feedback_ = GL_NONE;
   context_.update_refining();
 }
@@ -118,32 +121,33 @@ void Pipeline::take_awaited_feedback() {
   if (mode == GL_NONE) {
     return;
   }
-  context_.refresh_bindings();
-  if (context_.bindings.transform_feedback_paused) {
+  context_.state().refresh();
+  if (context_.state().bindings().transform_feedback_paused) {
     return;
   }
   awaited_feedback_ = GL_NONE;
-  if (context_.ark.enabled &&
-      context_.bindings
+  if (context_.ark().enabled &&
+      context_.state()
+          .bindings()
           .transform_feedback_active) {  // nothing has been captured: it may begin again, with another program
     gl_.EndTransformFeedback();
-    context_.bindings_stale = true;
+    context_.state().forget_bindings();
     if (!begin_feedback(mode)) {
       gl_.BeginTransformFeedback(mode);
     }
-    context_.bindings.transform_feedback_active = true;
+    context_.state().bindings().transform_feedback_active = true;
   }
   context_.update_refining();
 }
 
 // Streams of a geometry shader go to buffers of their own: the one with most room bounds them all.
 void Pipeline::note_feedback_room() {
-  const Bindings& b = context_.bindings;
-  const Quiet quiet = context_.quiet();
-  ErrorScope errors(context_);
+  const Bindings& b = context_.state().bindings();
+  const Quiet quiet = context_.state().quiet();
+  ErrorScope errors(context_.pending_error());
   GLuint program = b.program;
   if (program == 0 && b.pipeline != 0) {
-    const auto& programs = pipelines_.object(b.pipeline).programs;
+    const auto& programs = context_.state().programs().pipelines().object(b.pipeline).programs;
     for (const std::size_t last_stage : {3U, 2U, 0U}) {  // geometry, tessellation, vertices
       program = program != 0 ? program : programs[last_stage];
     }

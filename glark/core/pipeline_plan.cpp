@@ -11,20 +11,19 @@
 #include "glark/core/refine/fixed_function/state.h"
 #include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/shape.h"
-#include "glark/core/track/track.h"
 
 namespace glark::core {
 
 bool Pipeline::ensure_pool() {
-  if (pool_.built() && pool_.nested() == geomorphs(context_.options, context_.ark)) {
+  if (pool_.built() && pool_.nested() == geomorphs(context_.options(), context_.ark())) {
     return true;
   }
   if (pool_failed_) {
     return false;
   }
-  ErrorScope errors(context_);
+  ErrorScope errors(context_.pending_error());
   pool_failed_ =
-      !build_pool(pool_.built() ? pool_.max_level() : std::max(context_.options.max_level, context_.options.level));
+      !build_pool(pool_.built() ? pool_.max_level() : std::max(context_.options().max_level, context_.options().level));
   return !pool_failed_;
 }
 
@@ -51,8 +50,8 @@ void Pipeline::count_refined(const Plan& plan) {
 }
 
 Cause Pipeline::check_state(const DrawCall& call, bool for_feedback) const {
-  const Bindings& b = context_.bindings;
-  const bool transparent = context_.options.transparent;
+  const Bindings& b = context_.state().bindings();
+  const bool transparent = context_.options().transparent;
   if (!is_triangle_mode(call.mode)) {
     return Cause::not_triangles;
   }
@@ -74,7 +73,7 @@ Cause Pipeline::check_state(const DrawCall& call, bool for_feedback) const {
   if (b.rasterizer_discard && !owns_feedback() && !for_feedback && b.primitives_generated_query == 0) {
     return Cause::rasterizer_discard;
   }
-  if (context_.capabilities.api == Capabilities::Api::core && b.vertex_array == 0) {
+  if (context_.capabilities().api == Capabilities::Api::core && b.vertex_array == 0) {
     return Cause::invalid_draw;
   }
   return Cause::count_;
@@ -99,15 +98,15 @@ refine::FragmentReads Pipeline::fragment_reads(const Program* fragment) const {
 
 Program* Pipeline::fixed_function_program(Program* fragment) {
   const GLuint fragment_name = fragment != nullptr ? fragment->name : 0;
-  if (context_.fixed_function_stale || fixed_function_fragment_ != fragment_name) {
-    context_.fixed_function_stale = false;
+  if (context_.state().fixed_function_stale() || fixed_function_fragment_ != fragment_name) {
+    context_.state().fixed_function_read();
     fixed_function_fragment_ = fragment_name;
     fixed_function_state_ =
-        refine::read_fixed_function_state(gl_, fragment_reads(fragment), context_.capabilities.fog_distance);
+        refine::read_fixed_function_state(gl_, fragment_reads(fragment), context_.capabilities().fog_distance);
   }
   std::shared_ptr<Program>& slot = fixed_function_[{fixed_function_state_, fragment_name}];
   if (slot == nullptr) {
-    ErrorScope errors(context_);
+    ErrorScope errors(context_.pending_error());
     slot = builder_.fixed_function(fixed_function_state_, fragment);
     slot->refinement_source = fixed_function_refinement_;
   }
@@ -115,8 +114,8 @@ Program* Pipeline::fixed_function_program(Program* fragment) {
 }
 
 Cause Pipeline::find_program(Plan& plan) {
-  const Bindings& b = context_.bindings;
-  Program* current = context_.current_program.get();
+  const Bindings& b = context_.state().bindings();
+  Program* current = context_.state().programs().current().get();
   if (b.program != 0 && current == nullptr) {
     return Cause::no_program;
   }
@@ -139,9 +138,9 @@ Cause Pipeline::find_program(Plan& plan) {
     plan.program = fixed_function_program(current);
   }
   if (!plan.program->prepared) {
-    ErrorScope errors(context_);
+    ErrorScope errors(context_.pending_error());
     builder_.prepare(*plan.program);
-    const auto& left = context_.options.left_shaders;
+    const auto& left = context_.options().left_shaders;
     plan.program->left_alone = std::find(left.begin(), left.end(), plan.program->hash) != left.end();
   }
   ++plan.program->counters->draws_seen;
@@ -151,30 +150,31 @@ Cause Pipeline::find_program(Plan& plan) {
 // OpenGL 4.6 compatibility, 13.4: quads may keep their last vertex as the provoking one under GL_FIRST_VERTEX_CONVENTION. They
 // are then captured under the last vertex convention, whose triangles end with it.
 bool Pipeline::captures_last_vertex(GLenum mode) const {
-  return context_.bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION &&
-         !context_.capabilities.quads_follow_convention && (mode == GL_QUADS || mode == GL_QUAD_STRIP);
+  return context_.state().bindings().provoking_vertex == GL_FIRST_VERTEX_CONVENTION &&
+         !context_.capabilities().quads_follow_convention && (mode == GL_QUADS || mode == GL_QUAD_STRIP);
 }
 
 DerivedKey Pipeline::key_of(GLenum mode, bool tagged, bool placed) const {
   DerivedKey key;
-  key.refinement = context_.options.transparent ? context_.options.refinement : context_.ark.refinement;
-  const bool first = context_.bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !captures_last_vertex(mode);
+  key.refinement = context_.options().transparent ? context_.options().refinement : context_.ark().refinement;
+  const bool first =
+      context_.state().bindings().provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !captures_last_vertex(mode);
   key.provoking_corner = first ? 0 : 2;
-  key.flat_colors = context_.is_compatibility() && context_.bindings.shade_model == GL_FLAT;
-  key.clamp_colors = context_.is_compatibility() && context_.bindings.clamp_vertex_color;
+  key.flat_colors = context_.is_compatibility() && context_.state().bindings().shade_model == GL_FLAT;
+  key.clamp_colors = context_.is_compatibility() && context_.state().bindings().clamp_vertex_color;
   key.tagged = tagged;
-  key.welded = context_.options.transparent ? context_.options.weld : context_.ark.weld;
+  key.welded = context_.options().transparent ? context_.options().weld : context_.ark().weld;
   key.placed = placed;
   add_shape(context_, key);
   return key;
 }
 
 Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
-  context_.refresh_bindings();
+  context_.state().refresh();
   if (const Cause cause = check_state(call, plan.for_feedback); cause != Cause::count_) {
     return cause;
   }
-  const std::shared_ptr<Program> current = context_.current_program;
+  const std::shared_ptr<Program> current = context_.state().programs().current();
   const std::unique_lock lock =
       current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   if (const Cause cause = find_program(plan); cause != Cause::count_) {
@@ -194,8 +194,8 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
       plan.polygon_sides = *call.polygon_sides;
     }
   }
-  const bool reshapes =
-      displaces(context_) || plan.polygons || (plan.for_feedback && splits_polygons(context_.options, context_.ark));
+  const bool reshapes = displaces(context_) || plan.polygons ||
+                        (plan.for_feedback && splits_polygons(context_.options(), context_.ark()));
   if (!plan.adaptive && plan.level == 0 && plan.program->refinement_source.empty() && !owns_feedback() && !reshapes) {
     return Cause::level_zero;
   }
@@ -203,7 +203,7 @@ Cause Pipeline::plan_draw(const DrawCall& call, Plan& plan) {
     return Cause::out_of_memory;
   }
   // What is split has nothing that depends on the provoking corner, and may be captured among triangles.
-  plan.morphing = plan.adaptive && geomorphs(context_.options, context_.ark);
+  plan.morphing = plan.adaptive && geomorphs(context_.options(), context_.ark());
   plan.placed = plan.adaptive || plan.level > static_cast<unsigned>(pattern::deepest_uniform);
   return find_derived(call, plan);
 }
@@ -213,10 +213,10 @@ std::shared_ptr<DerivedProgram> Pipeline::derived_program(const Plan& plan, cons
   if (found != plan.program->derived.end()) {
     return found->second;
   }
-  ErrorScope errors(context_);
-  const capture::FeedbackAside aside(gl_, capture_, context_.bindings);
+  ErrorScope errors(context_.pending_error());
+  const capture::FeedbackAside aside(gl_, capture_, context_.state().bindings());
   std::shared_ptr<DerivedProgram> derived = builder_.derive(*plan.program, plan.owner, key);
-  context_.mirror_from_now_on();
+  context_.state().programs().mirror_from_now_on();
   return derived;
 }
 
@@ -231,7 +231,7 @@ Cause Pipeline::find_derived(const DrawCall& call, Plan& plan) {
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
-  if (owns_feedback() && !context_.bindings.transform_feedback_paused && plan.derived != feedback_program_) {
+  if (owns_feedback() && !context_.state().bindings().transform_feedback_paused && plan.derived != feedback_program_) {
     return Cause::transform_feedback;
   }
   if (plan.derived->stored() && plan.pipeline != nullptr) {
@@ -255,16 +255,16 @@ const Pipeline::CaptureProgram& Pipeline::capture_program_for(const std::shared_
     return found->second;
   }
   std::erase_if(capture_programs_, [](const auto& entry) { return entry.first.expired(); });
-  ErrorScope errors(context_);
-  const capture::FeedbackAside aside(gl_, capture_, context_.bindings);
-  const GLuint tag_attribute = context_.ark.tag_attribute;
+  ErrorScope errors(context_.pending_error());
+  const capture::FeedbackAside aside(gl_, capture_, context_.state().bindings());
+  const GLuint tag_attribute = context_.ark().tag_attribute;
   CaptureProgram program{capture_.program_for(derived->layout, tag_attribute),
                          input_slots(derived->layout, tag_attribute)};
   return capture_programs_.emplace(derived, std::move(program)).first->second;
 }
 
 bool Pipeline::ensure_bins(const Plan& plan, std::uint32_t triangles) {
-  const capture::FeedbackAside aside(gl_, capture_, context_.bindings);
+  const capture::FeedbackAside aside(gl_, capture_, context_.state().bindings());
   bins_ready_ = bins_ready_ || bins_.prepare(pool_);
   ordered_.reserve(*plan.layout, triangles);  // without it, all goes through the bins
   return bins_ready_ && bins_.reserve(*plan.layout, triangles, plan.deepest) &&
@@ -288,7 +288,7 @@ Cause Pipeline::ensure_room(const Plan& plan, std::uint64_t triangles) {
       (!plan.adaptive || has_adaptive_room(plan, triangles))) {
     return Cause::count_;
   }
-  ErrorScope errors(context_);
+  ErrorScope errors(context_.pending_error());
   if (!capture_.reserve(*plan.layout, triangles) || (plan.welded && !weld_.reserve(*plan.layout, count))) {
     return Cause::out_of_memory;
   }
@@ -304,7 +304,7 @@ void Pipeline::copy_stale_uniforms(const Plan& plan) {
   }
   const std::lock_guard lock(plan.owner->mutex);
   if (plan.owner->uniforms_stale) {
-    ErrorScope errors(context_);
+    ErrorScope errors(context_.pending_error());
     for (const UniformMirror& mirror : plan.owner->mirrors) {
       refine::copy_uniform_values(gl_, plan.owner->name, *mirror.derived);
     }
@@ -314,9 +314,9 @@ void Pipeline::copy_stale_uniforms(const Plan& plan) {
 
 std::shared_ptr<DerivedProgram> Pipeline::derived_for(Program& program, Program* owner) {
   const std::lock_guard lock(program.mutex);
-  const Quiet quiet = context_.quiet();
-  ErrorScope errors(context_);
-  context_.refresh_bindings();
+  const Quiet quiet = context_.state().quiet();
+  ErrorScope errors(context_.pending_error());
+  context_.state().refresh();
   if (!program.prepared) {
     builder_.prepare(program);
   }
@@ -324,11 +324,11 @@ std::shared_ptr<DerivedProgram> Pipeline::derived_for(Program& program, Program*
     program.refinement_log = std::string(text_of(program.cause).explanation);
     return nullptr;
   }
-  context_.mirror_from_now_on();
-  const bool tagged = !context_.options.transparent && context_.ark.depth_source == DepthSource::tag;
+  context_.state().programs().mirror_from_now_on();
+  const bool tagged = !context_.options().transparent && context_.ark().depth_source == DepthSource::tag;
   const bool placed = tagged || can_measure(program);
   DerivedKey key = key_of(GL_TRIANGLES, tagged, placed);
-  key.morphing = placed && geomorphs(context_.options, context_.ark);
+  key.morphing = placed && geomorphs(context_.options(), context_.ark());
   return builder_.derive(program, owner, key);
 }
 
@@ -336,9 +336,9 @@ Program* Pipeline::program_for_refinement(GLuint name) {
   if (name == 0) {
     return context_.is_compatibility() ? fixed_function_program(nullptr) : nullptr;
   }
-  const std::lock_guard lock(context_.share->mutex);
-  const auto found = context_.share->programs.find(name);
-  return found != context_.share->programs.end() ? found->second.get() : nullptr;
+  const std::lock_guard lock(context_.share().mutex);
+  const auto found = context_.share().programs.find(name);
+  return found != context_.share().programs.end() ? found->second.get() : nullptr;
 }
 
 void Pipeline::set_fixed_function_refinement(std::string source) {
@@ -355,8 +355,8 @@ void Pipeline::tag_attribute_changed() {
   }
   std::vector<std::shared_ptr<Program>> programs;
   {
-    const std::lock_guard lock(context_.share->mutex);
-    for (auto& [name, program] : context_.share->programs) {
+    const std::lock_guard lock(context_.share().mutex);
+    for (auto& [name, program] : context_.share().programs) {
       programs.push_back(program);
     }
   }
@@ -366,13 +366,13 @@ void Pipeline::tag_attribute_changed() {
 }
 
 void Pipeline::discard(Program& program) {
-  context_.share->program_epoch.fetch_add(1, std::memory_order_relaxed);
+  context_.share().program_epoch.fetch_add(1, std::memory_order_relaxed);
   builder_.discard(program);
 }
 
 // The fragment program lives on where another context shares it: what mirrors its uniforms must be known to be gone.
 void Pipeline::discard_fixed_function(GLuint fragment, Program& program) {
-  if (const std::shared_ptr<Program> owner = track::find_program(context_, fragment)) {
+  if (const std::shared_ptr<Program> owner = context_.state().programs().find(fragment)) {
     const std::lock_guard lock(owner->mutex);
     std::erase_if(owner->mirrors, [&](const UniformMirror& mirror) {
       return std::any_of(program.derived.begin(), program.derived.end(),
@@ -384,7 +384,7 @@ void Pipeline::discard_fixed_function(GLuint fragment, Program& program) {
 }
 
 void Pipeline::forget_program(GLuint name) {
-  context_.share->program_epoch.fetch_add(1, std::memory_order_relaxed);
+  context_.share().program_epoch.fetch_add(1, std::memory_order_relaxed);
   for (auto entry = fixed_function_.begin(); entry != fixed_function_.end();) {
     if (entry->first.second == name && name != 0) {
       discard_fixed_function(name, *entry->second);

@@ -28,23 +28,23 @@ bool gives_centroids(const Program& program) {
 bool Pipeline::splits_at_centroid(const DrawCall& call, const Plan& plan) const {
   const bool told_apart =
       call.polygon_sides != nullptr || (call.whole_polygons && (call.exact || call.mode != GL_POLYGON));
-  return splits_polygons(context_.options, context_.ark) && context_.is_compatibility() &&
-         depth::is_polygon_mode(call.mode) && told_apart && context_.bindings.shade_model != GL_FLAT &&
+  return splits_polygons(context_.options(), context_.ark()) && context_.is_compatibility() &&
+         depth::is_polygon_mode(call.mode) && told_apart && context_.state().bindings().shade_model != GL_FLAT &&
          gives_centroids(*plan.program);
 }
 
 // Draws vertices that are numbered, and returns the numbers in the order of the corners that GL makes of them. Empty if GL
 // captures nothing (conditional rendering, no memory).
 std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
-  ErrorScope errors(context_);
+  ErrorScope errors(context_.pending_error());
   const GLsizei vertices = depth::probe_vertices(mode);
   const std::uint64_t triangles = triangles_of(mode, static_cast<std::uint64_t>(vertices));
   const capture::Layout layout = capture::make_layout({{.name = "number", .type = GL_FLOAT, .location = 0}}, false);
   Plan plan;
   plan.layout = &layout;
   {
-    const capture::FeedbackAside aside(gl_, capture_, context_.bindings);
-    plan.capture_program = capture_.program_for(layout, context_.ark.tag_attribute);
+    const capture::FeedbackAside aside(gl_, capture_, context_.state().bindings());
+    plan.capture_program = capture_.program_for(layout, context_.ark().tag_attribute);
   }
   plan.last_vertex_convention = last_vertex_convention;
   std::vector<float> numbers(static_cast<std::size_t>(vertices));
@@ -69,7 +69,7 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
     gl_.DrawArrays(mode, 0, vertices);
     end_capture(plan, triangles, true);
     use_application_program();
-    gl_.BindVertexArray(context_.bindings.vertex_array);
+    gl_.BindVertexArray(context_.state().bindings().vertex_array);
     gl_.DeleteVertexArrays(1, &array);
     output.read(gl_, 0, bytes(corners), corners.data());
   }
@@ -82,7 +82,8 @@ std::vector<float> Pipeline::probe(GLenum mode, bool last_vertex_convention) {
 }
 
 std::optional<depth::Decomposition> Pipeline::decomposition_for(GLenum mode, bool last_vertex_convention) {
-  const GLenum convention = last_vertex_convention ? GL_LAST_VERTEX_CONVENTION : context_.bindings.provoking_vertex;
+  const GLenum convention =
+      last_vertex_convention ? GL_LAST_VERTEX_CONVENTION : context_.state().bindings().provoking_vertex;
   const auto known = decompositions_.find({mode, convention});
   if (known != decompositions_.end()) {
     return known->second;
@@ -108,7 +109,7 @@ bool Pipeline::ready_to_split(const Plan& plan, const depth::SplitRequest& reque
       (!plan.adaptive || has_adaptive_room(plan, records))) {
     return true;
   }
-  ErrorScope errors(context_);
+  ErrorScope errors(context_.pending_error());
   if (centroids_.reserve(request) && (!plan.welded || weld_.reserve(*plan.layout, records)) &&
       (!plan.adaptive || ensure_bins(plan, records))) {
     return true;

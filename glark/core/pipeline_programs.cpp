@@ -5,12 +5,11 @@
 #include "glark/core/context.h"
 #include "glark/core/pipeline.h"
 #include "glark/core/refine/program/subroutines.h"
-#include "glark/core/track/track.h"
 
 namespace glark::core {
 
 Cause Pipeline::find_pipeline_program(Plan& plan) {
-  const PipelineObject& object = pipelines_.object(context_.bindings.pipeline);
+  const PipelineObject& object = context_.state().programs().pipelines().object(context_.state().bindings().pipeline);
   if (object.vertex() == 0) {
     return Cause::program_pipeline;
   }
@@ -18,7 +17,7 @@ Cause Pipeline::find_pipeline_program(Plan& plan) {
     return Cause::tessellation;
   }
   for (const GLuint name : object.programs) {
-    const std::shared_ptr<Program> program = name != 0 ? track::known_program(context_, name) : nullptr;
+    const std::shared_ptr<Program> program = name != 0 ? context_.state().programs().known(name) : nullptr;
     if (name != 0 && program == nullptr) {
       return Cause::program_gone;
     }
@@ -31,59 +30,58 @@ Cause Pipeline::find_pipeline_program(Plan& plan) {
   }
   plan.pipeline = &object;
   if (!plan.program->prepared) {
-    ErrorScope errors(context_);
+    ErrorScope errors(context_.pending_error());
     builder_.prepare(*plan.program);
   }
   return plan.program->cause;
 }
 
 void Pipeline::read_subroutines(const Plan& plan) {
-  if (context_.subroutines_known) {
+  if (context_.state().programs().subroutines_known()) {
     return;
   }
-  context_.subroutines_known = true;
-  context_.subroutines.clear();
-  if (gl_.GetProgramStageiv == nullptr || plan.owner == nullptr) {
-    return;
-  }
-  for (std::size_t i = 0; i < pipeline_stages.size(); ++i) {
+  SubroutineChoice choice;
+  const bool has_subroutines = gl_.GetProgramStageiv != nullptr && plan.owner != nullptr;
+  for (std::size_t i = 0; has_subroutines && i < pipeline_stages.size(); ++i) {
     const GLuint provider = plan.pipeline != nullptr ? plan.pipeline->programs[i] : plan.owner->name;
     if (provider == 0) {
       continue;
     }
-    Program& program = *track::known_program(context_, provider);
+    Program& program = *context_.state().programs().known(provider);
     if (!program.subroutines_asked) {
       program.subroutines_asked = true;
-      ErrorScope errors(context_);
+      ErrorScope errors(context_.pending_error());
       program.uses_subroutines = refine::has_subroutine_uniforms(gl_, program);
     }
     if (program.uses_subroutines && program.has_stage(pipeline_stages[i])) {
-      refine::read_subroutines(gl_, provider, pipeline_stages[i], context_.subroutines);
+      refine::read_subroutines(gl_, provider, pipeline_stages[i], choice);
     }
   }
+  context_.state().programs().set_subroutines(std::move(choice));
 }
 
 void Pipeline::use_derived(const Plan& plan) {
   if (plan.pipeline != nullptr) {
-    const std::uint64_t epoch = context_.share->program_epoch.load(std::memory_order_relaxed);
+    const std::uint64_t epoch = context_.share().program_epoch.load(std::memory_order_relaxed);
     gl_.UseProgram(0);
-    gl_.BindProgramPipeline(pipelines_.with_derived(*plan.pipeline, plan.derived->name, epoch));
+    gl_.BindProgramPipeline(
+        context_.state().programs().pipelines().with_derived(*plan.pipeline, plan.derived->name, epoch));
   } else {
     gl_.UseProgram(plan.derived->name);
   }
-  if (!context_.subroutines.empty()) {
-    refine::choose_subroutines(gl_, context_.subroutines, plan.derived->subroutines);
+  if (!context_.state().programs().subroutines().empty()) {
+    refine::choose_subroutines(gl_, context_.state().programs().subroutines(), plan.derived->subroutines);
   }
 }
 
 void Pipeline::use_application_program() {
-  const Bindings& b = context_.bindings;
+  const Bindings& b = context_.state().bindings();
   gl_.UseProgram(b.program);
   if (b.program == 0 && b.pipeline != 0) {
     gl_.BindProgramPipeline(b.pipeline);
   }
-  if (!context_.subroutines.empty()) {
-    refine::choose_subroutines(gl_, context_.subroutines);
+  if (!context_.state().programs().subroutines().empty()) {
+    refine::choose_subroutines(gl_, context_.state().programs().subroutines());
   }
 }
 

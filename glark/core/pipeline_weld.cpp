@@ -18,14 +18,14 @@ std::vector<GLint> instance_words(Context& context, const capture::Layout& layou
       words.push_back(offset + word);
     }
   };
-  const auto advances = [&](int location) { return context.attribute_source(location).divisor != 0; };
+  const auto advances = [&](int location) { return context.state().attribute_source(location).divisor != 0; };
   for (const capture::Field& field : layout.fields) {
     if (field.name == "gl_InstanceID" || field.name == "gl_DrawID" ||
         (field.location >= 0 && advances(field.location))) {
       add(field.offset, field.words);
     }
   }
-  if (layout.tagged && advances(static_cast<int>(context.ark.tag_attribute))) {
+  if (layout.tagged && advances(static_cast<int>(context.ark().tag_attribute))) {
     add(layout.tag_offset, 1);
   }
   return words;

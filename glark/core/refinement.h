@@ -26,6 +26,9 @@ enum class Refinement { linear_inputs, linear_outputs, pn, scalar_tagged_pn };
 // A number that shapes a refinement, the same for all vertices of a draw.
 struct ShapeNumber {
   GLenum token = 0;               // for glARKParameterfARK; 0: only the settings can set it
+  std::string_view token_name = {};    // in the extension's text, as the next two
+  std::string_view values = {};
+  std::string_view initial_text = {};
   std::string_view key;           // in a configuration file; the option is "--" and this
   const char* variable = nullptr;  // of the environment; null: the refinement has no such number
   std::string_view placeholder;   // stands for the value in --help

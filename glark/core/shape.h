@@ -5,11 +5,13 @@
 #pragma once
 
 #include "glark/core/context.h"
-#include "glark/core/program.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::core {
 
-inline bool displaces(const Context& context) { return !context.options.transparent && context.ark.displacement.on(); }
+inline bool displaces(const Context& context) {
+  return !context.options().transparent && context.ark().displacement.on();
+}
 
 void add_shape(const Context& context, DerivedKey& key);
 // Sets the uniforms of the refinement's number and of displacement, where the program has them.

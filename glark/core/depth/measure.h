@@ -5,13 +5,13 @@
 // captured corners run once more through the application's vertex stage, and a compute pass looks at pairs of them.
 #pragma once
 
-#include "glark/core/bindings.h"
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/measured_depths.h"
-#include "glark/core/gpu_buffer.h"
 #include "glark/core/objects/compute_pass.h"
+#include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/refinement.h"
+#include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::depth {

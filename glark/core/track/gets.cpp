@@ -7,42 +7,24 @@
 #include <optional>
 #include <string_view>
 
+#include "glark/core/parameters.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
 namespace {
 
-constexpr std::string_view extension_name = "GL_ARK_adaptive_refinement";
-
 GLint tag_array_parameter(const Context& c, GLenum parameter) {
   GLint value = 0;
-  c.gl.GetVertexAttribiv(c.ark.tag_attribute, parameter, &value);
+  c.gl().GetVertexAttribiv(c.ark().tag_attribute, parameter, &value);
   return value;
-}
-
-GLint refinement_token(Refinement refinement) {
-  switch (refinement) {
-    case Refinement::linear_outputs: return GL_LINEAR_OUTPUTS_ARK;
-    case Refinement::pn: return GL_CURVED_PN_ARK;
-    case Refinement::scalar_tagged_pn: return GL_SCALAR_TAGGED_PN_ARK;
-    default: return GL_LINEAR_INPUTS_ARK;
-  }
-}
-
-GLint depth_source_token(DepthSource source) {
-  switch (source) {
-    case DepthSource::uniform: return GL_UNIFORM_DEPTH_ARK;
-    case DepthSource::measured: return GL_MEASURED_DEPTH_ARK;
-    default: return GL_DEPTH_TAG_ARK;
-  }
 }
 
 // The value of a state of the extension; empty for any other name.
 std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
-  if (!c.capabilities.refinable) {
+  if (!c.capabilities().refinable) {
     return std::nullopt;
   }
-  const ArkState& ark = c.ark;
+  const ArkState& ark = c.ark();
   switch (name) {
     case GL_ARK: return ark.enabled ? 1 : 0;
     case GL_MAX_DEPTH_ARK: return static_cast<GLint>(max_supported_level);
@@ -52,27 +34,10 @@ std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
     case GL_DEPTH_TAG_ARRAY_TYPE_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_TYPE);
     case GL_DEPTH_TAG_ARRAY_STRIDE_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
     case GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING);
-    case GL_DEPTH_TAG_ATTRIBUTE_ARK: return static_cast<GLint>(ark.tag_attribute);
-    case GL_DISCONTINUITY_ATTRIBUTE_ARK: return static_cast<GLint>(ark.discontinuity_attribute);
-    case GL_SCALAR_TAG_ATTRIBUTE_ARK: return static_cast<GLint>(ark.scalar_tag_attribute);
-    case GL_DISPLACEMENT_UNIT_ARK: return ark.displacement.unit;
-    case GL_DISPLACEMENT_CHANNEL_ARK: return static_cast<GLint>(GL_RED + ark.displacement.channel);
-    case GL_DISPLACEMENT_COORDINATE_ARK: return ark.displacement.coordinate;
-    case GL_DISPLACEMENT_SCALE_ARK: return ark.displacement.scale;
-    case GL_DISPLACEMENT_BIAS_ARK: return ark.displacement.bias;
-    case GL_REFINEMENT_ARK: return refinement_token(ark.refinement);
-    case GL_DEPTH_SOURCE_ARK: return depth_source_token(ark.depth_source);
-    case GL_EDGE_PIXELS_ARK: return ark.edge_pixels;
-    case GL_EDGE_DEGREES_ARK: return static_cast<GLint>(ark.measure.degrees);
-    case GL_TRIANGLE_BUDGET_ARK: return static_cast<GLint>(ark.measure.budget);
-    case GL_WELD_ARK: return ark.weld ? 1 : 0;
-    case GL_UNIFORM_DEPTH_LEVEL_ARK: return static_cast<GLint>(ark.uniform_level);
-    case GL_POLYGON_SPLIT_ARK:
-      return ark.polygon_split == PolygonSplit::centroid ? GL_POLYGON_CENTROID_ARK : GL_POLYGON_TRIANGLES_ARK;
-    case GL_PATTERN_INTERIOR_ARK: return ark.smooth_interior ? GL_SMOOTH_INTERIOR_ARK : GL_MINIMUM_INTERIOR_ARK;
-    case GL_GEOMORPH_ARK: return ark.geomorph ? GL_TRUE : GL_FALSE;
-    default: return std::nullopt;
+    default: break;
   }
+  const Parameter* parameter = find_parameter(name);
+  return parameter != nullptr ? std::optional(parameter->get(ark)) : std::nullopt;
 }
 
 // Writes our state, or leaves the query to GL. True if it was ours.
@@ -98,14 +63,14 @@ bool answer(Context& c, GLenum name, Value* data) {
 // While a list is cut into segments, GL's current list is a segment of ours.
 template <typename Value>
 void correct_list_index(const Context& c, GLenum name, Value* data) {
-  if (name == GL_LIST_INDEX && c.list.cutting && data != nullptr) {
-    *data = static_cast<Value>(c.list.name);
+  if (name == GL_LIST_INDEX && c.state().lists().cutting && data != nullptr) {
+    *data = static_cast<Value>(c.state().lists().name);
   }
 }
 
 template <typename Value>
 void correct_extension_count(const Context& c, GLenum name, Value* data) {
-  if (name == GL_NUM_EXTENSIONS && c.capabilities.refinable && data != nullptr) {
+  if (name == GL_NUM_EXTENSIONS && c.capabilities().refinable && data != nullptr) {
     *data = static_cast<Value>(*data + 1);
   }
 }
@@ -116,16 +81,16 @@ namespace track {
 
 GLuint current_tag(const Context& c) {
   GLfloat value[4] = {0, 0, 0, 0};
-  c.gl.GetVertexAttribfv(c.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, value);
-  const float limit = static_cast<float>(std::max(c.ark.pool_level, 0));
+  c.gl().GetVertexAttribfv(c.ark().tag_attribute, GL_CURRENT_VERTEX_ATTRIB, value);
+  const float limit = static_cast<float>(std::max(c.ark().pool_level, 0));
   return std::isnan(value[0]) ? 0 : static_cast<GLuint>(std::clamp(std::round(value[0]), 0.0F, limit));
 }
 
 bool inside_begin(Context& c) {
-  if (c.immediate.open) {
+  if (c.state().immediate().open) {
     c.raise(GL_INVALID_OPERATION);
   }
-  return c.immediate.open;
+  return c.state().immediate().open;
 }
 
 }  // namespace track
@@ -134,13 +99,13 @@ namespace hook {
 
 void GetBooleanv(Context& c, GLenum name, GLboolean* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetBooleanv(name, data);
+    c.gl().GetBooleanv(name, data);
   }
 }
 
 void GetIntegerv(Context& c, GLenum name, GLint* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetIntegerv(name, data);
+    c.gl().GetIntegerv(name, data);
     correct_extension_count(c, name, data);
     correct_list_index(c, name, data);
   }
@@ -148,7 +113,7 @@ void GetIntegerv(Context& c, GLenum name, GLint* data) {
 
 void GetFloatv(Context& c, GLenum name, GLfloat* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetFloatv(name, data);
+    c.gl().GetFloatv(name, data);
     correct_extension_count(c, name, data);
     correct_list_index(c, name, data);
   }
@@ -156,7 +121,7 @@ void GetFloatv(Context& c, GLenum name, GLfloat* data) {
 
 void GetDoublev(Context& c, GLenum name, GLdouble* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetDoublev(name, data);
+    c.gl().GetDoublev(name, data);
     correct_extension_count(c, name, data);
     correct_list_index(c, name, data);
   }
@@ -164,57 +129,46 @@ void GetDoublev(Context& c, GLenum name, GLdouble* data) {
 
 void GetInteger64v(Context& c, GLenum name, GLint64* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetInteger64v(name, data);
+    c.gl().GetInteger64v(name, data);
     correct_extension_count(c, name, data);
     correct_list_index(c, name, data);
   }
 }
 
 void GetPointerv(Context& c, GLenum name, void** data) {
-  if (c.capabilities.refinable && name == GL_DEPTH_TAG_ARRAY_POINTER_ARK && data != nullptr) {
-    c.gl.GetVertexAttribPointerv(c.ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_POINTER, data);
+  if (c.capabilities().refinable && name == GL_DEPTH_TAG_ARRAY_POINTER_ARK && data != nullptr) {
+    c.gl().GetVertexAttribPointerv(c.ark().tag_attribute, GL_VERTEX_ATTRIB_ARRAY_POINTER, data);
     return;
   }
-  c.gl.GetPointerv(name, data);
+  c.gl().GetPointerv(name, data);
 }
 
 // The application's own pending errors, which we may have taken aside, come before ours in time; GL returns them in any order.
 GLenum GetError(Context& c) {
-  if (c.immediate.open) {
-    return c.gl.GetError();
+  if (c.state().immediate().open) {
+    return c.gl().GetError();
   }
-  if (c.pending_error != GL_NO_ERROR) {
-    const GLenum error = c.pending_error;
-    c.pending_error = GL_NO_ERROR;
-    return error;
-  }
-  return c.gl.GetError();
+  const GLenum error = c.pending_error().take();
+  return error != GL_NO_ERROR ? error : c.gl().GetError();
 }
 
 const GLubyte* GetString(Context& c, GLenum name) {
-  const GLubyte* text = c.gl.GetString(name);
-  if (name != GL_EXTENSIONS || text == nullptr || !c.capabilities.refinable) {
+  const GLubyte* text = c.gl().GetString(name);
+  if (name != GL_EXTENSIONS || text == nullptr || !c.capabilities().refinable) {
     return text;
   }
-  if (c.extension_string.empty()) {
-    c.extension_string = reinterpret_cast<const char*>(text);
-    if (!c.extension_string.empty() && c.extension_string.back() != ' ') {
-      c.extension_string += ' ';
-    }
-    c.extension_string += extension_name;
-  }
-  return reinterpret_cast<const GLubyte*>(c.extension_string.c_str());
+  return reinterpret_cast<const GLubyte*>(c.capabilities().extension_string.c_str());
 }
 
 const GLubyte* GetStringi(Context& c, GLenum name, GLuint index) {
-  if (name == GL_EXTENSIONS && c.capabilities.refinable) {
+  if (name == GL_EXTENSIONS && c.capabilities().refinable) {
     GLint count = 0;
-    c.gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    c.gl().GetIntegerv(GL_NUM_EXTENSIONS, &count);
     if (index == static_cast<GLuint>(count)) {
       return reinterpret_cast<const GLubyte*>(extension_name.data());
     }
   }
-  return c.gl.GetStringi(name, index);
+  return c.gl().GetStringi(name, index);
 }
 
 }  // namespace hook

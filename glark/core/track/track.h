@@ -19,8 +19,8 @@ void draw(Context& context, const DrawCall& call);
 
 // While a display list is compiled (and not executed) state does not change.
 inline bool executes(Context& context) {
-  context.list.segment.touches_state = true;  // the segment that is being compiled, if any
-  return !context.compiling_list || context.list.mode == GL_COMPILE_AND_EXECUTE;
+  context.state().lists().segment.touches_state = true;  // the segment that is being compiled, if any
+  return !context.state().lists().compiling || context.state().lists().mode == GL_COMPILE_AND_EXECUTE;
 }
 
 // Display lists.
@@ -35,12 +35,6 @@ void apply_effects(Context& context, const SegmentEffects& effects);
 void forget_uniforms(Context& context);  // a list has set some of the current program
 void run_state(Context& context, const ListSegment& segment);
 void run_draw(Context& context, const ListSegment& segment, std::uint64_t triangles);
-
-// Programs.
-std::shared_ptr<Program> find_program(const Context& context, GLuint name);
-// The same; one that was linked before we were here is read from GL. Null: there is none.
-std::shared_ptr<Program> known_program(Context& context, GLuint name);
-void adopt_current_program(Context& context);
 
 // Errors of ours.
 GLuint current_tag(const Context& context);  // GL_CURRENT_DEPTH_TAG_ARK

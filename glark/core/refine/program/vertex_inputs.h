@@ -4,7 +4,7 @@
 // The vertex inputs of an application program, as GL reports them.
 #pragma once
 
-#include "glark/core/program.h"
+#include "glark/core/state/programs/program.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::refine {

@@ -19,13 +19,6 @@ struct IndexedBuffer {
   GLsizeiptr size = 0;  // 0: the whole buffer (glBindBufferBase)
 };
 
-// Of the current matrices of the fixed function.
-struct MatrixTraits {
-  bool affine = false;          // the projection is without perspective
-  bool projects_plane = false;  // as gluOrtho2D, or a space much thinner than it is wide
-  bool moves_in_plane = false;  // the modelview matrix leaves z alone
-};
-
 struct Bindings {
   GLuint program = 0;
   GLuint pipeline = 0;

@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "glark/core/attribute_slots.h"
-#include "glark/core/bound_buffers.h"
+#include "glark/core/state/arrays/attribute_slots.h"
+#include "glark/core/state/arrays/bound_buffers.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {

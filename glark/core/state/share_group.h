@@ -12,13 +12,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include "glark/core/buffer_stamps.h"
-#include "glark/core/display_list.h"
-#include "glark/core/program.h"
+#include "glark/core/state/arrays/buffer_stamps.h"
+#include "glark/core/state/lists/display_list.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::core {
 
-class Context;
+class Programs;
 
 struct ShareGroup {
   std::mutex
@@ -26,7 +26,7 @@ struct ShareGroup {
   std::unordered_map<GLuint, std::shared_ptr<const std::string>> compiled_sources;  // "": SPIR-V
   std::unordered_map<GLuint, std::shared_ptr<Program>> programs;
   std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
-  std::vector<Context*> contexts;      // that live
+  std::vector<Programs*> contexts;     // one of each context that lives
   GLuint next_list_name = 0x60000000;  // names of our list segments: out of the way of the application's
   BufferStamps buffers;
   std::atomic<std::uint64_t> contexts_made{0};  // so far: each stamps with numbers of its own

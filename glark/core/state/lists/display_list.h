@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "glark/core/current_values.h"
-#include "glark/core/draw_call.h"
+#include "glark/core/state/arrays/current_values.h"
+#include "glark/core/state/lists/polygon_sides.h"
 #include "glark/gl/types.h"
 
 namespace glark::core {

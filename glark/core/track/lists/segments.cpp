@@ -10,30 +10,30 @@ namespace glark::core::track {
 // What a segment that GL has just executed did to the current values.
 void apply_effects(Context& c, const SegmentEffects& effects) {
   if (effects.opaque) {
-    c.current_values.forget(c.next_stamp());
+    c.state().forget_current_values();
   }
   for (const SegmentEffects::Value& last : effects.values) {
-    c.current_values.set(last.slot, last.value);
+    c.state().current_values().set(last.slot, last.value);
   }
 }
 
 void forget_uniforms(Context& c) {
-  if (c.current_program != nullptr) {
-    const std::lock_guard lock(c.current_program->mutex);
-    c.current_program->uniforms_stale = c.share->any_derived.load(std::memory_order_relaxed);
+  if (c.state().programs().current() != nullptr) {
+    const std::lock_guard lock(c.state().programs().current()->mutex);
+    c.state().programs().current()->uniforms_stale = c.share().any_derived.load(std::memory_order_relaxed);
   }
 }
 
 void run_state(Context& c, const ListSegment& segment) {
   if (segment.effects.draws_shapes) {
-    c.pipeline->hand_back_feedback();
+    c.pipeline()->hand_back_feedback();
   }
-  c.gl.CallList(segment.list);
+  c.gl().CallList(segment.list);
   if (segment.effects.touches_state) {
-    c.bindings_stale = true;
-    c.fixed_function_stale = true;
-    c.subroutines_known = false;
-    c.touch_any_matrix();
+    c.state().forget_bindings();
+    c.state().forget_fixed_function();
+    c.state().programs().forget_subroutines();
+    c.state().touch_any_matrix();
   }
   if (segment.effects.changes_uniforms) {
     forget_uniforms(c);
@@ -44,23 +44,23 @@ void run_state(Context& c, const ListSegment& segment) {
 void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
   bool issued = false;
   const bool watched = !segment.effects.opaque && segment.vertex_lists.empty();
-  c.pipeline->draw({.mode = segment.mode,
-                    .triangles = triangles,
-                    .exact = segment.exact,
-                    .tags_vary = segment.sets_tags,
-                    .whole_polygons = segment.whole_polygons,
-                    .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
-                    .segment = watched ? &segment : nullptr,
-                    .issue = [&] {
-                      c.gl.CallList(segment.list);
-                      issued = true;
-                    }});
+  c.pipeline()->draw({.mode = segment.mode,
+                      .triangles = triangles,
+                      .exact = segment.exact,
+                      .tags_vary = segment.sets_tags,
+                      .whole_polygons = segment.whole_polygons,
+                      .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
+                      .segment = watched ? &segment : nullptr,
+                      .issue = [&] {
+                        c.gl().CallList(segment.list);
+                        issued = true;
+                      }});
   if (!watched) {
-    c.current_values.forget(c.next_stamp());
+    c.state().forget_current_values();
   }
   if (!issued) {  // kept: what its calls leave behind is still to be done
     for (const SegmentEffects::Value& last : segment.effects.values) {
-      last.value.again(c.gl, last.value.index, last.value.components.data());
+      last.value.again(c.gl(), last.value.index, last.value.components.data());
     }
   }
   apply_effects(c, segment.effects);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/program.h"
+#include "glark/core/state/programs/program.h"
 
 #include <algorithm>
 

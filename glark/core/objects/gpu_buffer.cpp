@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
 
 #include <algorithm>
 #include <cstring>

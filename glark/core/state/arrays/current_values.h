@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "glark/core/attribute_slots.h"
+#include "glark/core/state/arrays/attribute_slots.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/vertex_arrays.h"
+#include "glark/core/state/arrays/vertex_arrays.h"
 
 namespace glark::core {
 namespace {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "glark/core/capture/record.h"
-#include "glark/core/quiet.h"
+#include "glark/core/objects/quiet.h"
 #include "glark/core/refine/derive.h"
 #include "glark/core/refinement.h"
 #include "glark/core/report.h"

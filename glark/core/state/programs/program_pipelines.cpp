@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/program_pipelines.h"
+#include "glark/core/state/programs/program_pipelines.h"
 
 namespace glark::core {
 namespace {
