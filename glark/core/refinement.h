@@ -21,7 +21,7 @@ namespace glark::core {
 inline constexpr unsigned max_supported_level = 11;
 
 // How refined vertices get their values. Each has a row in `refinements`.
-enum class Refinement { linear_inputs, linear_outputs, pn, scalar_tagged_pn };
+enum class Refinement { linear_inputs, linear_outputs, pn, scalar_tagged_pn, phong };
 
 // A number that shapes a refinement, the same for all vertices of a draw.
 struct ShapeNumber {
@@ -96,6 +96,25 @@ inline constexpr std::array refinements{
                                         "1 flat, 0 as pn, -1 rounder than pn",
                                 .least = -1,
                                 .most = 1}},
+    // Boubekeur, Alexa, Phong Tessellation, 2008
+    RefinementTraits{.refinement = Refinement::phong,
+                     .token = GL_PHONG_ARK,
+                     .token_name = "PHONG_ARK",
+                     .word = "phong",
+                     .help = "curved, normals linear, with --phong-shape",
+                     .curves_positions = true,
+                     .number = {.token = GL_PHONG_SHAPE_ARK,
+                                .token_name = "PHONG_SHAPE_ARK",
+                                .values = "0 to 1",
+                                .initial_text = "0.75",
+                                .key = "phong-shape",
+                                .variable = "GLARK_PHONG_SHAPE",
+                                .placeholder = "A",
+                                .needed = "a number from 0 to 1",
+                                .help = "With --refine phong: how far triangles bend, from 0 (flat) to 1; 0.75 if not given",
+                                .least = 0,
+                                .most = 1,
+                                .initial = 0.75F}},
 };
 
 constexpr const RefinementTraits& traits_of(Refinement refinement) {
