@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "glark/core/pipeline.h"
 #include "glark/core/report.h"
+#include "glark/core/stages.h"
 
 namespace glark::core {
 
@@ -21,7 +21,7 @@ Context::Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group
 
 // Objects live on in the share group: another context deletes them.
 Context::~Context() {
-  const std::vector<GLuint> buffers = pipeline_ != nullptr ? pipeline_->take_kept_buffers() : std::vector<GLuint>();
+  const std::vector<GLuint> buffers = stages_ != nullptr ? stages_->take_kept_buffers() : std::vector<GLuint>();
   const std::lock_guard lock(share_->mutex);
   share_->orphaned_buffers.insert(share_->orphaned_buffers.end(), buffers.begin(), buffers.end());
 }
@@ -53,7 +53,8 @@ void Context::start() {
   }
   state_.read_client_state();
   supported_ = supported_functions(gl_, capabilities_);
-  pipeline_ = std::make_unique<Pipeline>(*this);
+  stages_ =
+      std::make_unique<Stages>(Environment{supported_, capabilities_, options_, ark_, state_, pending_error_, *share_});
   const auto attributes = static_cast<GLuint>(capabilities_.max_vertex_attributes);
   ark_.tag_attribute = attributes - 1;
   ark_.discontinuity_attribute = attributes - 2;
@@ -61,8 +62,8 @@ void Context::start() {
 }
 
 void Context::release() {
-  if (pipeline_ != nullptr) {
-    pipeline_->release();
+  if (stages_ != nullptr) {
+    stages_->release();
   }
 }
 
@@ -75,20 +76,17 @@ void Context::frame_finished() {
   if (!orphans.empty()) {
     gl_.DeleteBuffers(static_cast<GLsizei>(orphans.size()), orphans.data());
   }
-  if (pipeline_ != nullptr) {
-    pipeline_->frame_finished();
+  if (stages_ != nullptr) {
+    stages_->frame_finished();
   }
 }
 
-void Context::program_changed(Program& program, GLuint name) {
-  pipeline_->discard(program);
-  pipeline_->forget_program(name);
-}
+void Context::program_changed(Program& program, GLuint name) { stages_->programs().changed(program, name); }
 
 void Context::update_refining() {
-  refining_ =
-      capabilities_.refinable && (options_.transparent || (ark_.enabled && ark_.pool_level >= 0) ||
-                                  state_.lists().cutting || (pipeline_ != nullptr && pipeline_->watches_feedback()));
+  refining_ = capabilities_.refinable &&
+              (options_.transparent || (ark_.enabled && ark_.pool_level >= 0) || state_.lists().cutting ||
+               (stages_ != nullptr && stages_->feedback().watches_draws()));
 }
 
 }  // namespace glark::core

@@ -21,7 +21,7 @@
 namespace glark::core {
 
 class Context;
-class Pipeline;
+class Stages;
 
 namespace track {
 // The current capture of glBegin..glEnd is full: draws it and begins another one.
@@ -58,7 +58,7 @@ class Context : private ProgramWatcher {
   // Records an error of ours for glGetError.
   void raise(GLenum error) { pending_error_.raise(error); }
   // Null: the context cannot refine.
-  Pipeline* pipeline() const { return pipeline_.get(); }
+  Stages* stages() const { return stages_.get(); }
 
   // Draw calls must reach their hooks.
   bool refining() const { return refining_; }
@@ -88,7 +88,7 @@ class Context : private ProgramWatcher {
   GlState state_;
   BufferWrites writes_;
   bool refining_ = false;
-  std::unique_ptr<Pipeline> pipeline_;
+  std::unique_ptr<Stages> stages_;
 };
 
 }  // namespace glark::core

@@ -7,19 +7,14 @@
 namespace glark::core {
 namespace {
 
-void set_shape_number(const Context& context, const DerivedProgram& derived) {
-  const bool transparent = context.options().transparent;
-  const Refinement refinement = transparent ? context.options().refinement : context.ark().refinement;
-  const ShapeNumbers& numbers = transparent ? context.options().shape_numbers : context.ark().shape_numbers;
-  context.supported().ProgramUniform1f(derived.name, derived.shape_number,
-                                     numbers[static_cast<std::size_t>(refinement)]);
+float shape_number(const ContextOptions& options, const ArkState& ark) {
+  const Refinement refinement = options.transparent ? options.refinement : ark.refinement;
+  return (options.transparent ? options.shape_numbers : ark.shape_numbers)[static_cast<std::size_t>(refinement)];
 }
 
-void set_displacement(const Context& context, const DerivedProgram& derived) {
-  const Displacement& displacement = context.ark().displacement;
+void set_displacement(const gl::Dispatch& gl, const Displacement& displacement, const DerivedProgram& derived) {
   std::array<GLfloat, 4> channel{};
   channel.at(displacement.channel) = 1;
-  const gl::Dispatch& gl = context.supported();
   gl.ProgramUniform1i(derived.name, derived.height_map, displacement.unit);
   gl.ProgramUniform4fv(derived.name, derived.height_channel, 1, channel.data());
   gl.ProgramUniform2f(derived.name, derived.height_range, displacement.scale, displacement.bias);
@@ -27,25 +22,25 @@ void set_displacement(const Context& context, const DerivedProgram& derived) {
 
 }  // namespace
 
-void add_shape(const Context& context, DerivedKey& key) {
-  if (context.options().transparent) {
+void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& key) {
+  if (options.transparent) {
     return;
   }
-  const ArkState& ark = context.ark();
   if (traits_of(key.refinement).takes_tags) {
     key.discontinuity_attribute = static_cast<int>(ark.discontinuity_attribute);
     key.scalar_tag_attribute = static_cast<int>(ark.scalar_tag_attribute);
   }
-  key.displaced = displaces(context);
+  key.displaced = displaces(options, ark);
   key.coordinate_attribute = key.displaced ? ark.displacement.coordinate : -1;
 }
 
-void set_shape(const Context& context, const DerivedProgram& derived) {
+void set_shape(const gl::Dispatch& gl, const ContextOptions& options, const ArkState& ark,
+               const DerivedProgram& derived) {
   if (derived.shape_number >= 0) {
-    set_shape_number(context, derived);
+    gl.ProgramUniform1f(derived.name, derived.shape_number, shape_number(options, ark));
   }
   if (derived.height_map >= 0) {
-    set_displacement(context, derived);
+    set_displacement(gl, ark.displacement, derived);
   }
 }
 

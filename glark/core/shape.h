@@ -4,17 +4,19 @@
 // What shapes a surface besides the refinement: tags of the vertices, the refinement's number, displacement.
 #pragma once
 
-#include "glark/core/context.h"
+#include "glark/core/ark_state.h"
 #include "glark/core/state/programs/program.h"
+#include "glark/gl/dispatch.h"
 
 namespace glark::core {
 
-inline bool displaces(const Context& context) {
-  return !context.options().transparent && context.ark().displacement.on();
+inline bool displaces(const ContextOptions& options, const ArkState& ark) {
+  return !options.transparent && ark.displacement.on();
 }
 
-void add_shape(const Context& context, DerivedKey& key);
+void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& key);
 // Sets the uniforms of the refinement's number and of displacement, where the program has them.
-void set_shape(const Context& context, const DerivedProgram& derived);
+void set_shape(const gl::Dispatch& gl, const ContextOptions& options, const ArkState& ark,
+               const DerivedProgram& derived);
 
 }  // namespace glark::core

@@ -149,6 +149,7 @@ def read_classes(path, commands):
 def write(folder, name, text):
     """Leaves an unchanged file alone, so that what depends on it is not built again."""
     path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists() or path.read_text() != text:
         path.write_text(text)
 
@@ -343,7 +344,7 @@ def uniform_body(command, real):
 
 
 def wrappers_source(wrapped, kinds):
-    lines = [HEADER, '#include <cstring>\n\n#include "glark/core/context.h"\n#include "glark/gl/hooks.h"\n#include "shim/thread.h"\n\n'
+    lines = [HEADER, '#include <cstring>\n\n#include "glark/core/context.h"\n#include "glark/gl/hooks.h"\n#include "shim/contexts/adopt.h"\n#include "shim/contexts/thread.h"\n\n'
              "using glark::shim::adopt_current_context;\nusing glark::shim::Thread;\nusing glark::shim::thread;\n"]
     for c in wrapped:
         kind = kinds[c.name]
@@ -360,7 +361,7 @@ def wrappers_source(wrapped, kinds):
 def first_call_source(wrapped, kinds):
     """The dispatch of a thread that has not called GL yet: looks for a context made behind our back, then starts again."""
     real = [c for c in wrapped if kinds[c.name] != "api"]
-    lines = [HEADER, '#include "shim/thread.h"\n']
+    lines = [HEADER, '#include "shim/contexts/adopt.h"\n#include "shim/contexts/thread.h"\n']
     lines += [f'extern "C" {c.returns} {c.name}({c.declared or "void"});' for c in real]
     lines.append("\nnamespace glark::shim {\nnamespace {\n")
     for c in real:
@@ -383,7 +384,6 @@ def names_source(wrapped, kinds):
 
 def main():
     folder, classes, registry = map(pathlib.Path, sys.argv[1:4])
-    folder.mkdir(parents=True, exist_ok=True)
     root, commands = read_commands(registry)
     link_aliases(commands)
     kinds = read_classes(classes, commands)
@@ -396,13 +396,13 @@ def main():
     hooked = [c for c in wrapped if kinds[c.name] in HOOKED and c.canonical is c]
     declarations, table = names_source(wrapped, kinds)
 
-    write(folder, "dispatch.h", dispatch_header(members))
-    write(folder, "dispatch.cpp", dispatch_source(members, commands))
-    write(folder, "hooks.h", hooks_header(hooked, kinds))
-    write(folder, "wrappers.cpp", wrappers_source(wrapped, kinds))
-    write(folder, "first_call.cpp", first_call_source(wrapped, kinds))
-    write(folder, "wrappers.h", declarations)
-    write(folder, "names.inc", table)
+    write(folder, "glark/gl/dispatch.h", dispatch_header(members))
+    write(folder, "glark/gl/dispatch.cpp", dispatch_source(members, commands))
+    write(folder, "glark/gl/hooks.h", hooks_header(hooked, kinds))
+    write(folder, "shim/entry/wrappers.cpp", wrappers_source(wrapped, kinds))
+    write(folder, "shim/entry/first_call.cpp", first_call_source(wrapped, kinds))
+    write(folder, "shim/names/wrappers.h", declarations)
+    write(folder, "shim/names/names.inc", table)
 
 
 main()

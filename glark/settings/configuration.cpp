@@ -9,7 +9,7 @@
 #include <exception>
 #include <utility>
 
-#define TOML_EXCEPTIONS 0  // of a program that we are a guest of, none may be thrown through
+#define TOML_EXCEPTIONS 0  // no exception may pass through a program that glark is loaded into
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/impl/preprocessor.h>
 // toml++ 3.3 calls unreachable what letters of Latin and Cyrillic outside texts reach.
@@ -29,7 +29,7 @@ namespace {
 constexpr std::ptrdiff_t most_dots = 200;
 constexpr int most_syntax_errors = 16;
 
-// Lines of the file that were parsed by themselves.
+// Lines of the file that were parsed separately.
 struct Part {
   toml::table table;
   std::size_t first_line = 0;  // of the file, counted from 0
@@ -78,7 +78,7 @@ bool is_header(std::string_view line) {
   return first != std::string_view::npos && line[first] == '[';
 }
 
-// What the text of a variable would be; nothing for what no setting takes (dates, tables).
+// The value as the text of a variable. Nothing for kinds that no setting takes (dates, tables).
 std::optional<std::string> text_of(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
   if (const auto* number = node.as_integer()) return std::to_string(number->get());
@@ -124,8 +124,8 @@ void Reader::parse(std::string_view text) {
     parts_.push_back({std::move(whole).table(), 0});
     return;
   }
-  // Table by table, so that the others count. This cuts a list of lists or a text of several lines too: only where the file is
-  // wrong somewhere.
+  // Parses table by table, so that mistakes in one table do not affect the others. This also cuts lists of lists and multi-line texts,
+  // so it is done only for files with mistakes.
   const std::vector<std::string_view> lines = lines_of(text);
   for (std::size_t first = 0; first < lines.size();) {
     std::size_t end = first + 1;
@@ -136,7 +136,7 @@ void Reader::parse(std::string_view text) {
   }
 }
 
-// Without the lines that are wrong. Of a table whose header is wrong nothing can be used.
+// Leaves out the lines that are wrong. If the header of a table is wrong, nothing of that table is used.
 void Reader::parse_lines(std::vector<std::string_view> lines, std::size_t first_line) {
   for (int errors = 0; errors < most_syntax_errors && problems_.size() < 4 * most_syntax_errors; ++errors) {
     std::string text;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Where the configuration lies: XDG Base Directory Specification 0.8.
+// The place of the configuration file: XDG Base Directory Specification 0.8.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr char name_in_folder[] = "/glark/glark.toml";
 
-// Relative folders are to be ignored, says the specification.
+// The specification says that relative folders are ignored.
 std::string in_folder(std::string_view folder) {
   if (!folder.starts_with('/')) return {};
   std::string file = std::string(folder) + name_in_folder;
@@ -69,7 +69,7 @@ std::string find_configuration(const char* const* environment) {
 }
 
 std::optional<std::string> read_configuration(const std::string& file, std::string& problem) {
-  // A pipe that nobody writes to must not stop the program.
+  // Opening a pipe without a writer must not block the program.
   const int opened = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   std::string reason = opened < 0 ? std::strerror(errno) : "";
   std::optional<std::string> text;

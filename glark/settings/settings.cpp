@@ -20,7 +20,7 @@ void read_configuration_file(const char* const* environment, std::span<const std
     parsed.problems.push_back(problem);
 }
 
-// The conformance suite judges the extension in its initial state: `glark run` must not set it up before.
+// The conformance suite tests the extension in its initial state, so `glark run` must not change that state.
 bool makes_its_own_calls(std::span<const std::string> names) {
   return std::find(names.begin(), names.end(), "glark-conformance") != names.end();
 }
@@ -35,7 +35,7 @@ void read_variables(const char* const* environment, Parsed& parsed) {
   }
 }
 
-// A level that was asked for is reached: only a limit that was asked for as well holds it back.
+// A level above the default limit raises the limit, unless the user has set the limit too.
 void limit_level(Parsed& parsed) {
   core::ContextOptions& context = parsed.settings.context;
   if (context.level <= context.max_level) return;

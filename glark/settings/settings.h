@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a user may ask of glark, through environment variables (the launcher sets them, the shim reads them) or a
-// configuration file. All of it is listed in table.h. No GL here.
+// The user's settings, from environment variables (the launcher sets them, the shim reads them) or a configuration file. table.h lists
+// them all. No GL here.
 #pragma once
 
 #include <cstdint>
@@ -45,8 +45,8 @@ struct Parsed {
   std::vector<std::string> problems;
 };
 
-// `environment`: as `environ`, "NAME=value" strings up to a null pointer; may be null. Of the configuration file, the tables of
-// the programs `names` count; what the environment says wins over it.
+// `environment`: as `environ`, "NAME=value" strings up to a null pointer; may be null. The configuration file's tables for the programs
+// `names` are used. Variables override the file.
 Parsed parse(const char* const* environment, std::span<const std::string> names = {});
 
 // The value of a variable; nothing if it is not there.

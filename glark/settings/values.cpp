@@ -42,7 +42,7 @@ std::optional<CaptureRequest> parse_capture(std::string_view text) {
   return CaptureRequest{*frame, std::string(file)};
 }
 
-// Calls `take` with each word of a list with commas, blanks around it removed. False: it was false of one, or one is empty.
+// Calls `take` with each word of a list with commas, without surrounding blanks. Returns false if `take` does, or if a word is empty.
 template <class Take>
 bool for_each_word(std::string_view text, const Take& take) {
   if (text.find_first_not_of(' ') == std::string_view::npos) return true;  // the empty list

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "glark/core/context.h"
-#include "glark/core/pipeline.h"
 #include "glark/gl/dispatch.h"
 #include "glark/gl/hooks.h"
 #include "include/GL/glark.h"

@@ -27,7 +27,7 @@ struct BinRequest {
   unsigned uniform_tag = 0;  // where the layout holds no tags
   unsigned pool_level = 0;   // greatest depth
   pattern::Interior interior = pattern::Interior::minimum;
-  bool tags_are_edge_depths = false;  // of edges 0, 1, 2, in the place of the tags of corners 0, 1, 2
+  bool tags_are_edge_depths = false;  // instead of the tags of corners 0, 1, 2: the depths of edges 0, 1, 2
   MeasuredDepths measured;            // if there are any, instead of tags
 };
 
@@ -35,7 +35,7 @@ class BinStage {
  public:
   BinStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language), reorder_(gl, language) {}
 
-  // Compiles the passes and uploads the piece table; again after the pool was replaced. False: adaptive drawing is not to be had.
+  // Compiles the passes and uploads the piece table; again after the pool was replaced. False: adaptive drawing is not available.
   bool prepare(const pattern::GpuPool& pool);
   // Room for the instances of a draw; false without memory.
   bool reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag);
@@ -44,13 +44,13 @@ class BinStage {
   // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer bindings 0 to
   // 3, which the caller restores.
   BinnedInstances sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings);
-  // How much the last sort() has made; reads back.
+  // The size of the result of the last sort(); reads back.
   InstanceExtent extent(const BinnedInstances& sorted) const;
   // Instances that the last sort() made; reads back.
   std::uint32_t instances_of_last() const;
   // Triangles drawn since the last call; reads back.
   std::uint64_t take_refined_triangles();
-  // Its word 2 counts the refined triangles until somebody sets it back.
+  // Word 2 counts the refined triangles until it is reset.
   GLuint work_buffer() const { return work_.name(); }
   void release();
 

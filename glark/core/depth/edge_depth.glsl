@@ -56,7 +56,7 @@ int glark_steps_on_screen(vec4 end_a, vec4 end_b, vec2 half_size, int deepest) {
   precise float depths = a.z * b.z;
   precise float screen_length = squared_distance * (across.x * across.x + across.y * across.y);
   precise float screen_unit = depths * depths;
-  // Of the triangle eye, a, b: the eye is nearest to a point within the edge, or to an end.
+  // In the triangle (eye, a, b), the eye is nearest to a point within the edge, or to an end.
   precise float length_squared = glark_square(along);
   bool within = glark_dot(a, along) < 0.0 && glark_dot(b, along) > 0.0;
   precise float angle = squared_distance * (within ? length_squared * length_squared : length_squared);

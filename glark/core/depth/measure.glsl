@@ -20,10 +20,10 @@ uniform int restart;
 uniform float most_change;  // of the coarseness, from one frame to the next; 0: it has no limit
 
 const float pi = 3.14159265;
-// Of the budget; below it depths come back. All edges may change by one depth at once, which is four times the triangles: a
+// As a part of the budget. If fewer triangles are used, depths grow again. All edges may change by one depth at once, which is four times the triangles: a
 // narrower passage would swing from frame to frame.
 const float least_use = 0.25;
-// Beyond it the budget counts for more than that nothing pops. Edges that cross a depth all at once do not go beyond.
+// Beyond it, keeping the budget is more important than smooth changes. Edges that cross a depth all at once stay below it.
 const float most_use = 4.0;
 
 float next_coarseness(float coarseness, float use) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Edge depths that nobody has tagged: from the ends of an edge on the screen, and from the normals there. All on the GPU: the
-// captured corners run once more through the application's vertex stage, and a compute pass looks at pairs of them.
+// Measured edge depths: from the length of an edge on the screen, and from the normals at its ends. All of it happens on the GPU: the
+// captured corners run through the application's vertex stage, and a compute pass compares the two ends of each edge.
 #pragma once
 
 #include "glark/core/capture/coarse_triangles.h"
@@ -32,13 +32,13 @@ class MeasureStage {
   bool has_room(std::uint32_t triangles) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
   bool reserve(std::uint32_t triangles);
-  // A frame has ended: what it drew decides, under a budget, how coarse the next one is.
+  // A frame has ended. With a budget, its number of triangles decides how coarse the next frame is.
   void frame_finished() { frame_finished_ = true; }
   // `work`: BinStage::work_buffer(). Changes the program, the vertex array and the storage buffer bindings 0 to 2, which the
   // caller restores. The ends are valid until the next call.
   EdgeEnds find_ends(const MeasureRequest& request, const core::EdgeMeasure& rule, GLuint work,
                      const core::Bindings& bindings);
-  // From what find_ends() has left.
+  // The depths, from the result of find_ends().
   MeasuredDepths measure(const MeasureRequest& request, const core::Bindings& bindings);
   void release();
 
@@ -57,7 +57,7 @@ class MeasureStage {
   GLuint feedback_ = 0;
   GLuint vertex_array_ = 0;
   int enabled_chunks_ = 0;
-  core::EdgeMeasure rule_;  // that the limits were made for
+  core::EdgeMeasure rule_;  // the limits are made for this rule
   bool frame_finished_ = false;
 };
 

@@ -8,7 +8,7 @@
 
 namespace glark::depth {
 
-// What the depths are measured from: the positions of the captured corners (vec4), and the limits of this frame.
+// The input of the measuring pass: the positions of the captured corners (vec4), and the limits of this frame.
 struct EdgeEnds {
   GLuint positions = 0;
   GLuint limits = 0;

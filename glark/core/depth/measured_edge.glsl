@@ -15,7 +15,7 @@ vec3 normal_of(int corner) {
   return uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2]));
 }
 
-// Of the sides of an edge from `begin` to `end`, that whose normals count: the corners where it begins and ends.
+// The side of the edge from `begin` to `end` whose normals count, as the corners where that side begins and ends.
 ivec2 side_that_turns_most(int begin, int end) {
   if (turn_offset < 0) {
     return ivec2(begin, end);

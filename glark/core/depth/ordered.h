@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Draws of few triangles: depths, instances and commands in one dispatch. Many programs have hundreds of them, for which the
-// passes of BinStage cost more than the triangles. What is drawn keeps the order of the triangles, which shows where they blend.
+// passes of BinStage cost more than the triangles. Instances keep the order of the triangles, which matters for blending.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace glark::depth {
 
 struct OrderedRequest {
-  MeasureRequest measure;  // layout, triangles, and what is measured unless the layout has tags
+  MeasureRequest measure;  // layout, triangles, and the measures, which count unless the layout has tags
   EdgeEnds ends;
   GLuint work = 0;  // BinStage::work_buffer()
   bool tags_are_edge_depths = false;
@@ -35,7 +35,7 @@ class OrderedStage {
   bool takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles, unsigned deepest) const;
   // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. Valid until the next call.
   BinnedInstances sort(const OrderedRequest& request, const core::Bindings& bindings);
-  // How much that has made; reads back.
+  // The size of the result of sort(); reads back.
   InstanceExtent extent(const BinnedInstances& sorted) const;
   void release();
 

@@ -32,7 +32,7 @@ bool is_tag_type(GLenum type) {
   return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT || type == GL_FLOAT;
 }
 
-// Refined triangles only: adjacency, patches, points and lines have none of their own.
+// Adjacency, patches, points and lines cannot be refined.
 bool refuse_mode(Context& c, GLenum mode) {
   const bool quads = mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON;
   if (!is_triangle_mode(mode) || (quads && !c.is_compatibility())) {
@@ -42,7 +42,7 @@ bool refuse_mode(Context& c, GLenum mode) {
   return false;
 }
 
-// What glVertexAttribPointer refuses: not every driver leaves the array alone then.
+// Checks the errors of glVertexAttribPointer first: some drivers change the array although they raise an error.
 bool refuse_array(Context& c, GLsizei stride, const void* pointer) {
   const GLint limit = c.capabilities().max_vertex_attribute_stride;
   if (stride < 0 || (limit > 0 && stride > limit)) {
@@ -66,6 +66,7 @@ void with_ark(Context& c, Draw&& draw) {
   draw();
   c.options().transparent = was_transparent;
   c.ark().enabled = was_enabled;
+  c.update_refining();
 }
 
 ParameterLimits limits_of(const Context& c) {
@@ -86,7 +87,7 @@ void set_parameter(Context& c, GLenum name, const Set& set) {
   if (error != GL_NO_ERROR) {
     c.raise(error);
   } else if (name == GL_DEPTH_TAG_ATTRIBUTE_ARK) {
-    c.pipeline()->tag_attribute_changed();
+    c.stages()->programs().tag_attribute_changed();
   }
 }
 
@@ -103,7 +104,7 @@ Program* named_program(Context& c, GLuint name) {
     c.raise(GL_INVALID_VALUE);
     return nullptr;
   }
-  Program* program = c.pipeline()->program_for_refinement(name);
+  Program* program = c.stages()->programs().named(name);
   if (program == nullptr) {
     // Not linked yet: the source waits for it.
     const std::lock_guard lock(c.share().mutex);
@@ -137,7 +138,7 @@ void ARKinit(Context& c, GLuint max_level) {
     return;
   }
   ErrorScope errors(c.pending_error());
-  if (!c.pipeline()->build_pool(max_level)) {
+  if (!c.stages()->pool().build(max_level)) {
     c.raise(GL_OUT_OF_MEMORY);
     return;
   }
@@ -234,11 +235,11 @@ void RefinementShaderSourceARK(Context& c, GLuint name, GLsizei count, const GLc
   ErrorScope errors(c.pending_error());
   std::string source = join(count, string, length);
   if (name == 0) {
-    c.pipeline()->set_fixed_function_refinement(std::move(source));
+    c.stages()->programs().fixed_function().set_refinement_source(std::move(source));
     return;
   }
   const std::lock_guard lock(program->mutex);
-  c.pipeline()->discard(*program);
+  c.stages()->programs().derived().discard(*program);
   program->refinement_source = std::move(source);
   program->virtual_uniforms.clear();
 }
@@ -250,7 +251,8 @@ void GetRefinementivARK(Context& c, GLuint name, GLenum parameter, GLint* value)
   }
   switch (parameter) {
     case GL_REFINEMENT_STATUS_ARK:
-      *value = c.pipeline()->derived_for(*program, name != 0 ? program : nullptr) != nullptr ? GL_TRUE : GL_FALSE;
+      *value = c.stages()->planner().derive_for_status(*program, name != 0 ? program : nullptr) != nullptr ? GL_TRUE
+                                                                                                           : GL_FALSE;
       break;
     case GL_REFINEMENT_LOG_LENGTH_ARK:
       *value = program->refinement_log.empty() ? 0 : static_cast<GLint>(program->refinement_log.size() + 1);

@@ -10,6 +10,21 @@
 namespace glark::core {
 namespace track {
 
+void refine(Context& context, const DrawCall& call) {
+  context.stages()->draw().run(call);
+  context.update_refining();
+}
+
+void pass(Context& context, Cause cause) {
+  context.stages()->draw().pass(cause);
+  context.update_refining();
+}
+
+void hand_back_feedback(Context& context) {
+  context.stages()->feedback().hand_back();
+  context.update_refining();
+}
+
 void draw(Context& context, const DrawCall& call) {
   if (context.state().lists().compiling) {
     if (context.state().lists().cutting) {
@@ -19,7 +34,7 @@ void draw(Context& context, const DrawCall& call) {
     }
     return;
   }
-  context.pipeline()->draw(call);
+  refine(context, call);
 }
 
 namespace {
@@ -123,9 +138,9 @@ std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws)
 
 // The GPU alone knows how many vertices there are; the buffers they were captured to bound them.
 void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, Issue issue) {
-  const std::optional<std::uint64_t> vertices = context.pipeline()->feedback_vertices(id);
+  const std::optional<std::uint64_t> vertices = context.stages()->feedback().room().vertices(id);
   if (!vertices || instances < 0) {
-    context.pipeline()->count_passed(Cause::indirect_unbounded);
+    pass(context, Cause::indirect_unbounded);
     issue();
     return;
   }

@@ -27,7 +27,8 @@ void begin_count(Context& c) {
 }
 
 void begin_capture(Context& c, GLenum mode) {
-  const std::uint64_t room = c.pipeline()->begin_immediate(mode);
+  const std::uint64_t room = c.stages()->draw().begin_immediate(mode);
+  c.update_refining();
   c.state().immediate().capturing = room > 0;
   const std::uint64_t step = vertices_of_primitive(mode);
   if (room > 0 && step > 0) {
@@ -39,13 +40,18 @@ std::uint64_t triangles_begun(const Context& c, GLenum mode) {
   return c.state().immediate().triangles_before + triangles_of(mode, c.state().immediate().vertices);
 }
 
+void end_capture(Context& c) {
+  c.stages()->draw().end_immediate(triangles_begun(c, c.state().immediate().mode));
+  c.update_refining();
+}
+
 }  // namespace
 
 namespace track {
 
 void immediate_full(Context& c) {
   c.gl().End();
-  c.pipeline()->end_immediate(triangles_begun(c, c.state().immediate().mode));
+  end_capture(c);
   begin_count(c);
   begin_capture(c, c.state().immediate().mode);
   c.gl().Begin(c.state().immediate().mode);
@@ -92,7 +98,7 @@ void End(Context& c) {
   if (c.state().immediate().capturing) {
     c.state().immediate().capturing = false;
     c.state().immediate().limit = UINT64_MAX;
-    c.pipeline()->end_immediate(triangles_begun(c, c.state().immediate().mode));
+    end_capture(c);
   }
 }
 

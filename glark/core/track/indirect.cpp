@@ -86,7 +86,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     }
   }
   if (commands.empty()) {
-    c.pipeline()->count_passed(Cause::indirect_unbounded);
+    track::pass(c, Cause::indirect_unbounded);
     issue();
     return;
   }

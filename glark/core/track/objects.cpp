@@ -228,13 +228,13 @@ void DeleteTransformFeedbacks(Context& c, GLsizei n, const GLuint* ids) {
 void BeginTransformFeedback(Context& c, GLenum mode) {
   if (c.capabilities().refinable) {
     c.state().refresh();
-    c.pipeline()->note_feedback_room();
+    c.stages()->feedback().room().note();
   }
-  if (!c.refining() || c.options().transparent || !c.pipeline()->begin_feedback(mode)) {
+  if (!c.refining() || c.options().transparent || !c.stages()->feedback().begin(mode)) {
     c.gl().BeginTransformFeedback(mode);
     c.state().forget_bindings();  // GL may have refused
     if (c.capabilities().refinable && !c.options().transparent && !c.ark().enabled && c.ark().pool_level >= 0) {
-      c.pipeline()->await_feedback(mode);
+      c.stages()->feedback().await(mode);
       c.update_refining();
     }
     return;
@@ -245,15 +245,16 @@ void BeginTransformFeedback(Context& c, GLenum mode) {
 
 void EndTransformFeedback(Context& c) {
   c.gl().EndTransformFeedback();
-  if (c.pipeline() != nullptr) {
-    c.pipeline()->end_feedback();
+  if (c.stages() != nullptr) {
+    c.stages()->feedback().end();
+    c.update_refining();
   }
   c.writes().by_gpu();
   c.state().forget_bindings();
 }
 
 void PauseTransformFeedback(Context& c) {
-  if (c.pipeline() != nullptr && c.pipeline()->owns_feedback() && !c.state().bindings().transform_feedback_paused) {
+  if (c.stages() != nullptr && c.stages()->feedback().ours() && !c.state().bindings().transform_feedback_paused) {
     c.state().bindings().transform_feedback_paused = true;  // between our draws it is paused anyway
     return;
   }
@@ -263,7 +264,7 @@ void PauseTransformFeedback(Context& c) {
 }
 
 void ResumeTransformFeedback(Context& c) {
-  if (c.pipeline() != nullptr && c.pipeline()->owns_feedback() && c.state().bindings().transform_feedback_paused) {
+  if (c.stages() != nullptr && c.stages()->feedback().ours() && c.state().bindings().transform_feedback_paused) {
     c.state().bindings().transform_feedback_paused = false;
     return;
   }

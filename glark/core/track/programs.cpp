@@ -12,7 +12,7 @@ namespace {
 
 GLint register_virtual_uniform(Context& c, Program& program, const GLchar* name) {
   const std::lock_guard lock(program.mutex);
-  const std::shared_ptr<DerivedProgram> derived = c.pipeline()->derived_for(program, &program);
+  const std::shared_ptr<DerivedProgram> derived = c.stages()->planner().derive_for_status(program, &program);
   const std::string text(name);
   if (derived == nullptr || text.rfind("gl_", 0) == 0 || text.rfind("glark_", 0) == 0 ||
       c.gl().GetUniformLocation(derived->name, name) < 0) {

@@ -6,16 +6,20 @@
 
 #include <memory>
 
+#include "glark/core/capture/draw_call.h"
 #include "glark/core/context.h"
-#include "glark/core/draw_call.h"
-#include "glark/core/pipeline.h"
+#include "glark/core/stages.h"
 #include "glark/gl/hooks.h"
 #include "include/GL/glark.h"
 
 namespace glark::core::track {
 
-// A draw of the application: into the display list being cut, or through the pipeline.
+// A draw of the application: goes into the display list being cut, or to the stages.
 void draw(Context& context, const DrawCall& call);
+// A draw that goes to the stages, and one that stays as it is: either may give the application's transform feedback back to GL.
+void refine(Context& context, const DrawCall& call);
+void pass(Context& context, Cause cause);
+void hand_back_feedback(Context& context);
 
 // While a display list is compiled (and not executed) state does not change.
 inline bool executes(Context& context) {

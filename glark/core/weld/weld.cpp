@@ -21,7 +21,7 @@ constexpr std::size_t all_in_one = 3;             // pass
 
 bool takes_one_dispatch(std::uint32_t triangles) { return triangles <= most_in_one_group; }
 
-// Of each table: more than the 3 entries that a triangle can make.
+// The size of each table. A triangle adds at most 3 entries.
 std::uint64_t slots_for(std::uint32_t triangles) { return 4 * std::max<std::uint64_t>(4, triangles); }
 
 std::uint64_t bytes_for(const capture::Layout& layout, std::uint64_t triangles) {
@@ -50,7 +50,7 @@ bool WeldStage::can_hold(const capture::Layout& layout, std::uint64_t triangles)
   return bytes_for(layout, triangles) <= static_cast<std::uint64_t>(largest_block_);
 }
 
-// What has room for many triangles has it for few.
+// Room for many triangles is room for few.
 bool WeldStage::has_room(const capture::Layout& layout, std::uint32_t triangles) const {
   return passes_[takes_one_dispatch(triangles) ? all_in_one : all_in_one - 1].built() &&
          bytes_for(layout, triangles) <= static_cast<std::uint64_t>(tables_.size());

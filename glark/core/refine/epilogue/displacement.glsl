@@ -5,8 +5,8 @@
 // scaled and biased texel, and glark_texel_size().
 // Based on: J. F. Blinn, Simulation of wrinkled surfaces, SIGGRAPH 1978: the normal of P + D N, from the derivatives of P, D and N.
 //
-// Watertight: the displaced position follows from what the refined inputs are, which triangles share along edges. Where normals or texture
-// coordinates jump, they do not: there it follows from what welding has found for the border.
+// Watertight: the displaced position follows from the refined inputs, which triangles share along edges. Where normals or texture
+// coordinates jump, triangles do not share them: there it follows from what welding has found for the border.
 
 bool glark_on_border(vec3 weights) { return weights.x == 0.0 || weights.y == 0.0 || weights.z == 0.0; }
 
@@ -26,7 +26,8 @@ vec3 glark_displaced_position(vec3 position, vec3 normal, vec2 coordinate) {
   return displaced;
 }
 
-// Derivatives by u and v, w giving way, of the surface that is displaced and of a field with the direction of its normal, `size` long.
+// Derivatives by u and v (w = 1 - u - v) of the surface before displacement, and of a field of length `size` that has the direction of
+// its normal.
 struct glark_Slopes {
   vec3 position_u;
   vec3 position_v;
@@ -45,7 +46,7 @@ glark_Slopes glark_linear_slopes(vec3 weights, glark_StCorner c0, glark_StCorner
   return slopes;
 }
 
-// Of the patch that glark_st_position and glark_st_normal have evaluated. Points are taken about corner 0: small numbers have small errors.
+// Slopes of the patch that glark_st_position and glark_st_normal have evaluated. Points are relative to corner 0, which keeps errors small.
 glark_Slopes glark_curved_slopes(vec3 weights, glark_StCorner c0, glark_StCorner c1, glark_StCorner c2) {
   float w = weights.x;
   float u = weights.y;
@@ -81,7 +82,7 @@ glark_Slopes glark_curved_slopes(vec3 weights, glark_StCorner c0, glark_StCorner
   return slopes;
 }
 
-// Derivative of the unit normal from that of a field `size` long.
+// The derivative of the unit normal, from that of a field of length `size`.
 vec3 glark_turn(vec3 unit_normal, vec3 slope, float size) {
   return size > 0.0 ? (slope - dot(unit_normal, slope) * unit_normal) / size : vec3(0.0);
 }

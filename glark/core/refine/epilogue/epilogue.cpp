@@ -90,7 +90,7 @@ void @place() {
 }
 )";
 
-// The same where the piece covers the whole triangle.
+// The same for a piece that covers the whole triangle.
 constexpr const char* cover_function = R"(vec3 @weights;
 void @place() {
   vec2 lattice = glark_lattice * 0.000030517578125;
@@ -108,7 +108,7 @@ void @weigh_by_w() {
 }
 )";
 
-// What the application's refinement shader reads besides the inputs. The corners of an array A of n elements are flattened:
+// Variables that the application's refinement shader reads besides the inputs. The corners of an array A of n elements are flattened:
 // element i of corner k is ark_corner_A[k * n + i].
 std::string refinement_declarations(const EpiloguePlan& plan) {
   std::string text = "vec3 ark_barycentric;\n";

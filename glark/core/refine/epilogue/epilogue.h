@@ -33,9 +33,9 @@ struct OutputVariable {
   std::vector<std::string> sizes;  // array sizes, none open
   bool flat = false;
   bool noperspective = false;
-  int indexed_words = 0;  // of an array that is indexed by more than constants
+  int indexed_words = 0;  // size of an array whose indices are not all constants
   bool clamped = false;   // to 0 .. 1
-  std::string problem;    // why it cannot be saved, or empty
+  std::string problem;    // why it cannot be saved; empty if it can
 };
 
 struct EpiloguePlan {
@@ -46,8 +46,8 @@ struct EpiloguePlan {
   bool stored = false;
   int provoking_corner = 2;
   int corner_words = 0;
-  int control_offset = -1;  // of the welded control points in a corner; -1: from the corners' own normals
-  int border_offset = -1;   // of what displacement takes on edges and at corners; -1: what the triangle has
+  int control_offset = -1;  // word of the welded control points in a corner; -1: computed from the corners' own normals
+  int border_offset = -1;   // word of the welded normals and coordinates for displacement; -1: the triangle's own
   int chunk_count = 0;
   std::vector<InputVariable> inputs;
   std::optional<InputVariable>
@@ -55,7 +55,7 @@ struct EpiloguePlan {
   std::optional<InputVariable> scalar_tags;
   core::ScalarTags constant_tags;
   std::optional<InputVariable> coordinate;  // for displacement
-  std::vector<OutputVariable> outputs;      // linear_outputs: all; otherwise those that are flat
+  std::vector<OutputVariable> outputs;      // all outputs if they are interpolated, otherwise the flat ones
   bool morphing = false;                    // the placement holds edge depths; vertices move between levels
   std::vector<OutputVariable> morphed;      // outputs that are mixed with those at the neighbours of the level below
   std::vector<Structure> structures;
@@ -85,7 +85,7 @@ std::string fill_by_interpolation(const EpiloguePlan& plan, TypeSet& mixed_types
 std::string mix_functions(const TypeSet& types, bool define);
 
 // surface.cpp: the position and the normal on the curved triangle.
-// The input that is curved or displaced, and its normal; null where the stage has none of a fitting type.
+// The input that is curved or displaced, and its normal; null if the stage has no such input of a fitting type.
 const InputVariable* position_of(const EpiloguePlan& plan);
 const InputVariable* normal_of(const EpiloguePlan& plan);
 // The GLSL functions of the refinement, of displacement too if `plan` displaces.
@@ -130,13 +130,13 @@ bool unit_has_morphed_outputs(const EpiloguePlan& plan, std::size_t unit);
 // epilogue.cpp
 // Directives that must follow #version.
 std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& application_identifiers);
-// What goes in front of and behind the application's refinement shader, at the end of the unit that defines main.
+// Text in front of and behind the application's refinement shader, at the end of the unit that defines main.
 struct MainEpilogue {
   std::string declarations;
   std::string main;
 };
 MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarations_of_inputs);
-// What goes to the end of another unit.
+// Text at the end of another unit.
 std::string unit_epilogue(const EpiloguePlan& plan, std::size_t unit);
 
 }  // namespace glark::refine

@@ -97,7 +97,7 @@ class Collector {
   void add_block(std::size_t unit, const Declaration& block) {
     if (block.variables.empty()) {
       for (const Variable& member : block.members) {
-        // What gl_PerVertex merely mentions is not written.
+        // A member of gl_PerVertex is written only if the stage mentions it elsewhere.
         if (!member.name.starts_with("gl_") || occurrences_[member.name] > 1) add(unit, member, "");
       }
       return;
@@ -191,7 +191,7 @@ class Statements {
     return for_elements(sizes, 0, paths, [&](const Paths& element) { return interpolate_element(type, element); });
   }
 
-  // paths[0] += share * paths[1], or paths[0] = 0 for one path, or paths[1] = paths[0]; of what is made of floating-point numbers.
+  // clear: paths[0] = 0. add: paths[0] += share * paths[1]. take: paths[1] = paths[0]. Skips what is not floating-point.
   enum class Portion { clear, add, take };
   std::string portion(Portion kind, const std::string& type, const std::vector<std::string>& sizes,
                       const Paths& paths) {
@@ -247,7 +247,7 @@ class Statements {
       mixed_types_.insert(std::string(numeric->name));
       const std::string mixed = "@mix(" + paths[1] + ", " + paths[2] + ", " + paths[3] + ")";
       if (paths[0] == "gl_Position") return "  " + paths[0] + " = " + mixed + ";\n";
-      // What is the same at all corners stays so to the last bit: fragment shaders may compare it.
+      // Values that agree at all corners stay the same to the last bit: fragment shaders may compare them.
       return "  " + paths[0] + " = " + paths[1] + " == " + paths[2] + " && " + paths[1] + " == " + paths[3] + " ? " +
              paths[1] + " : " + mixed + ";\n";
     }

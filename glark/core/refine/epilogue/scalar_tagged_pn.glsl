@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Scalar-tagged PN triangles, after pn.glsl, whose functions and arithmetic these are: without tags, the same bits.
+// Scalar-tagged PN triangles, after pn.glsl. Without tags, they have the same bits as PN triangles.
 // Based on: Boubekeur 2007, ch. 8.2 and 8.3.
 //
 // Watertight: a control point on an edge, and which side of a crease it lies on, follow from the ends of the edge alone.
@@ -18,7 +18,7 @@ struct glark_StCorner {
   float bias;
 };
 
-// What is no number counts as 0, and nothing is out of range.
+// Clamps the value. Not-a-number counts as 0.
 float glark_st_within(float value, float least, float most) {
   return value >= least ? min(value, most) : (value < least ? least : 0.0);
 }
@@ -102,7 +102,7 @@ void glark_st_controls(glark_StCorner c0, glark_StCorner c1, glark_StCorner c2) 
   glark_st_b201 = glark_st_control(c0, c2);
 }
 
-// Of an edge that others have welded, which is to say without tension. A tagged corner has one normal and says itself how the edge runs.
+// Applies the tension to a welded control point. A tagged corner has one normal for both sides, so it keeps its own control point.
 vec3 glark_st_welded_control(glark_StCorner near, glark_StCorner far, vec3 welded) {
   if (near.tagged) return glark_st_control(near, far);
   if (near.tension == 0.0) return welded;
@@ -111,7 +111,7 @@ vec3 glark_st_welded_control(glark_StCorner near, glark_StCorner far, vec3 welde
   return control;
 }
 
-// From the control points that were found.
+// The position, from the control points above.
 vec3 glark_st_position(vec3 weights, vec3 p0, vec3 p1, vec3 p2) {
   return glark_pn_patch(weights, p0, p1, p2, glark_st_b210, glark_st_b120, glark_st_b021, glark_st_b012, glark_st_b102, glark_st_b201);
 }

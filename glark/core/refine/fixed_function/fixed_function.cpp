@@ -31,7 +31,7 @@ Needs operator|(const Needs& a, const Needs& b) {
           a.eye_normal || b.eye_normal};
 }
 
-// Each value with those that it is computed from.
+// Each value, and the values that it is computed from.
 Needs closed(Needs needs) {
   needs.eye_point = needs.eye_point || needs.eye_direction;
   needs.eye_position = needs.eye_position || needs.eye_point;

@@ -53,10 +53,10 @@ struct FixedFunctionState {
 // acts after it.
 //
 // Not reproduced: glMaterial between the vertices of one draw (no attribute of GLSL carries it). Where Mesa 22.3's own
-// fixed function departs from OpenGL 2.1, the shader follows OpenGL 2.1; tests/refine/fixed_function_test.cpp says where.
+// fixed function departs from OpenGL 2.1, the shader follows OpenGL 2.1; tests/refine/fixed_function/test.cpp says where.
 //
-// GL treats some state otherwise when a vertex shader is active, so whoever draws with the shader sets, and restores
-// after:
+// GL treats some state differently when a vertex shader is active. A caller that draws with the shader sets, and restores
+// afterwards:
 //   GL_VERTEX_PROGRAM_TWO_SIDE    to `lighting && two_sided`, else the back colour is never (or wrongly) selected;
 //   GL_VERTEX_PROGRAM_POINT_SIZE  to `point_size`, else gl_PointSize is ignored (or read though not written);
 //   GL_COLOR_SUM                  on if `lighting && separate_specular`: only fixed function adds the specular unasked.

@@ -9,7 +9,7 @@
 
 namespace glark::refine {
 
-// What a fragment stage of the application's own reads of the fixed-function vertex stage.
+// The outputs of the fixed-function vertex stage that the application's fragment stage reads.
 struct FragmentReads {
   bool own_fragment_stage = false;
   unsigned texture_units = 0;  // bit i: texture coordinates i

@@ -143,7 +143,7 @@ std::string adapt_source(Tokens tokens, const std::vector<std::string>& extensio
   return to_text(tokens);
 }
 
-// What drivers accept and glslang does not: subroutines, built-ins of vendors' extensions, features of newer versions.
+// Some drivers accept more than glslang: subroutines, built-ins of vendors' extensions, features of newer versions.
 bool is_limitation(const std::string& error) {
   return error.find("not yet implemented") != std::string::npos || error.find("not supported") != std::string::npos ||
          (error.find("'gl_") != std::string::npos && error.find("undeclared") != std::string::npos);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What glslang does for us: preprocessing, and the parse that finds mistakes and writes to memory.
+// glslang: preprocessing, and a parse that finds mistakes and writes to memory.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ Preprocessed preprocess(const std::string& source, bool es, const std::vector<st
 struct Parsed {
   bool ok = false;
   bool limited =
-      false;  // not ok because of something that glslang does not implement, rather than a mistake in the shader
+      false;  // not ok because glslang lacks a feature; the shader may be correct
   bool writes_memory = false;  // image stores and atomics, atomic counters, writes to buffer blocks
   std::string error;           // the first line of the compiler's log
 };
@@ -29,7 +29,7 @@ struct Parsed {
 // Parses preprocessed text as a vertex shader.
 Parsed parse_vertex_shader(const std::string& preprocessed, bool es);
 
-// False for an extension that glslang has never heard of, whose language it must therefore misjudge.
+// False for an extension that glslang does not know: glslang would report its language as a mistake.
 bool frontend_knows_extension(const std::string& name);
 
 }  // namespace glark::refine

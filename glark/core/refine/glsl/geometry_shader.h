@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a geometry shader does with the vertices that it is given, as far as its text tells.
+// How a geometry shader uses its input vertices, as far as its text shows.
 #pragma once
 
 #include <set>
@@ -10,10 +10,10 @@
 
 namespace glark::refine {
 
-// The identifiers in what is assigned to gl_Position, and in what those are assigned, and so on.
+// The identifiers that gl_Position is computed from, directly or through other variables.
 std::set<std::string> words_of_positions(const std::vector<std::string>& sources);
 
-// Whether its triangles lie in places that do not depend on the vertices at all: then every refined triangle would give them again.
+// Whether the positions of its triangles do not depend on the input vertices. Every refined triangle would then draw them again.
 bool makes_its_own_positions(const std::vector<std::string>& sources);
 
 }  // namespace glark::refine

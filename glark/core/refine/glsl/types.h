@@ -24,7 +24,7 @@ struct NumericType {
   bool interpolates() const { return scalar == Scalar::float32 || scalar == Scalar::float64; }
 };
 
-// nullptr when the type is none of them.
+// nullptr for any other type.
 const NumericType* numeric_type(GLenum gl);
 const NumericType* numeric_type(std::string_view glsl_name);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "glark/core/refine/glsl/geometry_shader.h"
 #include "glark/core/refine/program/shape_fields.h"
@@ -35,8 +36,8 @@ bool reads(const core::Program& program, GLenum stage, std::string_view name) {
   });
 }
 
-// Why the stages of the program, or what its vertex stage does, rule out refinement; count_ if they do not.
-core::Cause cause_of(const core::Program& program, const VertexStageTraits& traits, bool transparent) {
+// Why the stages of the program, or what its vertex stage does, rule out refinement. Nothing if they do not.
+std::optional<core::Cause> cause_of(const core::Program& program, const VertexStageTraits& traits, bool transparent) {
   if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
     return core::Cause::tessellation;
   }
@@ -44,7 +45,7 @@ core::Cause cause_of(const core::Program& program, const VertexStageTraits& trai
     return core::Cause::side_effects;
   }
   if (!transparent) {
-    return core::Cause::count_;
+    return std::nullopt;
   }
   const bool has_geometry_shader = program.has_stage(GL_GEOMETRY_SHADER);
   if (has_geometry_shader ? reads(program, GL_GEOMETRY_SHADER, "gl_PrimitiveIDIn")
@@ -55,7 +56,7 @@ core::Cause cause_of(const core::Program& program, const VertexStageTraits& trai
       (traits.writes_integers || makes_its_own_positions(sources_of(program, GL_GEOMETRY_SHADER)))) {
     return core::Cause::geometry_shader;
   }
-  return core::Cause::count_;
+  return std::nullopt;
 }
 
 void leave(core::Program& program, const std::string& reason) {
@@ -66,13 +67,13 @@ void leave(core::Program& program, const std::string& reason) {
 
 }  // namespace
 
-// Attribute locations that are left for the coarse record.
+// The number of attribute locations that remain for the coarse record.
 int ProgramBuilder::most_chunks(bool placed) const {
   return traits_.max_vertex_attributes -
          static_cast<GLint>(placed ? traits_.first_chunk_location : traits_.patch_location);
 }
 
-// From a storage block, at a binding that the application's own blocks might have.
+// Whether the program can read records from a storage block: its own blocks might use the same binding.
 bool ProgramBuilder::can_store_records(const core::Program& program) const {
   GLint blocks = 0;
   gl_.GetProgramInterfaceiv(program.name, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &blocks);
@@ -81,7 +82,7 @@ bool ProgramBuilder::can_store_records(const core::Program& program) const {
 
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
-  program.cause = core::Cause::count_;
+  program.cause.reset();
   program.hash = core::source_hash(program.stages);
   program.counters = &core::program_counters(program.hash);
   program.conventional_projection = program.fixed_function || core::reads_conventional_projection(program.stages);
@@ -98,13 +99,13 @@ void ProgramBuilder::prepare(core::Program& program) const {
     return;
   }
   program.cause = cause_of(program, inspection.traits, traits_.transparent);
-  if (program.cause != core::Cause::count_) {
+  if (program.cause) {
     return;
   }
   read_vertex_inputs(gl_, traits_.roles, program);
   const capture::Layout layout = capture::make_layout(program.fields, false);
   const int free_locations = most_chunks(false);
-  if (program.cause != core::Cause::count_) {
+  if (program.cause) {
     return;
   }
   if (layout.fields.empty()) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Fields of the coarse record beside what the vertex stage reads: scalar tags, and what displacement needs.
+// Fields of the coarse record besides the inputs of the vertex stage: scalar tags, and the inputs of displacement.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which subroutines a program runs is state of the context that glUseProgram resets: a refined draw takes the choice over to the
-// derived program, and gives it back.
+// Subroutines are chosen per context, and glUseProgram resets the choice. A refined draw copies the choice to the derived program and
+// restores it afterwards.
 #pragma once
 
 #include <vector>
@@ -18,8 +18,8 @@ bool has_subroutine_uniforms(const gl::Dispatch& gl, const core::Program& progra
 // Adds to `choice` what `stage` of the program in use, which `program` provides, has chosen.
 void read_subroutines(const gl::Dispatch& gl, GLuint program, GLenum stage, core::SubroutineChoice& choice);
 
-// Chooses for the program in use. `tables` (of a derived program) says how its subroutines are numbered; stages that they do not
-// tell of are numbered as the application's.
+// Chooses for the program in use. `tables` belong to a derived program and translate the numbers of its subroutines. Stages without a
+// table are numbered as in the application's program.
 void choose_subroutines(const gl::Dispatch& gl, const core::SubroutineChoice& choice,
                         const std::vector<core::SubroutineTable>& tables = {});
 

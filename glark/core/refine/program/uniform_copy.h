@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Agreement of a derived program's uniforms, blocks and outputs with the application's program.
+// Makes the uniforms, blocks and outputs of a derived program agree with the application's program.
 #pragma once
 
 #include <string>

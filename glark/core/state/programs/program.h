@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -109,9 +110,9 @@ struct Program {
   bool from_binary = false;
   bool linked =
       true;  // by its last glLinkProgram; otherwise what it ran before stays in use, and GL cannot return to it
-  bool may_store = false;       // its shaders may write buffers
-  bool prepared = false;        // fields, traits and cause below are valid
-  Cause cause = Cause::count_;  // why it cannot be refined; count_ if it can
+  bool may_store = false;      // its shaders may write buffers
+  bool prepared = false;       // fields, traits and cause below are valid
+  std::optional<Cause> cause;  // why it cannot be refined
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
   bool subroutines_asked = false;  // the next is valid

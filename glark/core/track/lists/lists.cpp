@@ -103,7 +103,7 @@ void call_list(Context& c, GLuint name, int depth) {
   }
   if (list == nullptr || !list->refinable || !c.refining() || c.state().immediate().open) {
     if (c.refining() && !c.state().immediate().open) {
-      c.pipeline()->hand_back_feedback();  // it may draw
+      track::hand_back_feedback(c);  // it may draw
     }
     c.gl().CallList(name);
     forget_state(c, list != nullptr && !list->calls_lists ? list.get() : nullptr);
@@ -126,7 +126,7 @@ void run_segment(Context& c, const ListSegment& segment, int depth) {
 // Whether the segment just recorded must also be executed.
 void execute_last(Context& c) {
   if (c.state().lists().mode == GL_COMPILE_AND_EXECUTE) {
-    c.state().lists().compiling = false;  // the pipeline draws now
+    c.state().lists().compiling = false;  // the stages draw now
     forget_state(c, nullptr);             // what was recorded before it was executed too, unseen
     const ListSegment last(c.state().lists().list->segments.back());
     run_segment(c, last, 0);
@@ -337,7 +337,7 @@ void NewList(Context& c, GLuint name, GLenum mode) {
   c.state().lists() = ListCompilation{};
   c.state().lists().name = name;
   c.state().lists().mode = mode;
-  c.state().lists().cutting = c.pipeline() != nullptr && (c.options().transparent || c.ark().pool_level >= 0);
+  c.state().lists().cutting = c.stages() != nullptr && (c.options().transparent || c.ark().pool_level >= 0);
   c.state().lists().compiling = true;
   c.state().lists().changes_uniforms = false;
   c.state().immediate().vertices = 0;

@@ -26,7 +26,7 @@ void forget_uniforms(Context& c) {
 
 void run_state(Context& c, const ListSegment& segment) {
   if (segment.effects.draws_shapes) {
-    c.pipeline()->hand_back_feedback();
+    track::hand_back_feedback(c);
   }
   c.gl().CallList(segment.list);
   if (segment.effects.touches_state) {
@@ -44,17 +44,17 @@ void run_state(Context& c, const ListSegment& segment) {
 void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
   bool issued = false;
   const bool watched = !segment.effects.opaque && segment.vertex_lists.empty();
-  c.pipeline()->draw({.mode = segment.mode,
-                      .triangles = triangles,
-                      .exact = segment.exact,
-                      .tags_vary = segment.sets_tags,
-                      .whole_polygons = segment.whole_polygons,
-                      .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
-                      .segment = watched ? &segment : nullptr,
-                      .issue = [&] {
-                        c.gl().CallList(segment.list);
-                        issued = true;
-                      }});
+  refine(c, {.mode = segment.mode,
+             .triangles = triangles,
+             .exact = segment.exact,
+             .tags_vary = segment.sets_tags,
+             .whole_polygons = segment.whole_polygons,
+             .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
+             .segment = watched ? &segment : nullptr,
+             .issue = [&] {
+               c.gl().CallList(segment.list);
+               issued = true;
+             }});
   if (!watched) {
     c.state().forget_current_values();
   }
