@@ -12,7 +12,7 @@
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/depth/kept_instances.h"
-#include "glark/core/depth/measured_depths.h"
+#include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/depth/reorder.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"

@@ -9,7 +9,7 @@
 
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/depth/kept_instances.h"
-#include "glark/core/depth/measure.h"
+#include "glark/core/depth/measure/measure.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/bindings.h"

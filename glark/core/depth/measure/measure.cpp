@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/depth/measure.h"
+#include "glark/core/depth/measure/measure.h"
 
 #include <numbers>
 
@@ -8,7 +8,7 @@ namespace glark::depth {
 namespace {
 
 constexpr char measure_source[] =
-#include "glark/core/depth/measure.glsl.inc"
+#include "glark/core/depth/measure/measure.glsl.inc"
     ;
 
 // Uniforms of the pass that makes the limits.

@@ -78,8 +78,8 @@ float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
 int corner_count() { return 3 * triangle_bound; }
 
 #include "glark/core/depth/edge_steps.glsl"
-#include "glark/core/depth/edge_depth.glsl"
-#include "glark/core/depth/measured_edge.glsl"
+#include "glark/core/depth/measure/edge_depth.glsl"
+#include "glark/core/depth/measure/measured_edge.glsl"
 
 void main() {
   int triangle = int(gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x);
