@@ -221,8 +221,7 @@ Surface scalar_tagged_pn(const Corners& corners, const Vec3& weights) {
 
 Surface phong(const Corners& corners, const Vec3& weights, double shape) {
   Vector normal;
-  for (std::size_t i = 0; i < 3; ++i)
-    normal = normal + static_cast<double>(weights[i]) * vector_of(corners[i].normal);
+  for (std::size_t i = 0; i < 3; ++i) normal = normal + static_cast<double>(weights[i]) * vector_of(corners[i].normal);
   return {phong_position(corners, curved_control_points(corners), weights, shape), normal};
 }
 

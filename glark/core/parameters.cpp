@@ -62,23 +62,20 @@ constexpr std::array own_parameters{
               .text = "REFINEMENT_ARK",
               .kind = Kind::token,
               .get = [](const ArkState& s) -> double { return token_at(refinement_tokens, s.refinement); },
-              .set =
-                  [](ArkState& s, double value) {
-                    s.refinement = static_cast<Refinement>(index_of(refinement_tokens, value));
-                  },
+              .set = [](ArkState& s,
+                        double value) { s.refinement = static_cast<Refinement>(index_of(refinement_tokens, value)); },
               .tokens = refinement_tokens,
               .initial = "LINEAR_INPUTS_ARK",
               .setting = "refine"},
-    Parameter{.name = GL_DEPTH_SOURCE_ARK,
-              .text = "DEPTH_SOURCE_ARK",
-              .kind = Kind::token,
-              .get = [](const ArkState& s) -> double { return token_at(depth_source_tokens, s.depth_source); },
-              .set =
-                  [](ArkState& s, double value) {
-                    s.depth_source = static_cast<DepthSource>(index_of(depth_source_tokens, value));
-                  },
-              .tokens = depth_source_tokens,
-              .initial = "DEPTH_TAG_ARK"},
+    Parameter{
+        .name = GL_DEPTH_SOURCE_ARK,
+        .text = "DEPTH_SOURCE_ARK",
+        .kind = Kind::token,
+        .get = [](const ArkState& s) -> double { return token_at(depth_source_tokens, s.depth_source); },
+        .set = [](ArkState& s,
+                  double value) { s.depth_source = static_cast<DepthSource>(index_of(depth_source_tokens, value)); },
+        .tokens = depth_source_tokens,
+        .initial = "DEPTH_TAG_ARK"},
     Parameter{.name = GL_UNIFORM_DEPTH_LEVEL_ARK,
               .text = "UNIFORM_DEPTH_LEVEL_ARK",
               .get = [](const ArkState& s) -> double { return s.uniform_level; },
@@ -94,17 +91,16 @@ constexpr std::array own_parameters{
               .bounds = attribute,
               .initial = "MAX_VERTEX_ATTRIBS - 1",
               .values = attribute_values},
-    Parameter{.name = GL_POLYGON_SPLIT_ARK,
-              .text = "POLYGON_SPLIT_ARK",
-              .kind = Kind::token,
-              .get = [](const ArkState& s) -> double { return token_at(polygon_split_tokens, s.polygon_split); },
-              .set =
-                  [](ArkState& s, double value) {
-                    s.polygon_split = static_cast<PolygonSplit>(index_of(polygon_split_tokens, value));
-                  },
-              .tokens = polygon_split_tokens,
-              .initial = "POLYGON_TRIANGLES_ARK",
-              .setting = "polygons"},
+    Parameter{
+        .name = GL_POLYGON_SPLIT_ARK,
+        .text = "POLYGON_SPLIT_ARK",
+        .kind = Kind::token,
+        .get = [](const ArkState& s) -> double { return token_at(polygon_split_tokens, s.polygon_split); },
+        .set = [](ArkState& s,
+                  double value) { s.polygon_split = static_cast<PolygonSplit>(index_of(polygon_split_tokens, value)); },
+        .tokens = polygon_split_tokens,
+        .initial = "POLYGON_TRIANGLES_ARK",
+        .setting = "polygons"},
     Parameter{.name = GL_PATTERN_INTERIOR_ARK,
               .text = "PATTERN_INTERIOR_ARK",
               .kind = Kind::token,
@@ -161,17 +157,16 @@ constexpr std::array own_parameters{
               .bounds = texture_unit_or_none,
               .initial = "-1",
               .values = "-1 or a texture image\nunit"},
-    Parameter{.name = GL_DISPLACEMENT_CHANNEL_ARK,
-              .text = "DISPLACEMENT_CHANNEL_ARK",
-              .kind = Kind::token,
-              .get = [](const ArkState& s) -> double { return token_at(channel_tokens, s.displacement.channel); },
-              .set =
-                  [](ArkState& s, double value) {
-                    s.displacement.channel = static_cast<unsigned>(index_of(channel_tokens, value));
-                  },
-              .tokens = channel_tokens,
-              .initial = "RED",
-              .values = "RED, GREEN, BLUE, ALPHA"},
+    Parameter{
+        .name = GL_DISPLACEMENT_CHANNEL_ARK,
+        .text = "DISPLACEMENT_CHANNEL_ARK",
+        .kind = Kind::token,
+        .get = [](const ArkState& s) -> double { return token_at(channel_tokens, s.displacement.channel); },
+        .set = [](ArkState& s,
+                  double value) { s.displacement.channel = static_cast<unsigned>(index_of(channel_tokens, value)); },
+        .tokens = channel_tokens,
+        .initial = "RED",
+        .values = "RED, GREEN, BLUE, ALPHA"},
     Parameter{.name = GL_DISPLACEMENT_COORDINATE_ARK,
               .text = "DISPLACEMENT_COORDINATE_ARK",
               .get = [](const ArkState& s) -> double { return s.displacement.coordinate; },

@@ -49,8 +49,8 @@ struct Parameter {
   Bounds (*bounds)(const ParameterLimits& limits) = nullptr;
   float least = 0;
   float most = 0;
-  std::string_view initial;      // as the extension's text has it
-  std::string_view values = {};  // the same; lines. Empty: the tokens, a line each
+  std::string_view initial;       // as the extension's text has it
+  std::string_view values = {};   // the same; lines. Empty: the tokens, a line each
   std::string_view setting = {};  // the key in a configuration file that means the same; empty: there is none
 };
 

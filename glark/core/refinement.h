@@ -25,14 +25,14 @@ enum class Refinement { linear_inputs, linear_outputs, pn, scalar_tagged_pn, pho
 
 // A number that shapes a refinement, the same for all vertices of a draw.
 struct ShapeNumber {
-  GLenum token = 0;               // for glARKParameterfARK; 0: only the settings can set it
-  std::string_view token_name = {};    // in the extension's text, as the next two
+  GLenum token = 0;                  // for glARKParameterfARK; 0: only the settings can set it
+  std::string_view token_name = {};  // in the extension's text, as the next two
   std::string_view values = {};
   std::string_view initial_text = {};
-  std::string_view key;           // in a configuration file; the option is "--" and this
+  std::string_view key;            // in a configuration file; the option is "--" and this
   const char* variable = nullptr;  // of the environment; null: the refinement has no such number
-  std::string_view placeholder;   // stands for the value in --help
-  std::string_view needed;        // completes "... is needed"
+  std::string_view placeholder;    // stands for the value in --help
+  std::string_view needed;         // completes "... is needed"
   std::string_view help;
   float least = 0;
   float most = 0;
@@ -43,10 +43,10 @@ struct ShapeNumber {
 
 struct RefinementTraits {
   Refinement refinement = Refinement::linear_inputs;
-  GLenum token = 0;                   // value of GL_REFINEMENT_ARK
-  std::string_view token_name;        // as in the extension's text
-  std::string_view word;              // for users: --refine, names of dumped shaders; begins the names of its GLSL functions
-  std::string_view help;              // what --help says about it
+  GLenum token = 0;             // value of GL_REFINEMENT_ARK
+  std::string_view token_name;  // as in the extension's text
+  std::string_view word;        // for users: --refine, names of dumped shaders; begins the names of its GLSL functions
+  std::string_view help;        // what --help says about it
   bool interpolates_outputs = false;  // runs the vertex stage at the corners only
   bool curves_positions = false;      // needs positions and normals; welded edges have control points in the record
   bool curves_normals = false;        // otherwise normals are linear
@@ -92,29 +92,30 @@ inline constexpr std::array refinements{
                                 .variable = "GLARK_TENSION",
                                 .placeholder = "T",
                                 .needed = "a number from -1 to 1",
-                                .help = "Of --refine stpn: how tightly curved triangles are drawn to the coarse ones: "
+                                .help = "With --refine stpn: how tightly curved triangles follow the coarse ones: "
                                         "1 flat, 0 as pn, -1 rounder than pn",
                                 .least = -1,
                                 .most = 1}},
     // Boubekeur, Alexa, Phong Tessellation, 2008
-    RefinementTraits{.refinement = Refinement::phong,
-                     .token = GL_PHONG_ARK,
-                     .token_name = "PHONG_ARK",
-                     .word = "phong",
-                     .help = "curved, normals linear, with --phong-shape",
-                     .curves_positions = true,
-                     .number = {.token = GL_PHONG_SHAPE_ARK,
-                                .token_name = "PHONG_SHAPE_ARK",
-                                .values = "0 to 1",
-                                .initial_text = "0.75",
-                                .key = "phong-shape",
-                                .variable = "GLARK_PHONG_SHAPE",
-                                .placeholder = "A",
-                                .needed = "a number from 0 to 1",
-                                .help = "With --refine phong: how far triangles bend, from 0 (flat) to 1; 0.75 if not given",
-                                .least = 0,
-                                .most = 1,
-                                .initial = 0.75F}},
+    RefinementTraits{
+        .refinement = Refinement::phong,
+        .token = GL_PHONG_ARK,
+        .token_name = "PHONG_ARK",
+        .word = "phong",
+        .help = "curved, normals linear, with --phong-shape",
+        .curves_positions = true,
+        .number = {.token = GL_PHONG_SHAPE_ARK,
+                   .token_name = "PHONG_SHAPE_ARK",
+                   .values = "0 to 1",
+                   .initial_text = "0.75",
+                   .key = "phong-shape",
+                   .variable = "GLARK_PHONG_SHAPE",
+                   .placeholder = "A",
+                   .needed = "a number from 0 to 1",
+                   .help = "With --refine phong: how far triangles bend, from 0 (flat) to 1; 0.75 if not given",
+                   .least = 0,
+                   .most = 1,
+                   .initial = 0.75F}},
 };
 
 constexpr const RefinementTraits& traits_of(Refinement refinement) {
@@ -195,10 +196,10 @@ struct ContextOptions {
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
   ShapeNumbers shape_numbers = initial_shape_numbers();
-  bool weld = true;             // curved triangles by position, where the program has split its vertices
-  EdgeMeasure measure = {};     // on: transparent refinement by measured depths up to max_level
-  bool geomorph = false;        // refined vertices move between the levels of measured depths
-  bool centroids = false;       // quads and polygons become fans about their centroids
+  bool weld = true;          // curved triangles by position, where the program has split its vertices
+  EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
+  bool geomorph = false;     // refined vertices move between the levels of measured depths
+  bool centroids = false;    // quads and polygons become fans about their centroids
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/settings/configuration.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -47,7 +49,7 @@ class Reader {
   using Position = toml::source_position;
 
   void complain(std::size_t line, std::size_t column, const std::string& what) {
-    problems_.push_back(file_ + ":" + std::to_string(line) + ":" + std::to_string(column) + ": " + what);
+    problems_.push_back(fmt::format("{}:{}:{}: {}", file_, line, column, what));
   }
   void complain(const Part& part, const toml::node& node, const std::string& what) {
     complain(part.first_line + node.source().begin.line, node.source().begin.column, what);
@@ -110,7 +112,7 @@ bool Reader::refuse_deep_keys(std::string_view text) {
   std::size_t line = 1;
   for (const std::string_view content : lines_of(text)) {
     if (std::count(content.begin(), content.end(), '.') > most_dots) {
-      complain(line, 1, "the line has more than " + std::to_string(most_dots) + " dots; the file is not used");
+      complain(line, 1, fmt::format("the line has more than {} dots; the file is not used", most_dots));
       return true;
     }
     ++line;
@@ -175,7 +177,7 @@ void Reader::apply_table(const Part& part, const toml::table& table, bool all_pr
     }
     const Setting* setting = find_setting(name);
     if (setting == nullptr || !setting->in_file) {
-      complain(part, node, "there is no key \"" + std::string(name) + "\"; the keys are " + known_keys());
+      complain(part, node, fmt::format("there is no key \"{}\"; the keys are {}", name, known_keys()));
       continue;
     }
     apply_value(part, *setting, node);
@@ -184,11 +186,10 @@ void Reader::apply_table(const Part& part, const toml::table& table, bool all_pr
 
 void Reader::apply_value(const Part& part, const Setting& setting, const toml::node& node) {
   const std::optional<std::string> text = text_of(node);
-  const std::string needed = std::string(setting.needed) + " is needed";
   if (!text)
-    complain(part, node, std::string(setting.key) + " has a value of another kind; " + needed);
+    complain(part, node, fmt::format("{} has a value of another kind; {} is needed", setting.key, setting.needed));
   else if (!setting.read(settings_, *text))
-    complain(part, node, std::string(setting.key) + " is \"" + *text + "\"; " + needed);
+    complain(part, node, fmt::format("{} is \"{}\"; {} is needed", setting.key, *text, setting.needed));
 }
 
 }  // namespace

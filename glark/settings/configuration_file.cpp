@@ -3,6 +3,7 @@
 //
 // The place of the configuration file: XDG Base Directory Specification 0.8.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -46,7 +47,7 @@ std::optional<std::string> read_open_file(int file, std::string& reason) {
       return std::nullopt;
     }
     if (text.size() > longest_configuration) {
-      reason = "it is longer than " + std::to_string(longest_configuration) + " bytes";
+      reason = fmt::format("it is longer than {} bytes", longest_configuration);
       return std::nullopt;
     }
   }
@@ -77,7 +78,7 @@ std::optional<std::string> read_configuration(const std::string& file, std::stri
     text = read_open_file(opened, reason);
     close(opened);
   }
-  if (!text) problem = "the configuration file " + file + " cannot be read: " + reason + "; it is not used";
+  if (!text) problem = fmt::format("the configuration file {} cannot be read: {}; it is not used", file, reason);
   return text;
 }
 

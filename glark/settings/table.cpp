@@ -87,8 +87,7 @@ constexpr auto settings_of_shape_numbers(std::index_sequence<refinement...> /*al
   std::size_t next = 0;
   const auto add = [&](const core::ShapeNumber& number, bool (*read)(Settings&, std::string_view)) {
     if (number.exists())
-      rows[next++] = {number.key,    number.variable, Kind::value, number.placeholder,
-                      number.needed, number.help,     read};
+      rows[next++] = {number.key, number.variable, Kind::value, number.placeholder, number.needed, number.help, read};
   };
   (add(core::refinements[refinement].number, read_shape_number<refinement>), ...);
   return rows;
@@ -175,9 +174,9 @@ constexpr std::array other_settings{
 constexpr auto settings_table = [] {
   constexpr auto numbers = settings_of_shape_numbers(std::make_index_sequence<core::refinements.size()>());
   std::array<Setting, first_settings.size() + numbers.size() + other_settings.size()> all{};
-  std::copy(other_settings.begin(), other_settings.end(),
-            std::copy(numbers.begin(), numbers.end(),
-                      std::copy(first_settings.begin(), first_settings.end(), all.begin())));
+  std::copy(
+      other_settings.begin(), other_settings.end(),
+      std::copy(numbers.begin(), numbers.end(), std::copy(first_settings.begin(), first_settings.end(), all.begin())));
   return all;
 }();
 

@@ -26,7 +26,7 @@ struct Way {
 std::string name_of(const testing::TestParamInfo<Way>& info) {
   return std::string(info.param.language == Language::glsl_450_core ? "core" : "glsl120") +
          (info.param.refinement == GL_CURVED_PN_ARK        ? "Curved"
-          : info.param.refinement == GL_PHONG_ARK        ? "Phong"
+          : info.param.refinement == GL_PHONG_ARK          ? "Phong"
           : info.param.refinement == GL_LINEAR_OUTPUTS_ARK ? "Outputs"
                                                            : "Inputs");
 }

@@ -85,12 +85,14 @@ TEST(Parameters, SpecificationHasTheStateTable) {
 
 TEST(Parameters, SpecificationHasTheRefinements) {
   const std::string text = specification();
-  const std::size_t begin = text.find("Accepted by the <param> parameter of ARKParameteriARK when <pname> is\n    REFINEMENT_ARK:");
+  const std::size_t begin =
+      text.find("Accepted by the <param> parameter of ARKParameteriARK when <pname> is\n    REFINEMENT_ARK:");
   ASSERT_NE(begin, std::string::npos);
   const std::string tokens = text.substr(begin, text.find("Accepted by", begin + 1) - begin);
   for (const RefinementTraits& row : refinements) {
     std::ostringstream line;
-    line << "        " << padded(std::string(row.token_name), 41) << "0x" << std::hex << std::uppercase << row.token << "\n";
+    line << "        " << padded(std::string(row.token_name), 41) << "0x" << std::hex << std::uppercase << row.token
+         << "\n";
     EXPECT_NE(tokens.find(line.str()), std::string::npos) << line.str();
   }
 }

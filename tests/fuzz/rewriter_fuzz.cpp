@@ -11,8 +11,8 @@
 
 #include "glark/core/refine/derive.h"
 #include "glark/core/refine/glsl/geometry_shader.h"
-#include "glark/core/refine/glsl/types.h"
 #include "glark/core/refine/glsl/rewrite.h"
+#include "glark/core/refine/glsl/types.h"
 
 namespace {
 

@@ -46,7 +46,8 @@ void check_shapes(Test& t) {
     float value;
     SurfaceOf surface;
   };
-  for (const Shape& shape : {Shape{1, phong<100>}, Shape{0.25F, phong<25>}, Shape{0, phong<0>}, Shape{0.5F, phong<50>}}) {
+  for (const Shape& shape :
+       {Shape{1, phong<100>}, Shape{0.25F, phong<25>}, Shape{0, phong<0>}, Shape{0.5F, phong<50>}}) {
     gl.ARKParameterfARK(GL_PHONG_SHAPE_ARK, shape.value);
     expect_surface(t, capture_surface(t, mesh), mesh, {}, shape.surface);
   }
@@ -168,7 +169,8 @@ void check_missing(Test& t, bool has_position) {
   refine_uniformly(2, GL_PHONG_ARK);
   const Mesh mesh = bent_mesh();
   const std::string normal = has_position ? "" : "layout(location = 1) in vec3 normal;";
-  const std::string position = has_position ? "layout(location = 0) in vec4 position;" : "layout(location = 8) in vec4 where;";
+  const std::string position =
+      has_position ? "layout(location = 0) in vec4 position;" : "layout(location = 8) in vec4 where;";
   gl.UseProgram(build_program(
       t, {.vertex = position + normal +
                     "layout(location = 2) in vec3 weights; layout(location = 6) in float triangle;\n"
@@ -198,7 +200,8 @@ void check_shape_values(Test& t) {
   }
   using Limits = std::numeric_limits<GLfloat>;
   for (const GLfloat value : {-0.01F, 1.01F, 2.0F, Limits::infinity(), Limits::quiet_NaN()})
-    expect_refused(t, GL_INVALID_VALUE, "a number out of range", [&] { gl.ARKParameterfARK(GL_PHONG_SHAPE_ARK, value); });
+    expect_refused(t, GL_INVALID_VALUE, "a number out of range",
+                   [&] { gl.ARKParameterfARK(GL_PHONG_SHAPE_ARK, value); });
   for (const GLint value : {-1, 2})
     expect_refused(t, GL_INVALID_VALUE, "an integer out of range",
                    [&] { gl.ARKParameteriARK(GL_PHONG_SHAPE_ARK, value); });
@@ -206,9 +209,7 @@ void check_shape_values(Test& t) {
   t.expect_equal(number_of(GL_PHONG_SHAPE_ARK), 1.0F, "the parameter, set as an integer");
 }
 
-void check_initial(Test& t) {
-  t.expect_equal(number_of(GL_PHONG_SHAPE_ARK), 0.75F, "PHONG_SHAPE_ARK at first");
-}
+void check_initial(Test& t) { t.expect_equal(number_of(GL_PHONG_SHAPE_ARK), 0.75F, "PHONG_SHAPE_ARK at first"); }
 
 constexpr GLint unit = 3;
 constexpr double scale = 0.5;
@@ -231,8 +232,8 @@ void ramp() {
 
 // The surface with the height of one vertex everywhere, by weights that need not have the sum 1.
 reference::Vector raised(const reference::Corners& corners, double w, double u, double v, double height) {
-  const reference::Surface surface = reference::phong(
-      corners, {static_cast<float>(w), static_cast<float>(u), static_cast<float>(v)}, 1);
+  const reference::Surface surface =
+      reference::phong(corners, {static_cast<float>(w), static_cast<float>(u), static_cast<float>(v)}, 1);
   return surface.position + height * reference::direction(surface.normal);
 }
 
@@ -308,8 +309,9 @@ Cases formula_cases() {
       simple_case("formula.equal_corners", {"11.R.7c-8"},
                   "Two corners lie in one place, for each edge: positions lie on one curve.",
                   "A strip's stitches show as slivers.", check_equal_corners),
-      simple_case("formula.one_place", {"11.R.7c-8"}, "All corners in one place: every refined vertex is there, by bits.",
-                  "Rounding moves them.", check_one_place),
+      simple_case("formula.one_place", {"11.R.7c-8"},
+                  "All corners in one place: every refined vertex is there, by bits.", "Rounding moves them.",
+                  check_one_place),
       simple_case("formula.shared_edge", {"11.R.8-3", "11.R.8-6"},
                   "Two triangles that share an edge from opposite ends have the same positions along it, by bits.",
                   "Sums that depend on the order of corners: cracks of one ulp.", check_shared_edge),

@@ -15,8 +15,7 @@ namespace {
 constexpr std::uint32_t most_groups = 65535;  // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT that GL and ES allow
 
 std::string full_source(const ComputeText& text) {
-  std::string source =
-      text.es ? "#version 320 es\nprecision highp float;\nprecision highp int;\n" : "#version 430\n";
+  std::string source = text.es ? "#version 320 es\nprecision highp float;\nprecision highp int;\n" : "#version 430\n";
   for (const ComputeText::Define& define : text.defines) {
     source += fmt::format("#define {} {}\n", define.name, define.value);
   }

@@ -44,8 +44,7 @@ int first_integer(const capture::Layout& layout) {
 
 bool CentroidSplit::compile() {
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
-    const core::ComputeText text{
-        .what = "a centroid pass", .source = split_source, .defines = {{"GLARK_PASS", pass}}};
+    const core::ComputeText text{.what = "a centroid pass", .source = split_source, .defines = {{"GLARK_PASS", pass}}};
     if (!passes_[pass].build(gl_, text, uniform_names)) {
       return false;
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/derive.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 
@@ -69,17 +71,16 @@ class Deriver {
 
   // Names that the contract fixes and that the application may have taken: its variable gets another name, unless the API can see it.
   bool resolve_collisions() {
-    IdentifierSet fixed = {lattice_input,          patch_input,          records_block,
-                           words_member,           first_word_uniform,   height_map_uniform,
-                           height_channel_uniform, height_range_uniform, instance_input,
-                           shape_number_uniform};
+    IdentifierSet fixed = {lattice_input,      patch_input,         records_block,          words_member,
+                           first_word_uniform, height_map_uniform,  height_channel_uniform, height_range_uniform,
+                           instance_input,     shape_number_uniform};
     for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
     for (const std::string& name : application_identifiers_) {
       const bool ours =
           !request_.refinement_source.empty() && (name == "ark_barycentric" || name.starts_with("ark_corner_"));
       if (!ours && !fixed.contains(name)) continue;
       if (is_visible_to_api(name)) {
-        error_ = "'" + name + "' is a name that glark needs; rename this uniform, output or block";
+        error_ = fmt::format("'{}' is a name that glark needs; rename this uniform, output or block", name);
         return false;
       }
       new_names_.of[name] = prefix_ + "application_" + name;
@@ -130,7 +131,8 @@ class Deriver {
     for (const OutputVariable& output : plan_.outputs) {
       indexed_words += output.indexed_words;
       if (plan_.interpolates_outputs() && indexed_words > most_indexed_words) {
-        error_ = "output array '" + output.path + "' is too large to be interpolated where its index is no constant";
+        error_ =
+            fmt::format("output array '{}' is too large to be interpolated: its index is not constant", output.path);
         return false;
       }
       if (output.problem.empty()) continue;
@@ -157,7 +159,7 @@ class Deriver {
       input.field = field;
       input.type = numeric_type(field.type);
       if (input.type == nullptr) {
-        error_ = "vertex input '" + field.name + "' has a type that cannot be refined";
+        error_ = fmt::format("vertex input '{}' has a type that cannot be refined", field.name);
         return false;
       }
       const BuiltInInput* const built_in = built_in_input(field.name);
@@ -216,8 +218,7 @@ class Deriver {
 
   // Globals keep their values from one run of main to the next, and those initialised from inputs precede the inputs' values.
   void plan_resets() {
-    const bool runs_again =
-        !plan_.outputs.empty() || !plan_.morphed.empty() || plan_.interpolates_outputs();
+    const bool runs_again = !plan_.outputs.empty() || !plan_.morphed.empty() || plan_.interpolates_outputs();
     IdentifierSet varying;
     for (const VertexUnit& unit : units_) {
       for (const Declaration& declaration : unit.interface.declarations) {

@@ -56,11 +56,11 @@ struct DeriveRequest {
   int scalar_tag_field = -1;
   core::ScalarTags scalar_tags;
   int coordinate_field =
-      -1;                  // field of the texture coordinate for displacement, two floats or more; -1: nothing is displaced
-  bool stored = false;     // the record is read from the storage block
-  bool at_corner = false;  // each vertex is one captured corner, which the chunks hold; nothing is refined
-  bool morphing = false;   // the placement holds edge depths, and vertices move between levels; with a placement only
-  bool placed = true;      // false: without the patch input; the piece covers the triangle
+      -1;  // field of the texture coordinate for displacement, two floats or more; -1: nothing is displaced
+  bool stored = false;       // the record is read from the storage block
+  bool at_corner = false;    // each vertex is one captured corner, which the chunks hold; nothing is refined
+  bool morphing = false;     // the placement holds edge depths, and vertices move between levels; with a placement only
+  bool placed = true;        // false: without the patch input; the piece covers the triangle
   int provoking_corner = 2;  // corner whose value a flat output takes
   OutputRules outputs;
   std::string refinement_source;  // the application's own refinement shader (glRefinementShaderSourceARK), or empty

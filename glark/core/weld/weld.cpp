@@ -34,12 +34,12 @@ std::uint64_t bytes_for(const capture::Layout& layout, std::uint64_t triangles) 
 }  // namespace
 
 bool WeldStage::build(std::size_t pass) {
-  const core::ComputeText text{.what = "a welding pass",
-                               .source = weld_source,
-                               .es = language_ == capture::Language::es,
-                               .defines = {{"GLARK_PASS", pass},
-                                           {"GLARK_GROUP", core::ComputePass::group_size},
-                                           {"GLARK_KEY_WORDS", most_key_words}}};
+  const core::ComputeText text{
+      .what = "a welding pass",
+      .source = weld_source,
+      .es = language_ == capture::Language::es,
+      .defines = {
+          {"GLARK_PASS", pass}, {"GLARK_GROUP", core::ComputePass::group_size}, {"GLARK_KEY_WORDS", most_key_words}}};
   return passes_[pass].built() || passes_[pass].build(gl_, text, uniform_names);
 }
 

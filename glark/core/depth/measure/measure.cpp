@@ -16,7 +16,7 @@ constexpr const char* limit_names[] = {"pixels", "radians_of_turn", "budget", "r
 enum LimitUniform : std::size_t { pixels, radians_of_turn, budget, restart_limits, most_change };
 
 // Uniforms of the pass that measures; all but the last are integers.
-constexpr const char* depth_names[] = {"record_offset", "corner_words", "normal_offset", "first_depth",
+constexpr const char* depth_names[] = {"record_offset",  "corner_words", "normal_offset", "first_depth",
                                        "triangle_bound", "pool_level",   "on_screen",     "packed_bits",
                                        "depth_steps",    "turn_offset",  "half_size"};
 constexpr std::size_t half_size = 10;

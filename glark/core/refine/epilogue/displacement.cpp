@@ -37,7 +37,7 @@ std::string move(const EpiloguePlan& plan, const std::string& p, const std::stri
   const std::string normal =
       plan.traits().curves_normals
           ? "@pn_normal(@weights, @c0.position.xyz, @c1.position.xyz, @c2.position.xyz" + normals + ")"
-                    : "@mix(" + normals.substr(2) + ")";
+          : "@mix(" + normals.substr(2) + ")";
   return "  if (@on_border(@weights)) " + p + " = @displaced_position(" + p + ", " + normal +
          ", @border_coordinate(@weights" + of_corners(plan, 3, 2) + of_corners(plan, 5, 4) + "));\n" +  //
          "  else " + p + " = @displaced_position(" + p + ", " + n + ", @t);\n";

@@ -175,8 +175,7 @@ MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarat
   TypeSet added_types;
   std::string functions = output_functions(plan, plan.main_unit, mixed_types);
   functions += morph_functions(plan, plan.main_unit, added_types);
-  if (!plan.interpolates_outputs() && !plan.at_corner)
-    functions += interpolate_function(plan, mixed_types);
+  if (!plan.interpolates_outputs() && !plan.at_corner) functions += interpolate_function(plan, mixed_types);
   for (std::size_t unit = 0; unit < plan.resets.size(); ++unit) {
     if (unit == plan.main_unit) continue;
     output_functions(plan, unit, mixed_types);  // for the types that it mixes

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/refine/glsl/types.h"
 #include "glark/core/refine/glsl/rewrite.h"
+#include "glark/core/refine/glsl/types.h"
 
 namespace glark::refine {
 

@@ -67,8 +67,8 @@ std::string fill_from_patch(const EpiloguePlan& plan, TypeSet& mixed_types) {
   if (!plan.traits().curves_normals) return text;
   std::string corners = "(@weights, @p0.xyz, @p1.xyz, @p2.xyz";
   for (int corner = 0; corner < 3; ++corner) corners += ", " + resized(plan, normal, corner, 3);
-  return text + "  " + normal.global + " = " +
-         with_linear_w(plan, normal, "@pn_normal" + corners + ")", mixed_types) + ";\n";
+  return text + "  " + normal.global + " = " + with_linear_w(plan, normal, "@pn_normal" + corners + ")", mixed_types) +
+         ";\n";
 }
 
 }  // namespace

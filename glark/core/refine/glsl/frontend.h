@@ -20,8 +20,7 @@ Preprocessed preprocess(const std::string& source, bool es, const std::vector<st
 
 struct Parsed {
   bool ok = false;
-  bool limited =
-      false;  // not ok because glslang lacks a feature; the shader may be correct
+  bool limited = false;        // not ok because glslang lacks a feature; the shader may be correct
   bool writes_memory = false;  // image stores and atomics, atomic counters, writes to buffer blocks
   std::string error;           // the first line of the compiler's log
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/glsl/interface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
@@ -48,7 +50,7 @@ class Reader {
   const Token& ahead(std::size_t distance = 1) const { return tokens_[std::min(at_ + distance, tokens_.size() - 1)]; }
 
   void fail(const std::string& what) {
-    if (!failed()) interface_.error = "line " + std::to_string(at().line) + ": " + what;
+    if (!failed()) interface_.error = fmt::format("line {}: {}", at().line, what);
     at_ = tokens_.size() - 1;
   }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/glsl/rewrite.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "glark/core/refine/glsl/frontend.h"
@@ -100,7 +102,7 @@ void rewrite_unit(VertexUnit& unit, const std::string& prefix, const NewNames& n
 bool read_units(const std::vector<std::string>& sources, bool es, const std::vector<std::string>& extensions,
                 std::vector<VertexUnit>& units, std::string& error) {
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    const std::string where = sources.size() == 1 ? "vertex shader: " : "vertex shader " + std::to_string(i) + ": ";
+    const std::string where = sources.size() == 1 ? "vertex shader: " : fmt::format("vertex shader {}: ", i);
     const Preprocessed preprocessed = preprocess(sources[i], es, extensions);
     if (!preprocessed.ok) {
       error = where + preprocessed.error;

@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "glark/core/objects/shader.h"
 #include "glark/core/refine/glsl/geometry_shader.h"
+#include "glark/core/refine/program/labels.h"
 #include "glark/core/refine/program/shape_fields.h"
 #include "glark/core/refine/program/subroutines.h"
-#include "glark/core/refine/program/labels.h"
 #include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/refine/program/vertex_inputs.h"
 #include "glark/core/report.h"
-#include "glark/core/objects/shader.h"
 
 namespace glark::refine {
 namespace {
@@ -195,10 +195,11 @@ capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
     words.displaced_by = coordinate_field;
   }
   if (words.controls != curved || words.turns != key.turns || (displaced && words.displaced_by < 0)) {
-    core::log(core::LogLevel::info,
-              fmt::format("{}: its vertex attributes leave no room for what welded edges need; where normals or texture "
-                          "coordinates differ at an edge, its triangles may part there",
-                          label(program)));
+    core::log(
+        core::LogLevel::info,
+        fmt::format("{}: its vertex attributes leave no room for what welded edges need; where normals or texture "
+                    "coordinates differ at an edge, its triangles may part there",
+                    label(program)));
   }
   return words;
 }

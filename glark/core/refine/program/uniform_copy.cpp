@@ -51,50 +51,51 @@ struct Shape {
   int rows = 1;
 };
 
+struct ShapeOfType {
+  GLenum type;
+  Shape shape;
+};
+constexpr ShapeOfType shapes[] = {
+    {GL_FLOAT, {Scalar::floating, 1, 1}},
+    {GL_FLOAT_VEC2, {Scalar::floating, 1, 2}},
+    {GL_FLOAT_VEC3, {Scalar::floating, 1, 3}},
+    {GL_FLOAT_VEC4, {Scalar::floating, 1, 4}},
+    {GL_FLOAT_MAT2, {Scalar::floating, 2, 2}},
+    {GL_FLOAT_MAT3, {Scalar::floating, 3, 3}},
+    {GL_FLOAT_MAT4, {Scalar::floating, 4, 4}},
+    {GL_FLOAT_MAT2x3, {Scalar::floating, 2, 3}},
+    {GL_FLOAT_MAT2x4, {Scalar::floating, 2, 4}},
+    {GL_FLOAT_MAT3x2, {Scalar::floating, 3, 2}},
+    {GL_FLOAT_MAT3x4, {Scalar::floating, 3, 4}},
+    {GL_FLOAT_MAT4x2, {Scalar::floating, 4, 2}},
+    {GL_FLOAT_MAT4x3, {Scalar::floating, 4, 3}},
+    {GL_INT_VEC2, {Scalar::integer, 1, 2}},
+    {GL_INT_VEC3, {Scalar::integer, 1, 3}},
+    {GL_INT_VEC4, {Scalar::integer, 1, 4}},
+    {GL_BOOL_VEC2, {Scalar::integer, 1, 2}},
+    {GL_BOOL_VEC3, {Scalar::integer, 1, 3}},
+    {GL_BOOL_VEC4, {Scalar::integer, 1, 4}},
+    {GL_UNSIGNED_INT, {Scalar::unsigned_integer, 1, 1}},
+    {GL_UNSIGNED_INT_VEC2, {Scalar::unsigned_integer, 1, 2}},
+    {GL_UNSIGNED_INT_VEC3, {Scalar::unsigned_integer, 1, 3}},
+    {GL_UNSIGNED_INT_VEC4, {Scalar::unsigned_integer, 1, 4}},
+    {GL_DOUBLE, {Scalar::floating_double, 1, 1}},
+    {GL_DOUBLE_VEC2, {Scalar::floating_double, 1, 2}},
+    {GL_DOUBLE_VEC3, {Scalar::floating_double, 1, 3}},
+    {GL_DOUBLE_VEC4, {Scalar::floating_double, 1, 4}},
+    {GL_DOUBLE_MAT2, {Scalar::floating_double, 2, 2}},
+    {GL_DOUBLE_MAT3, {Scalar::floating_double, 3, 3}},
+    {GL_DOUBLE_MAT4, {Scalar::floating_double, 4, 4}},
+    {GL_DOUBLE_MAT2x3, {Scalar::floating_double, 2, 3}},
+    {GL_DOUBLE_MAT2x4, {Scalar::floating_double, 2, 4}},
+    {GL_DOUBLE_MAT3x2, {Scalar::floating_double, 3, 2}},
+    {GL_DOUBLE_MAT3x4, {Scalar::floating_double, 3, 4}},
+    {GL_DOUBLE_MAT4x2, {Scalar::floating_double, 4, 2}},
+    {GL_DOUBLE_MAT4x3, {Scalar::floating_double, 4, 3}},
+};
+
 Shape shape_of(GLenum type) {
-  struct Row {
-    GLenum type;
-    Shape shape;
-  };
-  static constexpr Row rows[] = {
-      {GL_FLOAT, {Scalar::floating, 1, 1}},
-      {GL_FLOAT_VEC2, {Scalar::floating, 1, 2}},
-      {GL_FLOAT_VEC3, {Scalar::floating, 1, 3}},
-      {GL_FLOAT_VEC4, {Scalar::floating, 1, 4}},
-      {GL_FLOAT_MAT2, {Scalar::floating, 2, 2}},
-      {GL_FLOAT_MAT3, {Scalar::floating, 3, 3}},
-      {GL_FLOAT_MAT4, {Scalar::floating, 4, 4}},
-      {GL_FLOAT_MAT2x3, {Scalar::floating, 2, 3}},
-      {GL_FLOAT_MAT2x4, {Scalar::floating, 2, 4}},
-      {GL_FLOAT_MAT3x2, {Scalar::floating, 3, 2}},
-      {GL_FLOAT_MAT3x4, {Scalar::floating, 3, 4}},
-      {GL_FLOAT_MAT4x2, {Scalar::floating, 4, 2}},
-      {GL_FLOAT_MAT4x3, {Scalar::floating, 4, 3}},
-      {GL_INT_VEC2, {Scalar::integer, 1, 2}},
-      {GL_INT_VEC3, {Scalar::integer, 1, 3}},
-      {GL_INT_VEC4, {Scalar::integer, 1, 4}},
-      {GL_BOOL_VEC2, {Scalar::integer, 1, 2}},
-      {GL_BOOL_VEC3, {Scalar::integer, 1, 3}},
-      {GL_BOOL_VEC4, {Scalar::integer, 1, 4}},
-      {GL_UNSIGNED_INT, {Scalar::unsigned_integer, 1, 1}},
-      {GL_UNSIGNED_INT_VEC2, {Scalar::unsigned_integer, 1, 2}},
-      {GL_UNSIGNED_INT_VEC3, {Scalar::unsigned_integer, 1, 3}},
-      {GL_UNSIGNED_INT_VEC4, {Scalar::unsigned_integer, 1, 4}},
-      {GL_DOUBLE, {Scalar::floating_double, 1, 1}},
-      {GL_DOUBLE_VEC2, {Scalar::floating_double, 1, 2}},
-      {GL_DOUBLE_VEC3, {Scalar::floating_double, 1, 3}},
-      {GL_DOUBLE_VEC4, {Scalar::floating_double, 1, 4}},
-      {GL_DOUBLE_MAT2, {Scalar::floating_double, 2, 2}},
-      {GL_DOUBLE_MAT3, {Scalar::floating_double, 3, 3}},
-      {GL_DOUBLE_MAT4, {Scalar::floating_double, 4, 4}},
-      {GL_DOUBLE_MAT2x3, {Scalar::floating_double, 2, 3}},
-      {GL_DOUBLE_MAT2x4, {Scalar::floating_double, 2, 4}},
-      {GL_DOUBLE_MAT3x2, {Scalar::floating_double, 3, 2}},
-      {GL_DOUBLE_MAT3x4, {Scalar::floating_double, 3, 4}},
-      {GL_DOUBLE_MAT4x2, {Scalar::floating_double, 4, 2}},
-      {GL_DOUBLE_MAT4x3, {Scalar::floating_double, 4, 3}},
-  };
-  for (const Row& row : rows) {
+  for (const ShapeOfType& row : shapes) {
     if (row.type == type) {
       return row.shape;
     }

@@ -17,8 +17,8 @@ namespace {
 
 void refuse(core::Program& program, const capture::Field& field, std::string_view reason) {
   program.cause = core::Cause::program_not_derived;
-  core::log(core::LogLevel::warning, fmt::format("{}: vertex input {} {}; its draws stay as they are", label(program),
-                                                 field.name, reason));
+  core::log(core::LogLevel::warning,
+            fmt::format("{}: vertex input {} {}; its draws stay as they are", label(program), field.name, reason));
 }
 
 // Input number `index`. Nothing for built-in inputs that carry no attribute: not every driver lists these.

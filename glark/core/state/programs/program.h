@@ -75,7 +75,7 @@ struct DerivedProgram {
   GLuint name = 0;
   capture::Layout layout;
   GLint shape_number = -1;  // location of the uniform with ShapeNumber's value
-  GLint height_map = -1;  // locations of the uniforms of displacement
+  GLint height_map = -1;    // locations of the uniforms of displacement
   GLint height_channel = -1;
   GLint height_range = -1;
   GLint first_word = -1;                   // location, in a program that reads the records from the storage block
