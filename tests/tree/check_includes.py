@@ -14,7 +14,6 @@ STAGES = ["objects", "state", "pattern", "capture", "weld", "depth", "keep", "re
 # Values that the state holds.
 VALUE_HEADERS = {
     "glark/core/capture/record.h",
-    "glark/core/refine/derive.h",
 }
 TOP = (CORE + "context.h", CORE + "refined_draw.h", CORE + "stages.h")
 WINDOW_SYSTEMS = ("EGL/", "X11/", "GL/glx", "GL/osmesa", "epoxy/", "dlfcn.h", "link.h")
