@@ -38,7 +38,7 @@ constexpr char attribute_needed[] = "the name of a vertex attribute or its locat
 template <std::size_t size>
 struct Text {
   std::array<char, size> letters{};
-  constexpr operator std::string_view() const { return {letters.data(), size}; }
+  constexpr std::string_view view() const { return {letters.data(), size}; }
 };
 
 // Calls `add` with the parts of "a, b or c".
@@ -100,7 +100,7 @@ constexpr std::array first_settings{
             [](Settings& s, std::string_view text) { return assign(parse_level(text), s.context.level); }},
     Setting{"max-level", "GLARK_MAX_LEVEL", Kind::value, "N", level_needed,
             "Deepest level that patterns are made for, 0 to 11; 6 if not given", read_max_level},
-    Setting{"refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words, refinement_help,
+    Setting{"refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words.view(), refinement_help.view(),
             [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
 };
 
