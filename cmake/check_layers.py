@@ -39,7 +39,9 @@ def read_layers(text: str) -> Layers:
 
 
 def layer_of(layers: Layers, name: str) -> str:
-    """The longest listed path that the file lies in or begins with; empty for a file of no layer."""
+    """The longest listed path that matches the file; empty for a file of no layer."""
+    if name in layers.lines:
+        return name
     stem = name.partition(".")[0]
     while stem and stem not in layers.lines:
         stem = stem.rpartition("/")[0]

@@ -16,7 +16,7 @@ function(glark_embed_glsl target)
   endforeach()
 endfunction()
 set(GLARK_GLSL_HEADERS
-  ${PROJECT_SOURCE_DIR}/glark/clients/qas/precise.glsl
+  ${PROJECT_SOURCE_DIR}/glark/clients/qas/shader/precise.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/pattern/pieces.glsl.h
   ${PROJECT_SOURCE_DIR}/glark/core/pattern/expand.glsl.h
   ${PROJECT_SOURCE_DIR}/glark/core/depth/edge_depth.glsl

@@ -29,18 +29,18 @@ CLASSES = {"draw", "track", "uniform", "count", "count_unseen", "attribute", "op
 HOOKED = {"draw", "track", "array", "api"}
 # Class -> what is called on the context after the real function, with the first of these parameters that the function has.
 TOUCH_CALLS = {
-    "write_target": ("wrote_target", ["writeTarget", "target"]),
-    "write_buffer": ("wrote_buffer", ["writeBuffer", "buffer"]),
-    "write_pack": ("wrote_pack_buffer", []),
-    "write_gpu": ("gpu_wrote", []),
-    "gpu_may_write": ("gpu_may_write", ["buffer"]),
-    "external_target": ("never_trust_target", ["target"]),
-    "external_buffer": ("never_trust_buffer", ["buffer"]),
-    "touch_vertex_array": ("touch_vertex_arrays", []),
-    "touch_fixed_function": ("touch_fixed_function", []),
-    "opaque": ("forget_in_list", []),
-    "touch_matrices": ("touch_matrices", []),
-    "touch_any_matrix": ("touch_any_matrix", []),
+    "write_target": ("writes().to_target", ["writeTarget", "target"]),
+    "write_buffer": ("writes().to_buffer", ["writeBuffer", "buffer"]),
+    "write_pack": ("writes().to_pack_buffer", []),
+    "write_gpu": ("writes().by_gpu", []),
+    "gpu_may_write": ("writes().gpu_may_write", ["buffer"]),
+    "external_target": ("writes().never_trust_target", ["target"]),
+    "external_buffer": ("writes().never_trust_buffer", ["buffer"]),
+    "touch_vertex_array": ("state().vertex_arrays().forget_current", []),
+    "touch_fixed_function": ("state().touch_fixed_function", []),
+    "opaque": ("state().forget_in_list", []),
+    "touch_matrices": ("state().touch_matrices", []),
+    "touch_any_matrix": ("state().touch_any_matrix", []),
 }
 # The current value that a function sets: by the start of its name.
 ATTRIBUTE_SLOTS = [
@@ -249,19 +249,19 @@ def wrapper_body(command, kind):
     if kind == "track":
         return [f"if (here.context == nullptr) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
     if kind == "draw":
-        return [f"if (here.context == nullptr || !here.context->refining) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
+        return [f"if (here.context == nullptr || !here.context->refining()) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
     if kind == "api":
         nothing = "return;" if c.is_void() else "return {};"
         return [f"if (here.context == nullptr && !adopt_current_context()) {nothing}", f"{'' if c.is_void() else 'return '}{hook};"]
     if kind == "uniform":
         return uniform_body(c, real)
     if kind == "array":
-        return [f"if (here.context == nullptr || !here.context->refining) {{", f"  {real};",
-                "  if (here.context != nullptr) here.context->touch_vertex_arrays();", "  return;", "}", f"{hook};"]
+        return [f"if (here.context == nullptr || !here.context->refining()) {{", f"  {real};",
+                "  if (here.context != nullptr) here.context->state().vertex_arrays().forget_current();", "  return;", "}", f"{hook};"]
     if kind in ("count", "count_unseen"):
         first = c.parameters[0][1] if c.parameters else ""
         only = f" && {first} == 0" if first == "index" and c.name.startswith("glVertexAttrib") else ""
-        unseen = ["if (here.context != nullptr) here.context->forget_values();"] if kind == "count_unseen" else []
+        unseen = ["if (here.context != nullptr) here.context->state().forget_values();"] if kind == "count_unseen" else []
         return unseen + [f"if (here.context != nullptr{only}) here.context->count_vertex({components(c)});", f"{real};"]
     if kind == "attribute":
         return attribute_body(c, real)
@@ -271,7 +271,7 @@ def wrapper_body(command, kind):
     if choices and not chosen:
         fail(f"{c.name} is classed {kind} but has no parameter named {' or '.join(choices)}")
     if kind == "touch_vertex_array" and "vaobj" in parameters:
-        call = "touch_all_vertex_arrays"  # of an array that need not be bound
+        call = "state().vertex_arrays().forget_all"  # of an array that need not be bound
     touch = f"if (here.context != nullptr) here.context->{call}({''.join(chosen)});"
     if c.is_void():
         return [f"{real};", touch]
@@ -309,7 +309,7 @@ def attribute_body(command, real):
         f"if (here.context == nullptr) {{ {real}; return; }}",
         f"struct Arguments {{ {' '.join(members)} }} arguments;",
         *copies,
-        f"here.context->set_current({f'glark::core::{slot}({index})' if indexed else f'glark::core::{slot}'},",
+        f"here.context->state().set_current({f'glark::core::{slot}({index})' if indexed else f'glark::core::{slot}'},",
         "  [](const glark::gl::Dispatch& gl_, GLuint index_, const void* data_) {",
         "    Arguments same;",
         "    std::memcpy(&same, data_, sizeof same);",
@@ -327,15 +327,15 @@ def uniform_body(command, real):
     of_program = command.name.startswith("glProgramUniform")
     twin = command.canonical.member if of_program else f"Program{command.canonical.member}"
     values = ", ".join(names[2:] if of_program else names[1:])
-    mirrors = f"here.context->uniform_mirrors({names[0] if of_program else ''})"
+    mirrors = f"here.context->state().uniform_mirrors({names[0] if of_program else ''})"
     # What is rare stands in a function of its own, so that the usual call is a jump.
     return [
-        f"if (here.context == nullptr || (!here.context->mirror_uniforms && !here.context->compiling_list && location < glark::core::virtual_location_base)) "
+        f"if (here.context == nullptr || (!here.context->state().programs().mirroring() && !here.context->state().lists().compiling && location < glark::core::virtual_location_base)) "
         f"{{ {real}; return; }}",
         "[=, &here]() __attribute__((noinline, cold)) {",
         f"  if (location < glark::core::virtual_location_base) {real};",
-        "  if (here.context->compiling_list) { here.context->list_changes_uniforms = true; return; }",
-        "  if (!here.context->mirror_uniforms) return;",
+        "  if (here.context->state().lists().compiling) { here.context->state().lists().changes_uniforms = true; return; }",
+        "  if (!here.context->state().programs().mirroring()) return;",
         f"  for (const glark::core::UniformMirror& mirror : {mirrors})",
         "    if (const GLint derived = mirror.location(location); derived >= 0)",
         f"      here.gl->{twin}(mirror.program, derived, {values});",

@@ -146,7 +146,7 @@ void context_copied(Provider provider, void* native) {
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
   const auto found = all.records.find({provider, native});
-  if (found != all.records.end() && found->second->context != nullptr) found->second->context->forget_state();
+  if (found != all.records.end() && found->second->context != nullptr) found->second->context->state().forget();
 }
 
 void make_current_begins(Provider provider, void* native) {

@@ -52,7 +52,7 @@ constexpr std::array transfer_parameters{
 class ReadState {
  public:
   explicit ReadState(core::Context& context)
-      : gl_(context.gl), api_(context.capabilities.api), version_(context.capabilities.version) {
+      : gl_(context.gl()), api_(context.capabilities().api), version_(context.capabilities().version) {
     const bool es = api_ == core::Capabilities::Api::es;
     separate_read_ = version_ >= 30;
     has_read_buffer_ = !es || version_ >= 30;
@@ -128,9 +128,9 @@ std::vector<unsigned char> read_colors(core::Context& context, Size size) {
   const auto height = static_cast<std::size_t>(size.height);
   std::vector<unsigned char> rgba(width * height * 4);
   {
-    const core::ErrorScope errors(context);
+    const core::ErrorScope errors(context.pending_error());
     const ReadState state(context);
-    context.gl.ReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    context.gl().ReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   }
   std::vector<unsigned char> rgb;
   rgb.reserve(width * height * 3);

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,8 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
 
+#include "glark/clients/common/vector.h"
+#include "glark/clients/common/vertex_normals.h"
 #include "tests/bench/gl.h"
 #include "tests/qas/meshes.h"
 
@@ -93,18 +96,12 @@ GLuint link(const char* vertex) {
 // The mean of the triangles around a vertex, by area.
 std::vector<float> vertex_normals(const ControlMesh& mesh) {
   std::vector<float> normals(mesh.positions.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    const auto at = [&](std::size_t corner, std::size_t k) {
-      return mesh.positions[3 * std::size_t{mesh.triangles[t + corner]} + k];
-    };
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t l = (k + 1) % 3;
-      const std::size_t m = (k + 2) % 3;
-      const float area = (at(1, l) - at(0, l)) * (at(2, m) - at(0, m)) - (at(1, m) - at(0, m)) * (at(2, l) - at(0, l));
-      for (std::size_t corner = 0; corner < 3; ++corner)
-        normals[3 * std::size_t{mesh.triangles[t + corner]} + k] += area;
-    }
-  }
+  const std::span<const float> positions = mesh.positions;
+  glark::common::add_triangle_normals(
+      mesh.triangles, [&](std::uint32_t vertex) { return glark::common::vector_at(positions, vertex); },
+      [&](std::uint32_t vertex, glark::common::Vector3f normal) {
+        for (std::size_t k = 0; k < 3; ++k) normals[3 * std::size_t{vertex} + k] += normal[k];
+      });
   return normals;
 }
 
