@@ -18,8 +18,8 @@
 namespace glark::settings {
 
 namespace variable {
-inline constexpr char enable[] = "GLARK_ENABLE";  // 1: refine a program that does not know of glark
-inline constexpr char config[] = "GLARK_CONFIG";  // FILE: the configuration file, instead of those of the XDG folders
+inline constexpr char enable[] = "GLARK_ENABLE";  // 1: refine a program that does not call the extension
+inline constexpr char config[] = "GLARK_CONFIG";  // FILE: replaces the configuration file of the XDG folders
 }  // namespace variable
 
 struct CaptureRequest {

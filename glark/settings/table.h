@@ -27,12 +27,13 @@ struct Setting {
   std::string_view key;    // the key in a configuration file; the option is "--" and the key
   const char* variable;
   Kind kind;
-  std::string_view value;    // the placeholder of the value in the help; empty for a toggle
-  std::string_view needed;   // the limits of the value: completes "... is needed"
-  std::string_view initial;  // the default, as a text that `read` accepts; empty: Settings is right as it is constructed
-  std::string_view shown;    // the default in words, if `initial` does not say it
-  std::string_view help;     // one sentence
-  std::string_view details;  // further sentences for the documents; may be empty
+  std::string_view value;   // the placeholder of the value in the help; empty for a toggle
+  std::string_view needed;  // the limits of the value: completes "... is needed"
+  std::string_view
+      initial;             // the default, as a text that `read` accepts; empty: Settings is right as it is constructed
+  std::string_view shown;  // the default in words, if `initial` does not say it
+  std::string_view help;   // one sentence
+  std::string_view details;                                 // further sentences for the documents; may be empty
   bool (*read)(Settings& settings, std::string_view text);  // returns false and changes nothing if `text` is no value
   bool in_file = true;                                      // whether a configuration file may have the key
 };

@@ -4,8 +4,8 @@
 // glark run [OPTIONS] [--] PROGRAM [ARGUMENTS]: runs an unmodified program with refinement.
 // glark info: describes the OpenGL of this machine.
 // The commands for files are separate programs.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <span>
@@ -26,9 +26,8 @@ CLI::Validator checked(const glark::settings::Setting& setting) {
   return CLI::Validator(
       [&](std::string& text) {
         glark::settings::Settings scratch;
-        return setting.read(scratch, text)
-                   ? std::string()
-                   : fmt::format("\"{}\" is not valid; {} is needed", text, setting.needed);
+        return setting.read(scratch, text) ? std::string()
+                                           : fmt::format("\"{}\" is not valid; {} is needed", text, setting.needed);
       },
       std::string());
 }
@@ -43,14 +42,17 @@ void describe_run(CLI::App& run, glark::tool::RunOptions& options) {
       return true;
     };
     if (setting.kind == Kind::toggle) {
-      run.add_flag_callback(name, [keep] { keep({"1"}); }, help)->group(std::string(setting.group));
+      run.add_flag_callback(
+             name, [keep] { keep({"1"}); }, help)
+          ->group(std::string(setting.group));
       continue;
     }
     CLI::Option* option = run.add_option(name, keep, help)->group(std::string(setting.group));
     option->check(checked(setting))->type_name(std::string(setting.value))->allow_extra_args(false)->expected(1);
     if (setting.kind == Kind::captures) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
-  run.footer("PROGRAM and everything after it are run as they are. Write -- before a program whose name begins with a dash.");
+  run.footer(
+      "PROGRAM and everything after it are run as they are. Write -- before a program whose name begins with a dash.");
 }
 
 // Takes the program and its arguments off the end of `words` and returns them. The program begins after "--", or at the first
@@ -90,7 +92,8 @@ void describe(Commands& commands) {
       app.add_subcommand("run", "Run a program with refinement: glark run [OPTIONS] [--] PROGRAM [ARGUMENTS]");
   describe_run(*commands.run, commands.options);
   commands.info = app.add_subcommand(
-      "info", "Describe the OpenGL of this machine and whether glark can refine with it; with a FILE, describe the file");
+      "info",
+      "Describe the OpenGL of this machine and whether glark can refine with it; with a FILE, describe the file");
   commands.settings = app.add_subcommand("settings", "Print the table of settings")->group("");
   commands.settings->add_option("--as", commands.page)->required()->check(CLI::IsMember({"markdown", "man"}));
   for (const glark::tool::OtherCommand& command : glark::tool::other_commands())

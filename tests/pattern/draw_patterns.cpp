@@ -20,8 +20,8 @@ struct Drawing {
   Interior interior;
 };
 constexpr Drawing drawings[] = {
-    {"uniform", {3, 3, 3}, Interior::minimum}, {"mixed", {2, 3, 5}, Interior::minimum},
-    {"smooth", {2, 3, 5}, Interior::smooth},   {"fan", {0, 3, 1}, Interior::minimum},
+    {"uniform", {3, 3, 3}, Interior::minimum},   {"mixed", {2, 3, 5}, Interior::minimum},
+    {"smooth", {2, 3, 5}, Interior::smooth},     {"fan", {0, 3, 1}, Interior::minimum},
     {"morphing", {2, 3, 5}, Interior::morphing},
 };
 
@@ -42,8 +42,7 @@ bool write_drawing(const Drawing& drawing, const std::string& folder) {
   const bool nested = drawing.interior == Interior::morphing;
   const glark::pattern::Pool pool = glark::pattern::build_pool(6, nested);
   const auto& [e0, e1, e2] = drawing.depths;
-  const auto assembly =
-      glark::pattern::testing::assemble(pool, glark::pattern::expand(e0, e1, e2, drawing.interior));
+  const auto assembly = glark::pattern::testing::assemble(pool, glark::pattern::expand(e0, e1, e2, drawing.interior));
   std::ofstream out(folder + "/" + drawing.name + ".svg");
   out << "<!-- SPDX-FileCopyrightText: 2026 The glark authors -->\n<!-- SPDX-License-Identifier: MIT -->\n"
       << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << side + 2 * margin << "\" height=\""

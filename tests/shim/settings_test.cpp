@@ -101,8 +101,7 @@ TEST(Settings, ALimitThatIsSetHoldsTheLevelBack) {
   const Parsed parsed = parse_all({"GLARK_LEVEL=8", "GLARK_MAX_LEVEL=3"});
   EXPECT_EQ(parsed.settings.context.level, 3u);
   ASSERT_EQ(parsed.problems.size(), 1u);
-  EXPECT_EQ(parsed.problems[0],
-            "the level 8 exceeds the limit 3; 3 is used; raise GLARK_MAX_LEVEL or max-level");
+  EXPECT_EQ(parsed.problems[0], "the level 8 exceeds the limit 3; 3 is used; raise GLARK_MAX_LEVEL or max-level");
 }
 
 TEST(Settings, Measures) {

@@ -71,7 +71,7 @@ class Manual(unittest.TestCase):
 
     def test_well_formed(self):
         if not shutil.which("man"):
-            self.assertNotEqual("true", os.environ.get("CI"), "man is not installed; run scripts/install_packages")
+            self.assertNotEqual("true", os.environ.get("CI"), "man is not installed; run scripts/install_packages --lint")
             self.skipTest("man is not installed")
         environment = dict(os.environ, MANROFFSEQ="", MANWIDTH="80", LC_ALL="C.UTF-8")
         for page in (PAGE, SCAN_PAGE):
