@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The choices a user makes about refinement, shared by the settings, the API and the pipeline.
+// The choices a user makes about refinement, shared by the settings, the API and the stages of a draw.
 #pragma once
 
 #include <cstdint>

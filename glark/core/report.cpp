@@ -4,6 +4,7 @@
 
 #include <map>
 #include <mutex>
+#include <string>
 
 namespace glark::core {
 namespace {
@@ -110,6 +111,21 @@ const CauseText& text_of(Cause cause) { return cause_texts.at(static_cast<std::s
 Statistics& statistics() {
   static Statistics* const instance = new Statistics;  // never destroyed: drivers may draw from their own exit handlers
   return *instance;
+}
+
+void PassedDraws::count(Cause cause) {
+  const auto index = static_cast<std::size_t>(cause);
+  ++statistics().passed_through[index];
+  if (logged_[index]) {
+    return;
+  }
+  logged_.set(index);
+  const CauseText& text = text_of(cause);
+  const bool expected = cause == Cause::not_triangles || cause == Cause::level_zero ||
+                        cause == Cause::rasterizer_discard || cause == Cause::invalid_draw;
+  log(expected ? LogLevel::debug : LogLevel::info,
+      "draws stay as the application asked: " + std::string(text.explanation) +
+          "; to change that: " + std::string(text.remedy));
 }
 
 }  // namespace glark::core

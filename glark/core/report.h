@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <bitset>
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -19,7 +20,8 @@ using LogSink = void (*)(LogLevel level, std::string_view message);
 void set_log_sink(LogSink sink);
 void log(LogLevel level, std::string_view message);
 
-// Why a draw was left as the application asked for it.
+// Why a draw stays as the application asked. A function that decides returns std::optional<Cause>: none means that the draw may be
+// refined.
 enum class Cause {
   not_triangles,        // points, lines, patches, adjacency
   level_zero,           // uniform level 0 with a built-in refinement: the original is the refined draw
@@ -43,15 +45,14 @@ enum class Cause {
   invalid_draw,         // GL will raise an error
   out_of_memory,        // no room for the capture
   left_shader,          // the user named its shader program
-  screen_quad,  // transparent refinement leaves user interfaces and full-screen passes alone: pipeline_exemptions.cpp
+  screen_quad,          // transparent refinement leaves user interfaces and full-screen passes alone: plan/exemptions.h
   overlay,
   orthographic,
   blended,  // the user asked for these three
   no_depth_test,
   no_depth_writes,
-  count_
 };
-inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::count_);
+inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::no_depth_writes) + 1;
 
 // `key` as in the statistics file; `remedy` completes the log line.
 struct CauseText {
@@ -76,7 +77,16 @@ struct Statistics {
 };
 Statistics& statistics();
 
-// Of the shader programs with the same sources, in all contexts.
+// Counts the draws of a context that stay as the application asked, and logs the first of each cause.
+class PassedDraws {
+ public:
+  void count(Cause cause);
+
+ private:
+  std::bitset<cause_count> logged_;
+};
+
+// Draws of the shader programs with the same sources, in all contexts.
 struct ProgramCounters {
   std::atomic<std::uint64_t> draws_seen{0};
   std::atomic<std::uint64_t> draws_refined{0};

@@ -4,15 +4,18 @@
 // What a program of the extension's API asks for beside a surface: tags of the vertices, and displacement.
 #pragma once
 
-#include "glark/core/context.h"
-#include "glark/core/program.h"
+#include "glark/core/ark_state.h"
+#include "glark/core/state/programs/program.h"
+#include "glark/gl/dispatch.h"
 
 namespace glark::core {
 
-inline bool displaces(const Context& context) { return !context.options.transparent && context.ark.displacement.on(); }
+inline bool displaces(const ContextOptions& options, const ArkState& ark) {
+  return !options.transparent && ark.displacement.on();
+}
 
-void add_shape(const Context& context, DerivedKey& key);
+void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& key);
 // Sets the uniforms of displacement.
-void set_displacement(const Context& context, const DerivedProgram& derived);
+void set_displacement(const gl::Dispatch& gl, const Displacement& displacement, const DerivedProgram& derived);
 
 }  // namespace glark::core

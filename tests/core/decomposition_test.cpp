@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // What is read from the captured numbers of a probe: GL may cut a quad along either diagonal and begin a triangle at any corner.
-#include "glark/core/depth/decomposition.h"
+#include "glark/core/polygons/decomposition.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace glark::depth {
+namespace glark::polygons {
 namespace {
 
 using Corners = std::array<GLint, 4>;
@@ -52,4 +52,4 @@ TEST(Decomposition, RejectsAnythingButOneFan) {
 }
 
 }  // namespace
-}  // namespace glark::depth
+}  // namespace glark::polygons

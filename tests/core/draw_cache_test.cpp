@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The bounds of what is kept, over a GL that only hands out names.
-#include "glark/core/draw_cache.h"
+#include "glark/core/keep/draw_cache.h"
 
 #include <gtest/gtest.h>
 

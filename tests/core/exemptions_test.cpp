@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "glark/core/context.h"
-#include "glark/core/pipeline.h"
 #include "glark/gl/dispatch.h"
 #include "glark/gl/hooks.h"
 #include "include/GL/glark.h"
@@ -81,7 +80,7 @@ class Exemptions : public testing::Test {
   void project(const std::vector<GLfloat>& matrix, GLenum mode = GL_PROJECTION) {
     hook::MatrixMode(*context_, mode);
     real.LoadMatrixf(matrix.data());
-    context_->touch_matrices();
+    context_->state().touch_matrices();
   }
 
   static std::string outcome(const std::array<std::uint64_t, cause_count + 1>& before) {
@@ -102,7 +101,7 @@ class Exemptions : public testing::Test {
     const std::vector<GLfloat> vertices(static_cast<std::size_t>(triangles) * 12, 0.25F);
     real.VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, vertices.data());
     real.EnableVertexAttribArray(0);
-    context_->touch_vertex_arrays();
+    context_->state().vertex_arrays().forget_current();
     const auto before = counts();
     hook::DrawArrays(*context_, GL_TRIANGLES, 0, triangles * 3);
     return outcome(before);
@@ -112,7 +111,7 @@ class Exemptions : public testing::Test {
     hook::Begin(*context_, GL_TRIANGLES);
     for (int i = 0; i < triangles * 3; ++i) {
       real.Vertex2f(i % 3 == 0 ? -1.0F : 1.0F, i % 3 == 1 ? -1.0F : 1.0F);
-      ++context_->immediate_vertices;
+      ++context_->state().immediate().vertices;
     }
     hook::End(*context_);
     return outcome(before);
@@ -272,7 +271,7 @@ TEST_F(Exemptions, NothingIsLeftWithoutRules) {
 }
 
 TEST_F(Exemptions, AProgramThatEnablesTheExtensionIsNeverExempt) {
-  context_->ark.pool_level = 4;
+  context_->ark().pool_level = 4;
   hook::Enable(*context_, GL_ARK);
   use(modern_vertex, modern_fragment);
   ignore_depth(true);
@@ -294,7 +293,7 @@ TEST_F(Exemptions, QuadsAreSplitAtTheirCentresOnRequest) {
     hook::Begin(*context_, GL_QUADS);
     for (const auto& [x, y] : {std::pair(-1.0F, -1.0F), {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
       real.Vertex2f(x, y);
-      ++context_->immediate_vertices;
+      ++context_->state().immediate().vertices;
     }
     hook::End(*context_);
     EXPECT_EQ(statistics().refined_triangles - before, centroids ? 16U : 8U);

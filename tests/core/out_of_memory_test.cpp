@@ -63,7 +63,7 @@ class OutOfMemory : public testing::Test {
     hook::Begin(*context_, GL_TRIANGLES);
     for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, std::pair{1.0F, -1.0F}, std::pair{0.0F, 1.0F}}) {
       real.Vertex2f(x, y);
-      ++context_->immediate_vertices;
+      ++context_->state().immediate().vertices;
     }
     hook::End(*context_);
     real.Finish();

@@ -8,15 +8,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "glark/core/bindings.h"
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measured_depths.h"
 #include "glark/core/depth/reorder.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/gpu_pool.h"
+#include "glark/core/state/bindings.h"
 
 namespace glark::depth {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "glark/core/depth/binned_instances.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
 
 namespace glark::depth {
 

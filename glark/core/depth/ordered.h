@@ -7,11 +7,11 @@
 
 #include <array>
 
-#include "glark/core/bindings.h"
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measure.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/state/bindings.h"
 
 namespace glark::depth {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "glark/core/refine/geometry_shader.h"
 #include "glark/core/refine/rewrite.h"
@@ -36,14 +37,14 @@ std::vector<std::string> geometry_sources(const core::Program& program) {
   return result;
 }
 
-core::Cause cause_of(const core::Program& program, const VertexStageTraits& traits) {
+std::optional<core::Cause> cause_of(const core::Program& program, const VertexStageTraits& traits) {
   if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
     return core::Cause::tessellation;
   }
   if (traits.has_side_effects) {
     return core::Cause::side_effects;
   }
-  return core::Cause::count_;
+  return std::nullopt;
 }
 
 // Without sources there is nothing to read: a binary.
@@ -177,7 +178,7 @@ bool ProgramBuilder::can_store_records(const core::Program& program) const {
 
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
-  program.cause = core::Cause::count_;
+  program.cause.reset();
   program.hash = core::source_hash(program.stages);
   program.counters = &core::program_counters(program.hash);
   program.conventional_projection = program.fixed_function || core::reads_conventional_projection(program.stages);
@@ -194,22 +195,22 @@ void ProgramBuilder::prepare(core::Program& program) const {
     return;
   }
   program.cause = cause_of(program, inspection.traits);
-  if (traits_.transparent && program.cause == core::Cause::count_ &&
+  if (traits_.transparent && !program.cause &&
       (program.has_stage(GL_GEOMETRY_SHADER) ? reads(program, GL_GEOMETRY_SHADER, "gl_PrimitiveIDIn")
                                              : reads(program, GL_FRAGMENT_SHADER, "gl_PrimitiveID"))) {
     program.cause = core::Cause::primitive_id;
   }
-  if (traits_.transparent && program.cause == core::Cause::count_ && program.has_stage(GL_GEOMETRY_SHADER) &&
+  if (traits_.transparent && !program.cause && program.has_stage(GL_GEOMETRY_SHADER) &&
       (inspection.traits.writes_integers || makes_its_own_positions(geometry_sources(program)))) {
     program.cause = core::Cause::geometry_shader;
   }
-  if (program.cause != core::Cause::count_) {
+  if (program.cause) {
     return;
   }
   read_fields(program);
   const capture::Layout layout = capture::make_layout(program.fields, false);
   const int free_locations = most_chunks(false);
-  if (program.cause != core::Cause::count_) {
+  if (program.cause) {
     return;
   }
   if (layout.fields.empty()) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "glark/core/capture/layout.h"
-#include "glark/core/program.h"
 #include "glark/core/refine/fixed_function.h"
+#include "glark/core/state/programs/program.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::refine {

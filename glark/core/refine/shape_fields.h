@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "glark/core/capture/record.h"
-#include "glark/core/program.h"
 #include "glark/core/refine/derive.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::refine {
 

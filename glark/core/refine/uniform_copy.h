@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "glark/core/program.h"
+#include "glark/core/state/programs/program.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::refine {

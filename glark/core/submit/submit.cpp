@@ -7,11 +7,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
-#include <vector>
 
 namespace glark::submit {
 namespace {
+
+using refine::first_chunk_location;
+using refine::lattice_location;
+using refine::patch_location;
 
 constexpr GLuint lattice_binding = 0;
 constexpr GLuint patch_binding = 1;
@@ -97,21 +99,12 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
   }
 }
 
-bool SubmitStage::number(std::uint32_t instances) {
-  if (has_numbers(instances)) {
-    return true;
-  }
-  std::vector<std::uint32_t> numbers(instances);
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers_.allocate(gl_, GLsizeiptr{4} * instances, numbers.data(), GL_STATIC_DRAW);
-}
-
 void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, BinnedInputs inputs) {
-  bind_vertex_array(inputs.chunks, inputs.numbered ? Source::numbered : Source::binned, pool.indices());
+  bind_vertex_array(inputs.chunks, inputs.numbers != 0 ? Source::numbered : Source::binned, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
   gl_.BindVertexBuffer(patch_binding, bins.patches, bins.patches_offset, patch_bytes);
-  if (inputs.numbered) {
-    gl_.BindVertexBuffer(record_binding, numbers_.name(), 0, sizeof(std::uint32_t));
+  if (inputs.numbers != 0) {
+    gl_.BindVertexBuffer(record_binding, inputs.numbers, 0, sizeof(std::uint32_t));
   } else {
     gl_.BindVertexBuffer(record_binding, bins.records, bins.records_offset, bins.record_stride);
   }
@@ -133,7 +126,6 @@ void SubmitStage::release() {
     gl_.DeleteVertexArrays(1, &array.name);
   }
   arrays_.clear();
-  numbers_.release(gl_);
 }
 
 }  // namespace glark::submit

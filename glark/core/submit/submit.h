@@ -10,15 +10,11 @@
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/record.h"
 #include "glark/core/depth/binned_instances.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/gpu_pool.h"
+#include "glark/core/refine/attribute_locations.h"
 
 namespace glark::submit {
-
-// Attribute locations of every derived program.
-inline constexpr GLuint lattice_location = 0;
-inline constexpr GLuint patch_location = 1;  // the first chunk where pieces need no placement
-inline constexpr GLuint first_chunk_location = 2;
 
 struct UniformDraw {
   capture::CoarseTriangles triangles;
@@ -37,14 +33,11 @@ class SubmitStage {
   // with a count on the GPU also GL_DRAW_INDIRECT_BUFFER.
   void draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw);
   struct BinnedInputs {
-    int chunks = 0;         // of a record that are attributes of the program
-    bool numbered = false;  // the program takes the number of the instance; see number()
+    int chunks = 0;      // of a record that are attributes of the program
+    GLuint numbers = 0;  // a buffer of 0, 1, 2, ..., if the program takes the number of the instance
   };
   // Binds a vertex array of ours and GL_DRAW_INDIRECT_BUFFER.
   void draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, BinnedInputs inputs);
-  // For programs whose instances are numbered: so many numbers. False without memory.
-  bool number(std::uint32_t instances);
-  bool has_numbers(std::uint32_t instances) const { return numbers_.size() >= GLsizeiptr{4} * instances; }
   void release();
 
  private:
@@ -62,7 +55,6 @@ class SubmitStage {
     GLuint indices = 0;
   };
   std::map<Key, VertexArray> arrays_;
-  core::GpuBuffer numbers_;  // 0, 1, 2, ...
 };
 
 }  // namespace glark::submit

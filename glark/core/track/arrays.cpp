@@ -13,12 +13,12 @@ constexpr GLsizei surely_valid_stride = 2048;
 
 // The array whose calls are followed; null where GL has to be asked anyway.
 VertexArray* followed(Context& c) {
-  if (c.immediate.open) {
-    c.touch_vertex_arrays();
+  if (c.state().immediate().open) {
+    c.state().vertex_arrays().forget_current();
     return nullptr;
   }
-  c.refresh_bindings();
-  return &c.vertex_arrays.current(c.bindings.vertex_array);
+  c.state().refresh();
+  return &c.state().vertex_arrays().current(c.state().bindings().vertex_array);
 }
 
 struct Pointer {
@@ -32,8 +32,8 @@ struct Pointer {
 
 // glXPointer reads the buffer that is bound to GL_ARRAY_BUFFER now.
 bool attach(Context& c, AttributeSource& source, const Pointer& to) {
-  const BoundBuffer bound = c.bound_buffer(GL_ARRAY_BUFFER);
-  const bool es_double = to.type == GL_DOUBLE && c.capabilities.api == Capabilities::Api::es;
+  const BoundBuffer bound = c.state().bound_buffer(GL_ARRAY_BUFFER);
+  const bool es_double = to.type == GL_DOUBLE && c.capabilities().api == Capabilities::Api::es;
   const GLsizei packed = es_double ? 0 : packed_stride(to.size, to.type);
   if (!bound.known || packed == 0 || to.stride < 0 || to.stride > surely_valid_stride ||
       (bound.name == 0 && !c.is_compatibility())) {
@@ -94,27 +94,27 @@ namespace hook {
 
 void VertexAttribPointer(Context& c, GLuint index, GLint size, GLenum type, GLboolean normalized, GLsizei stride,
                          const void* pointer) {
-  c.gl.VertexAttribPointer(index, size, type, normalized, stride, pointer);
+  c.gl().VertexAttribPointer(index, size, type, normalized, stride, pointer);
   point_generic(
       c, index,
       {.size = size, .type = type, .normalized = normalized != GL_FALSE, .stride = stride, .pointer = pointer});
 }
 
 void VertexAttribIPointer(Context& c, GLuint index, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  c.gl.VertexAttribIPointer(index, size, type, stride, pointer);
+  c.gl().VertexAttribIPointer(index, size, type, stride, pointer);
   const bool integer = type != GL_FLOAT && type != GL_DOUBLE && type != GL_HALF_FLOAT;  // others are refused
   point_generic(c, index,
                 {.size = integer ? size : 0, .type = type, .integer = true, .stride = stride, .pointer = pointer});
 }
 
 void BindVertexBuffer(Context& c, GLuint binding, GLuint buffer, GLintptr offset, GLsizei stride) {
-  c.gl.BindVertexBuffer(binding, buffer, offset, stride);
+  c.gl().BindVertexBuffer(binding, buffer, offset, stride);
   VertexArray* array = followed(c);
   if (array == nullptr) {
     return;
   }
-  const bool valid = (c.is_compatibility() || c.bindings.vertex_array != 0) && offset >= 0 && stride >= 0 &&
-                     stride <= surely_valid_stride && c.gl.IsBuffer(buffer) != GL_FALSE;
+  const bool valid = (c.is_compatibility() || c.state().bindings().vertex_array != 0) && offset >= 0 && stride >= 0 &&
+                     stride <= surely_valid_stride && c.gl().IsBuffer(buffer) != GL_FALSE;
   for (GLuint i = 0; i < generic_slots; ++i) {
     AttributeSource& source = array->sources[i];
     if (source.binding != binding) {
@@ -124,7 +124,7 @@ void BindVertexBuffer(Context& c, GLuint binding, GLuint buffer, GLintptr offset
       array->known &= ~slot_bit(static_cast<int>(i));
     } else {
       source.buffer = buffer;
-      source.generation = c.share->buffers.generation(buffer);
+      source.generation = c.share().buffers.generation(buffer);
       source.offset = offset;
       source.stride = stride;
     }
@@ -132,45 +132,45 @@ void BindVertexBuffer(Context& c, GLuint binding, GLuint buffer, GLintptr offset
 }
 
 void EnableVertexAttribArray(Context& c, GLuint index) {
-  c.gl.EnableVertexAttribArray(index);
+  c.gl().EnableVertexAttribArray(index);
   enable_generic(c, index, true);
 }
 
 void DisableVertexAttribArray(Context& c, GLuint index) {
-  c.gl.DisableVertexAttribArray(index);
+  c.gl().DisableVertexAttribArray(index);
   enable_generic(c, index, false);
 }
 
 void VertexPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  c.gl.VertexPointer(size, type, stride, pointer);
+  c.gl().VertexPointer(size, type, stride, pointer);
   const bool valid = size >= 2 && size <= 4 && type != GL_BYTE && type != GL_UNSIGNED_BYTE &&
                      type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT;
   point_conventional(c, vertex_slot, valid, {.size = size, .type = type, .stride = stride, .pointer = pointer});
 }
 
 void NormalPointer(Context& c, GLenum type, GLsizei stride, const void* pointer) {
-  c.gl.NormalPointer(type, stride, pointer);
+  c.gl().NormalPointer(type, stride, pointer);
   const bool valid = type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT;
   point_conventional(c, normal_slot, valid, {.size = 3, .type = type, .stride = stride, .pointer = pointer});
 }
 
 void ColorPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  c.gl.ColorPointer(size, type, stride, pointer);
+  c.gl().ColorPointer(size, type, stride, pointer);
   point_conventional(c, color_slot, size == 3 || size == 4,
                      {.size = size, .type = type, .stride = stride, .pointer = pointer});
 }
 
 void TexCoordPointer(Context& c, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  c.gl.TexCoordPointer(size, type, stride, pointer);
+  c.gl().TexCoordPointer(size, type, stride, pointer);
   const bool valid = is_size(size) && type != GL_BYTE && type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT &&
                      type != GL_UNSIGNED_INT;
-  point_conventional(c, texture_slot(c.client_texture), valid,
+  point_conventional(c, texture_slot(c.state().client_texture()), valid,
                      {.size = size, .type = type, .stride = stride, .pointer = pointer});
 }
 
 void ClientActiveTexture(Context& c, GLenum texture) {
-  c.gl.ClientActiveTexture(texture);
-  c.client_texture = !c.immediate.open && texture_slot(texture) != no_slot ? texture : 0;
+  c.gl().ClientActiveTexture(texture);
+  c.state().set_client_texture(!c.state().immediate().open && texture_slot(texture) != no_slot ? texture : 0);
 }
 
 }  // namespace hook

@@ -9,19 +9,12 @@ namespace glark::core {
 namespace {
 
 void push(Context& c, GLbitfield mask) {
-  if (c.pushed_enables.size() < c.capabilities.attribute_stack) {  // else GL refuses it
-    c.pushed_enables.emplace_back((mask & GL_ENABLE_BIT) != 0, c.ark.enabled);
-  }
+  c.state().attribute_stack().push(mask, c.ark().enabled, c.capabilities().attribute_stack);
 }
 
 void pop(Context& c) {
-  if (c.pushed_enables.empty()) {
-    return;
-  }
-  const auto [has_enable, enabled] = c.pushed_enables.back();
-  c.pushed_enables.pop_back();
-  if (has_enable) {
-    c.ark.enabled = enabled;
+  if (const std::optional<bool> enabled = c.state().attribute_stack().pop()) {
+    c.ark().enabled = *enabled;
     c.update_refining();
   }
 }
@@ -43,16 +36,16 @@ void follow(Context& c, GLuint name, int depth) {
 
 // Between glBegin and glEnd GL refuses both.
 void record(Context& c, StackStep step) {
-  if (c.compiling_list && !c.list.in_begin) {
-    c.list.list->stack_steps.push_back(step);
-    c.share->lists_push = true;
+  if (c.state().lists().compiling && !c.state().lists().in_begin) {
+    c.state().lists().list->stack_steps.push_back(step);
+    c.share().lists_push = true;
   }
 }
 
 }  // namespace
 
 void track::follow_stack(Context& c, GLuint list) {
-  if (c.share->lists_push && !c.immediate.open) {
+  if (c.share().lists_push && !c.state().immediate().open) {
     follow(c, list, 0);
   }
 }
@@ -60,23 +53,23 @@ void track::follow_stack(Context& c, GLuint list) {
 namespace hook {
 
 void PushAttrib(Context& c, GLbitfield mask) {
-  c.gl.PushAttrib(mask);
+  c.gl().PushAttrib(mask);
   record(c, {StackStep::Kind::push, mask});
-  if (track::executes(c) && !c.immediate.open) {
+  if (track::executes(c) && !c.state().immediate().open) {
     push(c, mask);
   }
 }
 
 void PopAttrib(Context& c) {
-  c.gl.PopAttrib();
-  c.forget_in_list();
+  c.gl().PopAttrib();
+  c.state().forget_in_list();
   record(c, {StackStep::Kind::pop});
-  if (!track::executes(c) || c.immediate.open) {
+  if (!track::executes(c) || c.state().immediate().open) {
     return;
   }
-  c.bindings_stale = true;
-  c.fixed_function_stale = true;
-  c.current_values.forget(c.next_stamp());  // GL_CURRENT_BIT
+  c.state().forget_bindings();
+  c.state().forget_fixed_function();
+  c.state().forget_current_values();  // GL_CURRENT_BIT
   pop(c);
 }
 

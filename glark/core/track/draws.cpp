@@ -10,25 +10,40 @@
 namespace glark::core {
 namespace track {
 
+void refine(Context& context, const DrawCall& call) {
+  context.stages()->draw().run(call);
+  context.update_refining();
+}
+
+void pass(Context& context, Cause cause) {
+  context.stages()->draw().pass(cause);
+  context.update_refining();
+}
+
+void hand_back_feedback(Context& context) {
+  context.stages()->feedback().hand_back();
+  context.update_refining();
+}
+
 void draw(Context& context, const DrawCall& call) {
-  if (context.compiling_list) {
-    if (context.list.cutting) {
+  if (context.state().lists().compiling) {
+    if (context.state().lists().cutting) {
       record_draw(context, call);
     } else {
       call.issue();
     }
     return;
   }
-  context.pipeline->draw(call);
+  refine(context, call);
 }
 
 namespace {
 
 bool restarts(Context& context) {
-  if (!context.immediate.open) {
-    context.refresh_bindings();
+  if (!context.state().immediate().open) {
+    context.state().refresh();
   }
-  return context.bindings.primitive_restart || context.bindings.primitive_restart_fixed;
+  return context.state().bindings().primitive_restart || context.state().bindings().primitive_restart_fixed;
 }
 
 bool is_index_type(GLenum type) {
@@ -39,7 +54,8 @@ bool is_index_type(GLenum type) {
 class Polygons {
  public:
   Polygons(const Context& context, GLenum mode)
-      : wanted_(mode == GL_POLYGON && splits_polygons(context.options, context.ark)), in_list_(context.list.cutting) {}
+      : wanted_(mode == GL_POLYGON && splits_polygons(context.options(), context.ark())),
+        in_list_(context.state().lists().cutting) {}
   void add(GLsizei vertices, GLsizei instances = 1) {
     constexpr std::size_t most = std::size_t{1} << 22;  // beyond that they stay triangles
     wanted_ = wanted_ && sides_.size() + static_cast<std::size_t>(instances) <= most;
@@ -95,7 +111,7 @@ void draw_elements(Context& context, const ArrayDraw& draw_of, Issue issue) {
     issue();  // GL_INVALID_VALUE, GL_INVALID_ENUM
     return;
   }
-  context.refresh_bindings();
+  context.state().refresh();
   const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) *
                                   static_cast<std::uint64_t>(draw_of.instances);
   const bool exact = !restarts(context);
@@ -122,9 +138,9 @@ std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws)
 
 // The GPU alone knows how many vertices there are; the buffers they were captured to bound them.
 void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, Issue issue) {
-  const std::optional<std::uint64_t> vertices = context.pipeline->feedback_vertices(id);
+  const std::optional<std::uint64_t> vertices = context.stages()->feedback().room().vertices(id);
   if (!vertices || instances < 0) {
-    context.pipeline->count_passed(Cause::indirect_unbounded);
+    pass(context, Cause::indirect_unbounded);
     issue();
     return;
   }
@@ -137,10 +153,10 @@ void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, 
 
 // The extension leaves rectangles and evaluator meshes as they are; in a program that does not know of it they are triangles, too.
 GLenum mode_of_shape(Context& context, GLenum mode) {
-  if (context.options.transparent) {
+  if (context.options().transparent) {
     return mode;
   }
-  context.list.segment.draws_shapes = true;
+  context.state().lists().segment.draws_shapes = true;
   return GL_LINES;
 }
 
@@ -156,7 +172,7 @@ namespace {
 
 // Mesa 22 joins strips of one list by triangles of no area.
 bool joins_strips(const Context& c, GLenum mode, GLsizei draws) {
-  return c.compiling_list && mode == GL_TRIANGLE_STRIP && draws > 1;
+  return c.state().lists().compiling && mode == GL_TRIANGLE_STRIP && draws > 1;
 }
 
 }  // namespace
@@ -165,59 +181,60 @@ using track::draw_arrays;
 using track::draw_elements;
 
 void DrawArrays(Context& c, GLenum mode, GLint first, GLsizei count) {
-  draw_arrays(c, {.mode = mode, .first = first, .count = count}, [&] { c.gl.DrawArrays(mode, first, count); });
+  draw_arrays(c, {.mode = mode, .first = first, .count = count}, [&] { c.gl().DrawArrays(mode, first, count); });
 }
 
 void DrawArraysInstanced(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances) {
   draw_arrays(c, {.mode = mode, .first = first, .count = count, .instances = instances},
-              [&] { c.gl.DrawArraysInstanced(mode, first, count, instances); });
+              [&] { c.gl().DrawArraysInstanced(mode, first, count, instances); });
 }
 
 void DrawArraysInstancedBaseInstance(Context& c, GLenum mode, GLint first, GLsizei count, GLsizei instances,
                                      GLuint base_instance) {
   draw_arrays(c, {.mode = mode, .first = first, .count = count, .instances = instances, .base_instance = base_instance},
-              [&] { c.gl.DrawArraysInstancedBaseInstance(mode, first, count, instances, base_instance); });
+              [&] { c.gl().DrawArraysInstancedBaseInstance(mode, first, count, instances, base_instance); });
 }
 
 void DrawElements(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices) {
   draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices},
-                [&] { c.gl.DrawElements(mode, count, type, indices); });
+                [&] { c.gl().DrawElements(mode, count, type, indices); });
 }
 
 void DrawRangeElements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
                        const void* indices) {
   draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices},
-                [&] { c.gl.DrawRangeElements(mode, start, end, count, type, indices); });
+                [&] { c.gl().DrawRangeElements(mode, start, end, count, type, indices); });
 }
 
 void DrawElementsBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
                             GLint base_vertex) {
   draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .base_vertex = base_vertex},
-                [&] { c.gl.DrawElementsBaseVertex(mode, count, type, indices, base_vertex); });
+                [&] { c.gl().DrawElementsBaseVertex(mode, count, type, indices, base_vertex); });
 }
 
 void DrawRangeElementsBaseVertex(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
                                  const void* indices, GLint base_vertex) {
   draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .base_vertex = base_vertex},
-                [&] { c.gl.DrawRangeElementsBaseVertex(mode, start, end, count, type, indices, base_vertex); });
+                [&] { c.gl().DrawRangeElementsBaseVertex(mode, start, end, count, type, indices, base_vertex); });
 }
 
 void DrawElementsInstanced(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
                            GLsizei instances) {
   draw_elements(c, {.mode = mode, .count = count, .index_type = type, .indices = indices, .instances = instances},
-                [&] { c.gl.DrawElementsInstanced(mode, count, type, indices, instances); });
+                [&] { c.gl().DrawElementsInstanced(mode, count, type, indices, instances); });
 }
 
 void DrawElementsInstancedBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
                                        GLsizei instances, GLuint base_instance) {
-  draw_elements(c,
-                {.mode = mode,
-                 .count = count,
-                 .index_type = type,
-                 .indices = indices,
-                 .instances = instances,
-                 .base_instance = base_instance},
-                [&] { c.gl.DrawElementsInstancedBaseInstance(mode, count, type, indices, instances, base_instance); });
+  draw_elements(
+      c,
+      {.mode = mode,
+       .count = count,
+       .index_type = type,
+       .indices = indices,
+       .instances = instances,
+       .base_instance = base_instance},
+      [&] { c.gl().DrawElementsInstancedBaseInstance(mode, count, type, indices, instances, base_instance); });
 }
 
 void DrawElementsInstancedBaseVertex(Context& c, GLenum mode, GLsizei count, GLenum type, const void* indices,
@@ -229,7 +246,7 @@ void DrawElementsInstancedBaseVertex(Context& c, GLenum mode, GLsizei count, GLe
                  .indices = indices,
                  .base_vertex = base_vertex,
                  .instances = instances},
-                [&] { c.gl.DrawElementsInstancedBaseVertex(mode, count, type, indices, instances, base_vertex); });
+                [&] { c.gl().DrawElementsInstancedBaseVertex(mode, count, type, indices, instances, base_vertex); });
 }
 
 void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsizei count, GLenum type,
@@ -243,7 +260,8 @@ void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsize
                           .instances = instances,
                           .base_instance = base_instance};
   draw_elements(c, draw_of, [&] {
-    c.gl.DrawElementsInstancedBaseVertexBaseInstance(mode, count, type, indices, instances, base_vertex, base_instance);
+    c.gl().DrawElementsInstancedBaseVertexBaseInstance(mode, count, type, indices, instances, base_vertex,
+                                                       base_instance);
   });
 }
 
@@ -254,12 +272,12 @@ void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei*
                   .exact = !joins_strips(c, mode, draws),
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
-                  .issue = [&] { c.gl.MultiDrawArrays(mode, first, count, draws); }});
+                  .issue = [&] { c.gl().MultiDrawArrays(mode, first, count, draws); }});
 }
 
 void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                        GLsizei draws) {
-  c.refresh_bindings();
+  c.state().refresh();
   const bool exact = !track::restarts(c) && !joins_strips(c, mode, draws);
   const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
   track::draw(c, {.mode = mode,
@@ -267,49 +285,50 @@ void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
                   .exact = exact,
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
-                  .issue = [&] { c.gl.MultiDrawElements(mode, count, type, indices, draws); }});
+                  .issue = [&] { c.gl().MultiDrawElements(mode, count, type, indices, draws); }});
 }
 
 void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                                  GLsizei draws, const GLint* base_vertex) {
-  c.refresh_bindings();
+  c.state().refresh();
   const bool exact = !track::restarts(c) && !joins_strips(c, mode, draws);
   const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
-  track::draw(c, {.mode = mode,
-                  .triangles = track::triangles_of_all(mode, count, draws),
-                  .exact = exact,
-                  .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
-                  .polygon_sides = polygons.sides(),
-                  .issue = [&] { c.gl.MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); }});
+  track::draw(c,
+              {.mode = mode,
+               .triangles = track::triangles_of_all(mode, count, draws),
+               .exact = exact,
+               .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
+               .polygon_sides = polygons.sides(),
+               .issue = [&] { c.gl().MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); }});
 }
 
 void Rectd(Context& c, GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
-  track::draw_rectangle(c, [&] { c.gl.Rectd(x1, y1, x2, y2); });
+  track::draw_rectangle(c, [&] { c.gl().Rectd(x1, y1, x2, y2); });
 }
 void Rectdv(Context& c, const GLdouble* v1, const GLdouble* v2) {
-  track::draw_rectangle(c, [&] { c.gl.Rectdv(v1, v2); });
+  track::draw_rectangle(c, [&] { c.gl().Rectdv(v1, v2); });
 }
 void Rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
-  track::draw_rectangle(c, [&] { c.gl.Rectf(x1, y1, x2, y2); });
+  track::draw_rectangle(c, [&] { c.gl().Rectf(x1, y1, x2, y2); });
 }
 void Rectfv(Context& c, const GLfloat* v1, const GLfloat* v2) {
-  track::draw_rectangle(c, [&] { c.gl.Rectfv(v1, v2); });
+  track::draw_rectangle(c, [&] { c.gl().Rectfv(v1, v2); });
 }
 void Recti(Context& c, GLint x1, GLint y1, GLint x2, GLint y2) {
-  track::draw_rectangle(c, [&] { c.gl.Recti(x1, y1, x2, y2); });
+  track::draw_rectangle(c, [&] { c.gl().Recti(x1, y1, x2, y2); });
 }
 void Rectiv(Context& c, const GLint* v1, const GLint* v2) {
-  track::draw_rectangle(c, [&] { c.gl.Rectiv(v1, v2); });
+  track::draw_rectangle(c, [&] { c.gl().Rectiv(v1, v2); });
 }
 void Rects(Context& c, GLshort x1, GLshort y1, GLshort x2, GLshort y2) {
-  track::draw_rectangle(c, [&] { c.gl.Rects(x1, y1, x2, y2); });
+  track::draw_rectangle(c, [&] { c.gl().Rects(x1, y1, x2, y2); });
 }
 void Rectsv(Context& c, const GLshort* v1, const GLshort* v2) {
-  track::draw_rectangle(c, [&] { c.gl.Rectsv(v1, v2); });
+  track::draw_rectangle(c, [&] { c.gl().Rectsv(v1, v2); });
 }
 
 void EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
-  track::draw(c, {.mode = GL_LINES, .issue = [&] { c.gl.EvalMesh1(mode, i1, i2); }});
+  track::draw(c, {.mode = GL_LINES, .issue = [&] { c.gl().EvalMesh1(mode, i1, i2); }});
 }
 
 // OpenGL 4.6 compatibility, D.1: in mode GL_FILL a row of the mesh is a quad strip.
@@ -318,22 +337,22 @@ void EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) 
   const auto rows = static_cast<std::uint64_t>(std::max(0, j2 - j1));
   const GLenum rows_of = mode == GL_FILL ? track::mode_of_shape(c, GL_QUAD_STRIP) : GL_LINES;
   track::draw(c, {.mode = rows_of, .triangles = 2 * columns * rows, .exact = false, .issue = [&] {
-                    c.gl.EvalMesh2(mode, i1, i2, j1, j2);
+                    c.gl().EvalMesh2(mode, i1, i2, j1, j2);
                   }});
 }
 
 void DrawTransformFeedback(Context& c, GLenum mode, GLuint id) {
-  track::draw_feedback(c, mode, id, 1, [&] { c.gl.DrawTransformFeedback(mode, id); });
+  track::draw_feedback(c, mode, id, 1, [&] { c.gl().DrawTransformFeedback(mode, id); });
 }
 void DrawTransformFeedbackInstanced(Context& c, GLenum mode, GLuint id, GLsizei instances) {
-  track::draw_feedback(c, mode, id, instances, [&] { c.gl.DrawTransformFeedbackInstanced(mode, id, instances); });
+  track::draw_feedback(c, mode, id, instances, [&] { c.gl().DrawTransformFeedbackInstanced(mode, id, instances); });
 }
 void DrawTransformFeedbackStream(Context& c, GLenum mode, GLuint id, GLuint stream) {
-  track::draw_feedback(c, mode, id, 1, [&] { c.gl.DrawTransformFeedbackStream(mode, id, stream); });
+  track::draw_feedback(c, mode, id, 1, [&] { c.gl().DrawTransformFeedbackStream(mode, id, stream); });
 }
 void DrawTransformFeedbackStreamInstanced(Context& c, GLenum mode, GLuint id, GLuint stream, GLsizei instances) {
   track::draw_feedback(c, mode, id, instances,
-                       [&] { c.gl.DrawTransformFeedbackStreamInstanced(mode, id, stream, instances); });
+                       [&] { c.gl().DrawTransformFeedbackStreamInstanced(mode, id, stream, instances); });
 }
 
 }  // namespace hook

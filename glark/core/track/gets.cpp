@@ -12,11 +12,9 @@
 namespace glark::core {
 namespace {
 
-constexpr std::string_view extension_name = "GL_ARK_adaptive_refinement";
-
 GLint tag_array_parameter(const Context& c, GLenum parameter) {
   GLint value = 0;
-  c.gl.GetVertexAttribiv(c.ark.tag_attribute, parameter, &value);
+  c.gl().GetVertexAttribiv(c.ark().tag_attribute, parameter, &value);
   return value;
 }
 
@@ -39,10 +37,10 @@ GLint depth_source_token(DepthSource source) {
 
 // The value of a state of the extension; empty for any other name.
 std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
-  if (!c.capabilities.refinable) {
+  if (!c.capabilities().refinable) {
     return std::nullopt;
   }
-  const ArkState& ark = c.ark;
+  const ArkState& ark = c.ark();
   switch (name) {
     case GL_ARK: return ark.enabled ? 1 : 0;
     case GL_MAX_DEPTH_ARK: return static_cast<GLint>(max_supported_level);
@@ -98,14 +96,14 @@ bool answer(Context& c, GLenum name, Value* data) {
 // While a list is cut into segments, GL's current list is a segment of ours.
 template <typename Value>
 void correct_list_index(const Context& c, GLenum name, Value* data) {
-  if (name == GL_LIST_INDEX && c.list.cutting && data != nullptr) {
-    *data = static_cast<Value>(c.list.name);
+  if (name == GL_LIST_INDEX && c.state().lists().cutting && data != nullptr) {
+    *data = static_cast<Value>(c.state().lists().name);
   }
 }
 
 template <typename Value>
 void correct_extension_count(const Context& c, GLenum name, Value* data) {
-  if (name == GL_NUM_EXTENSIONS && c.capabilities.refinable && data != nullptr) {
+  if (name == GL_NUM_EXTENSIONS && c.capabilities().refinable && data != nullptr) {
     *data = static_cast<Value>(*data + 1);
   }
 }
@@ -116,16 +114,16 @@ namespace track {
 
 GLuint current_tag(const Context& c) {
   GLfloat value[4] = {0, 0, 0, 0};
-  c.gl.GetVertexAttribfv(c.ark.tag_attribute, GL_CURRENT_VERTEX_ATTRIB, value);
-  const float limit = static_cast<float>(std::max(c.ark.pool_level, 0));
+  c.gl().GetVertexAttribfv(c.ark().tag_attribute, GL_CURRENT_VERTEX_ATTRIB, value);
+  const float limit = static_cast<float>(std::max(c.ark().pool_level, 0));
   return std::isnan(value[0]) ? 0 : static_cast<GLuint>(std::clamp(std::round(value[0]), 0.0F, limit));
 }
 
 bool inside_begin(Context& c) {
-  if (c.immediate.open) {
+  if (c.state().immediate().open) {
     c.raise(GL_INVALID_OPERATION);
   }
-  return c.immediate.open;
+  return c.state().immediate().open;
 }
 
 }  // namespace track
@@ -134,13 +132,13 @@ namespace hook {
 
 void GetBooleanv(Context& c, GLenum name, GLboolean* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetBooleanv(name, data);
+    c.gl().GetBooleanv(name, data);
   }
 }
 
 void GetIntegerv(Context& c, GLenum name, GLint* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetIntegerv(name, data);
+    c.gl().GetIntegerv(name, data);
     correct_extension_count(c, name, data);
     correct_list_index(c, name, data);
   }
@@ -148,7 +146,7 @@ void GetIntegerv(Context& c, GLenum name, GLint* data) {
 
 void GetFloatv(Context& c, GLenum name, GLfloat* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetFloatv(name, data);
+    c.gl().GetFloatv(name, data);
     correct_extension_count(c, name, data);
     correct_list_index(c, name, data);
   }
@@ -156,7 +154,7 @@ void GetFloatv(Context& c, GLenum name, GLfloat* data) {
 
 void GetDoublev(Context& c, GLenum name, GLdouble* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetDoublev(name, data);
+    c.gl().GetDoublev(name, data);
     correct_extension_count(c, name, data);
     correct_list_index(c, name, data);
   }
@@ -164,57 +162,46 @@ void GetDoublev(Context& c, GLenum name, GLdouble* data) {
 
 void GetInteger64v(Context& c, GLenum name, GLint64* data) {
   if (!answer(c, name, data)) {
-    c.gl.GetInteger64v(name, data);
+    c.gl().GetInteger64v(name, data);
     correct_extension_count(c, name, data);
     correct_list_index(c, name, data);
   }
 }
 
 void GetPointerv(Context& c, GLenum name, void** data) {
-  if (c.capabilities.refinable && name == GL_DEPTH_TAG_ARRAY_POINTER_ARK && data != nullptr) {
-    c.gl.GetVertexAttribPointerv(c.ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_POINTER, data);
+  if (c.capabilities().refinable && name == GL_DEPTH_TAG_ARRAY_POINTER_ARK && data != nullptr) {
+    c.gl().GetVertexAttribPointerv(c.ark().tag_attribute, GL_VERTEX_ATTRIB_ARRAY_POINTER, data);
     return;
   }
-  c.gl.GetPointerv(name, data);
+  c.gl().GetPointerv(name, data);
 }
 
 // The application's own pending errors, which we may have taken aside, come before ours in time; GL returns them in any order.
 GLenum GetError(Context& c) {
-  if (c.immediate.open) {
-    return c.gl.GetError();
+  if (c.state().immediate().open) {
+    return c.gl().GetError();
   }
-  if (c.pending_error != GL_NO_ERROR) {
-    const GLenum error = c.pending_error;
-    c.pending_error = GL_NO_ERROR;
-    return error;
-  }
-  return c.gl.GetError();
+  const GLenum error = c.pending_error().take();
+  return error != GL_NO_ERROR ? error : c.gl().GetError();
 }
 
 const GLubyte* GetString(Context& c, GLenum name) {
-  const GLubyte* text = c.gl.GetString(name);
-  if (name != GL_EXTENSIONS || text == nullptr || !c.capabilities.refinable) {
+  const GLubyte* text = c.gl().GetString(name);
+  if (name != GL_EXTENSIONS || text == nullptr || !c.capabilities().refinable) {
     return text;
   }
-  if (c.extension_string.empty()) {
-    c.extension_string = reinterpret_cast<const char*>(text);
-    if (!c.extension_string.empty() && c.extension_string.back() != ' ') {
-      c.extension_string += ' ';
-    }
-    c.extension_string += extension_name;
-  }
-  return reinterpret_cast<const GLubyte*>(c.extension_string.c_str());
+  return reinterpret_cast<const GLubyte*>(c.capabilities().extension_string.c_str());
 }
 
 const GLubyte* GetStringi(Context& c, GLenum name, GLuint index) {
-  if (name == GL_EXTENSIONS && c.capabilities.refinable) {
+  if (name == GL_EXTENSIONS && c.capabilities().refinable) {
     GLint count = 0;
-    c.gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    c.gl().GetIntegerv(GL_NUM_EXTENSIONS, &count);
     if (index == static_cast<GLuint>(count)) {
       return reinterpret_cast<const GLubyte*>(extension_name.data());
     }
   }
-  return c.gl.GetStringi(name, index);
+  return c.gl().GetStringi(name, index);
 }
 
 }  // namespace hook

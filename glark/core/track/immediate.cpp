@@ -18,25 +18,31 @@ std::uint64_t vertices_of_primitive(GLenum mode) {
 }
 
 void begin_count(Context& c) {
-  c.immediate_vertices = 0;
-  c.immediate_components = 0;
-  c.immediate_limit = UINT64_MAX;
-  c.immediate.restarted = false;
-  c.immediate.vertices_before = 0;
-  c.immediate.triangles_before = 0;
+  c.state().immediate().vertices = 0;
+  c.state().immediate().components = 0;
+  c.state().immediate().limit = UINT64_MAX;
+  c.state().immediate().restarted = false;
+  c.state().immediate().vertices_before = 0;
+  c.state().immediate().triangles_before = 0;
 }
 
 void begin_capture(Context& c, GLenum mode) {
-  const std::uint64_t room = c.pipeline->begin_immediate(mode);
-  c.immediate.capturing = room > 0;
+  const std::uint64_t room = c.stages()->draw().begin_immediate(mode);
+  c.update_refining();
+  c.state().immediate().capturing = room > 0;
   const std::uint64_t step = vertices_of_primitive(mode);
   if (room > 0 && step > 0) {
-    c.immediate_limit = room / triangles_of(mode, step) * step;
+    c.state().immediate().limit = room / triangles_of(mode, step) * step;
   }
 }
 
 std::uint64_t triangles_begun(const Context& c, GLenum mode) {
-  return c.immediate.triangles_before + triangles_of(mode, c.immediate_vertices);
+  return c.state().immediate().triangles_before + triangles_of(mode, c.state().immediate().vertices);
+}
+
+void end_capture(Context& c) {
+  c.stages()->draw().end_immediate(triangles_begun(c, c.state().immediate().mode));
+  c.update_refining();
 }
 
 }  // namespace
@@ -44,11 +50,11 @@ std::uint64_t triangles_begun(const Context& c, GLenum mode) {
 namespace track {
 
 void immediate_full(Context& c) {
-  c.gl.End();
-  c.pipeline->end_immediate(triangles_begun(c, c.immediate.mode));
+  c.gl().End();
+  end_capture(c);
   begin_count(c);
-  begin_capture(c, c.immediate.mode);
-  c.gl.Begin(c.immediate.mode);
+  begin_capture(c, c.state().immediate().mode);
+  c.gl().Begin(c.state().immediate().mode);
 }
 
 }  // namespace track
@@ -56,67 +62,67 @@ void immediate_full(Context& c) {
 namespace hook {
 
 void Begin(Context& c, GLenum mode) {
-  if (c.compiling_list && !c.list.in_begin) {
-    c.list.list->loose_vertices += c.immediate_vertices;
+  if (c.state().lists().compiling && !c.state().lists().in_begin) {
+    c.state().lists().list->loose_vertices += c.state().immediate().vertices;
   }
   begin_count(c);
-  if (c.compiling_list) {
+  if (c.state().lists().compiling) {
     if (!track::list_begin(c, mode)) {
-      c.gl.Begin(mode);
+      c.gl().Begin(mode);
     }
     return;
   }
-  const bool nested = c.immediate.open;
-  c.immediate.open = true;
+  const bool nested = c.state().immediate().open;
+  c.state().immediate().open = true;
   if (!nested) {
-    c.immediate.mode = mode;
-    c.immediate.tags_set = false;
-    c.immediate.capturing = false;
-    if (c.refining) {
+    c.state().immediate().mode = mode;
+    c.state().immediate().tags_set = false;
+    c.state().immediate().capturing = false;
+    if (c.refining()) {
       begin_capture(c, mode);
     }
   }
-  c.gl.Begin(mode);
+  c.gl().Begin(mode);
 }
 
 void End(Context& c) {
-  if (c.compiling_list) {
+  if (c.state().lists().compiling) {
     if (!track::list_end(c)) {
-      c.gl.End();
+      c.gl().End();
     }
     begin_count(c);
     return;
   }
-  c.gl.End();
-  c.immediate.open = false;
-  if (c.immediate.capturing) {
-    c.immediate.capturing = false;
-    c.immediate_limit = UINT64_MAX;
-    c.pipeline->end_immediate(triangles_begun(c, c.immediate.mode));
+  c.gl().End();
+  c.state().immediate().open = false;
+  if (c.state().immediate().capturing) {
+    c.state().immediate().capturing = false;
+    c.state().immediate().limit = UINT64_MAX;
+    end_capture(c);
   }
 }
 
 // Ends the primitive of the open glBegin and begins one of the same mode.
 void PrimitiveRestartNV(Context& c) {
-  c.gl.PrimitiveRestartNV();
-  if (!c.immediate.open && !c.list.in_begin) {
+  c.gl().PrimitiveRestartNV();
+  if (!c.state().immediate().open && !c.state().lists().in_begin) {
     return;
   }
-  const GLenum mode = c.compiling_list ? c.list.begun_mode : c.immediate.mode;
+  const GLenum mode = c.state().lists().compiling ? c.state().lists().begun_mode : c.state().immediate().mode;
   const std::uint64_t step = vertices_of_primitive(mode);
-  c.immediate.restarted = true;
-  c.immediate.vertices_before += c.immediate_vertices;
-  c.immediate.triangles_before += triangles_of(mode, c.immediate_vertices);
-  if (c.immediate_limit != UINT64_MAX) {
-    c.immediate_limit -= c.immediate_vertices / step * step;
+  c.state().immediate().restarted = true;
+  c.state().immediate().vertices_before += c.state().immediate().vertices;
+  c.state().immediate().triangles_before += triangles_of(mode, c.state().immediate().vertices);
+  if (c.state().immediate().limit != UINT64_MAX) {
+    c.state().immediate().limit -= c.state().immediate().vertices / step * step;
   }
-  c.immediate_vertices = 0;
+  c.state().immediate().vertices = 0;
 }
 
 // From now on glArrayElement may restart, also where that is enabled after glBegin only.
 void PrimitiveRestartIndexNV(Context& c, GLuint index) {
-  c.gl.PrimitiveRestartIndexNV(index);
-  c.elements_restart = true;
+  c.gl().PrimitiveRestartIndexNV(index);
+  c.state().immediate().elements_restart = true;
 }
 
 }  // namespace hook

@@ -21,23 +21,23 @@ struct Counts {
 };
 
 bool read_counts(Context& c, GLintptr offset, Counts& counts) {
-  if (c.capabilities.api != Capabilities::Api::es) {
-    c.gl.GetBufferSubData(GL_DRAW_INDIRECT_BUFFER, offset, sizeof counts, &counts);
+  if (c.capabilities().api != Capabilities::Api::es) {
+    c.gl().GetBufferSubData(GL_DRAW_INDIRECT_BUFFER, offset, sizeof counts, &counts);
     return true;
   }
-  const void* mapped = c.gl.MapBufferRange(GL_DRAW_INDIRECT_BUFFER, offset, sizeof counts, GL_MAP_READ_BIT);
+  const void* mapped = c.gl().MapBufferRange(GL_DRAW_INDIRECT_BUFFER, offset, sizeof counts, GL_MAP_READ_BIT);
   if (mapped == nullptr) {
     return false;
   }
   std::memcpy(&counts, mapped, sizeof counts);
-  c.gl.UnmapBuffer(GL_DRAW_INDIRECT_BUFFER);
+  c.gl().UnmapBuffer(GL_DRAW_INDIRECT_BUFFER);
   return true;
 }
 
 std::vector<Counts> read_commands(Context& c, const void* indirect, GLsizei draws, GLsizei stride) {
-  c.refresh_bindings();
+  c.state().refresh();
   std::vector<Counts> result(static_cast<std::size_t>(std::max(draws, 0)));
-  if (c.bindings.draw_indirect_buffer == 0) {
+  if (c.state().bindings().draw_indirect_buffer == 0) {
     if (!c.is_compatibility() || indirect == nullptr) {
       return {};
     }
@@ -48,7 +48,7 @@ std::vector<Counts> read_commands(Context& c, const void* indirect, GLsizei draw
     return result;
   }
   GLint size = 0;
-  c.gl.GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_SIZE, &size);
+  c.gl().GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_SIZE, &size);
   for (std::size_t i = 0; i < result.size(); ++i) {
     const GLintptr offset = reinterpret_cast<GLintptr>(indirect) + static_cast<GLintptr>(i) * stride;
     if (offset < 0 || offset % 4 != 0 || offset + static_cast<GLintptr>(sizeof(Counts)) > size ||
@@ -81,17 +81,17 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
   for (const Counts& command : commands) {
     triangles += triangles_of(call.mode, command.vertices) * command.instances;
     primitives += command.instances;
-    if (call.mode == GL_POLYGON && splits_polygons(c.options, c.ark) && command.vertices >= 3) {
+    if (call.mode == GL_POLYGON && splits_polygons(c.options(), c.ark()) && command.vertices >= 3) {
       sides.insert(sides.end(), command.instances, command.vertices);
     }
   }
   if (commands.empty()) {
-    c.pipeline->count_passed(Cause::indirect_unbounded);
+    track::pass(c, Cause::indirect_unbounded);
     issue();
     return;
   }
-  c.refresh_bindings();
-  const bool restarts = c.bindings.primitive_restart || c.bindings.primitive_restart_fixed;
+  c.state().refresh();
+  const bool restarts = c.state().bindings().primitive_restart || c.state().bindings().primitive_restart_fixed;
   const bool may_restart = restarts && call.command_bytes != arrays_command_bytes;
   track::draw(c, {.mode = call.mode,
                   .triangles = triangles,
@@ -107,12 +107,12 @@ namespace hook {
 
 void DrawArraysIndirect(Context& c, GLenum mode, const void* indirect) {
   draw_indirect(c, {.mode = mode, .indirect = indirect, .command_bytes = arrays_command_bytes, .exact = true},
-                [&] { c.gl.DrawArraysIndirect(mode, indirect); });
+                [&] { c.gl().DrawArraysIndirect(mode, indirect); });
 }
 
 void DrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect) {
   draw_indirect(c, {.mode = mode, .indirect = indirect, .command_bytes = elements_command_bytes, .exact = true},
-                [&] { c.gl.DrawElementsIndirect(mode, type, indirect); });
+                [&] { c.gl().DrawElementsIndirect(mode, type, indirect); });
 }
 
 void MultiDrawArraysIndirect(Context& c, GLenum mode, const void* indirect, GLsizei draws, GLsizei stride) {
@@ -123,7 +123,7 @@ void MultiDrawArraysIndirect(Context& c, GLenum mode, const void* indirect, GLsi
                  .stride = stride,
                  .command_bytes = arrays_command_bytes,
                  .exact = true},
-                [&] { c.gl.MultiDrawArraysIndirect(mode, indirect, draws, stride); });
+                [&] { c.gl().MultiDrawArraysIndirect(mode, indirect, draws, stride); });
 }
 
 void MultiDrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect, GLsizei draws,
@@ -135,7 +135,7 @@ void MultiDrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void*
                  .stride = stride,
                  .command_bytes = elements_command_bytes,
                  .exact = true},
-                [&] { c.gl.MultiDrawElementsIndirect(mode, type, indirect, draws, stride); });
+                [&] { c.gl().MultiDrawElementsIndirect(mode, type, indirect, draws, stride); });
 }
 
 // The number of commands is on the GPU too: all of them are a bound.
@@ -148,7 +148,7 @@ void MultiDrawArraysIndirectCount(Context& c, GLenum mode, const void* indirect,
                  .stride = stride,
                  .command_bytes = arrays_command_bytes,
                  .exact = false},
-                [&] { c.gl.MultiDrawArraysIndirectCount(mode, indirect, count, most, stride); });
+                [&] { c.gl().MultiDrawArraysIndirectCount(mode, indirect, count, most, stride); });
 }
 
 void MultiDrawElementsIndirectCount(Context& c, GLenum mode, GLenum type, const void* indirect, GLintptr count,
@@ -160,7 +160,7 @@ void MultiDrawElementsIndirectCount(Context& c, GLenum mode, GLenum type, const 
                  .stride = stride,
                  .command_bytes = elements_command_bytes,
                  .exact = false},
-                [&] { c.gl.MultiDrawElementsIndirectCount(mode, type, indirect, count, most, stride); });
+                [&] { c.gl().MultiDrawElementsIndirectCount(mode, type, indirect, count, most, stride); });
 }
 
 }  // namespace hook

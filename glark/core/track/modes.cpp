@@ -11,11 +11,11 @@ void set_ark_enabled(Context& c, bool enabled) {
   if (track::inside_begin(c)) {
     return;
   }
-  if (enabled && c.ark.pool_level < 0) {
+  if (enabled && c.ark().pool_level < 0) {
     c.raise(GL_INVALID_OPERATION);
     return;
   }
-  c.ark.enabled = enabled;
+  c.ark().enabled = enabled;
   c.update_refining();
 }
 
@@ -25,28 +25,29 @@ int slot_of(const Context& c, GLenum array) {
     case GL_VERTEX_ARRAY: return vertex_slot;
     case GL_NORMAL_ARRAY: return normal_slot;
     case GL_COLOR_ARRAY: return color_slot;
-    case GL_TEXTURE_COORD_ARRAY: return texture_slot(c.client_texture);
+    case GL_TEXTURE_COORD_ARRAY: return texture_slot(c.state().client_texture());
     default: return no_slot;
   }
 }
 
 void client_state_changed(Context& c, GLenum array, bool enabled) {
-  const int slot = c.refining && !c.immediate.open ? slot_of(c, array) : no_slot;
+  const int slot = c.refining() && !c.state().immediate().open ? slot_of(c, array) : no_slot;
   if (slot == no_slot) {
-    c.touch_vertex_arrays();
+    c.state().vertex_arrays().forget_current();
     return;
   }
-  c.vertex_arrays.current(c.bindings.vertex_array).sources[static_cast<std::size_t>(slot)].enabled = enabled;
+  c.state().vertex_arrays().current(c.state().bindings().vertex_array).sources[static_cast<std::size_t>(slot)].enabled =
+      enabled;
 }
 
 // Vertex arrays and buffer bindings are others now.
 void client_state_replaced(Context& c) {
-  c.bindings_stale = true;
-  c.bound_buffers.forget();
-  c.touch_all_vertex_arrays();
-  c.client_texture = 0;
-  if (c.capabilities.refinable && !c.immediate.open) {
-    c.read_client_state();
+  c.state().forget_bindings();
+  c.state().bound_buffers().forget();
+  c.state().vertex_arrays().forget_all();
+  c.state().set_client_texture(0);
+  if (c.capabilities().refinable && !c.state().immediate().open) {
+    c.state().read_client_state();
   }
 }
 
@@ -54,17 +55,17 @@ void set_tag_array(Context& c, bool enabled) {
   if (track::inside_begin(c)) {
     return;
   }
-  c.touch_vertex_arrays();
+  c.state().vertex_arrays().forget_current();
   if (enabled) {
-    c.gl.EnableVertexAttribArray(c.ark.tag_attribute);
+    c.gl().EnableVertexAttribArray(c.ark().tag_attribute);
   } else {
-    c.gl.DisableVertexAttribArray(c.ark.tag_attribute);
+    c.gl().DisableVertexAttribArray(c.ark().tag_attribute);
   }
 }
 
 // Fixed-function enables only change the generated vertex stage; all others that matter are named.
 void set_capability(Context& c, GLenum capability, bool enabled) {
-  Bindings& b = c.bindings;
+  Bindings& b = c.state().bindings();
   switch (capability) {
     case GL_DEBUG_OUTPUT: b.debug_output = enabled; break;
     case GL_RASTERIZER_DISCARD: b.rasterizer_discard = enabled; break;
@@ -88,8 +89,8 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_TEXTURE_COORD_ARRAY:
     case GL_EDGE_FLAG_ARRAY:
     case GL_FOG_COORD_ARRAY:
-    case GL_SECONDARY_COLOR_ARRAY: c.touch_vertex_arrays(); break;
-    default: c.fixed_function_stale = true; break;
+    case GL_SECONDARY_COLOR_ARRAY: c.state().vertex_arrays().forget_current(); break;
+    default: c.state().forget_fixed_function(); break;
   }
 }
 
@@ -98,164 +99,174 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
 namespace hook {
 
 void Enable(Context& c, GLenum capability) {
-  if (c.capabilities.refinable && (capability == GL_ARK || capability == GL_DEPTH_TAG_ARRAY_ARK)) {
+  if (c.capabilities().refinable && (capability == GL_ARK || capability == GL_DEPTH_TAG_ARRAY_ARK)) {
     capability == GL_ARK ? set_ark_enabled(c, true) : set_tag_array(c, true);
     return;
   }
-  c.gl.Enable(capability);
+  c.gl().Enable(capability);
   if (track::executes(c)) {
     set_capability(c, capability, true);
   }
 }
 
 void Disable(Context& c, GLenum capability) {
-  if (c.capabilities.refinable && (capability == GL_ARK || capability == GL_DEPTH_TAG_ARRAY_ARK)) {
+  if (c.capabilities().refinable && (capability == GL_ARK || capability == GL_DEPTH_TAG_ARRAY_ARK)) {
     capability == GL_ARK ? set_ark_enabled(c, false) : set_tag_array(c, false);
     return;
   }
-  c.gl.Disable(capability);
+  c.gl().Disable(capability);
   if (track::executes(c)) {
     set_capability(c, capability, false);
   }
 }
 
 void Enablei(Context& c, GLenum capability, GLuint index) {
-  c.gl.Enablei(capability, index);
+  c.gl().Enablei(capability, index);
   if (track::executes(c) && capability == GL_BLEND && index == 0) {
-    c.bindings.blend = true;
+    c.state().bindings().blend = true;
   }
 }
 
 void Disablei(Context& c, GLenum capability, GLuint index) {
-  c.gl.Disablei(capability, index);
+  c.gl().Disablei(capability, index);
   if (track::executes(c) && capability == GL_BLEND && index == 0) {
-    c.bindings.blend = false;
+    c.state().bindings().blend = false;
   }
 }
 
 GLboolean IsEnabled(Context& c, GLenum capability) {
-  if (c.capabilities.refinable && capability == GL_ARK) {
-    return track::inside_begin(c) || !c.ark.enabled ? GL_FALSE : GL_TRUE;
+  if (c.capabilities().refinable && capability == GL_ARK) {
+    return track::inside_begin(c) || !c.ark().enabled ? GL_FALSE : GL_TRUE;
   }
-  if (c.capabilities.refinable && capability == GL_DEPTH_TAG_ARRAY_ARK) {
+  if (c.capabilities().refinable && capability == GL_DEPTH_TAG_ARRAY_ARK) {
     GLint enabled = 0;
-    c.gl.GetVertexAttribiv(c.ark.tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+    c.gl().GetVertexAttribiv(c.ark().tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
     return enabled != 0 ? GL_TRUE : GL_FALSE;
   }
-  return c.gl.IsEnabled(capability);
+  return c.gl().IsEnabled(capability);
 }
 
 void EnableClientState(Context& c, GLenum array) {
-  if (c.capabilities.refinable && array == GL_DEPTH_TAG_ARRAY_ARK) {
+  if (c.capabilities().refinable && array == GL_DEPTH_TAG_ARRAY_ARK) {
     set_tag_array(c, true);
     return;
   }
-  c.gl.EnableClientState(array);
-  c.bindings_stale = c.bindings_stale || array == GL_PRIMITIVE_RESTART_NV;
+  c.gl().EnableClientState(array);
+  if (array == GL_PRIMITIVE_RESTART_NV) {
+    c.state().forget_bindings();
+  }
   client_state_changed(c, array, true);
 }
 
 void DisableClientState(Context& c, GLenum array) {
-  if (c.capabilities.refinable && array == GL_DEPTH_TAG_ARRAY_ARK) {
+  if (c.capabilities().refinable && array == GL_DEPTH_TAG_ARRAY_ARK) {
     set_tag_array(c, false);
     return;
   }
-  c.gl.DisableClientState(array);
-  c.bindings_stale = c.bindings_stale || array == GL_PRIMITIVE_RESTART_NV;
+  c.gl().DisableClientState(array);
+  if (array == GL_PRIMITIVE_RESTART_NV) {
+    c.state().forget_bindings();
+  }
   client_state_changed(c, array, false);
 }
 
 void DepthFunc(Context& c, GLenum function) {
-  c.gl.DepthFunc(function);
+  c.gl().DepthFunc(function);
   if (track::executes(c) && function >= GL_NEVER && function <= GL_ALWAYS) {
-    c.bindings.depth_function = function;
+    c.state().bindings().depth_function = function;
   }
 }
 
 void DepthMask(Context& c, GLboolean writes) {
-  c.gl.DepthMask(writes);
+  c.gl().DepthMask(writes);
   if (track::executes(c)) {
-    c.bindings.depth_writes = writes != GL_FALSE;
+    c.state().bindings().depth_writes = writes != GL_FALSE;
   }
 }
 
 void MatrixMode(Context& c, GLenum mode) {
-  c.gl.MatrixMode(mode);
+  c.gl().MatrixMode(mode);
   if (track::executes(c)) {
-    c.bindings.matrix_mode = mode;
-    c.touch_any_matrix();  // GL may have refused
+    c.state().bindings().matrix_mode = mode;
+    c.state().touch_any_matrix();  // GL may have refused
   }
 }
 
 void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
-  c.gl.Viewport(x, y, width, height);
+  c.gl().Viewport(x, y, width, height);
   if (track::executes(c) && width >= 0 && height >= 0) {
-    c.bindings.viewport = {static_cast<float>(width), static_cast<float>(height)};
+    c.state().bindings().viewport = {static_cast<float>(width), static_cast<float>(height)};
   }
 }
 
 void ViewportIndexedf(Context& c, GLuint index, GLfloat x, GLfloat y, GLfloat width, GLfloat height) {
-  c.gl.ViewportIndexedf(index, x, y, width, height);
-  c.bindings_stale = (track::executes(c) && index == 0) || c.bindings_stale;
+  c.gl().ViewportIndexedf(index, x, y, width, height);
+  if (track::executes(c) && index == 0) {
+    c.state().forget_bindings();
+  }
 }
 
 void ViewportIndexedfv(Context& c, GLuint index, const GLfloat* viewport) {
-  c.gl.ViewportIndexedfv(index, viewport);
-  c.bindings_stale = (track::executes(c) && index == 0) || c.bindings_stale;
+  c.gl().ViewportIndexedfv(index, viewport);
+  if (track::executes(c) && index == 0) {
+    c.state().forget_bindings();
+  }
 }
 
 void ViewportArrayv(Context& c, GLuint first, GLsizei count, const GLfloat* viewports) {
-  c.gl.ViewportArrayv(first, count, viewports);
-  c.bindings_stale = (track::executes(c) && first == 0) || c.bindings_stale;
+  c.gl().ViewportArrayv(first, count, viewports);
+  if (track::executes(c) && first == 0) {
+    c.state().forget_bindings();
+  }
 }
 
 void PolygonMode(Context& c, GLenum face, GLenum mode) {
-  c.gl.PolygonMode(face, mode);
+  c.gl().PolygonMode(face, mode);
   if (track::executes(c)) {
-    c.bindings_stale = true;  // faces and profiles differ in what they accept
+    c.state().forget_bindings();  // faces and profiles differ in what they accept
   }
 }
 
 void ProvokingVertex(Context& c, GLenum mode) {
-  c.gl.ProvokingVertex(mode);
+  c.gl().ProvokingVertex(mode);
   if (track::executes(c) && (mode == GL_FIRST_VERTEX_CONVENTION || mode == GL_LAST_VERTEX_CONVENTION)) {
-    c.bindings.provoking_vertex = mode;
+    c.state().bindings().provoking_vertex = mode;
   }
 }
 
 void ShadeModel(Context& c, GLenum mode) {
-  c.gl.ShadeModel(mode);
+  c.gl().ShadeModel(mode);
   if (track::executes(c) && (mode == GL_FLAT || mode == GL_SMOOTH)) {
-    c.bindings.shade_model = mode;
+    c.state().bindings().shade_model = mode;
   }
 }
 
 void ClampColor(Context& c, GLenum target, GLenum clamp) {
-  c.gl.ClampColor(target, clamp);
+  c.gl().ClampColor(target, clamp);
   if (track::executes(c)) {
-    c.bindings_stale = true;
+    c.state().forget_bindings();
   }
 }
 
 GLint RenderMode(Context& c, GLenum mode) {
-  c.bindings_stale = true;
-  return c.gl.RenderMode(mode);
+  c.state().forget_bindings();
+  return c.gl().RenderMode(mode);
 }
 
-void PushClientAttrib(Context& c, GLbitfield mask) { c.gl.PushClientAttrib(mask); }
+void PushClientAttrib(Context& c, GLbitfield mask) { c.gl().PushClientAttrib(mask); }
 
 void PopClientAttrib(Context& c) {
-  c.gl.PopClientAttrib();
+  c.gl().PopClientAttrib();
   client_state_replaced(c);
 }
 
 void ClientAttribDefaultEXT(Context& c, GLbitfield mask) {
-  c.gl.ClientAttribDefaultEXT(mask);
+  c.gl().ClientAttribDefaultEXT(mask);
   client_state_replaced(c);
 }
 
 void PushClientAttribDefaultEXT(Context& c, GLbitfield mask) {
-  c.gl.PushClientAttribDefaultEXT(mask);
+  c.gl().PushClientAttribDefaultEXT(mask);
   client_state_replaced(c);
 }
 

@@ -11,51 +11,51 @@ namespace {
 
 // Whether GL took the name, as far as can be told without asking: in core contexts it refuses names that it did not give out.
 bool surely_bound(const Context& c, GLuint buffer, std::uint64_t generation) {
-  return !c.immediate.open && (buffer == 0 || c.capabilities.api != Capabilities::Api::core ||
-                               c.bound_buffers.confirmed(buffer, generation));
+  return !c.state().immediate().open && (buffer == 0 || c.capabilities().api != Capabilities::Api::core ||
+                                         c.state().bound_buffers().confirmed(buffer, generation));
 }
 
 // What writes to `target` go to. If it is not sure, the first write asks.
 void follow_binding(Context& c, GLenum target, GLuint buffer) {
-  const std::uint64_t generation = c.share->buffers.generation(buffer);
+  const std::uint64_t generation = c.share().buffers.generation(buffer);
   const BoundBuffer bound{surely_bound(c, buffer, generation), buffer, generation};
   if (target == GL_ELEMENT_ARRAY_BUFFER) {
-    c.vertex_arrays.current(c.bindings.vertex_array).elements = bound;
-  } else if (BoundBuffer* kept = c.bound_buffers.at(target); kept != nullptr) {
+    c.state().vertex_arrays().current(c.state().bindings().vertex_array).elements = bound;
+  } else if (BoundBuffer* kept = c.state().bound_buffers().at(target); kept != nullptr) {
     *kept = bound;
   }
 }
 
 // Indexed bindings of other targets than uniform buffers are for writing.
 void follow_indexed(Context& c, GLenum target, GLuint buffer) {
-  if (BoundBuffer* kept = c.bound_buffers.at(target); kept != nullptr) {
-    *kept = {false, buffer, c.share->buffers.generation(buffer)};
+  if (BoundBuffer* kept = c.state().bound_buffers().at(target); kept != nullptr) {
+    *kept = {false, buffer, c.share().buffers.generation(buffer)};
   }
   if (target != GL_UNIFORM_BUFFER) {
-    c.gpu_may_write(buffer);
+    c.writes().gpu_may_write(buffer);
   }
 }
 
 void follow_several(Context& c, GLenum target, GLsizei count, const GLuint* buffers) {
   for (GLsizei i = 0; i < count && buffers != nullptr && target != GL_UNIFORM_BUFFER; ++i) {
-    c.gpu_may_write(buffers[i]);
+    c.writes().gpu_may_write(buffers[i]);
   }
 }
 
 void set_binding(Context& c, GLenum target, GLuint buffer) {
   switch (target) {
-    case GL_DRAW_INDIRECT_BUFFER: c.bindings.draw_indirect_buffer = buffer; break;
-    case GL_PARAMETER_BUFFER: c.bindings.parameter_buffer = buffer; break;
-    case GL_QUERY_BUFFER: c.bindings.query_buffer = buffer; break;
-    case GL_SHADER_STORAGE_BUFFER: c.bindings.storage_buffer = buffer; break;
-    case GL_TRANSFORM_FEEDBACK_BUFFER: c.bindings.feedback_buffer = buffer; break;
+    case GL_DRAW_INDIRECT_BUFFER: c.state().bindings().draw_indirect_buffer = buffer; break;
+    case GL_PARAMETER_BUFFER: c.state().bindings().parameter_buffer = buffer; break;
+    case GL_QUERY_BUFFER: c.state().bindings().query_buffer = buffer; break;
+    case GL_SHADER_STORAGE_BUFFER: c.state().bindings().storage_buffer = buffer; break;
+    case GL_TRANSFORM_FEEDBACK_BUFFER: c.state().bindings().feedback_buffer = buffer; break;
     default: break;
   }
 }
 
 void set_indexed(Context& c, GLenum target, GLuint index, const IndexedBuffer& binding) {
-  if (target == GL_SHADER_STORAGE_BUFFER && index < c.bindings.storage.size()) {
-    c.bindings.storage[index] = binding;
+  if (target == GL_SHADER_STORAGE_BUFFER && index < c.state().bindings().storage.size()) {
+    c.state().bindings().storage[index] = binding;
   }
 }
 
@@ -82,8 +82,8 @@ GLuint* triangle_query(Context& c, GLenum target, GLuint index) {
   if (index != 0) {
     return nullptr;
   }
-  return target == GL_PRIMITIVES_GENERATED                    ? &c.bindings.primitives_generated_query
-         : target == GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN ? &c.bindings.primitives_written_query
+  return target == GL_PRIMITIVES_GENERATED                    ? &c.state().bindings().primitives_generated_query
+         : target == GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN ? &c.state().bindings().primitives_written_query
                                                               : nullptr;
 }
 
@@ -91,10 +91,10 @@ void query_begun(Context& c, GLenum target, GLuint index, GLuint id) {
   if (!counts_primitives(target)) {
     return;
   }
-  ++c.bindings.primitive_queries;
+  ++c.state().bindings().primitive_queries;
   if (GLuint* slot = triangle_query(c, target, index); slot != nullptr && *slot == 0) {
     *slot = id;
-    c.query_surplus.erase(id);
+    c.state().query_surplus().forget(id);
   }
 }
 
@@ -102,7 +102,7 @@ void query_ended(Context& c, GLenum target, GLuint index) {
   if (!counts_primitives(target)) {
     return;
   }
-  c.bindings.primitive_queries = std::max(0, c.bindings.primitive_queries - 1);
+  c.state().bindings().primitive_queries = std::max(0, c.state().bindings().primitive_queries - 1);
   if (GLuint* slot = triangle_query(c, target, index); slot != nullptr) {
     *slot = 0;
   }
@@ -111,16 +111,16 @@ void query_ended(Context& c, GLenum target, GLuint index) {
 // Takes what our captures added out of a result that GL has written to client memory.
 template <typename Value>
 void correct_result(Context& c, GLuint id, GLenum name, Value* result) {
-  const BoundBuffer* bound = c.bound_buffers.at(GL_QUERY_BUFFER);
-  if (c.capabilities.query_buffer && (!bound->known || bound->name != 0)) {
-    c.wrote_target(GL_QUERY_BUFFER);
+  const BoundBuffer* bound = c.state().bound_buffers().at(GL_QUERY_BUFFER);
+  if (c.capabilities().query_buffer && (!bound->known || bound->name != 0)) {
+    c.writes().to_target(GL_QUERY_BUFFER);
   }
-  const auto found = c.query_surplus.find(id);
-  if (found == c.query_surplus.end() || result == nullptr || c.bindings.query_buffer != 0 ||
+  const std::uint64_t* surplus = c.state().query_surplus().find(id);
+  if (surplus == nullptr || result == nullptr || c.state().bindings().query_buffer != 0 ||
       (name != GL_QUERY_RESULT && name != GL_QUERY_RESULT_NO_WAIT)) {
     return;
   }
-  *result -= std::min(*result, static_cast<Value>(found->second));
+  *result -= std::min(*result, static_cast<Value>(*surplus));
 }
 
 }  // namespace
@@ -130,179 +130,185 @@ namespace hook {
 // The most frequent target first, and the real call last, by a jump: programs bind before every draw.
 void BindBuffer(Context& c, GLenum target, GLuint buffer) {
   if (target == GL_ARRAY_BUFFER) {
-    const std::uint64_t generation = c.share->buffers.generation(buffer);
-    c.bound_buffers.array() = {surely_bound(c, buffer, generation), buffer, generation};
+    const std::uint64_t generation = c.share().buffers.generation(buffer);
+    c.state().bound_buffers().array() = {surely_bound(c, buffer, generation), buffer, generation};
   } else {
     set_binding(c, target, buffer);
     follow_binding(c, target, buffer);
   }
   if (target == GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD) {
-    c.never_trust_buffer(buffer);  // its contents are the application's memory
+    c.writes().never_trust_buffer(buffer);  // its contents are the application's memory
   }
-  c.gl.BindBuffer(target, buffer);
+  c.gl().BindBuffer(target, buffer);
 }
 
 void BindBufferBase(Context& c, GLenum target, GLuint index, GLuint buffer) {
-  c.gl.BindBufferBase(target, index, buffer);
+  c.gl().BindBufferBase(target, index, buffer);
   set_binding(c, target, buffer);
   set_indexed(c, target, index, {buffer, 0, 0});
   follow_indexed(c, target, buffer);
 }
 
 void BindBufferRange(Context& c, GLenum target, GLuint index, GLuint buffer, GLintptr offset, GLsizeiptr size) {
-  c.gl.BindBufferRange(target, index, buffer, offset, size);
+  c.gl().BindBufferRange(target, index, buffer, offset, size);
   follow_indexed(c, target, buffer);
   if (target == GL_SHADER_STORAGE_BUFFER) {
-    c.bindings_stale = true;  // GL checks alignment: ask it what it took
+    c.state().forget_bindings();  // GL checks alignment: ask it what it took
   } else {
     set_binding(c, target, buffer);
   }
 }
 
 void BindBufferOffsetEXT(Context& c, GLenum target, GLuint index, GLuint buffer, GLintptr offset) {
-  c.gl.BindBufferOffsetEXT(target, index, buffer, offset);
+  c.gl().BindBufferOffsetEXT(target, index, buffer, offset);
   follow_indexed(c, target, buffer);
   set_binding(c, target, buffer);
 }
 
 void BindBuffersBase(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers) {
-  c.gl.BindBuffersBase(target, first, count, buffers);
+  c.gl().BindBuffersBase(target, first, count, buffers);
   follow_several(c, target, count, buffers);
-  c.bindings_stale = c.bindings_stale || target == GL_SHADER_STORAGE_BUFFER;
+  if (target == GL_SHADER_STORAGE_BUFFER) {
+    c.state().forget_bindings();
+  }
 }
 
 void BindBuffersRange(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers,
                       const GLintptr* offsets, const GLsizeiptr* sizes) {
-  c.gl.BindBuffersRange(target, first, count, buffers, offsets, sizes);
+  c.gl().BindBuffersRange(target, first, count, buffers, offsets, sizes);
   follow_several(c, target, count, buffers);
-  c.bindings_stale = c.bindings_stale || target == GL_SHADER_STORAGE_BUFFER;
+  if (target == GL_SHADER_STORAGE_BUFFER) {
+    c.state().forget_bindings();
+  }
 }
 
 void DeleteBuffers(Context& c, GLsizei n, const GLuint* buffers) {
-  c.gl.DeleteBuffers(n, buffers);
-  c.bindings_stale = true;  // deleting unbinds
-  c.touch_vertex_arrays();  // from the bound vertex array too; other ones keep the object
-  c.vertex_arrays.forget_elements();
+  c.gl().DeleteBuffers(n, buffers);
+  c.state().forget_bindings();                 // deleting unbinds
+  c.state().vertex_arrays().forget_current();  // from the bound vertex array too; other ones keep the object
+  c.state().vertex_arrays().forget_elements();
   for (GLsizei i = 0; i < n && buffers != nullptr; ++i) {
-    c.share->buffers.deleted(buffers[i], c.next_stamp());
-    c.bound_buffers.unbind(buffers[i]);
+    c.writes().deleted(buffers[i]);
+    c.state().bound_buffers().unbind(buffers[i]);
   }
 }
 
 void BindVertexArray(Context& c, GLuint array) {
-  c.gl.BindVertexArray(array);
-  if (!c.vertex_arrays.bind(array) && array != 0) {
-    if (c.immediate.open || c.gl.IsVertexArray(array) == GL_FALSE) {
-      c.vertex_arrays.bind(c.bindings.vertex_array);  // GL has refused
+  c.gl().BindVertexArray(array);
+  if (!c.state().vertex_arrays().bind(array) && array != 0) {
+    if (c.state().immediate().open || c.gl().IsVertexArray(array) == GL_FALSE) {
+      c.state().vertex_arrays().bind(c.state().bindings().vertex_array);  // GL has refused
       return;
     }
-    c.vertex_arrays.confirm(array);
+    c.state().vertex_arrays().confirm(array);
   }
-  c.bindings.vertex_array = array;
+  c.state().bindings().vertex_array = array;
 }
 
 void DeleteVertexArrays(Context& c, GLsizei n, const GLuint* arrays) {
-  c.gl.DeleteVertexArrays(n, arrays);
+  c.gl().DeleteVertexArrays(n, arrays);
   for (GLsizei i = 0; i < n && arrays != nullptr; ++i) {
-    c.vertex_arrays.erase(arrays[i]);
-    c.bindings.vertex_array = c.bindings.vertex_array == arrays[i] ? 0 : c.bindings.vertex_array;
+    c.state().vertex_arrays().erase(arrays[i]);
+    c.state().bindings().vertex_array =
+        c.state().bindings().vertex_array == arrays[i] ? 0 : c.state().bindings().vertex_array;
   }
-  c.bindings_stale = true;
+  c.state().forget_bindings();
 }
 
 void BindTransformFeedback(Context& c, GLenum target, GLuint id) {
-  c.gl.BindTransformFeedback(target, id);
-  c.bindings_stale = true;  // its activity comes with it
+  c.gl().BindTransformFeedback(target, id);
+  c.state().forget_bindings();  // its activity comes with it
 }
 
 void DeleteTransformFeedbacks(Context& c, GLsizei n, const GLuint* ids) {
-  c.gl.DeleteTransformFeedbacks(n, ids);
-  c.bindings_stale = true;
+  c.gl().DeleteTransformFeedbacks(n, ids);
+  c.state().forget_bindings();
 }
 
 void BeginTransformFeedback(Context& c, GLenum mode) {
-  if (c.capabilities.refinable) {
-    c.refresh_bindings();
-    c.pipeline->note_feedback_room();
+  if (c.capabilities().refinable) {
+    c.state().refresh();
+    c.stages()->feedback().room().note();
   }
-  if (!c.refining || c.options.transparent || !c.pipeline->begin_feedback(mode)) {
-    c.gl.BeginTransformFeedback(mode);
-    c.bindings_stale = true;  // GL may have refused
-    if (c.capabilities.refinable && !c.options.transparent && !c.ark.enabled && c.ark.pool_level >= 0) {
-      c.pipeline->await_feedback(mode);
+  if (!c.refining() || c.options().transparent || !c.stages()->feedback().begin(mode)) {
+    c.gl().BeginTransformFeedback(mode);
+    c.state().forget_bindings();  // GL may have refused
+    if (c.capabilities().refinable && !c.options().transparent && !c.ark().enabled && c.ark().pool_level >= 0) {
+      c.stages()->feedback().await(mode);
       c.update_refining();
     }
     return;
   }
-  c.bindings.transform_feedback_active = true;
-  c.bindings.transform_feedback_paused = false;
+  c.state().bindings().transform_feedback_active = true;
+  c.state().bindings().transform_feedback_paused = false;
 }
 
 void EndTransformFeedback(Context& c) {
-  c.gl.EndTransformFeedback();
-  if (c.pipeline != nullptr) {
-    c.pipeline->end_feedback();
+  c.gl().EndTransformFeedback();
+  if (c.stages() != nullptr) {
+    c.stages()->feedback().end();
+    c.update_refining();
   }
-  c.gpu_wrote();
-  c.bindings_stale = true;
+  c.writes().by_gpu();
+  c.state().forget_bindings();
 }
 
 void PauseTransformFeedback(Context& c) {
-  if (c.pipeline != nullptr && c.pipeline->owns_feedback() && !c.bindings.transform_feedback_paused) {
-    c.bindings.transform_feedback_paused = true;  // between our draws it is paused anyway
+  if (c.stages() != nullptr && c.stages()->feedback().ours() && !c.state().bindings().transform_feedback_paused) {
+    c.state().bindings().transform_feedback_paused = true;  // between our draws it is paused anyway
     return;
   }
-  c.gl.PauseTransformFeedback();
-  c.gpu_wrote();
-  c.bindings_stale = true;
+  c.gl().PauseTransformFeedback();
+  c.writes().by_gpu();
+  c.state().forget_bindings();
 }
 
 void ResumeTransformFeedback(Context& c) {
-  if (c.pipeline != nullptr && c.pipeline->owns_feedback() && c.bindings.transform_feedback_paused) {
-    c.bindings.transform_feedback_paused = false;
+  if (c.stages() != nullptr && c.stages()->feedback().ours() && c.state().bindings().transform_feedback_paused) {
+    c.state().bindings().transform_feedback_paused = false;
     return;
   }
-  c.gl.ResumeTransformFeedback();
-  c.bindings_stale = true;
+  c.gl().ResumeTransformFeedback();
+  c.state().forget_bindings();
 }
 
 void BeginQuery(Context& c, GLenum target, GLuint id) {
-  c.gl.BeginQuery(target, id);
+  c.gl().BeginQuery(target, id);
   query_begun(c, target, 0, id);
 }
 
 void EndQuery(Context& c, GLenum target) {
-  c.gl.EndQuery(target);
+  c.gl().EndQuery(target);
   query_ended(c, target, 0);
 }
 
 void BeginQueryIndexed(Context& c, GLenum target, GLuint index, GLuint id) {
-  c.gl.BeginQueryIndexed(target, index, id);
+  c.gl().BeginQueryIndexed(target, index, id);
   query_begun(c, target, index, id);
 }
 
 void EndQueryIndexed(Context& c, GLenum target, GLuint index) {
-  c.gl.EndQueryIndexed(target, index);
+  c.gl().EndQueryIndexed(target, index);
   query_ended(c, target, index);
 }
 
 void GetQueryObjectiv(Context& c, GLuint id, GLenum name, GLint* result) {
-  c.gl.GetQueryObjectiv(id, name, result);
+  c.gl().GetQueryObjectiv(id, name, result);
   correct_result(c, id, name, result);
 }
 
 void GetQueryObjectuiv(Context& c, GLuint id, GLenum name, GLuint* result) {
-  c.gl.GetQueryObjectuiv(id, name, result);
+  c.gl().GetQueryObjectuiv(id, name, result);
   correct_result(c, id, name, result);
 }
 
 void GetQueryObjecti64v(Context& c, GLuint id, GLenum name, GLint64* result) {
-  c.gl.GetQueryObjecti64v(id, name, result);
+  c.gl().GetQueryObjecti64v(id, name, result);
   correct_result(c, id, name, result);
 }
 
 void GetQueryObjectui64v(Context& c, GLuint id, GLenum name, GLuint64* result) {
-  c.gl.GetQueryObjectui64v(id, name, result);
+  c.gl().GetQueryObjectui64v(id, name, result);
   correct_result(c, id, name, result);
 }
 

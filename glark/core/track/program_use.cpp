@@ -9,10 +9,21 @@ namespace {
 
 // The program in use is about to be another: what its draws stored, they have stored.
 void leave_program(Context& c) {
-  const bool known = c.current_program != nullptr;
-  if (known ? c.current_program->may_store : c.bindings.program != 0 || c.bindings.pipeline != 0) {
-    c.gpu_wrote();
+  const bool known = c.state().programs().current() != nullptr;
+  if (known ? c.state().programs().current()->may_store
+            : c.state().bindings().program != 0 || c.state().bindings().pipeline != 0) {
+    c.writes().by_gpu();
   }
+}
+
+// False: GL may have refused the program.
+bool use_known(Context& c, GLuint program) {
+  if (c.state().bindings().transform_feedback_active) {
+    return false;
+  }
+  c.state().programs().use(c.state().programs().find(program));
+  const std::shared_ptr<Program>& current = c.state().programs().current();
+  return current != nullptr && current->linked;
 }
 
 }  // namespace
@@ -20,76 +31,71 @@ void leave_program(Context& c) {
 namespace hook {
 
 void UseProgram(Context& c, GLuint program) {
-  c.gl.UseProgram(program);
+  c.gl().UseProgram(program);
   leave_program(c);
   if (!track::executes(c)) {
     return;
   }
-  c.subroutines_known = false;
-  c.mirror_uniforms = c.share->any_derived.load(std::memory_order_relaxed);
-  if (c.bindings.transform_feedback_active && c.bindings_stale) {
-    c.refresh_bindings();  // it may have ended, and the uniforms that follow are of the new program
+  c.state().programs().forget_subroutines();
+  c.state().programs().refresh_mirroring();
+  if (c.state().bindings().transform_feedback_active && c.state().bindings_stale()) {
+    c.state().refresh();  // it may have ended, and the uniforms that follow are of the new program
   }
-  if (program != 0 &&
-      (c.bindings.transform_feedback_active || (c.current_program = track::find_program(c, program)) == nullptr ||
-       !c.current_program->linked)) {
-    c.bindings_stale = true;  // GL may have refused
+  if (program != 0 && !use_known(c, program)) {
+    c.state().forget_bindings();  // GL may have refused
     return;
   }
   if (program == 0) {
-    c.current_program = nullptr;
+    c.state().programs().use(nullptr);
   }
-  if (c.bindings.program != program && c.bindings.program == 0) {
-    c.fixed_function_stale = true;
+  if (c.state().bindings().program != program && c.state().bindings().program == 0) {
+    c.state().forget_fixed_function();
   }
-  c.bindings.program = program;
+  c.state().bindings().program = program;
 }
 
 void UniformSubroutinesuiv(Context& c, GLenum type, GLsizei count, const GLuint* indices) {
-  c.gl.UniformSubroutinesuiv(type, count, indices);
-  c.subroutines_known = false;
+  c.gl().UniformSubroutinesuiv(type, count, indices);
+  c.state().programs().forget_subroutines();
 }
 
 void BindProgramPipeline(Context& c, GLuint pipeline) {
-  c.gl.BindProgramPipeline(pipeline);
+  c.gl().BindProgramPipeline(pipeline);
   leave_program(c);
   if (!track::executes(c)) {
     return;
   }
-  c.subroutines_known = false;
-  c.mirror_uniforms = c.share->any_derived.load(std::memory_order_relaxed);
-  if (c.bindings.transform_feedback_active && c.bindings_stale) {
-    c.refresh_bindings();
+  c.state().programs().forget_subroutines();
+  c.state().programs().refresh_mirroring();
+  if (c.state().bindings().transform_feedback_active && c.state().bindings_stale()) {
+    c.state().refresh();
   }
-  if (pipeline != 0 && (c.bindings.transform_feedback_active || c.gl.IsProgramPipeline(pipeline) == GL_FALSE)) {
-    c.bindings_stale = true;  // GL may have refused
+  if (pipeline != 0 &&
+      (c.state().bindings().transform_feedback_active || c.gl().IsProgramPipeline(pipeline) == GL_FALSE)) {
+    c.state().forget_bindings();  // GL may have refused
     return;
   }
-  c.bindings.pipeline = pipeline;
+  c.state().bindings().pipeline = pipeline;
 }
 
 void UseProgramStages(Context& c, GLuint pipeline, GLbitfield stages, GLuint program) {
-  c.gl.UseProgramStages(pipeline, stages, program);
+  c.gl().UseProgramStages(pipeline, stages, program);
   leave_program(c);
-  c.subroutines_known = false;
-  if (c.pipeline != nullptr) {
-    c.pipeline->pipeline_changed(pipeline);
-  }
+  c.state().programs().forget_subroutines();
+  c.state().programs().pipelines().changed(pipeline);
 }
 
 void ActiveShaderProgram(Context& c, GLuint pipeline, GLuint program) {
-  c.gl.ActiveShaderProgram(pipeline, program);
-  if (c.pipeline != nullptr) {
-    c.pipeline->pipeline_changed(pipeline);
-  }
+  c.gl().ActiveShaderProgram(pipeline, program);
+  c.state().programs().pipelines().changed(pipeline);
 }
 
 void DeleteProgramPipelines(Context& c, GLsizei n, const GLuint* pipelines) {
-  c.gl.DeleteProgramPipelines(n, pipelines);
-  for (GLsizei i = 0; i < n && c.pipeline != nullptr && pipelines != nullptr; ++i) {
-    c.pipeline->pipeline_changed(pipelines[i]);
+  c.gl().DeleteProgramPipelines(n, pipelines);
+  for (GLsizei i = 0; i < n && pipelines != nullptr; ++i) {
+    c.state().programs().pipelines().changed(pipelines[i]);
   }
-  c.bindings_stale = true;  // deleting unbinds
+  c.state().forget_bindings();  // deleting unbinds
 }
 
 }  // namespace hook

@@ -6,21 +6,25 @@
 
 #include <memory>
 
+#include "glark/core/capture/draw_call.h"
 #include "glark/core/context.h"
-#include "glark/core/draw_call.h"
-#include "glark/core/pipeline.h"
+#include "glark/core/stages.h"
 #include "glark/gl/hooks.h"
 #include "include/GL/glark.h"
 
 namespace glark::core::track {
 
-// A draw of the application: into the display list being cut, or through the pipeline.
+// A draw of the application: goes into the display list being cut, or to the stages.
 void draw(Context& context, const DrawCall& call);
+// A draw that goes to the stages, and one that stays as it is: either may give the application's transform feedback back to GL.
+void refine(Context& context, const DrawCall& call);
+void pass(Context& context, Cause cause);
+void hand_back_feedback(Context& context);
 
 // While a display list is compiled (and not executed) state does not change.
 inline bool executes(Context& context) {
-  context.list.segment.touches_state = true;  // the segment that is being compiled, if any
-  return !context.compiling_list || context.list.mode == GL_COMPILE_AND_EXECUTE;
+  context.state().lists().segment.touches_state = true;  // the segment that is being compiled, if any
+  return !context.state().lists().compiling || context.state().lists().mode == GL_COMPILE_AND_EXECUTE;
 }
 
 // Display lists.
@@ -35,12 +39,6 @@ void apply_effects(Context& context, const SegmentEffects& effects);
 void forget_uniforms(Context& context);  // a list has set some of the current program
 void run_state(Context& context, const ListSegment& segment);
 void run_draw(Context& context, const ListSegment& segment, std::uint64_t triangles);
-
-// Programs.
-std::shared_ptr<Program> find_program(const Context& context, GLuint name);
-// The same; one that was linked before we were here is read from GL. Null: there is none.
-std::shared_ptr<Program> known_program(Context& context, GLuint name);
-void adopt_current_program(Context& context);
 
 // Errors of ours.
 GLuint current_tag(const Context& context);  // GL_CURRENT_DEPTH_TAG_ARK

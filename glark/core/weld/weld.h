@@ -16,7 +16,7 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::weld {

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "glark/core/capture/record.h"
+#include "glark/gl/types.h"
+
+namespace glark::capture {
+
+// How the coarse triangles of a draw are captured.
+struct CapturePlan {
+  GLuint program = 0;
+  const std::vector<int>* inputs = nullptr;  // the attributes that the program reads, by core::AttributeSlot
+  const Layout* layout = nullptr;            // of the records
+  bool last_vertex_convention = false;       // set while the draw is captured
+};
+
+}  // namespace glark::capture

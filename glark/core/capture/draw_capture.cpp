@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/capture/draw_capture.h"
+
+#include "glark/core/report.h"
+
+namespace glark::capture {
+
+Language language_of(const core::Capabilities& capabilities) {
+  switch (capabilities.api) {
+    case core::Capabilities::Api::es: return Language::es;
+    case core::Capabilities::Api::core: return Language::core;
+    default: return Language::compatibility;
+  }
+}
+
+bool takes_edge_flags(const core::Environment& environment) {
+  return environment.capabilities.is_compatibility() && environment.bindings().polygon_mode != GL_FILL;
+}
+
+void add_surplus(core::GlState& state, std::int64_t triangles) {
+  const core::Bindings& b = state.bindings();
+  for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
+    if (query != 0) {
+      state.query_surplus().add(query, triangles);
+    }
+  }
+}
+
+DrawCapture::DrawCapture(const core::Environment& environment)
+    : env_(environment),
+      stage_(environment.gl, language_of(environment.capabilities), environment.capabilities.query_buffer) {}
+
+std::optional<CoarseTriangles> DrawCapture::run(const core::DrawCall& call, const CapturePlan& plan,
+                                                const Target& target, const core::Quiet& quiet) {
+  const auto capture = [&] {
+    begin(plan, target);
+    quiet.interrupt();
+    call.issue();
+    quiet.hush();
+    return end(plan, call.triangles, call.exact);
+  };
+  const CoarseTriangles triangles = capture();
+  const GLenum error = env_.gl.GetError();
+  if (error == GL_NO_ERROR) {
+    return triangles;
+  }
+  // The draw raised this error, or the error was pending before it. No error is pending before the second attempt.
+  env_.errors.raise(error);
+  const CoarseTriangles again = capture();
+  if (env_.gl.GetError() != GL_NO_ERROR) {
+    add_surplus(env_.state, call.exact ? -2 * static_cast<std::int64_t>(call.triangles) : 0);
+    return std::nullopt;
+  }
+  return again;
+}
+
+void DrawCapture::begin(const CapturePlan& plan, const Target& target) {
+  if (target.count == Count::by_query && env_.options.read_counts) {
+    read_uncounted();  // its query is used again
+  }
+  if (plan.last_vertex_convention) {
+    env_.gl.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+  }
+  if (takes_edge_flags(env_)) {
+    env_.gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);  // Mesa 22 captures no vertices that have their own edge flags
+  }
+  stage_.begin(plan.program, env_.bindings(), target.count, target.own);
+}
+
+CoarseTriangles DrawCapture::end(const CapturePlan& plan, std::uint64_t triangles, bool exact) {
+  const core::Bindings& b = env_.bindings();
+  const CoarseTriangles captured = stage_.end(*plan.layout, triangles, b);
+  if (plan.last_vertex_convention) {
+    env_.gl.ProvokingVertex(b.provoking_vertex);
+  }
+  if (takes_edge_flags(env_)) {
+    env_.gl.PolygonMode(GL_FRONT, b.front_polygon_mode);
+    env_.gl.PolygonMode(GL_BACK, b.back_polygon_mode);
+  }
+  // The application's queries have counted the capture too. Only here, and if GL alone knows the number, it is read back.
+  if (b.primitives_generated_query != 0 || b.primitives_written_query != 0) {
+    add_surplus(env_.state, static_cast<std::int64_t>(exact ? triangles : stage_.counted(b)));
+  }
+  return captured;
+}
+
+void DrawCapture::count_drawn(const CoarseTriangles& triangles, unsigned level) {
+  if (triangles.count_on_gpu) {
+    uncounted_ = true;
+    uncounted_level_ = level;
+  } else {
+    core::statistics().coarse_triangles += triangles.count;
+  }
+}
+
+void DrawCapture::read_uncounted() {
+  if (!uncounted_) {
+    return;
+  }
+  uncounted_ = false;
+  const std::uint64_t coarse = stage_.counted(env_.bindings());
+  core::statistics().coarse_triangles += coarse;
+  core::statistics().refined_triangles += uncounted_level_ > 0 ? coarse << (2 * uncounted_level_) : 0;
+}
+
+}  // namespace glark::capture

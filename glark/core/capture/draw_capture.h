@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Captures one draw of the application, and keeps the capture out of the application's errors, modes and queries.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "glark/core/capture/capture.h"
+#include "glark/core/capture/capture_plan.h"
+#include "glark/core/capture/coarse_triangles.h"
+#include "glark/core/capture/draw_call.h"
+#include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/objects/quiet.h"
+#include "glark/core/state/environment.h"
+
+namespace glark::capture {
+
+Language language_of(const core::Capabilities& capabilities);
+
+// Vertices have edge flags that the polygon mode shows.
+bool takes_edge_flags(const core::Environment& environment);
+
+// Corrects the application's open queries by the triangles that our own draws have added to them.
+void add_surplus(core::GlState& state, std::int64_t triangles);
+
+class DrawCapture {
+ public:
+  explicit DrawCapture(const core::Environment& environment);
+
+  struct Target {
+    Count count = Count::known;
+    core::GpuBuffer* own = nullptr;  // null: the ring of the stage
+  };
+  // Issues the application's call. Nothing if GL rejects the call.
+  std::optional<CoarseTriangles> run(const core::DrawCall& call, const CapturePlan& plan, const Target& target,
+                                     const core::Quiet& quiet);
+  // The two halves of a capture whose draws are issued in between.
+  void begin(const CapturePlan& plan, const Target& target);
+  CoarseTriangles end(const CapturePlan& plan, std::uint64_t triangles, bool exact);
+
+  // Adds a capture to the statistics; `level`: of its uniform draw. What only the GPU has counted is added later.
+  void count_drawn(const CoarseTriangles& triangles, unsigned level);
+  void read_uncounted();
+
+  CaptureStage& stage() { return stage_; }
+  const core::GpuBuffer& count_command() const { return stage_.count_command(); }
+  void release() { stage_.release(); }
+
+ private:
+  const core::Environment& env_;
+  CaptureStage stage_;
+  bool uncounted_ = false;  // a query holds the number of triangles of the last draw
+  unsigned uncounted_level_ = 0;
+};
+
+}  // namespace glark::capture

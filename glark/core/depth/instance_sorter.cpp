@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/depth/instance_sorter.h"
+
+#include <numeric>
+#include <vector>
+
+#include "glark/core/capture/draw_capture.h"
+#include "glark/core/report.h"
+
+namespace glark::depth {
+
+InstanceSorter::InstanceSorter(const core::Environment& environment, const pattern::PoolInUse& pool,
+                               capture::Language language)
+    : env_(environment),
+      pool_(pool),
+      measure_(environment.gl, language),
+      bins_(environment.gl, language),
+      ordered_(environment.gl, language) {}
+
+bool InstanceSorter::has_numbers() const { return numbers_.size() >= GLsizeiptr{4} * bins_.capacity(); }
+
+bool InstanceSorter::reserve_numbers() {
+  if (has_numbers()) {
+    return true;
+  }
+  std::vector<std::uint32_t> numbers(bins_.capacity());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers_.allocate(env_.gl, GLsizeiptr{4} * bins_.capacity(), numbers.data(), GL_STATIC_DRAW);
+}
+
+bool InstanceSorter::has_room(const SortRoom& room) const {
+  return prepared_for_ == pool_.number() && ordered_.has_room(room.layout, room.triangles) &&
+         bins_.has_room(room.layout, room.triangles, room.plan.deepest) &&
+         (!room.plan.measured || measure_.has_room(room.triangles)) && (!room.numbered || has_numbers());
+}
+
+bool InstanceSorter::reserve(const SortRoom& room) {
+  if (prepared_for_ != pool_.number() && bins_.prepare(pool_.pool())) {
+    prepared_for_ = pool_.number();
+  }
+  ordered_.reserve(room.layout, room.triangles);  // if that fails, all draws go through the bins
+  return prepared_for_ == pool_.number() && bins_.reserve(room.layout, room.triangles, room.plan.deepest) &&
+         (!room.plan.measured || measure_.reserve(room.triangles)) && (!room.numbered || reserve_numbers());
+}
+
+bool InstanceSorter::takes_in_order(const SortRequest& request) const {
+  return request.plan.interior != pattern::Interior::smooth && !request.stored &&
+         ordered_.takes(request.layout, request.triangles, request.plan.deepest);
+}
+
+BinnedInstances InstanceSorter::sort(const SortRequest& request) {
+  const core::Bindings& b = env_.bindings();
+  const DepthPlan& plan = request.plan;
+  counted_ = true;
+  const unsigned deepest = plan.coarse ? 0 : pool_.pool().max_level();
+  const MeasureRequest measured{&request.layout,    request.triangles, plan.corner_program,
+                                plan.normal_offset, deepest,           plan.depth_steps()};
+  EdgeEnds ends;
+  if (plan.measured) {
+    ends = measure_.find_ends(measured, plan.measure, bins_.work_buffer(), b);
+  }
+  // The application's queries have counted the corners that were measured on the screen.
+  const std::uint64_t measured_corners = plan.corner_program != 0 ? request.triangles.count : 0;
+  capture::add_surplus(env_.state, static_cast<std::int64_t>(measured_corners));
+  return takes_in_order(request) ? ordered_.sort({measured, ends, bins_.work_buffer(), request.tags_are_edge_depths}, b)
+                                 : sort_in_bins(request, measured);
+}
+
+BinnedInstances InstanceSorter::sort_in_bins(const SortRequest& request, const MeasureRequest& measured) {
+  const core::Bindings& b = env_.bindings();
+  BinRequest bins{.layout = &request.layout,
+                  .triangles = request.triangles,
+                  .pool_level = measured.pool_level,
+                  .interior = request.plan.interior,
+                  .tags_are_edge_depths = request.tags_are_edge_depths,
+                  .measured = {}};
+  if (request.plan.measured) {
+    bins.measured = measure_.measure(measured, b);
+  }
+  const BinnedInstances sorted = bins_.sort(bins, request.count_command->name(), b);
+  // The application's queries have counted the instances that were put in order.
+  const bool queried = b.primitives_generated_query != 0 || b.primitives_written_query != 0;
+  const std::uint64_t moved = queried ? bins_.instances_of_last() : 0;
+  capture::add_surplus(env_.state, static_cast<std::int64_t>(moved));
+  return sorted;
+}
+
+InstanceExtent InstanceSorter::extent(const SortRequest& request, const BinnedInstances& sorted) const {
+  return takes_in_order(request) ? ordered_.extent(sorted) : bins_.extent(sorted);
+}
+
+void InstanceSorter::read_counts() {
+  if (counted_) {
+    core::statistics().refined_triangles += bins_.take_refined_triangles();
+    counted_ = false;
+  }
+}
+
+void InstanceSorter::release() {
+  measure_.release();
+  bins_.release();
+  ordered_.release();
+  numbers_.release(env_.gl);
+  prepared_for_ = 0;
+}
+
+}  // namespace glark::depth

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/feedback/refined_feedback.h"
+
+#include <utility>
+
+namespace glark::core {
+namespace {
+
+// The kind of primitives that transform feedback captures of triangles that go through this program. GL_NONE: the program takes no
+// triangles.
+GLenum feedback_mode(const gl::Dispatch& gl, const Program& owner, GLuint derived) {
+  if (!owner.has_stage(GL_GEOMETRY_SHADER)) {
+    return GL_TRIANGLES;
+  }
+  GLint input = 0;
+  GLint output = 0;
+  gl.GetProgramiv(derived, GL_GEOMETRY_INPUT_TYPE, &input);
+  gl.GetProgramiv(derived, GL_GEOMETRY_OUTPUT_TYPE, &output);
+  if (input != GL_TRIANGLES) {
+    return GL_NONE;
+  }
+  return output == GL_POINTS ? GL_POINTS : output == GL_LINE_STRIP ? GL_LINES : GL_TRIANGLES;
+}
+
+}  // namespace
+
+void RefinedFeedback::set_program(std::shared_ptr<DerivedProgram> program) {
+  in_use_.program = std::move(program);
+  env_.state.set_feedback_ours(in_use_.ours());
+}
+
+bool RefinedFeedback::begin(GLenum mode) {
+  const Quiet quiet = env_.state.quiet();
+  const auto nothing = [] {};
+  const bool tagged = env_.ark.depth_source == DepthSource::tag;
+  const DrawCall call{.mode = GL_TRIANGLES, .tags_vary = tagged, .issue = nothing};
+  const Decision decision = planner_.plan(call, Planner::Purpose::feedback);
+  const DrawPlan& plan = decision.plan;
+  if (decision.cause || plan.pipeline != nullptr ||
+      (plan.owner != nullptr ? feedback_mode(env_.gl, *plan.owner, plan.derived->name) : GL_TRIANGLES) != mode) {
+    return false;
+  }
+  programs_.use_derived(*plan.derived, plan.pipeline);
+  env_.gl.BeginTransformFeedback(mode);
+  env_.gl.PauseTransformFeedback();
+  programs_.use_application();
+  set_program(plan.derived);
+  in_use_.mode = mode;
+  in_use_.has_captured = false;
+  return true;
+}
+
+void RefinedFeedback::hand_back() {
+  if (!ours() || in_use_.has_captured) {
+    return;
+  }
+  env_.state.refresh();
+  const Bindings& b = env_.bindings();
+  if (b.transform_feedback_paused || !b.transform_feedback_active) {
+    return;
+  }
+  const Quiet quiet = env_.state.quiet();
+  env_.gl.EndTransformFeedback();
+  set_program(nullptr);
+  env_.gl.BeginTransformFeedback(in_use_.mode);
+}
+
+bool RefinedFeedback::refuses(GLenum mode) const {
+  const bool points_or_lines = mode == GL_POINTS || mode == GL_LINES || mode == GL_LINE_LOOP || mode == GL_LINE_STRIP;
+  return points_or_lines && in_use_.captures(env_.bindings()) && in_use_.mode == GL_TRIANGLES;
+}
+
+void RefinedFeedback::end() {
+  set_program(nullptr);
+  awaited_ = GL_NONE;
+}
+
+void RefinedFeedback::take_over() {
+  if (awaited_ == GL_NONE) {
+    return;
+  }
+  env_.state.refresh();
+  if (env_.bindings().transform_feedback_paused) {
+    return;
+  }
+  const GLenum mode = std::exchange(awaited_, GL_NONE);
+  if (!env_.ark.enabled || !env_.bindings().transform_feedback_active) {
+    return;
+  }
+  // Nothing has been captured: the feedback may begin again, with another program.
+  env_.gl.EndTransformFeedback();
+  env_.state.forget_bindings();
+  if (!begin(mode)) {
+    env_.gl.BeginTransformFeedback(mode);
+  }
+  env_.state.bindings().transform_feedback_active = true;
+}
+
+}  // namespace glark::core

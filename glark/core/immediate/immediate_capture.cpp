@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/immediate/immediate_capture.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace glark::core {
+namespace {
+
+constexpr std::uint64_t most_bytes = std::uint64_t{512} << 20;
+
+}  // namespace
+
+// Triangles that a capture by the plan may have.
+std::uint64_t ImmediateCapture::room() const {
+  return bytes_ / static_cast<std::uint64_t>(plan_.capture.layout->triangle_words() * 4);
+}
+
+std::uint64_t ImmediateCapture::begin(GLenum mode, std::optional<Cause>& cause) {
+  const auto nothing = [] {};
+  const bool tags_vary = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
+  Decision decision = planner_.plan({.mode = mode, .tags_vary = tags_vary, .whole_polygons = true, .issue = nothing});
+  cause = decision.cause;
+  plan_ = std::move(decision.plan);
+  if (!cause) {
+    cause = passes_.ensure_room(plan_, room());
+  }
+  if (cause) {
+    return 0;
+  }
+  // glArrayElement may restart the primitive.
+  exact_ = !env_.bindings().primitive_restart && !env_.state.immediate().elements_restart;
+  capture_.begin(plan_.capture, {.count = exact_ ? capture::Count::known : capture::Count::by_query});
+  return room();
+}
+
+std::uint64_t ImmediateCapture::limited(std::uint64_t triangles) {
+  const std::uint64_t capacity = room();
+  if (triangles <= capacity) {
+    return triangles;
+  }
+  log(LogLevel::warning,
+      "glBegin..glEnd of " + std::to_string(triangles) + " joined triangles exceeds the " + std::to_string(capacity) +
+          " that are captured at once; the rest is not drawn this time; use vertex arrays for meshes of this size");
+  bytes_ = std::min(2 * bytes_, most_bytes);
+  return capacity;
+}
+
+ImmediateCapture::Captured ImmediateCapture::end(std::uint64_t triangles) {
+  triangles = limited(triangles);
+  Captured captured;
+  captured.triangles = capture_.end(plan_.capture, triangles, exact_);
+  captured.plan = std::exchange(plan_, DrawPlan{});  // the programs that it is derived from may go
+  if (triangles > 0 && !captured.plan.depth.adaptive) {
+    captured.cause = planner_.exempt(*captured.plan.program, triangles);
+    captured.plan.depth.level = captured.cause ? 0 : captured.plan.depth.level;
+  }
+  return captured;
+}
+
+}  // namespace glark::core

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A draw by glBegin and glEnd: the vertices in between go straight into a capture, and their number is known only at the end.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "glark/core/capture/draw_capture.h"
+#include "glark/core/passes/triangle_passes.h"
+#include "glark/core/plan/planner.h"
+#include "glark/core/state/environment.h"
+
+namespace glark::core {
+
+class ImmediateCapture {
+ public:
+  ImmediateCapture(const Environment& environment, Planner& planner, TrianglePasses& passes,
+                   capture::DrawCapture& capture)
+      : env_(environment), planner_(planner), passes_(passes), capture_(capture) {}
+
+  // Begins the capture, and returns how many triangles fit. 0: the draw stays as it is, because of `cause`.
+  std::uint64_t begin(GLenum mode, std::optional<Cause>& cause);
+
+  struct Captured {
+    DrawPlan plan;
+    capture::CoarseTriangles triangles;
+    std::optional<Cause> cause;  // the triangles are drawn coarse
+  };
+  // The cause of a small draw is known only when its triangles are counted: what was captured is then drawn at level 0.
+  Captured end(std::uint64_t triangles);
+
+ private:
+  std::uint64_t room() const;
+  std::uint64_t limited(std::uint64_t triangles);
+
+  const Environment& env_;
+  Planner& planner_;
+  TrianglePasses& passes_;
+  capture::DrawCapture& capture_;
+  DrawPlan plan_;
+  bool exact_ = true;                              // the number of triangles is known without a query
+  std::uint64_t bytes_ = std::uint64_t{32} << 20;  // of a capture; grows where a strip or fan did not fit
+};
+
+}  // namespace glark::core

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/keep/draw_cache.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace glark::core {
+namespace {
+
+constexpr std::uint64_t frames_to_keep = 120;
+constexpr std::size_t most_entries = 8192;
+constexpr GLsizeiptr most_bytes = GLsizeiptr{256} << 20;
+
+// One multiplication a word; the words of a key are compared in full.
+std::uint64_t hash_of(std::span<const std::uint64_t> words) {
+  std::uint64_t hash = 0x9e3779b97f4a7c15U;
+  for (const std::uint64_t word : words) {
+    hash = (hash ^ word) * 0xff51afd7ed558ccdU;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+}  // namespace
+
+DrawCache::Entries::iterator DrawCache::find(std::uint64_t hash, std::span<const std::uint64_t> words) {
+  const auto [first, last] = by_hash_.equal_range(hash);
+  for (auto at = first; at != last; ++at) {
+    if (std::equal(words.begin(), words.end(), at->second->key.begin(), at->second->key.end())) {
+      return at->second;
+    }
+  }
+  return entries_.end();
+}
+
+std::pair<DrawCache::Answer, DrawCache::Entry*> DrawCache::look_up(const gl::Dispatch& gl, const DrawKey& key,
+                                                                   const BufferStamps& stamps) {
+  states_.clear();
+  for (const GLuint buffer : key.buffers()) {
+    states_.push_back(stamps.state(buffer));
+  }
+  const std::uint64_t hash = hash_of(key.words());
+  auto at = find(hash, key.words());
+  const bool known = at != entries_.end();
+  if (!known) {
+    if (entries_.size() >= most_entries) {
+      drop_oldest(gl);
+    }
+    entries_.emplace_front();
+    at = entries_.begin();
+    at->key.assign(key.words().begin(), key.words().end());
+    at->hash = hash;
+    by_hash_.emplace(hash, at);
+  } else if (at != entries_.begin()) {
+    entries_.splice(entries_.begin(), entries_, at);
+  }
+  Entry& entry = *at;
+  entry.last_use = ++uses_;
+  entry.last_frame = frame_;
+  if (!known || entry.states != states_) {
+    entry.states = states_;
+    entry.filled = entry.refused = false;
+    return {Answer::fresh, &entry};
+  }
+  return {entry.filled ? Answer::kept : entry.refused ? Answer::fresh : Answer::keep, &entry};
+}
+
+void DrawCache::drop_oldest(const gl::Dispatch& gl) {
+  Entry& entry = entries_.back();
+  kept_bytes_ -= entry.buffer.size();
+  entry.buffer.release(gl);
+  const auto [first, last] = by_hash_.equal_range(entry.hash);
+  by_hash_.erase(std::find_if(first, last, [&](const auto& pair) { return &*pair.second == &entry; }));
+  entries_.pop_back();
+}
+
+bool DrawCache::make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeiptr bytes) {
+  // An entry that was passed over for two rounds of all entries is not drawn in turn any more. Dropping one that is would only
+  // make the next draw capture in place of this one.
+  while (kept_bytes_ - wanted.buffer.size() + bytes > most_bytes && &entries_.back() != &wanted &&
+         uses_ - entries_.back().last_use > 2 * entries_.size()) {
+    drop_oldest(gl);
+  }
+  return kept_bytes_ - wanted.buffer.size() + bytes <= most_bytes;
+}
+
+bool DrawCache::allocate(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes) {
+  if (bytes <= entry.buffer.size()) {
+    return true;
+  }
+  kept_bytes_ -= entry.buffer.size();
+  const bool done = entry.buffer.allocate(gl, bytes, nullptr, GL_STATIC_COPY);
+  kept_bytes_ += entry.buffer.size();
+  return done;
+}
+
+void DrawCache::frame_finished(const gl::Dispatch& gl) {
+  ++frame_;
+  while (!entries_.empty() && entries_.back().last_frame + frames_to_keep < frame_) {
+    drop_oldest(gl);
+  }
+}
+
+void DrawCache::release(const gl::Dispatch& gl) {
+  while (!entries_.empty()) {
+    drop_oldest(gl);
+  }
+}
+
+std::vector<GLuint> DrawCache::take_buffers() {
+  std::vector<GLuint> names;
+  for (const Entry& entry : entries_) {
+    if (entry.buffer.name() != 0) {
+      names.push_back(entry.buffer.name());
+    }
+  }
+  entries_.clear();
+  by_hash_.clear();
+  kept_bytes_ = 0;
+  return names;
+}
+
+}  // namespace glark::core

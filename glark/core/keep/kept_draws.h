@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What is kept of a draw for the next time: the same call on the same arrays of buffers that were not written since, or the same
+// segment of a display list with the same inherited values.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "glark/core/capture/capture_plan.h"
+#include "glark/core/capture/draw_call.h"
+#include "glark/core/depth/depth_plan.h"
+#include "glark/core/depth/kept_instances.h"
+#include "glark/core/keep/draw_cache.h"
+#include "glark/core/keep/draw_key.h"
+#include "glark/core/state/environment.h"
+
+namespace glark::core {
+
+// The part of a draw's plan that its capture and its sorted instances depend on.
+struct KeyFacts {
+  const capture::CapturePlan& capture;
+  const depth::DepthPlan& depth;
+  bool split = false;  // polygons, at their centroids
+  bool welded = false;
+  std::uint64_t pool = 0;  // number of the pattern pool
+};
+
+// The place in the cache for a draw.
+struct KeptDraw {
+  DrawCache::Entry* entry = nullptr;  // null: nothing is kept of the draw
+  bool filled = false;                // by an earlier draw
+};
+
+class KeptDraws {
+ public:
+  explicit KeptDraws(const Environment& environment) : env_(environment) {}
+
+  KeptDraw find(const DrawCall& call, const KeyFacts& facts);
+  // The capture of the draw goes into this buffer. Null: into the ring.
+  static GpuBuffer* target_of(const KeptDraw& kept, const KeyFacts& facts) {
+    return kept.entry != nullptr && !facts.depth.keeps_instances() ? &kept.entry->buffer : nullptr;
+  }
+  // After a capture: keeps it, unless GL drew less than it was asked for.
+  static void keep_capture(KeptDraw& kept, const DrawCall& call, const KeyFacts& facts,
+                           const capture::CoarseTriangles& triangles);
+  // Copies the instances to the entry.
+  void keep_instances(DrawCache::Entry& entry, const depth::BinnedInstances& instances,
+                      const depth::InstanceExtent& extent, const capture::CoarseTriangles& triangles);
+
+  void frame_finished() { cache_.frame_finished(env_.gl); }
+  void release() { cache_.release(env_.gl); }
+  std::vector<GLuint> take_buffers() { return cache_.take_buffers(); }  // for whoever deletes them
+
+ private:
+  bool make_key(const DrawCall& call, const KeyFacts& facts);
+  bool add_arrays(const std::vector<int>& inputs, const ArrayDraw& draw);
+  bool add_array_input(int slot);
+  bool add_segment(const std::vector<int>& inputs, const ListSegment& segment);
+  void add_welded_words(const capture::Layout& layout);
+  bool all_watched() const;
+
+  const Environment& env_;
+  DrawCache cache_;
+  DrawKey key_;  // scratch
+};
+
+}  // namespace glark::core

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/passes/triangle_passes.h"
+
+#include <string>
+
+#include "glark/core/capture/feedback_aside.h"
+
+namespace glark::core {
+namespace {
+
+depth::SortRoom sort_room(const DrawPlan& plan, std::uint32_t triangles) {
+  return {plan.depth, *plan.capture.layout, triangles, plan.derived->numbered};
+}
+
+}  // namespace
+
+TrianglePasses::TrianglePasses(const Environment& environment, const pattern::PoolInUse& pool,
+                               capture::DrawCapture& capture)
+    : env_(environment),
+      pool_(pool),
+      capture_(capture),
+      centroids_(environment.gl),
+      weld_(environment, capture::language_of(environment.capabilities)),
+      sorter_(environment, pool, capture::language_of(environment.capabilities)) {}
+
+bool TrianglePasses::has_room(const DrawPlan& plan, std::uint32_t triangles) const {
+  return (!plan.weld.on || weld_.stage().has_room(*plan.capture.layout, triangles)) &&
+         (!plan.depth.adaptive || sorter_.has_room(sort_room(plan, triangles)));
+}
+
+bool TrianglePasses::reserve(const DrawPlan& plan, std::uint32_t triangles) {
+  if (plan.weld.on && !weld_.stage().reserve(*plan.capture.layout, triangles)) {
+    return false;
+  }
+  if (!plan.depth.adaptive) {
+    return true;
+  }
+  const capture::FeedbackAside aside(env_.gl, capture_.stage(), env_.bindings());
+  return sorter_.reserve(sort_room(plan, triangles));
+}
+
+std::optional<Cause> TrianglePasses::ensure_room(const DrawPlan& plan, std::uint64_t triangles) {
+  const capture::Layout& layout = *plan.capture.layout;
+  const auto count = static_cast<std::uint32_t>(triangles);
+  if (!capture_.stage().can_reserve(layout, triangles)) {
+    return Cause::out_of_memory;
+  }
+  if (capture_.stage().has_room(layout, triangles) && has_room(plan, count)) {
+    return std::nullopt;
+  }
+  ErrorScope errors(env_.errors);
+  const bool reserved = capture_.stage().reserve(layout, triangles) && reserve(plan, count);
+  return reserved ? std::nullopt : std::optional(Cause::out_of_memory);
+}
+
+bool TrianglePasses::ensure_split_room(const DrawPlan& plan, const polygons::SplitRequest& request) {
+  if (centroids_.has_room(request) && has_room(plan, request.records())) {
+    return true;
+  }
+  ErrorScope errors(env_.errors);
+  if (centroids_.reserve(request) && reserve(plan, request.records())) {
+    return true;
+  }
+  if (!split_failed_) {
+    split_failed_ = true;
+    log(LogLevel::warning,
+        "cannot split " + std::to_string(request.polygons()) +
+            " polygons at their centroids for lack of memory; they are refined as triangles; draw fewer at once");
+  }
+  return false;
+}
+
+Records TrianglePasses::split(const DrawPlan& plan, const capture::CoarseTriangles& captured) {
+  const capture::Layout& layout = *plan.capture.layout;
+  if (!plan.polygons) {
+    return {captured, &capture_.count_command()};
+  }
+  const polygons::SplitRequest request{
+      &layout, captured, *plan.polygons, pool_.pool().max_level(), plan.depth.depth_steps(), plan.polygon_sides};
+  Records records{captured, &capture_.count_command()};
+  if (ensure_split_room(plan, request)) {
+    records = {centroids_.split(request, capture_.stage().count_buffer()), &centroids_.count_command(), true};
+  }
+  weld_.weld_split(plan.weld, layout, records.triangles, *records.count_command);
+  return records;
+}
+
+void TrianglePasses::release() {
+  weld_.release();
+  centroids_.release();
+  sorter_.release();
+}
+
+}  // namespace glark::core

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The passes on the GPU between capture and submission: triangles are split, welded, and sorted into instances; and the room that a
+// draw needs for all of that.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "glark/core/capture/draw_capture.h"
+#include "glark/core/depth/instance_sorter.h"
+#include "glark/core/plan/draw_plan.h"
+#include "glark/core/polygons/centroid_split.h"
+#include "glark/core/report.h"
+#include "glark/core/state/environment.h"
+#include "glark/core/weld/draw_weld.h"
+
+namespace glark::core {
+
+// The triangles that will be drawn: the captured ones, or those about the centroids of their polygons.
+struct Records {
+  capture::CoarseTriangles triangles;
+  const GpuBuffer* count_command = nullptr;
+  bool tags_are_edge_depths = false;
+};
+
+class TrianglePasses {
+ public:
+  TrianglePasses(const Environment& environment, const pattern::PoolInUse& pool, capture::DrawCapture& capture);
+
+  weld::WeldStage& weld_stage() { return weld_.stage(); }
+  depth::InstanceSorter& sorter() { return sorter_; }
+
+  // Makes room for a draw of so many triangles. The cause if there is no memory.
+  std::optional<Cause> ensure_room(const DrawPlan& plan, std::uint64_t triangles);
+  // Welds what was captured. Returns whether storage buffer bindings have changed.
+  bool weld(const DrawPlan& plan, const capture::CoarseTriangles& captured) {
+    return weld_.weld_captured(plan.weld, *plan.capture.layout, captured, capture_.count_command());
+  }
+  // Splits polygons, where the plan says so, and welds the edges of the result.
+  Records split(const DrawPlan& plan, const capture::CoarseTriangles& captured);
+  void release();
+
+ private:
+  bool has_room(const DrawPlan& plan, std::uint32_t triangles) const;
+  bool reserve(const DrawPlan& plan, std::uint32_t triangles);
+  bool ensure_split_room(const DrawPlan& plan, const polygons::SplitRequest& request);
+
+  const Environment& env_;
+  const pattern::PoolInUse& pool_;
+  capture::DrawCapture& capture_;
+  polygons::CentroidSplit centroids_;
+  weld::DrawWeld weld_;
+  depth::InstanceSorter sorter_;
+  bool split_failed_ = false;
+};
+
+}  // namespace glark::core

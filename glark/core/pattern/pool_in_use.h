@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The pattern pool that a context draws from: built by glARKinit, or before the first refined draw.
+#pragma once
+
+#include <cstdint>
+
+#include "glark/core/pattern/gpu_pool.h"
+#include "glark/core/state/environment.h"
+
+namespace glark::pattern {
+
+class PoolInUse {
+ public:
+  explicit PoolInUse(const core::Environment& environment) : env_(environment) {}
+
+  // False without memory: the old pool is then kept. Wrap in an ErrorScope.
+  bool build(unsigned max_level);
+  // Builds the pool that the state asks for, unless it is there. False without memory: then it is not tried again.
+  bool ensure();
+
+  const GpuPool& pool() const { return pool_; }
+  std::uint64_t number() const { return number_; }  // counts the pools that were built; 0: there is none
+  void release() { pool_.release(env_.gl); }
+
+ private:
+  const core::Environment& env_;
+  GpuPool pool_;
+  std::uint64_t number_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace glark::pattern

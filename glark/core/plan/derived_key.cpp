@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/plan/derived_key.h"
+
+#include "glark/core/shape.h"
+
+namespace glark::core {
+
+bool captures_last_vertex(const Bindings& bindings, const Capabilities& capabilities, GLenum mode) {
+  return bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !capabilities.quads_follow_convention &&
+         (mode == GL_QUADS || mode == GL_QUAD_STRIP);
+}
+
+DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
+  const Bindings& b = state.bindings;
+  const bool transparent = state.options.transparent;
+  const bool compatibility = state.capabilities.is_compatibility();
+  const bool first =
+      b.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !captures_last_vertex(b, state.capabilities, request.mode);
+  DerivedKey key;
+  key.refinement = transparent ? state.options.refinement : state.ark.refinement;
+  key.provoking_corner = first ? 0 : 2;
+  key.flat_colors = compatibility && b.shade_model == GL_FLAT;
+  key.clamp_colors = compatibility && b.clamp_vertex_color;
+  key.tagged = request.tagged;
+  key.welded = transparent ? state.options.weld : state.ark.weld;
+  key.placed = request.placed;
+  key.morphing = request.morphing;
+  add_shape(state.options, state.ark, key);
+  return key;
+}
+
+void add_welded_words(DerivedKey& key, bool turns) {
+  key.turns = key.welded && turns;
+  key.border = key.welded && key.displaced;
+}
+
+}  // namespace glark::core

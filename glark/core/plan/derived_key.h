@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Which of the programs derived from an application's program a draw needs. No GL.
+#pragma once
+
+#include "glark/core/ark_state.h"
+#include "glark/core/state/bindings.h"
+#include "glark/core/state/capabilities.h"
+#include "glark/core/state/programs/program.h"
+
+namespace glark::core {
+
+struct KeyState {
+  const ContextOptions& options;
+  const ArkState& ark;
+  const Bindings& bindings;
+  const Capabilities& capabilities;
+};
+
+// OpenGL 4.6 compatibility, 13.4: under GL_FIRST_VERTEX_CONVENTION, the provoking vertex of quads may still be their last one. Such
+// draws are captured under the last vertex convention, where the triangles of a quad end with its provoking vertex.
+bool captures_last_vertex(const Bindings& bindings, const Capabilities& capabilities, GLenum mode);
+
+struct KeyRequest {
+  GLenum mode = GL_TRIANGLES;
+  bool tagged = false;    // records hold depth tags
+  bool placed = false;    // pieces have a placement
+  bool morphing = false;  // vertices move between levels
+};
+DerivedKey derived_key(const KeyState& state, const KeyRequest& request);
+// Asks for what welding leaves in the records, where there is room. `turns`: normals are measured.
+void add_welded_words(DerivedKey& key, bool turns);
+
+}  // namespace glark::core

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// How one draw call will be refined: everything that is decided before anything is captured.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "glark/core/capture/capture_plan.h"
+#include "glark/core/capture/draw_call.h"
+#include "glark/core/depth/depth_plan.h"
+#include "glark/core/polygons/decomposition.h"
+#include "glark/core/report.h"
+#include "glark/core/state/programs/program.h"
+#include "glark/core/state/programs/program_pipelines.h"
+#include "glark/core/weld/draw_weld.h"
+
+namespace glark::core {
+
+struct DrawPlan {
+  Program* program = nullptr;                // whose vertex stage is refined
+  Program* owner = nullptr;                  // whose uniforms the derived program follows; null: fixed function
+  const PipelineObject* pipeline = nullptr;  // the application's, if its stages are separate programs
+  std::shared_ptr<DerivedProgram> derived;   // shared: another context may discard it during the draw
+  std::shared_ptr<DerivedProgram> corners;   // gives positions on the screen, where they are measured
+  bool placed = false;                       // the derived program takes a placement of the piece
+  capture::CapturePlan capture;
+  std::optional<polygons::Decomposition> polygons;  // to be split at their centroids
+  PolygonSides polygon_sides = {};                  // of several GL_POLYGONs
+  weld::WeldPlan weld;
+  depth::DepthPlan depth;
+};
+
+struct Decision {
+  std::optional<Cause> cause;  // none: the draw is refined as planned
+  DrawPlan plan;
+};
+
+}  // namespace glark::core

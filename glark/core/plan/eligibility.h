@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "glark/core/capture/draw_call.h"
+#include "glark/core/report.h"
+#include "glark/core/state/bindings.h"
+
+namespace glark::core {
+
+struct DrawConditions {
+  const Bindings& bindings;
+  bool transparent = false;  // the program does not know that it is refined
+  bool core_profile = false;
+  bool feedback_is_ours = false;  // the application's transform feedback captures refined triangles
+  bool plans_feedback = false;    // nothing is drawn yet: glBeginTransformFeedback asks for the program
+};
+
+// Whether the state of the context lets the draw be refined, whatever its program. No GL.
+std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& conditions);
+
+}  // namespace glark::core

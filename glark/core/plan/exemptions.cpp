@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/plan/exemptions.h"
+
+#include "glark/core/refinement.h"
+
+namespace glark::core {
+namespace {
+
+bool ignores_depth(const Bindings& b) { return !b.depth_test || (b.depth_function == GL_ALWAYS && !b.depth_writes); }
+
+// Rules that the user has asked for.
+std::optional<Cause> named_exemption(const ExemptionFacts& facts) {
+  const Bindings& b = facts.bindings;
+  if (facts.left_alone) {
+    return Cause::left_shader;
+  }
+  if ((facts.rules & left_draws::blended) != 0 && b.blend) {
+    return Cause::blended;
+  }
+  if ((facts.rules & left_draws::no_depth_test) != 0 && !b.depth_test) {
+    return Cause::no_depth_test;
+  }
+  if ((facts.rules & left_draws::no_depth_writes) != 0 && (!b.depth_test || !b.depth_writes)) {
+    return Cause::no_depth_writes;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool needs_matrices(const ExemptionFacts& facts) {
+  const bool asks = (facts.rules & left_draws::orthographic) != 0 ||
+                    (ignores_depth(facts.bindings) && (facts.rules & left_draws::by_default) != 0);
+  return facts.conventional && asks && !named_exemption(facts);
+}
+
+std::optional<Cause> exemption(const ExemptionFacts& facts) {
+  if (const std::optional<Cause> cause = named_exemption(facts)) {
+    return cause;
+  }
+  const MatrixTraits& matrices = facts.matrices;
+  const bool ignored = ignores_depth(facts.bindings);
+  // Neither a user interface nor a full-screen pass is drawn in perspective.
+  if (ignored && (!facts.conventional || (facts.rules & left_draws::by_default) == 0 || matrices.affine)) {
+    if ((facts.rules & left_draws::screen_quads) != 0 && facts.triangles > 0 && facts.triangles <= 2) {
+      return Cause::screen_quad;
+    }
+    if ((facts.rules & left_draws::overlays) != 0 && facts.bindings.blend) {
+      return Cause::overlay;
+    }
+  }
+  const bool plane = matrices.projects_plane && matrices.moves_in_plane;
+  if (facts.conventional && (facts.rules & left_draws::orthographic) != 0 && ((ignored && matrices.affine) || plane)) {
+    return Cause::orthographic;
+  }
+  return std::nullopt;
+}
+
+}  // namespace glark::core

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Draws that transparent refinement leaves as they are: user interfaces, full-screen passes, and what the user names. No GL.
+//
+// A draw that neither reads nor writes depth cannot meet another draw by its depth values. If it is left alone, the other passes
+// over the same triangles still fit. All rules that hold by default depend on that, with one exception: drawings in the plane are
+// left because of their matrices, which are the same in all passes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "glark/core/report.h"
+#include "glark/core/state/bindings.h"
+#include "glark/core/state/matrices.h"
+
+namespace glark::core {
+
+struct ExemptionFacts {
+  unsigned rules = 0;  // bits of left_draws
+  const Bindings& bindings;
+  bool left_alone = false;      // the user named the program
+  bool conventional = false;    // the program multiplies by the current projection matrix
+  std::uint64_t triangles = 0;  // 0: not counted yet
+  MatrixTraits matrices = {};   // read only if needs_matrices()
+};
+
+bool needs_matrices(const ExemptionFacts& facts);
+std::optional<Cause> exemption(const ExemptionFacts& facts);
+
+}  // namespace glark::core

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/plan/planner.h"
+
+#include <cstring>
+#include <string>
+
+#include "glark/core/plan/depth_choice.h"
+#include "glark/core/plan/derived_key.h"
+#include "glark/core/plan/eligibility.h"
+#include "glark/core/plan/exemptions.h"
+#include "glark/core/plan/program_choice.h"
+#include "glark/core/polygons/split_choice.h"
+#include "glark/core/shape.h"
+
+namespace glark::core {
+namespace {
+
+double current_tag(const Environment& environment) {
+  const GLuint attribute = environment.ark.tag_attribute;
+  const CurrentValue* value = environment.state.current_values().find(static_cast<int>(attribute));
+  if (value != nullptr && value->again == set_tag) {
+    GLuint tag = 0;
+    std::memcpy(&tag, value->components.data(), sizeof(tag));
+    return tag;
+  }
+  GLfloat current[4] = {0, 0, 0, 0};
+  environment.gl.GetVertexAttribfv(attribute, GL_CURRENT_VERTEX_ATTRIB, current);
+  return current[0];
+}
+
+KeyState key_state(const Environment& environment) {
+  return {environment.options, environment.ark, environment.bindings(), environment.capabilities};
+}
+
+}  // namespace
+
+Planner::Planner(const Environment& environment, const Parts& parts)
+    : env_(environment), parts_(parts), decompositions_(environment, parts.capture, parts.programs.in_use()) {}
+
+Decision Planner::plan(const DrawCall& call, Purpose purpose) {
+  env_.state.refresh();
+  Decision decision;
+  decision.cause = decide(call, purpose, decision.plan);
+  return decision;
+}
+
+std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, DrawPlan& plan) {
+  const DrawConditions conditions{.bindings = env_.bindings(),
+                                  .transparent = env_.options.transparent,
+                                  .core_profile = env_.capabilities.api == Capabilities::Api::core,
+                                  .feedback_is_ours = parts_.feedback.ours(),
+                                  .plans_feedback = purpose == Purpose::feedback};
+  if (const std::optional<Cause> cause = check_state(call, conditions)) {
+    return cause;
+  }
+  const std::shared_ptr<Program> current = env_.state.programs().current();
+  const std::unique_lock lock =
+      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
+  if (const std::optional<Cause> cause = find_program(plan)) {
+    return cause;
+  }
+  if (const std::optional<Cause> cause = exempt(*plan.program, call.triangles)) {
+    return cause;
+  }
+  parts_.programs.in_use().read_subroutines(plan.owner, plan.pipeline);
+  choose_depths(call, plan);
+  choose_polygons(call, plan);
+  if (changes_nothing(plan, purpose)) {
+    return Cause::level_zero;
+  }
+  if (!parts_.pool.ensure()) {
+    return Cause::out_of_memory;
+  }
+  return find_derived(call, plan);
+}
+
+std::optional<Cause> Planner::find_program(DrawPlan& plan) {
+  Program* const current = env_.state.programs().current().get();
+  const ProgramChoice choice = choose_program(env_.bindings(), current, env_.capabilities.is_compatibility());
+  if (choice.cause) {
+    return choice.cause;
+  }
+  if (choice.stage == VertexStage::program_pipeline) {
+    return find_pipeline_programs(plan);
+  }
+  plan.owner = current;
+  plan.program = choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
+  parts_.programs.derived().prepare(*plan.program);
+  ++plan.program->counters->draws_seen;
+  return plan.program->cause;
+}
+
+std::optional<Cause> Planner::find_pipeline_programs(DrawPlan& plan) {
+  const PipelineObject& object = env_.state.programs().pipelines().object(env_.bindings().pipeline);
+  if (const std::optional<Cause> cause = check_stages(object)) {
+    return cause;
+  }
+  for (const GLuint name : object.programs) {
+    const std::shared_ptr<Program> program = name != 0 ? env_.state.programs().known(name) : nullptr;
+    if (name != 0 && (program == nullptr || !program->linked)) {
+      return Cause::program_gone;
+    }
+    if (name == object.vertex()) {
+      plan.program = plan.owner = program.get();
+    }
+  }
+  plan.pipeline = &object;
+  parts_.programs.derived().prepare(*plan.program);
+  return plan.program->cause;
+}
+
+std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t triangles) const {
+  const ContextOptions& options = env_.options;
+  if (!options.transparent || env_.ark.enabled || (options.left_draws == 0 && options.left_shaders.empty())) {
+    return std::nullopt;
+  }
+  ExemptionFacts facts{.rules = options.left_draws,
+                       .bindings = env_.bindings(),
+                       .left_alone = program.left_alone,
+                       .conventional = program.conventional_projection && env_.capabilities.is_compatibility(),
+                       .triangles = triangles};
+  if (needs_matrices(facts)) {
+    facts.matrices = env_.state.matrices().traits(env_.gl);
+  }
+  return exemption(facts);
+}
+
+bool Planner::can_measure(const Program& program) const {
+  return core::can_measure(edge_measure(env_.options, env_.ark), program, !env_.state.programs().subroutines().empty());
+}
+
+void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
+  const FeedbackInUse& feedback = parts_.feedback;
+  DepthFacts facts{.options = env_.options, .ark = env_.ark, .measurable = can_measure(*plan.program)};
+  if (takes_tags(facts)) {
+    const auto tag_slot = static_cast<int>(env_.ark.tag_attribute);
+    facts.tags_vary = call.tags_vary || feedback.tagged() || env_.state.attribute_source(tag_slot).enabled;
+    facts.current_tag = facts.tags_vary ? 0 : current_tag(env_);
+  }
+  // The feedback's program has to draw what the application wants coarse, too.
+  facts.coarse = feedback.ours() && !env_.options.transparent && !env_.ark.enabled;
+  plan.depth = core::choose_depths(facts);
+  plan.placed = plan.depth.adaptive || plan.depth.level > static_cast<unsigned>(pattern::deepest_uniform);
+}
+
+void Planner::choose_polygons(const DrawCall& call, DrawPlan& plan) {
+  plan.capture.last_vertex_convention = captures_last_vertex(env_.bindings(), env_.capabilities, call.mode);
+  if (splits_polygons(env_.options, env_.ark) && env_.capabilities.is_compatibility() &&
+      polygons::splits_at_centroid(call, *plan.program, env_.bindings())) {
+    plan.polygons = decompositions_.find(call.mode, plan.capture.last_vertex_convention);
+    if (call.polygon_sides != nullptr) {
+      plan.polygon_sides = *call.polygon_sides;
+    }
+  }
+}
+
+// The refined draw would be the original one.
+bool Planner::changes_nothing(const DrawPlan& plan, Purpose purpose) const {
+  const bool may_split = purpose == Purpose::feedback && splits_polygons(env_.options, env_.ark);
+  const bool reshapes = displaces(env_.options, env_.ark) || plan.polygons || may_split;
+  return !plan.depth.adaptive && plan.depth.level == 0 && plan.program->refinement_source.empty() &&
+         !parts_.feedback.ours() && !reshapes;
+}
+
+std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const DerivedKey& key) {
+  return parts_.programs.derived().find(*plan.program, plan.owner, key);
+}
+
+std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
+  const depth::DepthPlan& depth = plan.depth;
+  // The outputs of split polygons do not depend on the provoking vertex.
+  DerivedKey key = derived_key(key_state(env_), {.mode = plan.polygons ? GL_TRIANGLES : call.mode,
+                                                 .tagged = depth.adaptive && !depth.measured,
+                                                 .placed = plan.placed,
+                                                 .morphing = depth.morphing});
+  add_welded_words(key, depth.measured && depth.measure.degrees > 0);
+  plan.derived = derived(plan, key);
+  choose_weld(plan, key, call.triangles);
+  if (plan.derived == nullptr) {
+    return Cause::program_not_derived;
+  }
+  if (parts_.feedback.captures(env_.bindings()) && plan.derived != parts_.feedback.program) {
+    return Cause::transform_feedback;
+  }
+  if (plan.derived->stored() && plan.pipeline != nullptr) {
+    return Cause::too_many_attributes;  // other stages of the program pipeline may need the storage binding
+  }
+  plan.capture.layout = &plan.derived->layout;
+  if (const std::optional<Cause> cause = find_corner_program(plan)) {
+    return cause;
+  }
+  const CapturePrograms::Entry& capture = parts_.programs.capture().find(plan.derived);
+  plan.capture.program = capture.name;
+  plan.capture.inputs = &capture.inputs;
+  return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
+}
+
+// Where the record with welded words would have to be stored and cannot be, or the tables would be too large, the draw is not
+// welded: that is better than no refinement.
+void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangles) {
+  if (plan.derived == nullptr || !key.welded) {
+    return;
+  }
+  plan.weld.edges_later = plan.polygons.has_value();
+  bool fits = parts_.weld.can_hold(plan.derived->layout, triangles);
+  const auto has_no_place = [&] { return !fits || (plan.derived->stored() && plan.pipeline != nullptr); };
+  if (plan.derived->layout.displaced() && has_no_place()) {
+    key.border = false;
+    plan.derived = derived(plan, key);
+    if (plan.derived == nullptr) {
+      return;
+    }
+    fits = parts_.weld.can_hold(plan.derived->layout, triangles);
+  }
+  if (plan.derived->layout.joins_edges() && has_no_place()) {
+    key.welded = false;
+    key.turns = key.turns && fits;
+    plan.derived = derived(plan, key);
+    plan.weld.on = plan.derived != nullptr && plan.derived->layout.joins_edges();
+    return;
+  }
+  const capture::Layout& layout = plan.derived->layout;
+  plan.weld.on = fits && (layout.joins_edges() ||
+                          (layout.tagged && capture::find_role(layout.fields, capture::Role::position) != nullptr));
+}
+
+std::optional<Cause> Planner::find_corner_program(DrawPlan& plan) {
+  const EdgeMeasure& wanted = plan.depth.measure;
+  if (!plan.depth.measured) {
+    return std::nullopt;
+  }
+  if (wanted.degrees > 0) {
+    plan.depth.normal_offset = capture::normal_offset(plan.capture.layout->fields);
+  }
+  if (measures_screen(wanted, *plan.program)) {
+    plan.corners = derived(plan, DerivedKey{.at_corner = true});
+    if (plan.corners == nullptr) {
+      return Cause::program_not_derived;
+    }
+    plan.depth.corner_program = plan.corners->name;
+  }
+  return std::nullopt;
+}
+
+std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Program* owner) {
+  const std::lock_guard lock(program.mutex);
+  const Quiet quiet = env_.state.quiet();
+  ErrorScope errors(env_.errors);
+  parts_.programs.derived().prepare(program);
+  if (program.cause) {
+    program.refinement_log = std::string(text_of(*program.cause).explanation);
+    return nullptr;
+  }
+  const bool tagged = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
+  const bool placed = tagged || can_measure(program);
+  return parts_.programs.derived().find(
+      program, owner,
+      derived_key(key_state(env_), {.mode = GL_TRIANGLES,
+                                    .tagged = tagged,
+                                    .placed = placed,
+                                    .morphing = placed && geomorphs(env_.options, env_.ark)}));
+}
+
+}  // namespace glark::core

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// From a draw call and the tracked state to a plan, or to the cause for which the draw stays as it is. The decisions are pure
+// functions in the other files of this folder; the planner gathers what they need, and the programs that the plan names.
+#pragma once
+
+#include <memory>
+
+#include "glark/core/pattern/pool_in_use.h"
+#include "glark/core/plan/draw_plan.h"
+#include "glark/core/plan/feedback_in_use.h"
+#include "glark/core/polygons/decompositions.h"
+#include "glark/core/programs/draw_programs.h"
+#include "glark/core/state/environment.h"
+
+namespace glark::core {
+
+class Planner {
+ public:
+  // What a plan depends on beside the state.
+  struct Parts {
+    pattern::PoolInUse& pool;
+    capture::DrawCapture& capture;
+    DrawPrograms& programs;
+    weld::WeldStage& weld;
+    const FeedbackInUse& feedback;
+  };
+  Planner(const Environment& environment, const Parts& parts);
+
+  enum class Purpose { draw, feedback };  // feedback: what will be drawn is not known yet
+  Decision plan(const DrawCall& call, Purpose purpose = Purpose::draw);
+  // Whether the user's rules leave such a draw alone. `triangles`: 0 before they are counted.
+  std::optional<Cause> exempt(const Program& program, std::uint64_t triangles) const;
+
+  // The derived program for the current state, for GL_REFINEMENT_STATUS_ARK. Null if it cannot be built.
+  std::shared_ptr<DerivedProgram> derive_for_status(Program& program, Program* owner);
+
+ private:
+  std::optional<Cause> decide(const DrawCall& call, Purpose purpose, DrawPlan& plan);
+  std::optional<Cause> find_program(DrawPlan& plan);
+  std::optional<Cause> find_pipeline_programs(DrawPlan& plan);
+  void choose_depths(const DrawCall& call, DrawPlan& plan) const;
+  void choose_polygons(const DrawCall& call, DrawPlan& plan);
+  bool changes_nothing(const DrawPlan& plan, Purpose purpose) const;
+  std::optional<Cause> find_derived(const DrawCall& call, DrawPlan& plan);
+  void choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangles);
+  std::optional<Cause> find_corner_program(DrawPlan& plan);
+  bool can_measure(const Program& program) const;
+  std::shared_ptr<DerivedProgram> derived(const DrawPlan& plan, const DerivedKey& key);
+
+  const Environment& env_;
+  Parts parts_;
+  polygons::Decompositions decompositions_;
+};
+
+}  // namespace glark::core

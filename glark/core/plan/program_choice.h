@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "glark/core/report.h"
+#include "glark/core/state/bindings.h"
+#include "glark/core/state/programs/program.h"
+#include "glark/core/state/programs/program_pipelines.h"
+
+namespace glark::core {
+
+// Where the vertex stage of a draw comes from.
+enum class VertexStage { program, program_pipeline, fixed_function };
+
+struct ProgramChoice {
+  std::optional<Cause> cause;  // of a draw that has no vertex stage which can be refined
+  VertexStage stage = VertexStage::program;
+};
+
+// `current`: what is known of the program in use; null: nothing. No GL.
+ProgramChoice choose_program(const Bindings& bindings, const Program* current, bool is_compatibility);
+// Whether the stages of a program pipeline can be refined at all. No GL.
+std::optional<Cause> check_stages(const PipelineObject& pipeline);
+
+}  // namespace glark::core

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/programs/fixed_function_programs.h"
+
+#include <algorithm>
+
+namespace glark::core {
+
+refine::FragmentReads FixedFunctionPrograms::fragment_reads(const Program* fragment) const {
+  const gl::Dispatch& gl = env_.gl;
+  std::string text;
+  if (fragment != nullptr) {
+    for (const StageSource& stage : fragment->stages) {
+      text += *stage.source;
+    }
+  } else if (gl.GetProgramStringARB != nullptr && gl.IsEnabled(GL_FRAGMENT_PROGRAM_ARB) != GL_FALSE) {
+    GLint length = 0;
+    gl.GetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_LENGTH_ARB, &length);
+    text.resize(static_cast<std::size_t>(length));
+    gl.GetProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_STRING_ARB, text.data());
+  } else {
+    return {};
+  }
+  return refine::fragment_reads(text);
+}
+
+Program* FixedFunctionPrograms::find(Program* fragment) {
+  const GLuint fragment_name = fragment != nullptr ? fragment->name : 0;
+  if (env_.state.fixed_function_stale() || fragment_ != fragment_name) {
+    env_.state.fixed_function_read();
+    fragment_ = fragment_name;
+    state_ = refine::read_fixed_function_state(env_.gl, fragment_reads(fragment), env_.capabilities.fog_distance);
+  }
+  std::shared_ptr<Program>& slot = programs_[{state_, fragment_name}];
+  if (slot == nullptr) {
+    slot = derived_.fixed_function(state_, fragment);
+    slot->refinement_source = refinement_source_;
+  }
+  return slot.get();
+}
+
+void FixedFunctionPrograms::set_refinement_source(std::string source) {
+  refinement_source_ = std::move(source);
+  for (auto& [key, program] : programs_) {
+    derived_.discard(*program);
+    program->refinement_source = refinement_source_;
+  }
+}
+
+void FixedFunctionPrograms::discard_derived() {
+  for (auto& [key, program] : programs_) {
+    derived_.discard(*program);
+  }
+}
+
+// Another context may go on with the fragment program. Its uniforms must no longer be mirrored to derived programs that are gone.
+void FixedFunctionPrograms::remove(GLuint fragment, Program& program) {
+  if (const std::shared_ptr<Program> owner = env_.state.programs().find(fragment)) {
+    const std::lock_guard lock(owner->mutex);
+    std::erase_if(owner->mirrors, [&](const UniformMirror& mirror) {
+      return std::any_of(program.derived.begin(), program.derived.end(),
+                         [&](const auto& entry) { return entry.second.get() == mirror.derived; });
+    });
+  }
+  derived_.discard_quietly(program);
+  env_.gl.DeleteProgram(program.name);
+}
+
+void FixedFunctionPrograms::forget_fragment(GLuint name) {
+  for (auto entry = programs_.begin(); entry != programs_.end();) {
+    if (entry->first.second == name && name != 0) {
+      remove(name, *entry->second);
+      entry = programs_.erase(entry);
+    } else {
+      ++entry;
+    }
+  }
+}
+
+void FixedFunctionPrograms::release() {
+  for (auto& [key, program] : programs_) {
+    remove(key.second, *program);
+  }
+  programs_.clear();
+}
+
+}  // namespace glark::core

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The fixed-function vertex stage as programs: one for each of its states and each fragment program that it was drawn with.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "glark/core/programs/derived_programs.h"
+#include "glark/core/refine/fixed_function_state.h"
+
+namespace glark::core {
+
+class FixedFunctionPrograms {
+ public:
+  FixedFunctionPrograms(const Environment& environment, DerivedPrograms& derived)
+      : env_(environment), derived_(derived) {}
+
+  // The program for the current state. `fragment`: the application's program with fragment stages alone; null: none.
+  Program* find(Program* fragment);
+  // The state that find() has last read.
+  const refine::FixedFunctionState& state() const { return state_; }
+
+  // The application's refinement shader for the fixed-function stage.
+  const std::string& refinement_source() const { return refinement_source_; }
+  void set_refinement_source(std::string source);
+
+  void discard_derived();             // of all programs
+  void forget_fragment(GLuint name);  // the program was linked again or deleted
+  void release();
+
+ private:
+  refine::FragmentReads fragment_reads(const Program* fragment) const;
+  void remove(GLuint fragment, Program& program);
+
+  const Environment& env_;
+  DerivedPrograms& derived_;
+  std::map<std::pair<refine::FixedFunctionState, GLuint>, std::shared_ptr<Program>> programs_;
+  refine::FixedFunctionState state_;
+  GLuint fragment_ = 0;  // that the state was read for
+  std::string refinement_source_;
+};
+
+}  // namespace glark::core

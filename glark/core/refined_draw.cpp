@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/refined_draw.h"
+
+namespace glark::core {
+namespace {
+
+KeyFacts key_facts(const DrawPlan& plan, const pattern::PoolInUse& pool) {
+  return {plan.capture, plan.depth, plan.polygons.has_value(), plan.weld.on, pool.number()};
+}
+
+void count_refined(const DrawPlan& plan) {
+  ++statistics().draws_refined;
+  ++plan.program->counters->draws_refined;
+}
+
+}  // namespace
+
+void RefinedDraw::run(const DrawCall& call) {
+  ++statistics().draws_seen;
+  const Quiet quiet = env_.state.quiet();
+  parts_.feedback.take_over();
+  const Decision decision = parts_.planner.plan(call);
+  if (decision.cause == Cause::not_triangles && parts_.feedback.refuses(call.mode)) {
+    env_.errors.raise(GL_INVALID_OPERATION);
+    return;
+  }
+  if (decision.cause || call.triangles == 0) {
+    draw_as_asked(call, decision.cause.value_or(Cause::not_triangles), quiet);
+    return;
+  }
+  const DrawPlan& plan = decision.plan;
+  if (const std::optional<Cause> cause = parts_.passes.ensure_room(plan, call.triangles)) {
+    draw_as_asked(call, *cause, quiet);
+    return;
+  }
+  const KeyFacts facts = key_facts(plan, parts_.pool);
+  KeptDraw kept = parts_.kept.find(call, facts);
+  const capture::CoarseTriangles triangles = capture(call, facts, kept, quiet);
+  if (triangles.count == 0) {
+    parts_.submission.restore_after_capture();
+    return;
+  }
+  const bool welded = !kept.filled && parts_.passes.weld(plan, triangles);
+  refine(plan, triangles, kept, welded);
+  count_refined(plan);
+  parts_.capture.count_drawn(triangles, plan.depth.adaptive ? 0 : plan.depth.level);
+}
+
+void RefinedDraw::draw_as_asked(const DrawCall& call, Cause cause, const Quiet& quiet) {
+  pass(cause);
+  quiet.interrupt();
+  call.issue();
+  quiet.hush();
+}
+
+void RefinedDraw::pass(Cause cause) {
+  if (cause != Cause::not_triangles && cause != Cause::invalid_draw) {
+    parts_.feedback.hand_back();
+  }
+  passed_.count(cause);
+}
+
+capture::CoarseTriangles RefinedDraw::capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept,
+                                              const Quiet& quiet) {
+  if (kept.filled) {
+    ++statistics().captures_reused;
+    return kept.entry->triangles;
+  }
+  ++statistics().captures_made;
+  const capture::Count count = kept.entry != nullptr ? capture::Count::checked
+                               : call.exact          ? capture::Count::known
+                                                     : capture::Count::by_query;
+  const std::optional<capture::CoarseTriangles> captured =
+      parts_.capture.run(call, facts.capture, {count, KeptDraws::target_of(kept, facts)}, quiet);
+  if (!captured) {  // GL rejects the draw
+    kept = {};
+    return {};
+  }
+  KeptDraws::keep_capture(kept, call, facts, *captured);
+  return *captured;
+}
+
+void RefinedDraw::refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept,
+                         bool welded) {
+  const bool sorted = kept.filled && plan.depth.keeps_instances();
+  parts_.submission.begin(plan, plan.depth.adaptive || captured.count_on_gpu);
+  submit::RefinedTriangles refined;
+  const Records records = sorted ? Records{captured} : parts_.passes.split(plan, captured);
+  refined.triangles = records.triangles;
+  refined.count_command = records.count_command;
+  if (plan.depth.adaptive) {
+    refined.instances = sort(plan, records, kept);
+    refined.numbers = parts_.passes.sorter().numbers();
+  }
+  refined.storage_changed = welded || (!sorted && (plan.depth.adaptive || plan.polygons));
+  parts_.submission.draw(plan, refined);
+}
+
+depth::BinnedInstances RefinedDraw::sort(const DrawPlan& plan, const Records& records, const KeptDraw& kept) {
+  const bool keeps = plan.depth.keeps_instances();
+  if (keeps && kept.filled) {
+    statistics().refined_triangles += kept.entry->refined_triangles;
+    return kept.entry->bins;
+  }
+  const depth::SortRequest request{.plan = plan.depth,
+                                   .layout = *plan.capture.layout,
+                                   .triangles = records.triangles,
+                                   .count_command = records.count_command,
+                                   .tags_are_edge_depths = records.tags_are_edge_depths,
+                                   .stored = plan.derived->stored()};
+  depth::InstanceSorter& sorter = parts_.passes.sorter();
+  const depth::BinnedInstances sorted = sorter.sort(request);
+  if (keeps && kept.entry != nullptr) {
+    ErrorScope errors(env_.errors);
+    parts_.kept.keep_instances(*kept.entry, sorted, sorter.extent(request, sorted), records.triangles);
+  }
+  return sorted;
+}
+
+std::uint64_t RefinedDraw::begin_immediate(GLenum mode) {
+  ++statistics().draws_seen;
+  const Quiet quiet = env_.state.quiet();
+  std::optional<Cause> cause;
+  const std::uint64_t room = parts_.immediate.begin(mode, cause);
+  if (cause) {
+    pass(*cause);
+  }
+  return room;
+}
+
+void RefinedDraw::end_immediate(std::uint64_t triangles) {
+  const Quiet quiet(env_.gl, env_.bindings().debug_output);  // while our feedback is bound, bindings are not read again
+  ImmediateCapture::Captured captured = parts_.immediate.end(triangles);
+  ++statistics().captures_made;
+  if (captured.triangles.count == 0) {
+    parts_.submission.restore_after_capture();
+    return;
+  }
+  const bool welded = parts_.passes.weld(captured.plan, captured.triangles);
+  if (captured.cause) {
+    pass(*captured.cause);
+  } else {
+    count_refined(captured.plan);
+  }
+  refine(captured.plan, captured.triangles, {}, welded);
+  statistics().coarse_triangles += captured.triangles.count;
+}
+
+}  // namespace glark::core

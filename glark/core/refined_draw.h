@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A draw call from end to end: each step is a stage in a folder of its own.
+#pragma once
+
+#include <cstdint>
+
+#include "glark/core/capture/draw_call.h"
+#include "glark/core/capture/draw_capture.h"
+#include "glark/core/feedback/refined_feedback.h"
+#include "glark/core/immediate/immediate_capture.h"
+#include "glark/core/keep/kept_draws.h"
+#include "glark/core/passes/triangle_passes.h"
+#include "glark/core/pattern/pool_in_use.h"
+#include "glark/core/plan/planner.h"
+#include "glark/core/report.h"
+#include "glark/core/state/environment.h"
+#include "glark/core/submit/submission.h"
+
+namespace glark::core {
+
+class RefinedDraw {
+ public:
+  struct Parts {
+    const pattern::PoolInUse& pool;
+    Planner& planner;
+    capture::DrawCapture& capture;
+    KeptDraws& kept;
+    TrianglePasses& passes;
+    submit::Submission& submission;
+    RefinedFeedback& feedback;
+    ImmediateCapture& immediate;
+  };
+  RefinedDraw(const Environment& environment, const Parts& parts) : env_(environment), parts_(parts) {}
+
+  // Draws refined, or as the application asked; counts either.
+  void run(const DrawCall& call);
+  // glBegin in a mode of triangles: how many triangles fit until glEnd. 0: the caller begins as the application asked.
+  std::uint64_t begin_immediate(GLenum mode);
+  void end_immediate(std::uint64_t triangles);
+  // Counts a draw that the caller makes as the application asked.
+  void pass(Cause cause);
+
+ private:
+  void draw_as_asked(const DrawCall& call, Cause cause, const Quiet& quiet);
+  capture::CoarseTriangles capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept, const Quiet& quiet);
+  void refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept, bool welded);
+  depth::BinnedInstances sort(const DrawPlan& plan, const Records& records, const KeptDraw& kept);
+
+  const Environment& env_;
+  Parts parts_;
+  PassedDraws passed_;
+};
+
+}  // namespace glark::core

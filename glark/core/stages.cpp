@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/stages.h"
+
+namespace glark::core {
+
+Stages::Stages(const Environment& environment)
+    : env_(environment),
+      pool_(env_),
+      capture_(env_),
+      programs_(env_, capture_.stage()),
+      passes_(env_, pool_, capture_),
+      kept_(env_),
+      planner_(env_, {pool_, capture_, programs_, passes_.weld_stage(), feedback_in_use_}),
+      feedback_(env_, feedback_in_use_, planner_, programs_.in_use()),
+      immediate_(env_, planner_, passes_, capture_),
+      submission_(env_, {pool_, programs_, capture_.stage(), feedback_in_use_}),
+      draw_(env_, {pool_, planner_, capture_, kept_, passes_, submission_, feedback_, immediate_}) {}
+
+// Adds to the statistics what only the GPU has counted.
+void Stages::read_counts() {
+  if (!env_.options.read_counts) {
+    return;
+  }
+  ErrorScope errors(env_.errors);
+  capture_.read_uncounted();
+  passes_.sorter().read_counts();
+}
+
+// Between glBegin and glEnd nothing can be asked: the bindings are not read again.
+void Stages::frame_finished() {
+  const Quiet quiet(env_.gl, env_.bindings().debug_output);
+  read_counts();
+  passes_.sorter().frame_finished();
+  kept_.frame_finished();
+}
+
+void Stages::release() {
+  const Quiet quiet(env_.gl, env_.bindings().debug_output);
+  ErrorScope errors(env_.errors);
+  read_counts();
+  programs_.release();
+  kept_.release();
+  capture_.release();
+  passes_.release();
+  submission_.release();
+  env_.state.programs().pipelines().release();
+  pool_.release();
+}
+
+}  // namespace glark::core

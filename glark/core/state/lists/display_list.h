@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A display list cut into segments: runs of state changes, and draws. The application's list is compiled as a list of calls of
+// our segment lists, so that it works unchanged with ARK off; with ARK on each draw segment is captured and refined at
+// call time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "glark/core/state/arrays/current_values.h"
+#include "glark/core/state/lists/polygon_sides.h"
+#include "glark/gl/types.h"
+
+namespace glark::core {
+
+// A list called between glBegin and glEnd: it gives vertices.
+struct VertexList {
+  GLuint list = 0;
+  bool offset = false;  // `list` is added to glListBase
+};
+
+// What the calls of a segment do beyond drawing.
+struct SegmentEffects {
+  struct Value {
+    int slot;
+    CurrentValue value;
+  };
+
+  std::vector<Value> values;   // the last of each attribute that it sets
+  std::uint64_t set = 0;       // their slots
+  std::uint64_t own = 0;       // those set before its first vertex: no vertex inherits them
+  bool opaque = false;         // sets what we do not follow: to be executed each time
+  bool late = false;           // a vertex after the first has more to it than those before
+  bool touches_state = false;  // that refined draws depend on
+  bool draws_shapes = false;   // triangles that are left as they are
+  bool changes_uniforms = false;
+
+  void record(int slot, const CurrentValue& value, bool before_vertices) {
+    if (slot < 0) {
+      opaque = true;
+      late |= !before_vertices;
+      return;
+    }
+    if ((set & slot_bit(slot)) == 0) {
+      late |= !before_vertices;
+      own |= before_vertices ? slot_bit(slot) : 0;
+      set |= slot_bit(slot);
+      values.push_back({slot, value});
+      return;
+    }
+    for (Value& known : values) {
+      if (known.slot == slot) {
+        late |= !before_vertices && known.value.again != value.again;  // perhaps of more components
+        known.value = value;
+      }
+    }
+  }
+};
+
+struct ListSegment {
+  enum class Kind { state, draw, call, call_offset };
+  Kind kind = Kind::state;
+  GLuint list = 0;             // our list to call; for `call` the application's list; call_offset: added to glListBase
+  GLenum mode = GL_TRIANGLES;  // of a draw segment
+  std::uint64_t vertices = 0;  // of a draw segment
+  std::uint64_t triangles = 0;
+  bool exact = true;                          // `triangles` is the count, not a bound
+  bool sets_tags = false;                     // glDepthTag1i was called inside
+  bool whole_polygons = false;                // as in DrawCall
+  PolygonSides polygon_sides = {};            // if not empty, as in DrawCall
+  std::vector<VertexList> vertex_lists = {};  // `vertices` are without theirs
+  std::uint64_t identity = 0;                 // never another segment's
+  SegmentEffects effects = {};
+};
+
+// What a list does to the attribute stack, in order; lists that it calls may do more.
+struct StackStep {
+  enum class Kind { push, pop, call, call_offset };
+  Kind kind = Kind::pop;
+  GLuint value = 0;  // push: the mask; of a call as in ListSegment
+};
+
+struct DisplayList {
+  std::vector<ListSegment> segments;
+  std::vector<StackStep> stack_steps = {};
+  bool refinable = false;  // false: call the application's list as it is
+  bool changes_uniforms = false;
+  bool calls_lists = false;
+  std::uint64_t loose_vertices = 0;  // outside glBegin and glEnd; those of lists that it calls not counted
+};
+
+}  // namespace glark::core

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Welds the triangles of one draw: tags as soon as they are captured, edges when the triangles are those that will be drawn.
+#pragma once
+
+#include "glark/core/state/environment.h"
+#include "glark/core/weld/weld.h"
+
+namespace glark::weld {
+
+struct WeldPlan {
+  bool on = false;           // edges, if the layout has room for them, and tags, if it has any
+  bool edges_later = false;  // edges are those of the triangles that polygons are split into
+};
+
+class DrawWeld {
+ public:
+  DrawWeld(const core::Environment& environment, capture::Language language)
+      : env_(environment), stage_(environment.gl, language) {}
+
+  WeldStage& stage() { return stage_; }
+  const WeldStage& stage() const { return stage_; }
+  // Both return whether they have changed the program and the storage buffer bindings, which the caller restores.
+  // `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
+  bool weld_captured(const WeldPlan& plan, const capture::Layout& layout, const capture::CoarseTriangles& triangles,
+                     const core::GpuBuffer& captured_count) {
+    return run(plan, {&layout, triangles, {}, layout.joins_edges() && !plan.edges_later, layout.tagged},
+               captured_count);
+  }
+  bool weld_split(const WeldPlan& plan, const capture::Layout& layout, const capture::CoarseTriangles& triangles,
+                  const core::GpuBuffer& captured_count) {
+    return run(plan, {&layout, triangles, {}, layout.joins_edges(), false}, captured_count);
+  }
+  void release() { stage_.release(); }
+
+ private:
+  bool run(const WeldPlan& plan, WeldRequest request, const core::GpuBuffer& captured_count);
+
+  const core::Environment& env_;
+  WeldStage stage_;
+};
+
+}  // namespace glark::weld

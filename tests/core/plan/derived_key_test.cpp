@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/plan/derived_key.h"
+
+#include <gtest/gtest.h>
+
+namespace glark::core {
+namespace {
+
+class DerivedKeys : public testing::Test {
+ protected:
+  DerivedKey key(const KeyRequest& request = {}) const {
+    return derived_key({options, ark, bindings, capabilities}, request);
+  }
+
+  ContextOptions options;
+  ArkState ark;
+  Bindings bindings;
+  Capabilities capabilities;
+};
+
+TEST_F(DerivedKeys, TheProvokingCornerFollowsTheConvention) {
+  bindings.provoking_vertex = GL_LAST_VERTEX_CONVENTION;
+  EXPECT_EQ(key().provoking_corner, 2);
+  bindings.provoking_vertex = GL_FIRST_VERTEX_CONVENTION;
+  EXPECT_EQ(key().provoking_corner, 0);
+}
+
+TEST_F(DerivedKeys, QuadsMayKeepTheirLastVertex) {
+  bindings.provoking_vertex = GL_FIRST_VERTEX_CONVENTION;
+  capabilities.quads_follow_convention = false;
+  EXPECT_TRUE(captures_last_vertex(bindings, capabilities, GL_QUADS));
+  EXPECT_FALSE(captures_last_vertex(bindings, capabilities, GL_TRIANGLES));
+  EXPECT_EQ(key({.mode = GL_QUAD_STRIP}).provoking_corner, 2);
+  EXPECT_EQ(key({.mode = GL_TRIANGLES}).provoking_corner, 0);
+}
+
+TEST_F(DerivedKeys, FlatShadingIsOfCompatibilityContexts) {
+  bindings.shade_model = GL_FLAT;
+  EXPECT_TRUE(key().flat_colors);
+  capabilities.api = Capabilities::Api::core;
+  EXPECT_FALSE(key().flat_colors);
+  EXPECT_FALSE(key().clamp_colors);
+}
+
+TEST_F(DerivedKeys, TheSurfaceIsTheUsersInTransparentRefinement) {
+  options.refinement = Refinement::pn;
+  options.weld = true;
+  EXPECT_EQ(key().refinement, Refinement::linear_inputs);
+  EXPECT_FALSE(key().welded);
+  options.transparent = true;
+  EXPECT_EQ(key().refinement, Refinement::pn);
+  EXPECT_TRUE(key().welded);
+}
+
+TEST_F(DerivedKeys, WeldedWordsNeedWelding) {
+  ark.displacement.unit = 0;
+  DerivedKey apart = key();
+  add_welded_words(apart, true);
+  EXPECT_FALSE(apart.turns || apart.border);
+  ark.weld = true;
+  DerivedKey welded = key();
+  add_welded_words(welded, true);
+  EXPECT_TRUE(welded.turns && welded.border);
+}
+
+TEST_F(DerivedKeys, WhatTheDrawAsksForIsInTheKey) {
+  const DerivedKey asked = key({.tagged = true, .placed = true, .morphing = true});
+  EXPECT_TRUE(asked.tagged && asked.placed && asked.morphing);
+  EXPECT_FALSE(key().tagged || key().placed || key().morphing);
+}
+
+}  // namespace
+}  // namespace glark::core

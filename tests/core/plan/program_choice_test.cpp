@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/plan/program_choice.h"
+
+#include <gtest/gtest.h>
+
+namespace glark::core {
+namespace {
+
+void give_stage(Program& program, GLenum stage) { program.stages.push_back({stage, nullptr}); }
+
+TEST(ProgramChoice, AProgramWithAVertexStage) {
+  Program program;
+  give_stage(program, GL_VERTEX_SHADER);
+  const ProgramChoice choice = choose_program({.program = 1}, &program, true);
+  EXPECT_EQ(choice.cause, std::nullopt);
+  EXPECT_EQ(choice.stage, VertexStage::program);
+}
+
+// Whether a program from a binary has a vertex stage is not known: the builder says so later.
+TEST(ProgramChoice, AProgramFromABinary) {
+  const Program program;
+  EXPECT_EQ(choose_program({.program = 1}, &program, false).stage, VertexStage::program);
+}
+
+TEST(ProgramChoice, AProgramThatWasNotSeen) {
+  EXPECT_EQ(choose_program({.program = 1}, nullptr, true).cause, Cause::no_program);
+}
+
+TEST(ProgramChoice, AProgramToWhichGlCannotReturn) {
+  Program program;
+  program.linked = false;
+  EXPECT_EQ(choose_program({.program = 1}, &program, true).cause, Cause::program_gone);
+  program.linked = true;
+  program.cause = Cause::program_gone;
+  EXPECT_EQ(choose_program({.program = 1}, &program, true).cause, Cause::program_gone);
+}
+
+TEST(ProgramChoice, FragmentsAloneTakeTheFixedFunction) {
+  Program program;
+  give_stage(program, GL_FRAGMENT_SHADER);
+  EXPECT_EQ(choose_program({.program = 1}, &program, true).stage, VertexStage::fixed_function);
+  EXPECT_EQ(choose_program({.program = 1}, &program, false).cause, Cause::no_program);
+}
+
+TEST(ProgramChoice, NoProgramIsTheFixedFunctionOfCompatibilityContexts) {
+  EXPECT_EQ(choose_program({}, nullptr, true).stage, VertexStage::fixed_function);
+  EXPECT_EQ(choose_program({}, nullptr, false).cause, Cause::no_program);
+  EXPECT_EQ(choose_program({.vertex_program = true}, nullptr, true).cause, Cause::assembly_program);
+}
+
+TEST(ProgramChoice, AProgramHasPrecedenceOverAProgramPipeline) {
+  Program program;
+  give_stage(program, GL_VERTEX_SHADER);
+  EXPECT_EQ(choose_program({.pipeline = 2}, nullptr, true).stage, VertexStage::program_pipeline);
+  EXPECT_EQ(choose_program({.program = 1, .pipeline = 2}, &program, true).stage, VertexStage::program);
+}
+
+TEST(ProgramChoice, ProgramPipelinesNeedAVertexStageAndNoTessellation) {
+  EXPECT_EQ(check_stages({.programs = {1, 0, 0, 0, 2}}), std::nullopt);
+  EXPECT_EQ(check_stages({.programs = {0, 0, 0, 0, 2}}), Cause::program_pipeline);
+  EXPECT_EQ(check_stages({.programs = {1, 3, 0, 0, 2}}), Cause::tessellation);
+  EXPECT_EQ(check_stages({.programs = {1, 0, 3, 0, 2}}), Cause::tessellation);
+}
+
+}  // namespace
+}  // namespace glark::core
