@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the core tells its host: log lines and counters. The core never prints; the host installs a sink.
+// Log lines and counters of the core for its host. The core never prints; the host installs a sink.
 #pragma once
 
 #include <array>

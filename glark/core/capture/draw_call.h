@@ -63,7 +63,7 @@ inline bool is_triangle_mode(GLenum mode) {
          mode == GL_QUAD_STRIP || mode == GL_POLYGON;
 }
 
-// Whether the polygons of `primitives` commands can be told apart: each quad is two triangles, a GL_POLYGON any number of them.
+// Whether the polygons of `primitives` commands can be told apart. Each quad is two triangles; a GL_POLYGON has any number.
 inline bool tells_polygons_apart(GLenum mode, std::uint64_t primitives) {
   return mode != GL_POLYGON || primitives == 1;
 }

@@ -25,7 +25,7 @@ uniform int polygon_bound;
 uniform int count_on_gpu;
 uniform int centroids;      // first word of the centroids
 uniform int is_fan;
-uniform int corners[4];     // depth::Decomposition
+uniform int corners[4];     // polygons::Decomposition
 
 // The number of the polygons that end by the entry `limit` in one of the table's columns.
 int polygons_until(int column, int limit) {
@@ -137,7 +137,7 @@ void main() {
       split[to + corner_words + word] = captured[second + word];
       split[to + 2 * corner_words + word] = split[middle + word];
     }
-    // In the place of the tags, the depths of edges 0, 1 and 2; the centroid has that of both inner edges.
+    // The depths of edges 0, 1 and 2 replace the tags. The centroid holds the depth of both inner edges.
     if (tag_offset >= 0) {
       split[to + tag_offset] = floatBitsToUint(float(edge_depth(polygon, edge)) / float(depth_steps));
       split[to + corner_words + tag_offset] = split[middle + tag_offset];
