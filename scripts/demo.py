@@ -7,14 +7,14 @@ import json
 import math
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FRAME = 30     # the captured frame
-LEVEL = 3      # 64 triangles for each
-SECONDS = 20   # for a program that never ends by itself
-LIMIT = 120    # for a program that hangs
+LEVEL = 3      # every triangle becomes 64
+SECONDS = 20   # the longest run of a program that waits for its user
+LIMIT = 120    # seconds after which a program hangs
 
 
 @dataclasses.dataclass
@@ -24,11 +24,13 @@ class Program:
     environment: dict = dataclasses.field(default_factory=dict)
     needs_display: bool = True
     refine: str = "linear"
-    knows_glark: bool = False  # draws by the API: draws and writes its pictures itself
+    frame: int = 30            # the captured frame; programs that move by the clock are captured at their start
+    ends: bool = False         # ends by itself; the others are closed when their picture is written
+    knows_glark: bool = False  # calls the API, writes its picture itself
 
 
 def write_knot(path: pathlib.Path, along: int = 30, around: int = 6, thickness: float = 0.8) -> None:
-    """A trefoil of few triangles with smooth normals, which curved refinement makes round."""
+    """Writes a trefoil knot of 360 triangles with smooth normals; curved refinement makes it round."""
     def centre(t: float) -> tuple:
         return math.sin(t) + 2 * math.sin(2 * t), math.cos(t) - 2 * math.cos(2 * t), -math.sin(3 * t)
 
@@ -60,18 +62,36 @@ def write_knot(path: pathlib.Path, along: int = 30, around: int = 6, thickness: 
     path.with_suffix(".mtl").write_text("newmtl knot\nKa 0.2 0.15 0.1\nKd 0.9 0.6 0.3\nKs 0.5 0.5 0.5\nNs 30\n")
 
 
+def write_models(out: pathlib.Path) -> None:
+    """Writes the knot, and a folder of data for glmark2 that has the knot among the models."""
+    write_knot(out / "knot.obj")
+    models = out / "glmark2" / "models"
+    models.mkdir(parents=True, exist_ok=True)
+    installed = pathlib.Path("/usr/share/glmark2")
+    links = {models / "knot.obj": out / "knot.obj", models / "horse.3ds": installed / "models" / "horse.3ds"}
+    links.update({out / "glmark2" / name: installed / name for name in ("shaders", "textures")})
+    for link, target in links.items():
+        link.unlink(missing_ok=True)
+        link.symlink_to(target)
+
+
 def programs(build: pathlib.Path, out: pathlib.Path) -> list:
+    """The programs to show. OpenSceneGraph's take a hundred packages, so they are shown where they are installed already."""
     osg = {"OSG_WINDOW": "0 0 640 480", "OSG_THREADING": "SingleThreaded", "OSG_NOTIFY_LEVEL": "ALWAYS"}
-    return [
+    glmark2 = ["glmark2", "--data-path", str(out / "glmark2"), "--size", "640x480", "--benchmark"]
+    found = [
         Program("glxgears", ["glxgears"], {"vblank_mode": "0"}),
+        Program("horse", [*glmark2, "build:model=horse:duration=2"], {"vblank_mode": "0"}, frame=2, ends=True),
+        Program("knot", [*glmark2, "build:model=knot:duration=2"], {"vblank_mode": "0"}, refine="pn", frame=2, ends=True),
         Program("osgshape", ["osgshape"], osg),
         Program("osgviewer", ["osgviewer", str(out / "knot.obj")], osg, refine="pn"),
         Program("ten_lines", [str(build / "bin" / "ten_lines")], needs_display=False, knows_glark=True),
     ]
+    return [program for program in found if not program.name.startswith("osg") or shutil.which(program.name)]
 
 
 def run_variant(program: Program, variant: str, build: pathlib.Path, out: pathlib.Path) -> dict:
-    """Runs one program in one variant (off, refined, wireframe); leaves out/NAME-VARIANT.png and .json; returns the statistics."""
+    """Runs a program as one variant: off, refined or wireframe. Writes out/NAME-VARIANT.png and .json, returns the statistics."""
     picture, statistics = (out / f"{program.name}-{variant}{suffix}" for suffix in (".png", ".json"))
     for file in (picture, statistics):
         file.unlink(missing_ok=True)
@@ -79,20 +99,21 @@ def run_variant(program: Program, variant: str, build: pathlib.Path, out: pathli
     environment.update(program.environment, LIBGL_ALWAYS_SOFTWARE="1")
     command = list(program.command)
     if program.knows_glark:
-        # Linked to the library: nothing is preloaded. It takes the picture's path and the depth of its tags; 0 is unrefined.
+        # Linked to the library, so nothing is preloaded. It takes the path of its picture and the depth of its tags (0: unrefined).
         command += [str(picture), "0" if variant == "off" else str(LEVEL)]
         command += ["wireframe"] if variant == "wireframe" else []
         environment["GLARK_STATS"] = str(statistics)
     elif variant == "off":
-        # Not refined, but captured and timed by the same code: the library is there and passes every call through.
-        command = ["env", f"LD_PRELOAD={build / 'lib' / 'libGLARK.so'}", f"GLARK_CAPTURE={FRAME}:{picture}",
+        # The library passes every call through, but captures and times the frames as it does when it refines.
+        command = ["env", f"LD_PRELOAD={build / 'lib' / 'libGLARK.so'}", f"GLARK_CAPTURE={program.frame}:{picture}",
                    f"GLARK_STATS={statistics}", *command]
     else:
         wireframe = ["--wireframe"] if variant == "wireframe" else []
-        command = [str(build / "bin" / "glark"), "run", "--level", str(LEVEL), "--refine", program.refine, "--capture", f"{FRAME}:{picture}",
-                   "--stats", str(statistics), *wireframe, "--", *command]
+        command = [str(build / "bin" / "glark"), "run", "--level", str(LEVEL), "--refine", program.refine,
+                   "--capture", f"{program.frame}:{picture}", "--stats", str(statistics), *wireframe, "--", *command]
     if program.needs_display:
-        command = [str(ROOT / "scripts" / "with_display"), "--seconds", str(SECONDS), "--until", str(picture), "--", *command]
+        until = [] if program.ends else ["--until", str(picture)]
+        command = [str(ROOT / "scripts" / "with_display"), "--seconds", str(SECONDS), *until, "--", *command]
 
     log = out / f"{program.name}-{variant}.log"
     with open(log, "w") as sink:
@@ -122,12 +143,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", type=pathlib.Path, required=True, help="folder of the built preset")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out"))
-    parser.add_argument("--only", action="append", help="names of programs; all when left out")
+    parser.add_argument("--only", action="append", help="name of a program to show; may be repeated; without it, all are shown")
     arguments = parser.parse_args()
     build, out = arguments.build.resolve(), arguments.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
 
-    write_knot(out / "knot.obj")
+    write_models(out)
     rows = [("program", "coarse triangles", "refined triangles", "frame time off", "frame time refined")]
     for program in programs(build, out):
         if arguments.only and program.name not in arguments.only:

@@ -19,22 +19,26 @@ using Cases = std::vector<Case>;
 struct Area {
   const char* prefix;  // "ark.area."
   void (*control)(Test&) = nullptr;
+  Apis apis = every_api;
 
   Case operator()(const std::string& leaf, std::vector<std::string> clauses, std::string plan, std::string wrong,
-                  std::function<void(Test&)> check,
-                  std::vector<Api> apis = {Api::gl_compat, Api::gl_core, Api::gles}) const {
+                  std::function<void(Test&)> check) const {
+    return (*this)(leaf, std::move(clauses), std::move(plan), std::move(wrong), std::move(check), apis);
+  }
+  Case operator()(const std::string& leaf, std::vector<std::string> clauses, std::string plan, std::string wrong,
+                  std::function<void(Test&)> check, Apis of_case) const {
     return {.name = prefix + leaf,
             .clauses = std::move(clauses),
             .plan = std::move(plan),
             .wrong = std::move(wrong),
-            .apis = std::move(apis),
+            .apis = of_case,
             .control = control,
             .check = std::move(check)};
   }
 };
 
-#define GLARK_CASES(name) Cases name##_cases();
-#include "conformance/cases/areas.inc"
+#define GLARK_CASES(folder, name) Cases name##_cases();
+#include "conformance/cases/files.inc"
 #undef GLARK_CASES
 
 }  // namespace glark::conformance

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "conformance/gl/function_source.h"
+
 namespace glark::conformance {
 
 enum class Api { gl_compat, gl_core, gles };
@@ -34,17 +36,11 @@ class Context {
   virtual void end_frame() = 0;
 };
 
-class Platform {
+class Platform : public FunctionSource {
  public:
-  Platform() = default;
-  Platform(const Platform&) = delete;
-  Platform& operator=(const Platform&) = delete;
-  virtual ~Platform() = default;
-
   // "osmesa", "egl" or "glx". Throws std::runtime_error that says what is missing.
   static std::unique_ptr<Platform> open(std::string_view name);
 
-  virtual void* function(const char* name) = 0;
   // OpenGL 4.3 or later, or OpenGL ES 3.2; `share` may be null. Throws std::runtime_error.
   virtual std::unique_ptr<Context> create_context(Api api, Context* share) = 0;
 };

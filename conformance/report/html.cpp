@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "conformance/report/report.h"
+#include "conformance/suite/case.h"
 
 namespace glark::conformance {
 namespace {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "conformance/report/report.h"
+#include "conformance/suite/case.h"
 
 namespace glark::conformance {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "conformance/runner/record.h"
+#include "conformance/report/record.h"
 
 namespace glark::conformance {
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "conformance/runner/record.h"
+#include "conformance/report/record.h"
+#include "conformance/runner/run_options.h"
 
 namespace glark::conformance {
 

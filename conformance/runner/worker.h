@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "conformance/runner/record.h"
+#include "conformance/runner/run_options.h"
 
 namespace glark::conformance {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -12,19 +13,35 @@ namespace glark::conformance {
 
 class Test;
 
+// The APIs that a case concerns.
+class Apis {
+ public:
+  constexpr Apis(std::initializer_list<Api> apis) {
+    for (const Api api : apis) bits_ |= bit(api);
+  }
+  constexpr bool contains(Api api) const { return (bits_ & bit(api)) != 0; }
+
+ private:
+  static constexpr unsigned bit(Api api) { return 1U << static_cast<unsigned>(api); }
+  unsigned bits_ = 0;
+};
+inline constexpr Apis every_api = {Api::gl_compat, Api::gl_core, Api::gles};
+inline constexpr Apis desktop_apis = {Api::gl_compat, Api::gl_core};
+inline constexpr Apis compat_only = {Api::gl_compat};
+
 // One clause of the specification, looked at in one way.
 struct Case {
   std::string name;                  // "ark.area.topic.leaf": lower case, digits, underscores and dots
   std::vector<std::string> clauses;  // ids of clauses/clauses.txt; the sentences are quoted from there
   std::string plan;                  // how the case looks at it
   std::string wrong = {};            // what typical wrong implementations do or draw, and how that shows
-  std::vector<Api> apis = {Api::gl_compat, Api::gl_core, Api::gles};
+  Apis apis = every_api;
   // What must hold without refinement: if it does not, the case cannot judge. Runs in a context of its own.
   std::function<void(Test&)> control = {};
   std::function<void(Test&)> check = {};  // empty: planned, not written
 };
 
-// What the program was built with, in any order: cases/joined.cpp, or what a test of the suite has in its place.
+// What the program was built with, in any order: cases/written_cases.cpp, or what a test of the suite has in its place.
 std::vector<Case> written_cases();
 
 // In order of their names; the same for every run. Throws std::logic_error where two have one name.

@@ -11,7 +11,7 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
 
-#include "conformance/gl.h"
+#include "conformance/gl/gl.h"
 
 namespace glark::conformance {
 namespace {

@@ -50,7 +50,7 @@ Test::Test(Platform& platform, Api api, std::string_view name, unsigned random_s
       api_(api),
       context_(platform.create_context(api, nullptr)),
       random_(hash_of(name) ^ random_seed) {
-  load_functions([&](const char* function) { return platform.function(function); });
+  load_functions(platform, is_gles());
 }
 
 int Test::version() const {
@@ -173,9 +173,7 @@ void run_half(Test& test, const std::function<void(Test&)>& half) {
 
 Result run_case(const Case& test_case, Platform& platform, Api api, unsigned random_seed) {
   if (!test_case.check) return {Verdict::unimplemented, {"planned: " + test_case.plan}, {}};
-  bool concerned = false;
-  for (const Api each : test_case.apis) concerned = concerned || each == api;
-  if (!concerned) return {Verdict::not_supported, {"does not concern " + std::string(name_of(api))}, {}};
+  if (!test_case.apis.contains(api)) return {Verdict::not_supported, {"does not concern " + std::string(name_of(api))}, {}};
   {
     Test test(platform, api, test_case.name, random_seed);
     if (!test.has_extension("GL_ARK_adaptive_refinement"))

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "conformance/gl.h"
+#include "conformance/gl/gl.h"
 #include "conformance/suite/case.h"
 #include "conformance/suite/picture.h"
 #include "conformance/suite/verdict.h"

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "conformance/gl.h"
+#include "conformance/gl/gl.h"
 
 namespace glark::conformance {
 

@@ -36,11 +36,11 @@ TOUCH_CALLS = {
     "gpu_may_write": ("writes().gpu_may_write", ["buffer"]),
     "external_target": ("writes().never_trust_target", ["target"]),
     "external_buffer": ("writes().never_trust_buffer", ["buffer"]),
-    "touch_vertex_array": ("state().vertex_arrays().forget_current", []),
-    "touch_fixed_function": ("state().touch_fixed_function", []),
-    "opaque": ("state().forget_in_list", []),
-    "touch_matrices": ("state().touch_matrices", []),
-    "touch_any_matrix": ("state().touch_any_matrix", []),
+    "touch_vertex_array": ("state().arrays().vertex_arrays().forget_current", []),
+    "touch_fixed_function": ("changes().touch_fixed_function", []),
+    "opaque": ("changes().forget_in_list", []),
+    "touch_matrices": ("changes().touch_matrices", []),
+    "touch_any_matrix": ("changes().touch_any_matrix", []),
 }
 # The current value that a function sets: by the start of its name.
 ATTRIBUTE_SLOTS = [
@@ -54,7 +54,7 @@ ATTRIBUTE_SLOTS = [
     ("glEdgeFlag", "edge_flag_slot"),
     ("glVertexAttrib", "generic_slot"),
 ]
-LOCALS = {"here", "mirror", "derived", "result", "Arguments", "arguments", "same", "gl_", "index_", "data_"}
+LOCALS = {"here", "state", "mirror", "derived", "result", "Arguments", "arguments", "same", "gl_", "index_", "data_"}
 
 
 def fail(message):
@@ -149,6 +149,7 @@ def read_classes(path, commands):
 def write(folder, name, text):
     """Leaves an unchanged file alone, so that what depends on it is not built again."""
     path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists() or path.read_text() != text:
         path.write_text(text)
 
@@ -256,11 +257,11 @@ def wrapper_body(command, kind):
         return uniform_body(c, real)
     if kind == "array":
         return [f"if (here.context == nullptr || !here.context->refining()) {{", f"  {real};",
-                "  if (here.context != nullptr) here.context->state().vertex_arrays().forget_current();", "  return;", "}", f"{hook};"]
+                "  if (here.context != nullptr) here.context->state().arrays().vertex_arrays().forget_current();", "  return;", "}", f"{hook};"]
     if kind in ("count", "count_unseen"):
         first = c.parameters[0][1] if c.parameters else ""
         only = f" && {first} == 0" if first == "index" and c.name.startswith("glVertexAttrib") else ""
-        unseen = ["if (here.context != nullptr) here.context->state().forget_values();"] if kind == "count_unseen" else []
+        unseen = ["if (here.context != nullptr) here.context->changes().forget_values();"] if kind == "count_unseen" else []
         return unseen + [f"if (here.context != nullptr{only}) here.context->count_vertex({components(c)});", f"{real};"]
     if kind == "attribute":
         return attribute_body(c, real)
@@ -270,7 +271,7 @@ def wrapper_body(command, kind):
     if choices and not chosen:
         fail(f"{c.name} is classed {kind} but has no parameter named {' or '.join(choices)}")
     if kind == "touch_vertex_array" and "vaobj" in parameters:
-        call = "state().vertex_arrays().forget_all"  # of an array that need not be bound
+        call = "state().arrays().vertex_arrays().forget_all"  # of an array that need not be bound
     touch = f"if (here.context != nullptr) here.context->{call}({''.join(chosen)});"
     if c.is_void():
         return [f"{real};", touch]
@@ -308,7 +309,7 @@ def attribute_body(command, real):
         f"if (here.context == nullptr) {{ {real}; return; }}",
         f"struct Arguments {{ {' '.join(members)} }} arguments;",
         *copies,
-        f"here.context->state().set_current({f'glark::core::{slot}({index})' if indexed else f'glark::core::{slot}'},",
+        f"here.context->changes().set_current({f'glark::core::{slot}({index})' if indexed else f'glark::core::{slot}'},",
         "  [](const glark::gl::Dispatch& gl_, GLuint index_, const void* data_) {",
         "    Arguments same;",
         "    std::memcpy(&same, data_, sizeof same);",
@@ -326,15 +327,16 @@ def uniform_body(command, real):
     of_program = command.name.startswith("glProgramUniform")
     twin = command.canonical.member if of_program else f"Program{command.canonical.member}"
     values = ", ".join(names[2:] if of_program else names[1:])
-    mirrors = f"here.context->state().uniform_mirrors({names[0] if of_program else ''})"
+    mirrors = f"state.programs().mirrors(state.bindings(){', ' + names[0] if of_program else ''})"
     # What is rare stands in a function of its own, so that the usual call is a jump.
     return [
-        f"if (here.context == nullptr || (!here.context->state().programs().mirroring() && !here.context->state().lists().compiling && location < glark::core::virtual_location_base)) "
+        f"if (here.context == nullptr || (!here.context->state().programs().mirroring() && !here.context->state().lists().compiling() && location < glark::core::virtual_location_base)) "
         f"{{ {real}; return; }}",
         "[=, &here]() __attribute__((noinline, cold)) {",
         f"  if (location < glark::core::virtual_location_base) {real};",
-        "  if (here.context->state().lists().compiling) { here.context->state().lists().changes_uniforms = true; return; }",
-        "  if (!here.context->state().programs().mirroring()) return;",
+        "  glark::core::GlState& state = here.context->state();",
+        "  if (state.lists().compiling()) { state.lists().note_uniforms(); return; }",
+        "  if (!state.programs().mirroring()) return;",
         f"  for (const glark::core::UniformMirror& mirror : {mirrors})",
         "    if (const GLint derived = mirror.location(location); derived >= 0)",
         f"      here.gl->{twin}(mirror.program, derived, {values});",
@@ -343,7 +345,7 @@ def uniform_body(command, real):
 
 
 def wrappers_source(wrapped, kinds):
-    lines = [HEADER, '#include <cstring>\n\n#include "glark/core/context.h"\n#include "glark/gl/hooks.h"\n#include "shim/thread.h"\n\n'
+    lines = [HEADER, '#include <cstring>\n\n#include "glark/core/context.h"\n#include "glark/gl/hooks.h"\n#include "shim/contexts/adopt.h"\n#include "shim/contexts/thread.h"\n\n'
              "using glark::shim::adopt_current_context;\nusing glark::shim::Thread;\nusing glark::shim::thread;\n"]
     for c in wrapped:
         kind = kinds[c.name]
@@ -360,7 +362,7 @@ def wrappers_source(wrapped, kinds):
 def first_call_source(wrapped, kinds):
     """The dispatch of a thread that has not called GL yet: looks for a context made behind our back, then starts again."""
     real = [c for c in wrapped if kinds[c.name] != "api"]
-    lines = [HEADER, '#include "shim/thread.h"\n']
+    lines = [HEADER, '#include "shim/contexts/adopt.h"\n#include "shim/contexts/thread.h"\n']
     lines += [f'extern "C" {c.returns} {c.name}({c.declared or "void"});' for c in real]
     lines.append("\nnamespace glark::shim {\nnamespace {\n")
     for c in real:
@@ -383,7 +385,6 @@ def names_source(wrapped, kinds):
 
 def main():
     folder, classes, registry = map(pathlib.Path, sys.argv[1:4])
-    folder.mkdir(parents=True, exist_ok=True)
     root, commands = read_commands(registry)
     link_aliases(commands)
     kinds = read_classes(classes, commands)
@@ -396,13 +397,13 @@ def main():
     hooked = [c for c in wrapped if kinds[c.name] in HOOKED and c.canonical is c]
     declarations, table = names_source(wrapped, kinds)
 
-    write(folder, "dispatch.h", dispatch_header(members))
-    write(folder, "dispatch.cpp", dispatch_source(members, commands))
-    write(folder, "hooks.h", hooks_header(hooked, kinds))
-    write(folder, "wrappers.cpp", wrappers_source(wrapped, kinds))
-    write(folder, "first_call.cpp", first_call_source(wrapped, kinds))
-    write(folder, "wrappers.h", declarations)
-    write(folder, "names.inc", table)
+    write(folder, "glark/gl/dispatch.h", dispatch_header(members))
+    write(folder, "glark/gl/dispatch.cpp", dispatch_source(members, commands))
+    write(folder, "glark/gl/hooks.h", hooks_header(hooked, kinds))
+    write(folder, "shim/entry/wrappers.cpp", wrappers_source(wrapped, kinds))
+    write(folder, "shim/entry/first_call.cpp", first_call_source(wrapped, kinds))
+    write(folder, "shim/names/wrappers.h", declarations)
+    write(folder, "shim/names/names.inc", table)
 
 
 main()

@@ -11,20 +11,21 @@
 // Bad input throws Error, whose message names the element, before anything is written. After construction nothing allocates.
 #pragma once
 
+#include <glark/error.h>
+
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 namespace glark::tagging {
 
 using Vector = std::array<float, 3>;
 
-class Error : public std::invalid_argument {
+class Error : public ArgumentError {
  public:
-  using std::invalid_argument::invalid_argument;
+  using ArgumentError::ArgumentError;
 };
 
 // Tags fall linearly from `finest` at `nearest` and before to `coarsest` at `farthest` and beyond, in the units of the mesh.

@@ -16,11 +16,12 @@
 #ifndef GLARK_PN_H
 #define GLARK_PN_H
 
+#include <glark/error.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,15 +30,9 @@ namespace glark::pn {
 enum class Element { vertex, triangle, crease, array, option };
 
 // What is wrong with an argument, and with which element of it.
-class Error : public std::invalid_argument {
+class Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
-  Element element() const { return element_; }
-  std::size_t index() const { return index_; }
-
- private:
-  Element element_;
-  std::size_t index_;
 };
 
 // The caller owns the arrays, which are read and not kept. Vertices at equal positions are one point of the surface.

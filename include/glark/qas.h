@@ -25,12 +25,13 @@
 #ifndef GLARK_QAS_H
 #define GLARK_QAS_H
 
+#include <glark/error.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 namespace glark::qas {
@@ -38,15 +39,9 @@ namespace glark::qas {
 enum class Element { mesh, vertex, triangle, crease, array };
 
 // What is wrong with an argument, and with which element of it.
-class Error : public std::invalid_argument {
+class Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
-  Element element() const { return element_; }
-  std::size_t index() const { return index_; }
-
- private:
-  Element element_;
-  std::size_t index_;
 };
 
 // The caller owns the arrays; they are read by the constructors only.

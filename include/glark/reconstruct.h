@@ -3,7 +3,7 @@
 //
 // A mesh from samples of a surface: from scans that are noisy, uneven, in layers, and of any genus. Link to glark-reconstruct.
 //
-//   const auto mesh = glark::vstree::reconstruct({.positions = positions, .normals = normals});
+//   const auto mesh = glark::reconstruct::reconstruct({.positions = positions, .normals = normals});
 //   use(mesh.positions, mesh.normals, mesh.triangles);  // and mesh.colours, where the samples have .colours
 //
 // Each edge has two triangles that run against each other, or one where the samples end: gaps of about a transition node close, larger
@@ -22,7 +22,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace glark::vstree {
+namespace glark::reconstruct {
 
 struct ReconstructOptions {
   // What is finer than this is noise, relative to the diagonal of the bounding box: the transition nodes grow until their samples are so far
@@ -34,14 +34,14 @@ struct ReconstructOptions {
   // How many samples a cube of the finest level has that the surface runs through, 2 to 1000: fewer find thinner parts, more close larger
   // gaps.
   float node_samples = 6;
-  // As in Options: what is no height field is divided as far as the finest level.
+  // As in vstree::Options: what is no height field is divided as far as the finest level.
   float delta_a = 0;
   float delta_d = 0.25F;
   // Parts whose area is less than this of the whole are left out, 0 to 1.
   float least_part = 0.01F;
   // Holes close whose border has so many edges of the coarse mesh or fewer, 0 to 1000; an edge is about a node long.
   std::uint32_t gap_edges = 16;
-  unsigned threads = 0;  // as in Options
+  unsigned threads = 0;  // as in vstree::Options
 };
 
 struct Reconstructed {
@@ -57,9 +57,16 @@ struct Reconstructed {
   std::uint32_t left_out = 0;  // parts
 };
 
-// Errors: Error as from Tree.
-Reconstructed reconstruct(const PointSet& points, const ReconstructOptions& options = {});
+// Errors: vstree::Error, as from vstree::Tree.
+Reconstructed reconstruct(const vstree::PointSet& points, const ReconstructOptions& options = {});
 
+}  // namespace glark::reconstruct
+
+// Deprecated: the names that these had before.
+namespace glark::vstree {
+using glark::reconstruct::reconstruct;
+using glark::reconstruct::Reconstructed;
+using glark::reconstruct::ReconstructOptions;
 }  // namespace glark::vstree
 
 #endif  // GLARK_RECONSTRUCT_H

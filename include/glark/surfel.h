@@ -22,12 +22,13 @@
 #ifndef GLARK_SURFEL_H
 #define GLARK_SURFEL_H
 
+#include <glark/error.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -38,15 +39,9 @@ inline constexpr std::uint32_t none = 0xFFFFFFFFU;
 enum class Element { cloud, point, normal, option, view };
 
 // What is wrong with an argument, and with which element of it.
-class Error : public std::invalid_argument {
+class Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
-  Element element() const { return element_; }
-  std::size_t index() const { return index_; }
-
- private:
-  Element element_;
-  std::size_t index_;
 };
 
 // The caller owns the arrays; they are read during the call only.

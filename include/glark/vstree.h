@@ -21,13 +21,14 @@
 #ifndef GLARK_VSTREE_H
 #define GLARK_VSTREE_H
 
+#include <glark/error.h>
+
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -36,15 +37,9 @@ namespace glark::vstree {
 enum class Element { option, array, point, triangle };
 
 // What is wrong with an argument, with which element of it, and what to do about it.
-class Error : public std::invalid_argument {
+class Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
-  Element element() const { return element_; }
-  std::size_t index() const { return index_; }
-
- private:
-  Element element_;
-  std::size_t index_;
 };
 
 // Samples of a surface. The caller owns the arrays; all but the positions may be empty.

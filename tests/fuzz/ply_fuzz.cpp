@@ -4,8 +4,8 @@
 // Whatever is called a PLY file: geometry whose triangles have points, or an Error.
 #include <cstdlib>
 
-#include "glark/clients/geometry/input.h"
-#include "glark/clients/geometry/ply_reader.h"
+#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/read/ply_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace glark::geometry;

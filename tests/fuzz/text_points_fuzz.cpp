@@ -4,8 +4,8 @@
 // Whatever is called a file of points as text: points, or an Error.
 #include <cstdlib>
 
-#include "glark/clients/geometry/input.h"
-#include "glark/clients/geometry/text_points.h"
+#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/read/text_points.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace glark::geometry;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/geometry/topology.h"
+#include "glark/clients/geometry/measure/topology.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <memory>
 #include <numbers>
 
-#include "glark/clients/qas/masks.h"
+#include "glark/clients/qas/limit_step/masks.h"
 #include "tests/qas/meshes.h"
 
 namespace glark::qas::test {

@@ -9,7 +9,7 @@
 
 #include "tests/reconstruct/meshes.h"
 
-namespace glark::vstree::test {
+namespace glark::reconstruct::test {
 namespace {
 
 std::vector<float> repeated(std::size_t count, const std::vector<float>& point) {
@@ -151,4 +151,4 @@ TEST(BadSamples, OptionsAreInRange) {
 }
 
 }  // namespace
-}  // namespace glark::vstree::test
+}  // namespace glark::reconstruct::test

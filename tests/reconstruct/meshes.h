@@ -13,7 +13,7 @@
 
 #include "tests/vstree/shapes.h"
 
-namespace glark::vstree::test {
+namespace glark::reconstruct::test {
 
 struct Topology {
   std::size_t boundary = 0;  // edges of one triangle
@@ -98,4 +98,4 @@ inline double volume(const Reconstructed& mesh) {
   return sum;
 }
 
-}  // namespace glark::vstree::test
+}  // namespace glark::reconstruct::test

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Which samples are near a point.
-#include "glark/clients/reconstruct/near_samples.h"
+#include "glark/clients/reconstruct/samples/near_samples.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "glark/clients/reconstruct/local_surface.h"
+#include "glark/clients/reconstruct/samples/local_surface.h"
 #include "tests/vstree/shapes.h"
 
-namespace glark::vstree::test {
+namespace glark::reconstruct::test {
 namespace {
 
 class Near : public testing::Test {
@@ -95,4 +95,4 @@ TEST_F(Near, WhatWasLookedAtChangesNoEstimate) {
 }
 
 }  // namespace
-}  // namespace glark::vstree::test
+}  // namespace glark::reconstruct::test

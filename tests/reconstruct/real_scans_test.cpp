@@ -10,7 +10,7 @@
 #include "tests/bench_points/surface_distance.h"
 #include "tests/reconstruct/meshes.h"
 
-namespace glark::vstree::test {
+namespace glark::reconstruct::test {
 namespace {
 
 class RealScans : public testing::Test {
@@ -61,4 +61,4 @@ TEST_F(RealScans, OfAStatueAreOneSurface) {
 }
 
 }  // namespace
-}  // namespace glark::vstree::test
+}  // namespace glark::reconstruct::test

@@ -6,7 +6,7 @@
 
 #include "tests/reconstruct/meshes.h"
 
-namespace glark::vstree::test {
+namespace glark::reconstruct::test {
 namespace {
 
 constexpr double pi = 3.14159265;
@@ -278,4 +278,4 @@ TEST(Reconstruct, RefinementEndsWhereTheErrorIsMet) {
 }
 
 }  // namespace
-}  // namespace glark::vstree::test
+}  // namespace glark::reconstruct::test

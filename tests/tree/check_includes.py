@@ -103,7 +103,7 @@ class Includes(unittest.TestCase):
             ("glark/core/context.cpp", '#include "shim/thread.h"'),
             ("glark/core/context.cpp", '#include "generated/glark/gl/dispatch.h"'),
             ("glark/core/report.cpp", "#include <EGL/egl.h>"),
-            ("glark/core/capture/capture.cpp", '#include "glark/core/refine/rewrite.h"'),
+            ("glark/core/capture/capture.cpp", '#include "glark/core/refine/glsl/rewrite.h"'),
             ("glark/core/capture/capture.cpp", '#include "glark/core/submit/submit.h"'),
             ("glark/core/submit/submit.cpp", '#include "glark/core/context.h"'),
             ("glark/core/plan/planner.cpp", '#include "glark/core/track/track.h"'),
@@ -126,7 +126,7 @@ class Includes(unittest.TestCase):
         for name, line in [
             ("glark/core/submit/submit.cpp", '#include "glark/core/capture/record.h"'),
             ("glark/core/refined_draw.cpp", '#include "glark/core/submit/submit.h"'),
-            ("glark/core/context.h", '#include "glark/core/refine/fixed_function.h"'),
+            ("glark/core/context.h", '#include "glark/core/refine/fixed_function/fixed_function.h"'),
             ("shim/glx.cpp", '#include "glark/core/context.h"'),
             ("examples/a.cpp", "#include <GL/glark.h>"),
             ("conformance/cases/a.cpp", '#include "conformance/suite/test.h"'),

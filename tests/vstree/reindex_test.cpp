@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/vstree/reindex.h"
+#include "glark/clients/common/mesh/reindex.h"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +69,7 @@ TEST(Cut, OfIrregularVerticesIsThatOfAll) {
     const Flags all(points.size(), 1);
     Indices some = without_repeats(triangles, irregular), same = without_repeats(triangles, all);
     ASSERT_EQ(some, same);
-    EXPECT_EQ(cut(some, points, irregular), cut(same, points, all));
+    EXPECT_EQ(cut_sheets(some, points, irregular), cut_sheets(same, points, all));
     EXPECT_EQ(some, same);
   }
 }

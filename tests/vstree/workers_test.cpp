@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The loops that the client libraries share: each element once, whatever the number of threads.
-#include "glark/clients/workers.h"
+#include "glark/clients/common/workers.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,8 @@
 
 namespace glark::test {
 namespace {
+
+using common::Workers;
 
 template <typename Loop>
 void expect_each_once(const Loop& loop) {

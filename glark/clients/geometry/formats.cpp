@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cctype>
 
-#include "glark/clients/geometry/assimp_reader.h"
-#include "glark/clients/geometry/input.h"
-#include "glark/clients/geometry/ply_reader.h"
-#include "glark/clients/geometry/text_points.h"
-#include "glark/clients/geometry/writers.h"
+#include "glark/clients/geometry/read/assimp_reader.h"
+#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/read/ply_reader.h"
+#include "glark/clients/geometry/read/text_points.h"
+#include "glark/clients/geometry/write/writers.h"
 
 namespace glark::geometry {
 namespace {

@@ -7,20 +7,28 @@
 #include <map>
 #include <utility>
 
+#include "glark/clients/common/error_message.h"
 #include "glark/clients/pn/surface_points.h"
 
 namespace glark::pn {
 
+namespace {
+
+const char* name_of(Element element) {
+  switch (element) {
+    case Element::vertex: return "vertex";
+    case Element::triangle: return "triangle";
+    case Element::crease: return "crease";
+    case Element::option: return "option";
+    case Element::array: break;
+  }
+  return "array";
+}
+
+}  // namespace
+
 Error::Error(Element element, std::size_t index, const std::string& what)
-    : std::invalid_argument("glark::pn: " +
-                            std::string(element == Element::vertex     ? "vertex "
-                                        : element == Element::triangle ? "triangle "
-                                        : element == Element::crease   ? "crease "
-                                        : element == Element::option   ? "option "
-                                                                       : "array ") +
-                            std::to_string(index) + ": " + what),
-      element_(element),
-      index_(index) {}
+    : ElementError(element, index, common::error_message("glark-pn", name_of(element), index, what)) {}
 
 namespace {
 
@@ -152,8 +160,8 @@ class TagDerivation {
 
   void write(const Vector& normal, const Vector& delta, float number, const std::array<float, 3>& tags) {
     for (std::size_t i = 0; i < 3; ++i) {
-      result_.normals.push_back(static_cast<float>(normal.at(i)));
-      result_.discontinuities.push_back(static_cast<float>(delta.at(i)));
+      result_.normals.push_back(static_cast<float>(normal[i]));
+      result_.discontinuities.push_back(static_cast<float>(delta[i]));
     }
     result_.discontinuities.push_back(number);
     result_.tags.insert(result_.tags.end(), tags.begin(), tags.end());
@@ -182,8 +190,8 @@ class TagDerivation {
     if (!points_.sectors()[point].empty()) return points_.normal(points_.sectors()[point][0]);
     if (mesh_.normals.empty()) return {0, 0, 1};
     const auto given = mesh_.normals.subspan(std::size_t{3} * result_.sources[vertex][0], 3);
-    const Vector normal = unit({given[0], given[1], given[2]});
-    return std::isfinite(length(normal)) && !is_zero(normal) ? normal : Vector{0, 0, 1};
+    const Vector normal = unit(Vector{given[0], given[1], given[2]});
+    return !is_zero(normal) ? normal : Vector{0, 0, 1};
   }
 
   // Taken for sharp by the tags of its ends, and no crease. Between two corners it is straight anyway.

@@ -5,11 +5,13 @@
 // the sides of a crease by its edges is ours: section 11.R.7a of the extension.
 #include <algorithm>
 
-#include "glark/clients/pn/vector.h"
+#include "glark/clients/common/vector.h"
 #include "glark/pn.h"
 
 namespace glark::pn {
 namespace {
+
+using Vector = common::Vector3d;
 
 double within(double value, double least, double most) {
   return std::isnan(value) ? 0 : std::clamp(value, least, most);
@@ -90,10 +92,9 @@ Sample evaluate(const std::array<Corner, 3>& corners, const std::array<double, 3
   const Vector b02 = control(c[0], c[2]);
   const Vector e = 1.0 / 6 * (b01 + b10 + b12 + b21 + b20 + b02);
   const Vector b111 = 1.5 * e - 1.0 / 6 * (c[0].p + c[1].p + c[2].p);
-  Sample sample{};
-  sample.position = w * w * w * c[0].p + u * u * u * c[1].p + v * v * v * c[2].p + 3 * w * w * u * b01 +
-                    3 * w * u * u * b10 + 3 * u * u * v * b12 + 3 * u * v * v * b21 + 3 * v * v * w * b20 +
-                    3 * v * w * w * b02 + 6 * w * u * v * b111;
+  const Vector position = w * w * w * c[0].p + u * u * u * c[1].p + v * v * v * c[2].p + 3 * w * w * u * b01 +
+                          3 * w * u * u * b10 + 3 * u * u * v * b12 + 3 * u * v * v * b21 + 3 * v * v * w * b20 +
+                          3 * v * w * w * b02 + 6 * w * u * v * b111;
 
   Vector up = cross(c[1].p - c[0].p, c[2].p - c[0].p);
   if (dot(up, c[0].n + c[1].n + c[2].n) < 0) up = -1.0 * up;
@@ -103,8 +104,8 @@ Sample evaluate(const std::array<Corner, 3>& corners, const std::array<double, 3
       unit(w * w * n[0] + u * u * n[1] + v * v * n[2] + w * u * edge_normal(c[0].p, n[0], c[1].p, n[1]) +
            u * v * edge_normal(c[1].p, n[1], c[2].p, n[2]) + v * w * edge_normal(c[2].p, n[2], c[0].p, n[0]));
   const Vector linear = w * c[0].size * n[0] + u * c[1].size * n[1] + v * c[2].size * n[2];
-  sample.normal = is_zero(direction) ? linear : (w * c[0].size + u * c[1].size + v * c[2].size) * direction;
-  return sample;
+  const Vector normal = direction == Vector{} ? linear : (w * c[0].size + u * c[1].size + v * c[2].size) * direction;
+  return {to_array(position), to_array(normal)};
 }
 
 }  // namespace glark::pn

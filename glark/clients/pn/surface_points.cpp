@@ -6,13 +6,15 @@
 #include <bit>
 #include <numeric>
 
+#include "glark/clients/common/disjoint_sets.h"
+
 namespace glark::pn {
 namespace {
 
 constexpr double radians = 3.14159265358979323846 / 180;
 constexpr double same_normal_degrees = 1;
 
-bool is_finite(const Vector& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+bool is_finite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 double angle_between(const Vector& a, const Vector& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
@@ -146,25 +148,18 @@ void SurfacePoints::name_creases() {
   }
 }
 
-std::uint32_t SurfacePoints::root(std::uint32_t corner) {
-  while (sector_[corner] != corner) corner = sector_[corner] = sector_[sector_[corner]];
-  return corner;
-}
-
 void SurfacePoints::find_sectors() {
-  sector_.resize(mesh_.triangles.size());
-  std::iota(sector_.begin(), sector_.end(), 0U);
+  common::DisjointSets corners(mesh_.triangles.size());
   for (const Edge& edge : edges_) {
     if (edge.crease || edge.count != 2) continue;
     for (const std::uint32_t point : {edge.a, edge.b}) {
-      const std::uint32_t one = root(corner_of(sides_[edge.first], point));
-      const std::uint32_t two = root(corner_of(sides_[edge.first + 1], point));
-      sector_[std::max(one, two)] = std::min(one, two);
+      corners.join(corner_of(sides_[edge.first], point), corner_of(sides_[edge.first + 1], point));
     }
   }
+  sector_.resize(corners.size());
   sectors_.resize(point_count_);
   for (std::uint32_t corner = 0; corner < sector_.size(); ++corner) {
-    sector_[corner] = root(corner);
+    sector_[corner] = corners.find(corner);
     if (sector_[corner] == corner && !degenerate_[corner / 3]) sectors_[point_at(corner)].push_back(corner);
   }
 }
@@ -181,9 +176,9 @@ void SurfacePoints::find_normals() {
     const double angle = angle_between(position(mesh_.triangles[3 * t + (k + 1) % 3]) - origin,
                                        position(mesh_.triangles[3 * t + (k + 2) % 3]) - origin);
     Vector& plane = of_planes[sector_[corner]];
-    plane = plane + angle * unit(planes_[t]);
+    plane += angle * unit(planes_[t]);
     Vector& normal = normals_[sector_[corner]];
-    normal = normal + angle * given_normal(mesh_.triangles[corner]);
+    normal += angle * given_normal(mesh_.triangles[corner]);
   }
   for (std::size_t i = 0; i < normals_.size(); ++i) {
     normals_[i] = unit(is_zero(unit(normals_[i])) ? of_planes[i] : normals_[i]);

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "glark/clients/pn/vector.h"
+#include "glark/clients/common/vector.h"
 #include "glark/pn.h"
 
 namespace glark::pn {
+
+using Vector = common::Vector3d;
 
 // Edges of one triangle or more between two points, a < b.
 struct Edge {
@@ -56,7 +58,6 @@ class SurfacePoints {
   Vector position(std::uint32_t vertex) const;
   Vector given_normal(std::uint32_t vertex) const;  // zero where there is none
   bool normals_differ(const Edge& edge) const;
-  std::uint32_t root(std::uint32_t corner);
   const Edge* find(std::uint32_t a, std::uint32_t b) const;
 
   const Mesh& mesh_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Points and vectors as four floats, of which the compiler makes vector instructions; the fourth is 0.
+// Points and normals of a surface as Float4, whose fourth number is 0.
 #pragma once
 
 #include <glark/qas.h>
@@ -9,25 +9,15 @@
 #include <cmath>
 #include <cstring>
 
+#include "glark/clients/common/float4.h"
+
 namespace glark::qas {
 
-using Float4 = float __attribute__((vector_size(16)));
+using namespace common;  // Float4 and what is computed with it
 
 inline void store(Vector& to, Float4 value) { std::memcpy(&to, &value, sizeof(to)); }
 
 inline Float4 load(const Vector& from) { return Float4{from.x, from.y, from.z, 0}; }
-
-inline float dot(Float4 a, Float4 b) {
-  const Float4 product = a * b;
-  return product[0] + product[1] + product[2];
-}
-
-inline Float4 cross(Float4 a, Float4 b) {
-  const Float4 a_yzx = __builtin_shufflevector(a, a, 1, 2, 0, 3);
-  const Float4 b_yzx = __builtin_shufflevector(b, b, 1, 2, 0, 3);
-  const Float4 zxy = a * b_yzx - a_yzx * b;
-  return __builtin_shufflevector(zxy, zxy, 1, 2, 0, 3);
-}
 
 // Squares below are lost to the range of floats; a square of a sine below makes two tangents parallel in single precision.
 inline constexpr float least_square = 1e-36F;

@@ -5,32 +5,34 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string>
 
-#include "glark/clients/qas/butterfly_step.h"
+#include "glark/clients/common/error_message.h"
+#include "glark/clients/qas/limit_step/butterfly_step.h"
 #include "glark/clients/qas/frame.h"
-#include "glark/clients/qas/limit_step.h"
-#include "glark/clients/qas/quadratic.h"
-#include "glark/clients/qas/quartic.h"
-#include "glark/clients/qas/split.h"
+#include "glark/clients/qas/limit_step/limit_step.h"
+#include "glark/clients/qas/shader/quadratic.h"
+#include "glark/clients/qas/shader/quartic.h"
+#include "glark/clients/qas/limit_step/split.h"
 
 namespace glark::qas {
 namespace {
 
 const char* name_of(Element element) {
   switch (element) {
-    case Element::vertex: return "vertex ";
-    case Element::triangle: return "triangle ";
-    case Element::crease: return "crease ";
-    case Element::array: return "array ";
+    case Element::vertex: return "vertex";
+    case Element::triangle: return "triangle";
+    case Element::crease: return "crease";
+    case Element::array: return "array";
     case Element::mesh: break;
   }
-  return "mesh ";
+  return "mesh";
 }
 
-std::string numbered(Element element, std::size_t index) {
-  const bool one_of_many = element != Element::mesh && element != Element::array;
-  return std::string("glark-qas: ") + name_of(element) + (one_of_many ? std::to_string(index) + " " : "");
+std::optional<std::size_t> number_of(Element element, std::size_t index) {
+  const bool is_one_of_many = element != Element::mesh && element != Element::array;
+  return is_one_of_many ? std::optional(index) : std::nullopt;
 }
 
 std::array<float, 3> triple(const Vector& vector) { return {vector.x, vector.y, vector.z}; }
@@ -46,7 +48,8 @@ std::array<std::array<float, 4>, 4> columns(const std::array<const Vector*, 5>& 
 }  // namespace
 
 Error::Error(Element element, std::size_t index, const std::string& what)
-    : std::invalid_argument(numbered(element, index) + what), element_(element), index_(index) {}
+    : ElementError(element, index,
+                   common::error_message("glark-qas", name_of(element), number_of(element, index), what)) {}
 
 struct Surface::State {
   Workers workers;

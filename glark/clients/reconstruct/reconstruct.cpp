@@ -4,25 +4,48 @@
 
 #include <algorithm>
 
-#include "glark/clients/reconstruct/refinement.h"
-#include "glark/clients/vstree/samples.h"
+#include "glark/clients/reconstruct/mesh/refinement.h"
+#include "glark/clients/common/points/point_set.h"
 
-namespace glark::vstree {
+namespace glark::reconstruct {
 namespace {
 
 void check(const ReconstructOptions& options) {
-  check(Options{.threshold = options.threshold, .delta_a = options.delta_a, .delta_d = options.delta_d});
   const auto within = [](double value, double least, double most, const char* name) {
     if (value >= least && value <= most) return;
-    throw Error(Element::option, 0,
+    throw vstree::Error(vstree::Element::option, 0,
                 std::string(name) + " is " + std::to_string(value) + "; " + std::to_string(least) + " to " +
                     std::to_string(most) + " is possible");
   };
+  within(static_cast<double>(options.threshold), 0, 1e18, "threshold");
+  within(static_cast<double>(options.delta_a), 0, 1, "delta_a");
+  within(static_cast<double>(options.delta_d), 0, 1, "delta_d");
   within(static_cast<double>(options.error), 0, 1, "error");
   within(options.levels, 0, 6, "levels");
   within(static_cast<double>(options.node_samples), 2, 1000, "node_samples");
   within(options.gap_edges, 0, 1000, "gap_edges");
   within(static_cast<double>(options.least_part), 0, 1, "least_part");
+}
+
+// The vertices in the positions' unit, from the unit cube.
+void write_vertices(const RefinedMesh& mesh, const Cube& cube, const Workers& workers, Reconstructed& result) {
+  result.positions.resize(3 * mesh.points.size());
+  result.normals.resize(3 * mesh.points.size());
+  result.colours.resize(3 * mesh.colours.size());
+  workers.each(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Float4 point = cube.low + mesh.points[i] * cube.side;
+      for (int k = 0; k < 3; ++k) {
+        result.positions[3 * i + static_cast<std::size_t>(k)] = point[k];
+        result.normals[3 * i + static_cast<std::size_t>(k)] = mesh.normals[i][k];
+      }
+      if (mesh.colours.empty()) continue;
+      for (int k = 0; k < 3; ++k) {
+        result.colours[3 * i + static_cast<std::size_t>(k)] =
+            static_cast<std::uint8_t>(std::clamp(mesh.colours[i][k] + 0.5F, 0.0F, 255.0F));
+      }
+    }
+  });
 }
 
 }  // namespace
@@ -34,7 +57,7 @@ Reconstructed reconstruct(const PointSet& given, const ReconstructOptions& optio
   PointSet points = given;
   std::vector<float> estimated;
   if (points.normals.empty()) {
-    estimated = estimate_normals(points, {.threads = options.threads});
+    estimated = vstree::estimate_normals(points, {.threads = options.threads});
     points.normals = estimated;
   }
   Reconstructed result;
@@ -50,24 +73,8 @@ Reconstructed reconstruct(const PointSet& given, const ReconstructOptions& optio
   RefinedMesh mesh = refine(std::move(base), octree, options, workers);
   result.levels = mesh.levels;
   result.triangles = std::move(mesh.triangles);
-  result.positions.resize(3 * mesh.points.size());
-  result.normals.resize(3 * mesh.points.size());
-  result.colours.resize(3 * mesh.colours.size());
-  workers.each(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Float4 point = octree.cube.low + mesh.points[i] * octree.cube.side;
-      for (int k = 0; k < 3; ++k) {
-        result.positions[3 * i + static_cast<std::size_t>(k)] = point[k];
-        result.normals[3 * i + static_cast<std::size_t>(k)] = mesh.normals[i][k];
-      }
-      if (mesh.colours.empty()) continue;
-      for (int k = 0; k < 3; ++k) {
-        result.colours[3 * i + static_cast<std::size_t>(k)] =
-            static_cast<std::uint8_t>(std::clamp(mesh.colours[i][k] + 0.5F, 0.0F, 255.0F));
-      }
-    }
-  });
+  write_vertices(mesh, octree.cube, workers, result);
   return result;
 }
 
-}  // namespace glark::vstree
+}  // namespace glark::reconstruct

@@ -7,9 +7,11 @@
 
 #include <span>
 
-#include "glark/clients/vstree/moments.h"
+#include "glark/clients/common/points/moments.h"
 
 namespace glark::vstree {
+
+using namespace common;  // Float4, records and workers
 
 // About an origin that its user keeps: the error at x is x^T A x + 2 b x + c.
 struct Quadric {

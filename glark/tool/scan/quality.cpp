@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/tool/scan/quality.h"
 
-#include "glark/clients/geometry/distance.h"
-#include "glark/clients/geometry/topology.h"
+#include "glark/clients/geometry/measure/distance.h"
+#include "glark/clients/geometry/measure/topology.h"
 
 namespace glark::tool {
 

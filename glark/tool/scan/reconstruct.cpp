@@ -17,7 +17,7 @@ namespace {
 struct Reconstruct {
   Files files;
   std::string reference;
-  vstree::ReconstructOptions options;
+  reconstruct::ReconstructOptions options;
 };
 
 void reconstruct(const Reconstruct& command) {
@@ -25,7 +25,7 @@ void reconstruct(const Reconstruct& command) {
   geometry::Geometry points = load(command.files.input, command.files);
   warn_of_alpha(points.colours, command.files.input);
   geometry::Geometry mesh;
-  vstree::Reconstructed result;
+  reconstruct::Reconstructed result;
   double normals_seconds = 0;
   double seconds = 0;
   if (points.normals.empty()) {
@@ -39,7 +39,7 @@ void reconstruct(const Reconstruct& command) {
     Progress progress("reconstructing");
     progress.show(-1);
     const std::vector<std::uint8_t> colours = rgb_of(points.colours);
-    result = vstree::reconstruct({.positions = points.positions, .normals = points.normals, .colours = colours},
+    result = reconstruct::reconstruct({.positions = points.positions, .normals = points.normals, .colours = colours},
                                  command.options);
     seconds = progress.seconds();
   }
@@ -76,7 +76,7 @@ void reconstruct(const Reconstruct& command) {
 void add_reconstruct(CLI::App& app) {
   CLI::App* command = app.add_subcommand("reconstruct", "A mesh from points, of scans that overlap and are noisy too");
   const auto reconstruction = std::make_shared<Reconstruct>();
-  vstree::ReconstructOptions& options = reconstruction->options;
+  reconstruct::ReconstructOptions& options = reconstruction->options;
   describe_input(*command, reconstruction->files);
   describe_output(*command, reconstruction->files);
   describe_measure(*command, reconstruction->reference);

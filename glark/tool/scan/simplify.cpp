@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "glark/clients/geometry/topology.h"
+#include "glark/clients/geometry/measure/topology.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"

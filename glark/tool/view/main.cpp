@@ -8,7 +8,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "glark/clients/geometry/output_file.h"
+#include "glark/clients/geometry/write/output_file.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/validators.h"
 #include "glark/tool/view/offscreen.h"

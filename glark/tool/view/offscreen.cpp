@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "glark/clients/geometry/output_file.h"
+#include "glark/clients/geometry/write/output_file.h"
 #include "glark/tool/view/gl.h"
 
 namespace glark::tool {

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "glark/clients/common/vector.h"
+#include "glark/clients/common/vertex_normals.h"
 
 namespace glark::tool {
 namespace {
@@ -14,20 +18,12 @@ constexpr std::size_t grid = 128;  // cubes along the longest side
 
 std::vector<float> normals_of_triangles(const geometry::Geometry& geometry) {
   std::vector<float> normals(geometry.positions.size());
-  for (std::size_t i = 0; i < geometry.triangles.size(); i += 3) {
-    const std::array<std::size_t, 3> at{3 * std::size_t{geometry.triangles[i]},
-                                        3 * std::size_t{geometry.triangles[i + 1]},
-                                        3 * std::size_t{geometry.triangles[i + 2]}};
-    std::array<float, 3> u{};
-    std::array<float, 3> v{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      u[axis] = geometry.positions[at[1] + axis] - geometry.positions[at[0] + axis];
-      v[axis] = geometry.positions[at[2] + axis] - geometry.positions[at[0] + axis];
-    }
-    const std::array<float, 3> normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    for (const std::size_t corner : at)
-      for (std::size_t axis = 0; axis < 3; ++axis) normals[corner + axis] += normal[axis];
-  }
+  const std::span<const float> positions = geometry.positions;
+  common::add_triangle_normals(
+      geometry.triangles, [&](std::uint32_t vertex) { return common::vector_at(positions, vertex); },
+      [&](std::uint32_t vertex, common::Vector3f normal) {
+        for (std::size_t axis = 0; axis < 3; ++axis) normals[3 * std::size_t{vertex} + axis] += normal[axis];
+      });
   for (std::size_t i = 0; i < normals.size(); i += 3) {
     const float length = std::hypot(normals[i], normals[i + 1], normals[i + 2]);
     for (std::size_t axis = 0; axis < 3 && length > 0; ++axis) normals[i + axis] /= length;

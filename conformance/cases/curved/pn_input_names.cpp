@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Which input CURVED_PN_ARK takes for the position, and which for the normal (11.R.7, issue 16).
+#include "conformance/cases/cases.h"
+#include "conformance/support/surface.h"
+
+namespace glark::conformance {
+namespace {
+
+// The position is curved where the one at location 0 is taken, and `decoy` at location 7 is not: both hold the same values.
+struct NameCase {
+  const char* leaf;
+  const char* first;         // type and name of the input at location 0
+  const char* second;        // of the decoy at location 7, declared after the first
+  const char* normal;        // type and name of the input at location 1
+  const char* other_normal;  // of a decoy at location 8; may be empty
+  bool is_first_curved;
+  bool is_second_curved;
+};
+
+const NameCase name_cases[] = {
+    {"position.position", "vec4 position", "vec4 decoy", "vec3 normal", "", true, false},
+    {"position.part_of_name", "vec4 a_Position_os", "vec4 decoy", "vec3 normal", "", true, false},
+    {"position.upper_case", "vec4 POSITION", "vec4 decoy", "vec3 normal", "", true, false},
+    {"position.vec3", "vec3 inPosition", "vec4 decoy", "vec3 normal", "", true, false},
+    {"position.vertex", "vec4 decoy", "vec4 aVertex", "vec3 normal", "", false, true},
+    {"position.pos", "vec4 decoy", "vec4 in_pos", "vec3 normal", "", false, true},
+    {"position.vert", "vec4 decoy", "vec4 vert", "vec3 normal", "", false, true},
+    {"position.coord", "vec4 decoy", "vec3 coord3d", "vec3 normal", "", false, true},
+    {"position.location_0", "vec4 decoy", "vec4 other", "vec3 normal", "", true, false},
+    {"position.order.position_before_vertex", "vec4 vertex_thing", "vec4 position", "vec3 normal", "", false, true},
+    {"position.order.vertex_before_pos", "vec4 pos", "vec4 Vertex", "vec3 normal", "", false, true},
+    {"position.order.pos_before_vert", "vec4 vert", "vec4 Pos", "vec3 normal", "", false, true},
+    {"position.order.vert_before_coord", "vec4 coord", "vec4 myvert", "vec3 normal", "", false, true},
+    {"position.order.coord_before_location_0", "vec4 thing", "vec4 Coord", "vec3 normal", "", false, true},
+    {"position.order.first_of_two", "vec4 position_one", "vec4 position_two", "vec3 normal", "", true, false},
+    {"position.type.vec2_does_not_count", "vec2 position", "vec4 vertex", "vec3 normal", "", false, true},
+    {"position.type.integer_does_not_count", "ivec3 position", "vec4 vertex", "vec3 normal", "", false, true},
+    {"normal.normal", "vec4 position", "vec4 decoy", "vec3 a_NORMAL", "", true, false},
+    {"normal.nrm", "vec4 position", "vec4 decoy", "vec3 inNrm", "", true, false},
+    {"normal.norm", "vec4 position", "vec4 decoy", "vec3 vnorm", "", true, false},
+    {"normal.vec4", "vec4 position", "vec4 decoy", "vec4 normal", "", true, false},
+    {"normal.order.normal_before_nrm", "vec4 position", "vec4 decoy", "vec3 Normal", "vec3 nrm", true, false},
+    {"normal.order.nrm_before_norm", "vec4 position", "vec4 decoy", "vec3 nrm", "vec3 norm", true, false},
+    {"normal.none", "vec4 position", "vec4 decoy", "vec3 n", "", false, false},
+};
+
+struct NamedVertex {
+  Vec4 first;
+  Vec4 second;
+  Vec3 weights;
+  float triangle;
+};
+
+std::string name_in(const std::string& declaration) { return declaration.substr(declaration.find(' ') + 1); }
+
+// The value of an input, in whichever type, as a vec4.
+std::string as_vec4(const std::string& declaration) {
+  std::string name = name_in(declaration);
+  const std::string type = declaration.substr(0, declaration.find(' '));
+  if (type == "vec4") return name;
+  if (type == "vec3") return "vec4(" + name + ", 1.0)";
+  if (type == "ivec3") return "vec4(vec3(" + name + "), 1.0)";
+  return "vec4(" + name + ", 0.0, 1.0)";
+}
+
+GLuint named_program(Test& t, const NameCase& names) {
+  const std::string other = names.other_normal;
+  std::string text =
+      "layout(location = 0) in " + std::string(names.first) + ";\nlayout(location = 7) in " + names.second + ";\n";
+  // The decoy is declared first, and its location is the lower: only the order of preference can decide.
+  if (!other.empty()) text += "layout(location = 5) in " + other + ";\n";
+  text += "layout(location = 8) in " + std::string(names.normal) +
+          ";\nlayout(location = 2) in vec3 weights; layout(location = 6) in float triangle;\n"
+          "out vec4 first_out; out vec4 second_out; out vec3 weights_out; out float triangle_out; out vec4 colour;\n"
+          "void main() { first_out = " +
+          as_vec4(names.first) + "; second_out = " + as_vec4(names.second) +
+          ";\n  weights_out = weights; triangle_out = triangle; colour = vec4(" + name_in(names.normal) + ".xyz, 1.0)" +
+          (other.empty() ? "" : " + vec4(" + name_in(other) + ", 0.0)") +
+          ";\n  gl_Position = first_out + second_out; }\n";
+  return build_program(t, {.vertex = text, .captured = {"first_out", "second_out", "weights_out", "triangle_out"}});
+}
+
+void extra_attribute(GLuint location, GLint components, std::size_t offset) {
+  gl.VertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
+                         reinterpret_cast<const void*>(offset));
+  gl.EnableVertexAttribArray(location);
+}
+
+bool is_near(const Vec4& a, const reference::Vector& b) {
+  return std::abs(a[0] - b.x) < 2e-6 && std::abs(a[1] - b.y) < 2e-6 && std::abs(a[2] - b.z) < 2e-6;
+}
+
+void check_names(Test& t, const NameCase& names) {
+  gl.UseProgram(named_program(t, names));
+  const Mesh mesh = bent_mesh();
+  upload(mesh);
+  // What must not be taken for the normal holds the colour: white for all.
+  extra_attribute(5, 3, offsetof(MeshVertex, colour));
+  extra_attribute(7, 4, offsetof(MeshVertex, position));
+  extra_attribute(8, 3, offsetof(MeshVertex, normal));
+  if (std::string(names.first).find("ivec") == 0) {
+    gl.DisableVertexAttribArray(0);
+    gl.VertexAttribI4i(0, 1, 2, 3, 4);
+  }
+  refine_uniformly(3, GL_CURVED_PN_ARK);
+  const auto vertices = capture_as<NamedVertex>(t, 4000, [] { gl.DrawArrays(GL_TRIANGLES, 0, 6); });
+  t.require(vertices.size() == 2U * 64 * 3, "the mesh is refined");
+  const bool is_first_checked = std::string(names.first).find("vec2") == std::string::npos &&
+                                std::string(names.first).find("ivec") == std::string::npos;
+  for (const NamedVertex& vertex : vertices) {
+    const auto triangle = static_cast<std::size_t>(std::lround(vertex.triangle));
+    const reference::Corners corners = corners_of(mesh, triangle);
+    const reference::Vector curved = reference::curved_pn(corners, vertex.weights).position;
+    reference::Vector linear;
+    for (std::size_t i = 0; i < 3; ++i)
+      linear = linear + static_cast<double>(vertex.weights[i]) * reference::vector_of(corners[i].position);
+    if (is_first_checked &&
+        !t.expect(is_near(vertex.first, names.is_first_curved ? curved : linear),
+                  std::string(names.first) + (names.is_first_curved ? " is curved" : " is not curved")))
+      return;
+    if (!t.expect(is_near(vertex.second, names.is_second_curved ? curved : linear),
+                  std::string(names.second) + (names.is_second_curved ? " is curved" : " is not curved")))
+      return;
+  }
+}
+
+Case name_case(const NameCase& names) {
+  const bool is_normal = std::string(names.leaf).find("normal") == 0;
+  return {
+      .name = std::string("ark.pn.names.") + names.leaf,
+      .clauses = is_normal ? std::vector<std::string>{"11.R.7-21"} : std::vector<std::string>{"11.R.7-4", "issues-38"},
+      .plan = "A program with the inputs " + std::string(names.first) + ", " + names.second + ", " + names.normal +
+              (names.other_normal[0] != 0 ? std::string(" and ") + names.other_normal : "") +
+              ", the first two with the same values: which of them is curved?",
+      .wrong =
+          "Only the usual name is known; case matters; the first candidate wins, whatever the order of preference.",
+      .check = [names](Test& t) { check_names(t, names); }};
+}
+
+// Fixed-function names win over all others.
+void check_built_in(Test& t) {
+  const char* const text =
+      "attribute vec4 position; attribute vec3 normal; attribute vec3 weights; attribute float triangle;\n"
+      "varying vec4 first_out; varying vec4 second_out; varying vec3 weights_out; varying float triangle_out;\n"
+      "void main() { first_out = gl_Vertex; second_out = position; weights_out = weights; triangle_out = triangle;\n"
+      "  gl_FrontColor = vec4(gl_Normal + normal, 1.0); gl_Position = gl_Vertex; }\n";
+  std::string log;
+  const GLuint program = try_program({.vertex = std::string("#version 120\n") + text,
+                                      .fragment = "#version 120\nvoid main() { gl_FragColor = gl_Color; }\n",
+                                      .captured = {"first_out", "second_out", "weights_out", "triangle_out"}},
+                                     log);
+  if (program == 0) t.internal_error(log);
+  for (const auto& [location, name] :
+       {std::pair<GLuint, const char*>{7, "position"}, {8, "normal"}, {5, "weights"}, {6, "triangle"}})
+    gl.BindAttribLocation(program, location, name);
+  gl.LinkProgram(program);
+  gl.UseProgram(program);
+  const Mesh mesh = bent_mesh();
+  upload(mesh);
+  for (GLuint i = 1; i < 5; ++i) gl.DisableVertexAttribArray(i);
+  extra_attribute(5, 3, offsetof(MeshVertex, weights));
+  extra_attribute(7, 4, offsetof(MeshVertex, position));
+  extra_attribute(8, 3, offsetof(MeshVertex, colour));
+  gl.DisableVertexAttribArray(0);
+  gl.VertexPointer(4, GL_FLOAT, sizeof(MeshVertex), nullptr);
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.NormalPointer(GL_FLOAT, sizeof(MeshVertex), reinterpret_cast<const void*>(offsetof(MeshVertex, normal)));
+  gl.EnableClientState(GL_NORMAL_ARRAY);
+  refine_uniformly(3, GL_CURVED_PN_ARK);
+  const auto vertices = capture_as<NamedVertex>(t, 4000, [] { gl.DrawArrays(GL_TRIANGLES, 0, 6); });
+  t.require(vertices.size() == 2U * 64 * 3, "the mesh is refined");
+  for (const NamedVertex& vertex : vertices) {
+    const reference::Corners corners = corners_of(mesh, static_cast<std::size_t>(std::lround(vertex.triangle)));
+    if (!t.expect(is_near(vertex.first, reference::curved_pn(corners, vertex.weights).position), "gl_Vertex is curved"))
+      return;
+    const bool is_corner = vertex.weights[0] == 1 || vertex.weights[1] == 1 || vertex.weights[2] == 1;
+    const bool is_inside = vertex.weights[0] * vertex.weights[1] * vertex.weights[2] > 0;
+    if (!is_corner && is_inside) t.expect(vertex.first != vertex.second, "position is not curved");
+  }
+}
+
+}  // namespace
+
+Cases pn_input_names_cases() {
+  Cases cases;
+  for (const NameCase& names : name_cases) cases.push_back(name_case(names));
+  cases.push_back({.name = "ark.pn.names.built_in",
+                   .clauses = {"11.R.7-3", "11.R.7-21"},
+                   .plan = "A vertex stage that reads gl_Vertex, gl_Normal, and inputs named position and normal.",
+                   .wrong = "The named input is preferred to the built-in one.",
+                   .apis = compat_only,
+                   .check = check_built_in});
+  return cases;
+}
+
+}  // namespace glark::conformance

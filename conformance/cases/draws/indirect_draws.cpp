@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Draws whose triangles a buffer counts, and queries that count them in every way that there is.
+#include <cstring>
+
+#include "conformance/cases/cases.h"
+#include "conformance/support/capture.h"
+#include "conformance/support/counted.h"
+#include "conformance/support/state.h"
+
+namespace glark::conformance {
+namespace {
+
+using Draw = std::function<void()>;
+
+constexpr GLsizei all_vertices = 12;
+
+// Four triangles in four places; the second pair repeats nothing of the first.
+Mesh four_triangles() {
+  Mesh mesh;
+  for (int i = 0; i < 4; ++i)
+    for (MeshVertex vertex : one_triangle()) {
+      const auto n = static_cast<float>(i);
+      vertex.position = {0.4F * vertex.position[0] + (i % 2 == 0 ? -0.5F : 0.45F),
+                         0.4F * vertex.position[1] + (i < 2 ? -0.5F : 0.5F) + 0.02F * n, 0, 1};
+      vertex.colour[2] += 0.2F * n;
+      mesh.push_back(vertex);
+    }
+  number_triangles(mesh);
+  return mesh;
+}
+
+// The four again and again, with tags of 1.
+Mesh many_triangles() {
+  Mesh mesh;
+  for (int i = 0; i < 100; ++i)
+    for (MeshVertex vertex : four_triangles()) {
+      vertex.tag = 1;
+      mesh.push_back(vertex);
+    }
+  return mesh;
+}
+
+// As the unrefined draw, with 4^2 triangles for each of its own, however often.
+void expect_drawn(Test& t, const Draw& draw, const std::string& what) {
+  gl.Disable(GL_ARK);
+  const Picture plain = picture_of(draw);
+  const GLuint coarse = count_generated(draw);
+  t.expect(coarse > 0 && count_different(plain, Picture(surface_size, surface_size), 8) > 100,
+           what + ": something is drawn");
+  refine_uniformly(2);
+  for (int again = 0; again < 3; ++again) {
+    t.expect_same_picture(picture_of(draw), plain, what, 3, 60);
+    t.expect_equal(count_generated(draw), 16 * coarse, what + ": triangles");
+  }
+  t.expect_no_error(what);
+}
+
+void bind_words(GLenum target, const std::vector<GLuint>& words) {
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(target, buffer);
+  gl.BufferData(target, static_cast<GLsizeiptr>(words.size() * sizeof(GLuint)), words.data(), GL_STATIC_DRAW);
+}
+
+void set_up(Test& t) {
+  gl.UseProgram(colour_program(t));
+  upload(four_triangles(), false);
+}
+
+// Records eight words apart, with what would draw too much between them.
+void check_stride(Test& t) {
+  set_up(t);
+  bind_words(GL_DRAW_INDIRECT_BUFFER, {3, 1, 0, 0, 9, 9, 9, 9, 6, 1, 3, 0, 0, 0, 0, 0, 3, 2, 9, 0});
+  expect_drawn(
+      t, [] { gl.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, 2, 32); }, "the first two of three records");
+  expect_drawn(
+      t, [] { gl.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, 3, 32); }, "all three records");
+  bind_words(GL_ELEMENT_ARRAY_BUFFER, {11, 9, 10, 0, 1, 2, 5, 3, 4});
+  bind_words(GL_DRAW_INDIRECT_BUFFER, {6, 1, 0, 0, 0, 1, 1, 3, 1, 6, 3, 0, 0, 0, 3, 1, 0, static_cast<GLuint>(-3), 0});
+  expect_drawn(
+      t, [] { gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, 2, 28); }, "two indexed records");
+}
+
+// No record, one, and records that draw nothing among others that do.
+void check_empty_records(Test& t) {
+  set_up(t);
+  bind_words(GL_DRAW_INDIRECT_BUFFER, {0, 1, 0, 0, 3, 1, 3, 0, 3, 0, 0, 0, 6, 1, 6, 0});
+  expect_drawn(
+      t, [] { gl.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, 4, 0); }, "four records, two of them empty");
+  const GLint first[] = {0, 3, 3, 9};
+  const GLsizei count[] = {3, 0, 2, 3};
+  expect_drawn(
+      t, [&] { gl.MultiDrawArrays(GL_TRIANGLES, first, count, 4); }, "four draws, two of them empty");
+  const Picture black(surface_size, surface_size);
+  t.expect_same_picture(picture_of([] { gl.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, 0, 0); }), black,
+                        "no record");
+  t.expect_same_picture(picture_of([&] { gl.MultiDrawArrays(GL_TRIANGLES, first, count, 0); }), black, "no draw");
+  t.expect_no_error("draws of nothing");
+}
+
+void check_restart(Test& t) {
+  set_up(t);
+  const GLuint restart = 0xffffffffU;
+  gl.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+  bind_words(GL_ELEMENT_ARRAY_BUFFER, {0, 1, 2, restart, 3, 4, 5, restart, restart, 9, 10, 11, restart, 6});
+  bind_words(GL_DRAW_INDIRECT_BUFFER, {14, 1, 0, 0, 0});
+  for (const GLenum mode : {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN})
+    expect_drawn(
+        t, [mode] { gl.DrawElementsIndirect(mode, GL_UNSIGNED_INT, nullptr); }, "an indirect draw with restarts");
+  for (const GLenum mode : {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN})
+    expect_drawn(
+        t, [mode] { gl.DrawElements(mode, 14, GL_UNSIGNED_INT, nullptr); }, "a draw with restarts");
+}
+
+// Small restart indices are numbers of vertices in the patterns of an implementation, too.
+void check_small_restart(Test& t) {
+  set_up(t);
+  gl.Enable(GL_PRIMITIVE_RESTART);
+  bind_words(GL_ELEMENT_ARRAY_BUFFER, {0, 1, 2, 7, 3, 4, 5, 9, 10, 11});
+  for (const GLuint index : {7U, 1U, 4U, 10U}) {
+    gl.PrimitiveRestartIndex(index);
+    expect_drawn(
+        t, [] { gl.DrawElements(GL_TRIANGLE_STRIP, 10, GL_UNSIGNED_INT, nullptr); }, "restart " + as_text(index));
+    expect_drawn(
+        t, [] { gl.DrawArrays(GL_TRIANGLES, 0, all_vertices); }, "a draw without indices, restart " + as_text(index));
+  }
+}
+
+// What was bound and pointed at for such draws stays.
+void check_bindings(Test& t) {
+  set_up(t);
+  gl.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+  bind_words(GL_ELEMENT_ARRAY_BUFFER, {0, 1, 2, 0xffffffffU, 3, 4, 5});
+  bind_words(GL_DRAW_INDIRECT_BUFFER, {7, 1, 0, 0, 0});
+  const std::vector<GLenum> targets = {GL_DRAW_INDIRECT_BUFFER, GL_QUERY_BUFFER, GL_PARAMETER_BUFFER,
+                                       GL_SHADER_STORAGE_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER};
+  const std::vector<GLenum> names = {GL_DRAW_INDIRECT_BUFFER_BINDING, GL_QUERY_BUFFER_BINDING,
+                                     GL_PARAMETER_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_BINDING,
+                                     GL_TRANSFORM_FEEDBACK_BUFFER_BINDING};
+  std::vector<GLint> before;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    if (i > 0) bind_words(targets[i], std::vector<GLuint>(64));
+    if (gl.GetError() == GL_NO_ERROR) before.push_back(integer_of(names[i]));
+    while (gl.GetError() != GL_NO_ERROR) continue;
+    if (before.size() == i) before.push_back(-1);  // an older context does not have it
+  }
+  for (const GLuint level : {0U, 2U})
+    for (const GLenum source : {GL_DEPTH_TAG_ARK, GL_UNIFORM_DEPTH_ARK}) {
+      refine_uniformly(2);
+      gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
+      gl.DepthTag1i(level);
+      gl.DrawElements(GL_TRIANGLE_STRIP, 7, GL_UNSIGNED_INT, nullptr);
+      gl.DrawElementsIndirect(GL_TRIANGLE_STRIP, GL_UNSIGNED_INT, nullptr);
+      gl.DrawArrays(GL_TRIANGLES, 0, all_vertices);
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (before[i] >= 0) t.expect_equal(integer_of(names[i]), before[i], "the binding of target " + as_text(i));
+    }
+  t.expect_no_error("the draws");
+}
+
+// An indexed binding with an offset, read by a compute shader between refined draws.
+void check_storage_range(Test& t) {
+  set_up(t);
+  GLint alignment = 256;
+  gl.GetIntegerv(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT, &alignment);
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+  gl.BufferData(GL_SHADER_STORAGE_BUFFER, 4 * alignment, nullptr, GL_STATIC_DRAW);
+  for (GLuint index = 0; index < 4; ++index)
+    gl.BindBufferRange(GL_SHADER_STORAGE_BUFFER, index, buffer, alignment * (index % 2 + 1), alignment);
+  for (const GLenum source : {GL_UNIFORM_DEPTH_ARK, GL_DEPTH_TAG_ARK, GL_MEASURED_DEPTH_ARK}) {
+    refine_uniformly(2);
+    upload(four_triangles());
+    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
+    for (int again = 0; again < 2; ++again) gl.DrawArrays(GL_TRIANGLES, 0, all_vertices);
+    for (GLuint index = 0; index < 4; ++index) {
+      GLint64 start = 0;
+      GLint64 size = 0;
+      gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, index, &start);
+      gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, index, &size);
+      t.expect_equal(start, GLint64{alignment} * (index % 2 + 1), "the offset of binding " + as_text(index));
+      t.expect_equal(size, GLint64{alignment}, "the size of binding " + as_text(index));
+    }
+  }
+  t.expect_no_error("the draws");
+}
+
+struct Counting {
+  const char* leaf;
+  GLuint (*count)(GLenum target, GLuint query, const Draw& draw);
+  Apis apis = every_api;
+};
+
+void draw_in(GLenum target, GLuint query, const Draw& draw) {
+  gl.BeginQuery(target, query);
+  draw();
+  gl.EndQuery(target);
+}
+
+const std::vector<Counting>& countings() {
+  static const std::vector<Counting> all = {
+      {"unsigned",
+       [](GLenum target, GLuint query, const Draw& draw) {
+         GLuint result = 0;
+         draw_in(target, query, draw);
+         gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &result);
+         return result;
+       }},
+      {"signed",
+       [](GLenum target, GLuint query, const Draw& draw) {
+         GLint result = 0;
+         draw_in(target, query, draw);
+         gl.GetQueryObjectiv(query, GL_QUERY_RESULT, &result);
+         return static_cast<GLuint>(result);
+       },
+       desktop_apis},
+      {"unsigned_64",
+       [](GLenum target, GLuint query, const Draw& draw) {
+         GLuint64 result = 0;
+         draw_in(target, query, draw);
+         gl.GetQueryObjectui64v(query, GL_QUERY_RESULT, &result);
+         return static_cast<GLuint>(result);
+       },
+       desktop_apis},
+      {"signed_64",
+       [](GLenum target, GLuint query, const Draw& draw) {
+         GLint64 result = 0;
+         draw_in(target, query, draw);
+         gl.GetQueryObjecti64v(query, GL_QUERY_RESULT, &result);
+         return static_cast<GLuint>(result);
+       },
+       desktop_apis},
+      {"no_wait",
+       [](GLenum target, GLuint query, const Draw& draw) {
+         GLuint result = 0;
+         draw_in(target, query, draw);
+         gl.Finish();
+         for (GLuint is_there = 0; is_there == 0;) gl.GetQueryObjectuiv(query, GL_QUERY_RESULT_AVAILABLE, &is_there);
+         gl.GetQueryObjectuiv(query, GL_QUERY_RESULT_NO_WAIT, &result);
+         return result;
+       },
+       desktop_apis},
+      {"indexed",
+       [](GLenum target, GLuint query, const Draw& draw) {
+         GLuint result = 0;
+         gl.BeginQueryIndexed(target, 0, query);
+         draw();
+         gl.EndQueryIndexed(target, 0);
+         gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &result);
+         return result;
+       },
+       desktop_apis},
+  };
+  return all;
+}
+
+// The first refined draws of the context lie within the queries, and so do draws of other depths; one query object for all of them.
+void check_counting(Test& t, const Counting& counting, bool is_discarded) {
+  set_up(t);
+  GLuint query = 0;
+  gl.GenQueries(1, &query);
+  if (is_discarded) gl.Enable(GL_RASTERIZER_DISCARD);
+  gl.ARKinit(4);
+  gl.Enable(GL_ARK);
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, all_vertices); };
+  for (const GLenum source : {GL_DEPTH_TAG_ARK, GL_UNIFORM_DEPTH_ARK})
+    for (const GLuint level : {3U, 1U, 4U, 0U}) {
+      gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
+      gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, static_cast<GLint>(level));
+      gl.DepthTag1i(level);
+      for (int again = 0; again < 3; ++again)
+        t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), GLuint{4} << (2 * level),
+                       "triangles of depth " + as_text(level));
+    }
+  // Edges of many pixels: all have the depth of the pool.
+  gl.ARKinit(2);
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 1);
+  for (int again = 0; again < 3; ++again)
+    t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), 64U, "triangles of measured depths");
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK);
+  const Mesh many = many_triangles();
+  upload(many);
+  for (int again = 0; again < 3; ++again)
+    t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query,
+                                  [&] { gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(many.size())); }),
+                   static_cast<GLuint>(4 * many.size() / 3), "triangles of many with tags");
+  gl.Disable(GL_ARK);
+  t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), 4U, "triangles that are not refined");
+  t.expect_no_error("the queries");
+}
+
+void control_counting(Test& t, const Counting& counting) {
+  set_up(t);
+  GLuint query = 0;
+  gl.GenQueries(1, &query);
+  for (int again = 0; again < 2; ++again)
+    t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, [] { gl.DrawArrays(GL_TRIANGLES, 0, all_vertices); }),
+                   4U, "triangles");
+  t.expect_no_error("the queries");
+}
+
+}  // namespace
+
+Cases indirect_draws_cases() {
+  Cases cases = {
+      {.name = "ark.draw.indirect.stride",
+       .clauses = {"10.R.2-2"},
+       .plan = "Records of indirect draws that are not tightly packed.",
+       .wrong = "What lies between them is taken for a record: too few triangles, or too many.",
+       .apis = desktop_apis,
+       .check = check_stride},
+      {.name = "ark.draw.indirect.empty",
+       .clauses = {"10.R.2-2"},
+       .plan = "Several draws in one command, some of which have no triangle.",
+       .wrong = "The others are not refined, or not drawn.",
+       .apis = desktop_apis,
+       .check = check_empty_records},
+      {.name = "ark.restart.counts.fixed",
+       .clauses = {"10.R.2-2"},
+       .plan = "Restarts between triangles, strips and fans, in indirect draws and others: triangles and pictures.",
+       .wrong = "Triangles are counted as if there were no restart: some from nowhere are drawn.",
+       .check = check_restart},
+      {.name = "ark.restart.counts.small",
+       .clauses = {"10.R.2-2", "11.R.5-7"},
+       .plan = "Restart indices that are small numbers.",
+       .wrong = "Patterns that are drawn with indices restart, too.",
+       .apis = desktop_apis,
+       .check = check_small_restart},
+      {.name = "ark.draw.keeps.counted_bindings",
+       .clauses = {"10.R.2-6", "10.R.2-2"},
+       .plan = "Bind a buffer to each target that has to do with counts, draw, and ask what is bound.",
+       .wrong = "What the implementation bound for its own passes stays.",
+       .apis = desktop_apis,
+       .check = check_bindings},
+      {.name = "ark.draw.keeps.storage_ranges",
+       .clauses = {"11.R.10-1"},
+       .plan = "Bind ranges of a storage buffer, draw, and ask for their offsets and sizes.",
+       .wrong = "The whole buffer is bound after a refined draw.",
+       .check = check_storage_range}};
+  for (const Counting& counting : countings())
+    for (const bool is_discarded : {false, true})
+      cases.push_back(
+          {.name = std::string("ark.after_vertex.queries.") + counting.leaf + (is_discarded ? ".discarded" : ".drawn"),
+           .clauses = {"chapter-14-8", "chapter-14-9"},
+           .plan = "One query object for draws of several depths, from the first one of the context on.",
+           .wrong = "Coarse triangles are counted in addition, or taken away twice.",
+           .apis = counting.apis,
+           .control = [&counting](Test& t) { control_counting(t, counting); },
+           .check = [&counting, is_discarded](Test& t) { check_counting(t, counting, is_discarded); }});
+  return cases;
+}
+
+}  // namespace glark::conformance

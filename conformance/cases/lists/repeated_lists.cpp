@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Display lists that are called several times, by every kind of name, and with other current values (chapter 21).
+#include "conformance/cases/cases.h"
+#include "conformance/support/capture.h"
+#include "conformance/support/counted.h"
+#include "conformance/support/state.h"
+
+namespace glark::conformance {
+namespace {
+
+constexpr int calls = 4;
+
+void triangle() {
+  gl.Begin(GL_TRIANGLES);
+  gl.Vertex2f(-0.75F, -0.5F);
+  gl.Vertex2f(0.75F, -0.75F);
+  gl.Vertex2f(0.25F, 0.75F);
+  gl.End();
+}
+
+void compile_as(GLuint list, const std::function<void()>& commands) {
+  gl.NewList(list, GL_COMPILE);
+  commands();
+  gl.EndList();
+}
+
+void refine() {
+  gl.ARKinit(4);
+  gl.Enable(GL_ARK);
+}
+
+// Fixed function: the list has vertices alone, what else they have is current at the call.
+void check_inherited(Test& t) {
+  const GLuint list = gl.GenLists(1);
+  refine();
+  compile_as(list, triangle);
+  for (int round = 0; round < 3; ++round)
+    for (int again = 0; again < calls; ++again) {
+      const auto part = static_cast<float>(round) / 2;
+      gl.Color4f(1 - part, part, 0.5F, 1);
+      gl.DepthTag1i(static_cast<GLuint>(round + 1));
+      gl.Disable(GL_ARK);
+      const Picture plain = picture_of([list] { gl.CallList(list); });
+      gl.Enable(GL_ARK);
+      t.expect_same_picture(picture_of([list] { gl.CallList(list); }), plain, "the list with this color", 2, 20);
+      t.expect_equal(count_generated([list] { gl.CallList(list); }), GLuint{4} << (2 * round),
+                     "triangles with this tag");
+    }
+}
+
+// The last values of a list are current after each call, also where its triangles need not be captured again.
+void check_left_behind(Test& t) {
+  const GLuint list = gl.GenLists(1);
+  refine();
+  compile_as(list, [] {
+    gl.DepthTag1i(2);
+    gl.Color4f(0, 1, 0, 1);
+    triangle();
+    gl.Begin(GL_TRIANGLES);
+    for (const GLuint corner : {0U, 1U, 2U}) {
+      gl.DepthTag1i(1 + corner);
+      gl.Color4f(0.25F * static_cast<float>(corner), 0, 1, 1);
+      gl.Vertex2f(corner == 1 ? 0.5F : -0.5F, corner == 2 ? 0.5F : -0.5F);
+    }
+    gl.End();
+  });
+  for (int again = 0; again < 2 * calls; ++again) {
+    gl.DepthTag1i(4);
+    gl.Color4f(1, 1, 1, 1);
+    gl.CallList(list);
+    GLfloat color[4] = {0, 0, 0, 0};
+    gl.GetFloatv(GL_CURRENT_COLOR, color);
+    t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 3, "the tag that the list leaves");
+    t.expect_near(color[0], 0.5, 0.01, "the red that the list leaves");
+    t.expect_equal(count_generated(triangle), 64U, "triangles with the tag that it leaves");
+  }
+}
+
+// Four lists of different numbers of triangles, their names in every type.
+void check_names(Test& t) {
+  const GLuint base = 300;
+  refine();
+  for (GLuint i = 1; i <= 4; ++i)
+    compile_as(base + i, [i] {
+      gl.DepthTag1i(i - 1);
+      triangle();
+    });
+  for (GLuint i = 0; i < 4; ++i) compile_as(base + 256 * (i + 1), triangle);  // what little-endian names would be
+  gl.ListBase(base);
+  const GLubyte bytes[] = {1, 3};
+  const GLbyte signed_bytes[] = {1, 3};
+  const GLshort shorts[] = {1, 3};
+  const GLushort unsigned_shorts[] = {1, 3};
+  const GLint integers[] = {1, 3};
+  const GLuint unsigned_integers[] = {1, 3};
+  const GLfloat floats[] = {1, 3};
+  const GLubyte twos[] = {0, 1, 0, 3};
+  const GLubyte threes[] = {0, 0, 1, 0, 0, 3};
+  const GLubyte fours[] = {0, 0, 0, 1, 0, 0, 0, 3};
+  const std::pair<GLenum, const void*> names[] = {{GL_UNSIGNED_BYTE, bytes}, {GL_BYTE, signed_bytes},
+                                                  {GL_SHORT, shorts},        {GL_INT, integers},
+                                                  {GL_FLOAT, floats},        {GL_UNSIGNED_SHORT, unsigned_shorts},
+                                                  {GL_2_BYTES, twos},        {GL_3_BYTES, threes},
+                                                  {GL_4_BYTES, fours},       {GL_UNSIGNED_INT, unsigned_integers}};
+  for (const auto& [type, list] : names) {
+    const auto call = [type = type, list = list] { gl.CallLists(2, type, list); };
+    t.expect_equal(count_generated(call), 1U + 16U, "triangles of lists by names of type " + as_text(type));
+    compile_as(900, call);
+    t.expect_equal(count_generated([] { gl.CallList(900); }), 1U + 16U, "by a list that calls them");
+    gl.ListBase(base + 1);
+    t.expect_equal(count_generated([] { gl.CallList(900); }), 4U + 64U, "with another list base at the call");
+    gl.ListBase(base);
+  }
+  t.expect_no_error("the lists");
+}
+
+// A list base that is compiled counts from the call on.
+void check_compiled_base(Test& t) {
+  const GLubyte name[] = {1};
+  refine();
+  gl.DepthTag1i(1);
+  compile_as(301, triangle);
+  compile_as(401, [] {
+    triangle();
+    triangle();
+  });
+  gl.ListBase(300);
+  compile_as(900, [] { gl.ListBase(400); });
+  const auto call = [&name] { gl.CallLists(1, GL_UNSIGNED_BYTE, name); };
+  t.expect_equal(count_generated(call), 4U, "triangles with the list base before the call");
+  gl.CallList(900);
+  t.expect_equal(count_generated(call), 8U, "triangles with the list base that the list sets");
+  t.expect_no_error("the calls");
+}
+
+void check_pool_while_compiling(Test& t) {
+  refine();
+  gl.DepthTag1i(4);
+  compile_as(1, [] {
+    triangle();
+    gl.ARKinit(2);
+  });
+  t.expect_equal(integer_of(GL_POOL_LEVEL_ARK), 2, "the level of ARKinit within a list");
+  t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "the tag, which is not above it");
+  gl.ARKinit(4);
+  t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "the tag with a deeper pool");
+  t.expect_equal(count_generated(triangle), 16U, "triangles with it");
+  gl.DepthTag1i(3);
+  gl.CallList(1);
+  t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 3, "the list does not set it");
+}
+
+constexpr GLuint push_list = 11, pop_list = 12, both_list = 13, nested_push = 14, nested_pop = 15, other_push = 16;
+
+void compile_stack_lists() {
+  const GLubyte names[] = {pop_list - 10};
+  compile_as(push_list, [] { gl.PushAttrib(GL_ENABLE_BIT); });
+  compile_as(pop_list, [] { gl.PopAttrib(); });
+  compile_as(both_list, [] {
+    gl.PushAttrib(GL_ALL_ATTRIB_BITS);
+    triangle();
+    gl.PopAttrib();
+  });
+  compile_as(nested_push, [] {
+    gl.CallList(both_list);
+    gl.CallList(push_list);
+    triangle();
+  });
+  compile_as(nested_pop, [&] {
+    triangle();
+    gl.CallLists(1, GL_UNSIGNED_BYTE, names);  // with the list base of the call
+  });
+  compile_as(other_push, [] { gl.PushAttrib(GL_CURRENT_BIT); });
+}
+
+// Push while ARK is `before`, set it to the opposite, pop: what it is then.
+void expect_restored(Test& t, const std::function<void()>& push, const std::function<void()>& pop, bool is_saved,
+                     const std::string& what) {
+  for (const bool before : {true, false}) {
+    before ? gl.Enable(GL_ARK) : gl.Disable(GL_ARK);
+    push();
+    before ? gl.Disable(GL_ARK) : gl.Enable(GL_ARK);
+    gl.CallList(both_list);
+    t.expect_equal(int{gl.IsEnabled(GL_ARK)}, int{!before},
+                   what + ": a list that pushes and pops leaves ARK as it was");
+    pop();
+    t.expect_equal(int{gl.IsEnabled(GL_ARK)}, int{before == is_saved}, what + (before ? ", enabled" : ", disabled"));
+    gl.Enable(GL_ARK);
+    t.expect_equal(integer_of(GL_ATTRIB_STACK_DEPTH), 0, what + ": the depth of the stack");
+  }
+}
+
+void check_stack(Test& t, bool is_compiled_late) {
+  if (!is_compiled_late) compile_stack_lists();
+  refine();
+  if (is_compiled_late) compile_stack_lists();
+  gl.ListBase(10);
+  const auto call = [](GLuint list) { return [list] { gl.CallList(list); }; };
+  const auto push = [] { gl.PushAttrib(GL_ENABLE_BIT); };
+  const auto pop = [] { gl.PopAttrib(); };
+  expect_restored(t, call(push_list), pop, true, "pushed by a list");
+  expect_restored(t, push, call(pop_list), true, "popped by a list");
+  expect_restored(t, call(push_list), call(pop_list), true, "pushed and popped by lists");
+  expect_restored(t, call(nested_push), call(nested_pop), true, "pushed and popped by lists in lists");
+  expect_restored(t, call(other_push), call(pop_list), false, "pushed by a list without ENABLE_BIT");
+  const GLushort names[] = {push_list - 10, other_push - 10, pop_list - 10};
+  expect_restored(
+      t, [&] { gl.CallLists(3, GL_UNSIGNED_SHORT, names); }, pop, true, "pushed by CallLists");
+  const auto compile_and_execute = [](GLuint list, const std::function<void()>& commands) {
+    return [list, commands] {
+      gl.NewList(list, GL_COMPILE_AND_EXECUTE);
+      commands();
+      gl.EndList();
+    };
+  };
+  expect_restored(t, compile_and_execute(17, push), compile_and_execute(18, call(pop_list)), true,
+                  "by lists that are compiled and executed");
+  expect_restored(t, call(17), call(18), true, "by the same lists, called");
+  t.expect_no_error("the calls");
+}
+
+Case list_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
+               void (*check)(Test&)) {
+  return {.name = std::string("ark.list.again.") + leaf,
+          .clauses = std::move(clauses),
+          .plan = plan,
+          .wrong = wrong,
+          .apis = compat_only,
+          .check = check};
+}
+
+}  // namespace
+
+Cases repeated_lists_cases() {
+  return {
+      list_case("inherited", {"chapter-21-4", "chapter-21-5"},
+                "Call a list of vertices alone with several colors and tags, four times each.",
+                "The values of an earlier call.", check_inherited),
+      list_case("left_behind", {"chapter-21-2", "10.R.1-13"},
+                "Call a list that sets colors and tags before and between its vertices, and look at what is current.",
+                "Only the first calls leave the list's values.", check_left_behind),
+      list_case("names", {"chapter-21-4", "chapter-21-5"},
+                "CallLists with names of each type, at once and from a list, with two list bases.",
+                "Groups of bytes in the wrong order; a list base of the time of compilation.", check_names),
+      list_case("compiled_base", {"chapter-21-4"},
+                "ListBase in a list: CallLists before the list is called, and after.",
+                "The base counts while it is compiled, or never.", check_compiled_base),
+      list_case("pool", {"chapter-21-7", "11.R.1-6"}, "ARKinit with a lower level while a list is compiled.",
+                "The current tag stays above the pool, or the list sets it.", check_pool_while_compiling),
+      list_case(
+          "attributes", {"chapter-22-1"},
+          "PushAttrib and PopAttrib in lists, in lists that these call, and outside, with ARK changed in between.",
+          "What lists do to the stack is not noticed: ARK stays, or is that of another level.",
+          [](Test& t) { check_stack(t, true); }),
+      list_case("attributes_before_init", {"chapter-22-1"}, "The same lists, compiled before ARKinit.",
+                "Lists that may be drawn unrefined are not looked at.", [](Test& t) { check_stack(t, false); })};
+}
+
+}  // namespace glark::conformance

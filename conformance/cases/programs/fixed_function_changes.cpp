@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The state of the fixed-function vertex stage that changes between refined draws: each draw reads what it is then (11.R.10).
+#include "conformance/cases/cases.h"
+#include "conformance/support/capture.h"
+
+namespace glark::conformance {
+namespace {
+
+void vertex(float x, float y, float z) {
+  gl.Color3f(0.5F + 0.5F * x, 0.5F - 0.5F * y, 0.25F);
+  gl.Normal3f(0.6F * x, 0.5F * y, 0.8F);
+  gl.TexCoord2f(0.5F + x, 0.5F - y);
+  gl.FogCoordf(0.5F + 0.5F * y);
+  gl.Vertex3f(x, y, z);
+}
+
+void triangle() {
+  gl.Begin(GL_TRIANGLES);
+  vertex(-0.8F, -0.7F, 0.2F);
+  vertex(0.8F, -0.6F, -0.3F);
+  vertex(-0.1F, 0.8F, 0.4F);
+  gl.End();
+}
+
+void light() {
+  const GLfloat position[] = {0.5F, 0.7F, 1.5F, 1};
+  const GLfloat colour[] = {0.7F, 0.6F, 0.4F, 1};
+  for (const GLenum capability : {GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE}) gl.Enable(static_cast<GLenum>(capability));
+  gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
+  gl.Lightfv(GL_LIGHT0, GL_SPECULAR, colour);
+  gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, colour);
+  gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, 4);
+}
+
+void texture() {
+  const GLubyte texels[] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};
+  GLuint name = 0;
+  gl.GenTextures(1, &name);
+  gl.BindTexture(GL_TEXTURE_2D, name);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.Enable(GL_TEXTURE_2D);
+}
+
+struct Change {
+  const char* leaf;
+  void (*set_up)();
+  void (*change)();
+};
+
+const Change changes[] = {
+    {"tex_gen",
+     [] {
+       texture();
+       gl.Enable(GL_TEXTURE_GEN_S);
+       gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+     },
+     [] { gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP); }},
+    {"tex_gen_plane",
+     [] {
+       texture();
+       gl.Enable(GL_TEXTURE_GEN_S);
+       gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+     },
+     [] {
+       const GLfloat plane[] = {0.2F, 0.9F, 0.4F, 0.1F};
+       gl.TexGenfv(GL_S, GL_OBJECT_PLANE, plane);
+     }},
+    {"local_viewer", light, [] { gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1); }},
+    {"two_sided",
+     [] {
+       const GLfloat back[] = {0.1F, 0.5F, 0.9F, 1};
+       light();
+       gl.Materialfv(GL_BACK, GL_AMBIENT_AND_DIFFUSE, back);
+       gl.FrontFace(GL_CW);
+     },
+     [] { gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1); }},
+    {"separate_specular",
+     [] {
+       light();
+       texture();
+     },
+     [] { gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR); }},
+    {"color_material",
+     [] {
+       light();
+       gl.ColorMaterial(GL_FRONT_AND_BACK, GL_EMISSION);
+       gl.Enable(GL_COLOR_MATERIAL);
+     },
+     [] { gl.ColorMaterial(GL_FRONT_AND_BACK, GL_DIFFUSE); }},
+    {"fog_source",
+     [] {
+       const GLfloat colour[] = {0.9F, 0.1F, 0.8F, 1};
+       gl.Enable(GL_FOG);
+       gl.Fogi(GL_FOG_MODE, GL_LINEAR);
+       gl.Fogf(GL_FOG_START, 0);
+       gl.Fogf(GL_FOG_END, 1);
+       gl.Fogfv(GL_FOG_COLOR, colour);
+     },
+     [] { gl.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD); }},
+    {"texture_matrix", texture,
+     [] {
+       gl.MatrixMode(GL_TEXTURE);
+       gl.Rotatef(35, 0, 0, 1);
+     }},
+    {"light", light,
+     [] {
+       const GLfloat direction[] = {-0.6F, 0.1F, 0.4F, 0};
+       gl.Lightfv(GL_LIGHT0, GL_POSITION, direction);
+     }},
+};
+
+// Refined outputs give the unrefined picture.
+void expect_as_unrefined(Test& t, const Picture& plain, const std::string& what) {
+  for (int again = 0; again < 3; ++again) t.expect_same_picture(picture_of(triangle), plain, what, 3, 24);
+}
+
+void check_change(Test& t, const Change& change) {
+  change.set_up();
+  const Picture before = picture_of(triangle);
+  refine_uniformly(3, GL_LINEAR_OUTPUTS_ARK);
+  expect_as_unrefined(t, before, "before the change");
+  change.change();
+  gl.Disable(GL_ARK);
+  const Picture after = picture_of(triangle);
+  gl.Enable(GL_ARK);
+  t.expect(count_different(before, after, 8) > 100, "the change shows");
+  expect_as_unrefined(t, after, "after the change");
+  t.expect_no_error("the draws");
+}
+
+// A uniform that a list sets, and one that is set while the list is compiled and not executed.
+void check_list_uniforms(Test& t) {
+  const GLuint program = build_program(t, {.vertex = "uniform vec4 tint; out vec4 colour;\n"
+                                                     "void main() { colour = tint; gl_Position = gl_Vertex; }\n"});
+  const GLint tint = gl.GetUniformLocation(program, "tint");
+  gl.UseProgram(program);
+  refine_uniformly(2);
+  for (const bool has_triangle : {false, true})
+    for (const float green : {0.25F, 1.0F, 0.5F}) {
+      gl.Uniform4f(tint, 1, 0, 0, 1);
+      picture_of(triangle);
+      gl.NewList(1, GL_COMPILE);
+      gl.Uniform4f(tint, 0, green, 0, 1);
+      if (has_triangle) triangle();
+      gl.EndList();
+      const auto call_and_draw = [has_triangle] {
+        gl.CallList(1);
+        if (!has_triangle) triangle();
+      };
+      for (int again = 0; again < 3; ++again) {
+        gl.Uniform4f(tint, 1, 0, 0, 1);
+        const Picture refined = picture_of(call_and_draw);
+        gl.Disable(GL_ARK);
+        gl.Uniform4f(tint, 0, green, 0, 1);
+        const Picture plain = picture_of(triangle);
+        gl.Enable(GL_ARK);
+        t.expect_same_picture(refined, plain, "the uniform that the list sets", 2, 20);
+      }
+    }
+  t.expect_no_error("the lists");
+}
+
+// Materials among the vertices of a list are left behind by every call.
+void check_list_materials(Test& t) {
+  const GLfloat red[] = {1, 0, 0, 1};
+  const GLfloat blue[] = {0, 0, 1, 1};
+  const GLfloat light_colour[] = {1, 1, 1, 1};
+  gl.Enable(GL_LIGHTING);
+  gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, light_colour);
+  refine_uniformly(2);
+  gl.NewList(1, GL_COMPILE);
+  gl.Begin(GL_TRIANGLES);
+  vertex(-0.9F, -0.9F, 0);
+  gl.Materialfv(GL_FRONT_AND_BACK, GL_AMBIENT, blue);
+  vertex(-0.7F, -0.9F, 0);
+  vertex(-0.8F, -0.7F, 0);
+  gl.End();
+  gl.EndList();
+  for (int again = 0; again < 6; ++again) {
+    gl.Materialfv(GL_FRONT_AND_BACK, GL_AMBIENT, red);
+    gl.CallList(1);
+    GLfloat found[4] = {0, 0, 0, 0};
+    gl.GetMaterialfv(GL_FRONT, GL_AMBIENT, found);
+    t.expect_equal(found[2], 1.0F, "the blue of the material that the list leaves");
+    const Picture refined = picture_of(triangle);
+    gl.Disable(GL_ARK);
+    t.expect_same_picture(refined, picture_of(triangle), "a triangle after the list", 2, 20);
+    gl.Enable(GL_ARK);
+  }
+  t.expect_no_error("the calls");
+}
+
+constexpr Area change_case{"ark.fixed_function.changed."};
+
+}  // namespace
+
+Cases fixed_function_changes_cases() {
+  Cases cases;
+  for (const Change& change : changes)
+    cases.push_back(change_case(
+        change.leaf, {"11.R.10-1", "11.R.6-8"},
+        "Draw refined, change this state alone, and draw again: refined outputs give the unrefined picture.",
+        "The vertex stage is that of the first refined draw.", [change](Test& t) { check_change(t, change); },
+        compat_only));
+  cases.push_back(change_case("list_uniforms", {"11.R.10-1", "chapter-21-4"},
+                              "Call lists that set a uniform of the program in use, with and without vertices.",
+                              "The value that was set outside of the list.", check_list_uniforms, compat_only));
+  cases.push_back(change_case("list_materials", {"11.R.10-1", "chapter-21-4"},
+                              "Call a list that sets a material between its vertices, again and again.",
+                              "Only the first calls leave the material.", check_list_materials, compat_only));
+  return cases;
+}
+
+}  // namespace glark::conformance

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What a vertex stage reads where it is set in a roundabout way: by another context, through a program pipeline, by subroutines,
+// by commands that differ in what they make of the same bytes.
+#include "conformance/cases/cases.h"
+#include "conformance/support/capture.h"
+
+namespace glark::conformance {
+namespace {
+
+
+void draw() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
+
+Picture unrefined() {
+  gl.Disable(GL_ARK);
+  Picture picture = picture_of(draw);
+  gl.Enable(GL_ARK);
+  return picture;
+}
+
+void expect_as_unrefined(Test& t, const std::string& what) {
+  const Picture refined = picture_of(draw);
+  t.expect_same_picture(refined, unrefined(), what, 2, 20);
+}
+
+const char tinted_stage[] =
+    "layout(location = 0) in vec4 position; uniform vec4 tint; out vec4 colour;\n"
+    "void main() { colour = tint; gl_Position = position; }\n";
+
+// The other context has the program in use since before it was first refined.
+void check_other_context(Test& t) {
+  const GLuint program = build_program(t, {.vertex = tinted_stage});
+  const GLint tint = gl.GetUniformLocation(program, "tint");
+  gl.UseProgram(program);
+  upload(one_triangle());
+  gl.Uniform4f(tint, 1, 0, 0, 1);
+  gl.Finish();
+  const std::unique_ptr<Context> second = t.create_context(&t.context());
+  gl.UseProgram(program);
+  t.require(t.context().make_current(), "the first context can be made current");
+  refine_uniformly(2);
+  expect_as_unrefined(t, "the first color");
+  for (const float green : {1.0F, 0.5F, 0.75F}) {
+    t.require(second->make_current(), "the second context can be made current");
+    gl.Uniform4f(tint, 0, green, 0, 1);
+    gl.Finish();
+    t.require(t.context().make_current(), "the first context can be made current");
+    gl.UseProgram(program);
+    expect_as_unrefined(t, "the color that the other context has set");
+    t.expect(unrefined().at(surface_size / 2, surface_size / 3)[0] == 0, "the other context's color shows");
+  }
+}
+
+// Uniform* of the active program of a pipeline object.
+void check_pipeline_uniforms(Test& t) {
+  const std::string block = t.is_gles() ? "" : "out gl_PerVertex { vec4 gl_Position; };\n";
+  const std::string vertex = glsl_head(t) + block +
+                             "layout(location = 0) in vec4 position; uniform vec4 tint;\n"
+                             "layout(location = 0) out vec4 colour;\n"
+                             "void main() { colour = tint; gl_Position = position; }\n";
+  const std::string fragment = glsl_head(t) +
+                               "layout(location = 0) in vec4 colour; layout(location = 0) out vec4 pixel;\n"
+                               "void main() { pixel = colour; }\n";
+  const char* const texts[] = {vertex.c_str(), fragment.c_str()};
+  const GLuint stages[] = {gl.CreateShaderProgramv(GL_VERTEX_SHADER, 1, &texts[0]),
+                           gl.CreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &texts[1])};
+  GLuint pipeline = 0;
+  gl.GenProgramPipelines(1, &pipeline);
+  gl.UseProgramStages(pipeline, GL_VERTEX_SHADER_BIT, stages[0]);
+  gl.UseProgramStages(pipeline, GL_FRAGMENT_SHADER_BIT, stages[1]);
+  gl.ActiveShaderProgram(pipeline, stages[0]);
+  gl.BindProgramPipeline(pipeline);
+  const GLint tint = gl.GetUniformLocation(stages[0], "tint");
+  upload(one_triangle());
+  refine_uniformly(2);
+  for (const float green : {1.0F, 0.25F, 0.75F}) {
+    gl.Uniform4f(tint, 1, green, 0, 1);
+    for (int again = 0; again < 2; ++again) expect_as_unrefined(t, "a uniform of the active program");
+  }
+  t.expect_no_error("the draws");
+}
+
+// Subroutines are context state that a change of programs resets.
+void check_subroutines(Test& t) {
+  const GLuint program = build_program(
+      t, {.vertex = "subroutine vec4 Tint(vec4 c); subroutine uniform Tint tint;\n"
+                    "subroutine(Tint) vec4 kept(vec4 c) { return c; }\n"
+                    "subroutine(Tint) vec4 swapped(vec4 c) { return c.gbra; }\n"
+                    "subroutine(Tint) vec4 turned(vec4 c) { return vec4(1.0 - c.rgb, 1.0); }\n"
+                    "layout(location = 0) in vec4 position; layout(location = 3) in vec4 c; out vec4 colour;\n"
+                    "void main() { colour = tint(c); gl_Position = position; }\n"});
+  gl.UseProgram(program);
+  upload(one_triangle());
+  std::vector<Picture> plain;
+  const char* const names[] = {"swapped", "turned", "kept"};
+  const auto choose = [program](const char* name) {
+    const GLuint index = gl.GetSubroutineIndex(program, GL_VERTEX_SHADER, name);
+    gl.UniformSubroutinesuiv(GL_VERTEX_SHADER, 1, &index);
+  };
+  for (const char* const name : names) {
+    choose(name);
+    plain.push_back(picture_of(draw));
+  }
+  for (int round = 0; round < 2; ++round)
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      choose(names[i]);
+      refine_uniformly(2);
+      t.expect_same_picture(picture_of(draw), plain[i], std::string(names[i]) + ", refined", 2, 20);
+      gl.Disable(GL_ARK);
+      t.expect_same_picture(picture_of(draw), plain[i], std::string(names[i]) + ", unrefined after it");
+    }
+  t.expect_no_error("the draws");
+}
+
+// Normalized and not: bytes of 1 are next to black, or white.
+void check_same_bytes(Test& t, bool is_uniform) {
+  gl.UseProgram(colour_program(t));
+  upload(one_triangle({2, 2, 2}));
+  gl.DisableVertexAttribArray(at_colour);
+  is_uniform ? refine_uniformly(2) : refine_by_tags(2);
+  const GLubyte bytes[] = {0, 1, 1, 1};
+  for (int round = 0; round < 3; ++round)
+    for (const bool is_normalized : {true, false})
+      for (int again = 0; again < 3; ++again) {
+        is_normalized ? gl.VertexAttrib4Nubv(at_colour, bytes) : gl.VertexAttrib4ubv(at_colour, bytes);
+        expect_as_unrefined(t, is_normalized ? "a normalized color" : "a color that is not normalized");
+      }
+}
+
+constexpr Area stage_case{"ark.stage.shared."};
+
+}  // namespace
+
+Cases indirect_inputs_cases() {
+  Cases cases = {
+      stage_case("other_context", {"11.R.10-1"},
+                 "Another context of the share group sets a uniform of a program that is refined here.",
+                 "The value of the first refined draw.", check_other_context),
+      stage_case("pipeline_uniforms", {"11.R.10-1"}, "Uniform* of the active program of a pipeline object.",
+                 "The value of the first refined draw.", check_pipeline_uniforms),
+      stage_case("subroutines", {"11.R.10-1", "10.R.2-6"},
+                 "Choose subroutines, and draw refined and unrefined by turns.",
+                 "A refined draw leaves the subroutines that a program has at first.", check_subroutines, desktop_apis)};
+  for (const bool is_uniform : {true, false})
+    cases.push_back(stage_case(
+        std::string("same_bytes.") + (is_uniform ? "uniform" : "tags"), {"10.R.2-1"},
+        "Repeat a draw with current values by two commands that are given the same bytes.",
+        "The value that the other command made of them.", [is_uniform](Test& t) { check_same_bytes(t, is_uniform); },
+        desktop_apis));
+  return cases;
+}
+
+}  // namespace glark::conformance

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "conformance/gl/gl.h"
+
+namespace glark::conformance {
+namespace {
+
+GLADapiproc address(void* source, const char* name) {
+  return reinterpret_cast<GLADapiproc>(static_cast<FunctionSource*>(source)->function(name));
+}
+
+}  // namespace
+
+GladGLContext gl;
+
+void load_functions(FunctionSource& source, bool is_gles) {
+  gl = {};
+  (is_gles ? gladLoadGLES2ContextUserPtr : gladLoadGLContextUserPtr)(&gl, address, &source);
+}
+
+}  // namespace glark::conformance

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "conformance/suite/verdict.h"
+
+namespace glark::conformance {
+
+// What is known of a case after a run.
+struct Record {
+  std::string name;
+  Verdict verdict = Verdict::missing;  // until its process reports an end
+  Verdict seen = Verdict::missing;     // before the baseline looked at it
+  double seconds = 0;
+  std::vector<std::string> messages;
+  std::vector<std::string> images;  // paths of PNG files, relative to the report's directory
+  std::string output;               // what its process wrote to stdout and stderr
+  bool is_over = false;
+};
+
+// Of the machine and the implementation, as the contexts say.
+using Environment = std::map<std::string, std::string>;
+
+}  // namespace glark::conformance

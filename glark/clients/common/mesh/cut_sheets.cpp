@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Based on: A. Gueziec et al., Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces, 2001: vertices are cut apart
+// and put together again only across edges of which two triangles are known to be neighbours.
+#include "glark/clients/common/mesh/cut_sheets.h"
+
+#include <algorithm>
+#include <compare>
+#include <numeric>
+
+#include "glark/clients/common/disjoint_sets.h"
+#include "glark/clients/common/mesh/half_edges.h"
+
+namespace glark::common {
+namespace {
+
+// A half-edge by the ends of its edge and the corner that starts it.
+struct HalfEdge {
+  std::uint64_t edge;  // the lesser end is the upper half
+  std::uint32_t corner;
+  auto operator<=>(const HalfEdge&) const = default;
+};
+
+class Cut {
+ public:
+  Cut(std::vector<std::uint32_t>& triangles, std::span<const Float4> points, std::span<const std::uint8_t> irregular)
+      : triangles_(triangles), points_(points), irregular_(irregular), corners_(triangles.size()) {}
+
+  std::vector<std::uint32_t> run() {
+    const std::vector<HalfEdge> half_edges = at_irregular_vertices();
+    std::vector<std::vector<std::uint32_t>> shared;  // edges of more than two triangles
+    for (std::size_t begin = 0; begin < half_edges.size();) {
+      std::size_t end = begin + 1;
+      while (end < half_edges.size() && half_edges[end].edge == half_edges[begin].edge) ++end;
+      if (end - begin == 2) {
+        join(half_edges[begin].corner, half_edges[begin + 1].corner);
+      } else if (end - begin > 2) {
+        std::vector<std::uint32_t>& edge = shared.emplace_back();
+        for (std::size_t i = begin; i < end; ++i) edge.push_back(half_edges[i].corner);
+      }
+      begin = end;
+    }
+    for (const std::vector<std::uint32_t>& edge : shared) stitch(edge);
+    return number();
+  }
+
+ private:
+  // Those of one edge one after the other.
+  std::vector<HalfEdge> at_irregular_vertices() const {
+    std::vector<HalfEdge> result;
+    const auto add = [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
+      if ((irregular_[a] | irregular_[b]) != 0)
+        result.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), corner});
+    };
+    for (std::uint32_t t = 0; t < triangles_.size(); t += 3) {
+      const std::uint32_t a = triangles_[t], b = triangles_[t + 1], c = triangles_[t + 2];
+      if ((irregular_[a] | irregular_[b] | irregular_[c]) == 0) continue;
+      add(t, a, b);
+      add(t + 1, b, c);
+      add(t + 2, c, a);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  bool runs_up(std::uint32_t corner) const { return triangles_[corner] < triangles_[next_corner(corner)]; }
+
+  Float4 normal_of(std::uint32_t corner) const {
+    const std::uint32_t t = corner / 3 * 3;
+    const Float4 a = points_[triangles_[t]];
+    return unit(cross(points_[triangles_[t + 1]] - a, points_[triangles_[t + 2]] - a));
+  }
+
+  // The triangles at the half-edges become neighbours.
+  void join(std::uint32_t a, std::uint32_t b) {
+    const bool reversed = triangles_[a] != triangles_[b];
+    corners_.join(a, reversed ? next_corner(b) : b);
+    corners_.join(next_corner(a), reversed ? b : next_corner(b));
+  }
+
+  // At how many ends of their edge two triangles belong to one sheet already.
+  int ends_together(std::uint32_t a, std::uint32_t b) {
+    const bool reversed = triangles_[a] != triangles_[b];
+    return (corners_.find(a) == corners_.find(reversed ? next_corner(b) : b) ? 1 : 0) +
+           (corners_.find(next_corner(a)) == corners_.find(reversed ? b : next_corner(b)) ? 1 : 0);
+  }
+
+  // More than two half-edges of one edge, in pairs that run against each other: first those of one sheet, which another pairing would
+  // connect with another sheet, then those whose triangles bend least.
+  void stitch(std::span<const std::uint32_t> edge) {
+    struct Pair {
+      float bend;
+      std::uint32_t a, b;
+    };
+    std::vector<Pair> pairs;
+    for (const std::uint32_t a : edge) {
+      for (const std::uint32_t b : edge) {
+        if (!runs_up(a) || runs_up(b)) continue;
+        pairs.push_back({1 - dot(normal_of(a), normal_of(b)) - 4 * static_cast<float>(ends_together(a, b)), a, b});
+      }
+    }
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.bend < q.bend; });
+    std::vector<std::uint32_t> taken;
+    for (const Pair& pair : pairs) {
+      if (std::find(taken.begin(), taken.end(), pair.a) != taken.end()) continue;
+      if (std::find(taken.begin(), taken.end(), pair.b) != taken.end()) continue;
+      join(pair.a, pair.b);
+      taken.insert(taken.end(), {pair.a, pair.b});
+    }
+  }
+
+  // At irregular vertices. The first set of corners at a vertex keeps it, the others get a copy.
+  std::vector<std::uint32_t> number() {
+    std::vector<std::uint32_t> copies(points_.size());
+    std::iota(copies.begin(), copies.end(), 0U);
+    constexpr std::uint32_t open = 0xFFFFFFFF;
+    std::vector<std::uint32_t> keeper(points_.size(), open), result = triangles_;
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      if (irregular_[triangles_[i]] == 0) continue;
+      const std::uint32_t root = corners_.find(i);
+      if (root != i) {
+        result[i] = result[root];
+      } else if (keeper[triangles_[i]] == open) {
+        keeper[triangles_[i]] = i;
+      } else {
+        result[i] = static_cast<std::uint32_t>(copies.size());
+        copies.push_back(triangles_[i]);
+      }
+    }
+    triangles_ = std::move(result);
+    return copies;
+  }
+
+  std::vector<std::uint32_t>& triangles_;
+  std::span<const Float4> points_;
+  std::span<const std::uint8_t> irregular_;
+  DisjointSets corners_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> cut_sheets(std::vector<std::uint32_t>& triangles, std::span<const Float4> points,
+                               std::span<const std::uint8_t> irregular) {
+  return Cut(triangles, points, irregular).run();
+}
+
+}  // namespace glark::common

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "glark/clients/common/points/moments.h"
+
+namespace glark::common {
+
+// Whether the records are a height field over the plane of their mean and mean normal, by the thresholds delta_a and delta_d.
+// Source: Boubekeur 2007, ch. 3.2.2. A record without normal has no say in the angle.
+bool is_height_field(std::span<const Record> records, const Moments& moments, float delta_a, float delta_d);
+
+}  // namespace glark::common

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Sums over the samples of a cell from which its error follows. They add up, so that each level of a tree comes from the one below.
+#pragma once
+
+#include <span>
+
+#include "glark/clients/common/points/record.h"
+
+namespace glark::common {
+
+// The products are about the mean: small numbers, so that single precision will do.
+// Based on: Chan, Golub, LeVeque, Updating Formulae and a Pairwise Algorithm for Computing Sample Variances, 1979.
+struct Moments {
+  Float4 mean{};         // the fourth is the number of samples
+  Float4 products[3]{};  // row i: the sums of (p - mean)_i * (p - mean)
+  Float4 normals{};      // the sum; the fourth is their number
+
+  float count() const { return mean[3]; }
+  Float4 normal() const { return unit(normals); }
+  bool at_one_point() const { return products[0][0] + products[1][1] + products[2][2] == 0; }
+
+  static Moments of(std::span<const Record> records);
+  void add(const Moments& other);
+
+  // The mean of the squares of the distances from the plane of the mean and the mean normal; from the mean if there is no normal.
+  float plane_error() const;
+  // The mean of the squares of the differences from the mean normal.
+  float normal_error() const;
+};
+
+}  // namespace glark::common

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/geometry/read/assimp_reader.h"
+
+#include <assimp/mesh.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstring>
+
+#include "glark/clients/geometry/read/point_builder.h"
+#include "glark/clients/geometry/measure/topology.h"
+
+namespace glark::geometry {
+namespace {
+
+// Memory by the size of the file, as measured: 7 with OBJ and STL of a quarter million triangles.
+constexpr double growth = 8;
+constexpr std::size_t block_size = std::size_t{1} << 20;
+constexpr std::size_t stl_header = 84;
+constexpr std::size_t stl_triangle = 50;
+
+std::vector<char> whole(Input& input) {
+  if (input.remaining()) require_memory(input.name(), growth * static_cast<double>(*input.remaining()));
+  std::vector<char> bytes;
+  for (std::span<const char> block = input.take(block_size); !block.empty(); block = input.take(block_size)) {
+    bytes.insert(bytes.end(), block.begin(), block.end());
+    require_memory(input.name(), growth * static_cast<double>(bytes.size()));
+  }
+  return bytes;
+}
+
+// A binary STL that begins with "solid" exists; its size tells. Assimp reads past a count that lies.
+void check_stl(const std::string& name, const std::vector<char>& bytes) {
+  std::uint32_t count = 0;
+  if (bytes.size() >= stl_header) std::memcpy(&count, bytes.data() + stl_header - sizeof(count), sizeof(count));
+  const bool says_text = bytes.size() >= 5 && std::memcmp(bytes.data(), "solid", 5) == 0;
+  const bool has_zero = std::memchr(bytes.data(), 0, bytes.size()) != nullptr;
+  if (says_text && !has_zero) return;
+  if (bytes.size() < stl_header)
+    throw Error(name + ": is no STL file: it is too short for the header; check the format");
+  if (stl_header + std::uint64_t{stl_triangle} * count > bytes.size())
+    throw Error(name + ": STL header: it announces " + std::to_string(count) + " triangles, the file has room for " +
+                std::to_string((bytes.size() - stl_header) / stl_triangle) +
+                "; it is cut off or its header wrong, get it again");
+}
+
+class Scene {
+ public:
+  Scene(std::string name, const aiScene& scene, const ReadOptions& options)
+      : name_(std::move(name)), scene_(scene), options_(options) {}
+
+  Reading gather() const {
+    PointBuilder builder(name_, "vertex", attributes(), options_, ColourRange::fraction);
+    std::int64_t first = 0;
+    std::vector<std::int64_t> corners;
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+      const aiMesh& mesh = *scene_.mMeshes[i];
+      for (unsigned k = 0; k < mesh.mNumVertices; ++k) add_vertex(mesh, k, builder);
+      for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
+        const aiFace& face = mesh.mFaces[k];
+        if (face.mNumIndices < 3) continue;  // points and lines
+        corners.clear();
+        for (unsigned corner = 0; corner < face.mNumIndices; ++corner) corners.push_back(first + face.mIndices[corner]);
+        builder.add_polygon(corners);
+      }
+      first += mesh.mNumVertices;
+    }
+    return builder.finish();
+  }
+
+ private:
+  Attributes attributes() const {
+    Attributes attributes;
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+      const aiMesh& mesh = *scene_.mMeshes[i];
+      attributes.normals |= mesh.HasNormals();
+      attributes.colours |= mesh.HasVertexColors(0);
+      attributes.texture_coordinates |= mesh.HasTextureCoords(0);
+    }
+    return attributes;
+  }
+
+  static void add_vertex(const aiMesh& mesh, unsigned index, PointBuilder& builder) {
+    Point point;
+    const aiVector3D& position = mesh.mVertices[index];
+    point.position = {position.x, position.y, position.z};
+    if (mesh.HasNormals()) point.normal = {mesh.mNormals[index].x, mesh.mNormals[index].y, mesh.mNormals[index].z};
+    if (mesh.HasTextureCoords(0))
+      point.texture_coordinate = {mesh.mTextureCoords[0][index].x, mesh.mTextureCoords[0][index].y};
+    if (mesh.HasVertexColors(0)) {
+      const aiColor4D& colour = mesh.mColors[0][index];
+      point.colour = {colour.r, colour.g, colour.b, std::max(0.0F, colour.a)};
+    }
+    builder.add_point(point, false);
+  }
+
+  std::string name_;
+  const aiScene& scene_;
+  const ReadOptions& options_;
+};
+
+}  // namespace
+
+Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options) {
+  const std::vector<char> bytes = whole(input);
+  if (format == MeshFormat::stl) check_stl(input.name(), bytes);
+  Assimp::Importer importer;
+  const aiScene* scene =
+      importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format == MeshFormat::stl ? "stl" : "obj");
+  if (scene == nullptr)
+    throw Error(input.name() + ": is no good " + (format == MeshFormat::stl ? "STL" : "OBJ") +
+                " file: " + importer.GetErrorString() + "; check the format or export it again");
+  // Assimp could join vertices too, but takes one that is not finite for the same as any other.
+  Reading reading = Scene(input.name(), *scene, options).gather();
+  importer.FreeScene();
+  if (format == MeshFormat::stl)
+    reading.geometry.normals = {};  // the faces' own: no two triangles would share a vertex
+  if (!reading.geometry.triangles.empty()) join_identical_points(reading.geometry);
+  return reading;
+}
+
+}  // namespace glark::geometry

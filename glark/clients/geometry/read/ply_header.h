@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "glark/clients/geometry/read/input.h"
+
+namespace glark::geometry::ply {
+
+enum class Encoding { text, little_endian, big_endian };
+enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+std::size_t size_of(Type type);
+
+struct Property {
+  std::string name;
+  Type type;
+  std::optional<Type> count_type;  // of a list
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count;
+  std::vector<Property> properties;
+
+  bool has_lists() const;
+  // Bytes that one of these takes in the file at least.
+  std::uint64_t least_size(Encoding encoding) const;
+};
+
+struct Header {
+  Encoding encoding = Encoding::text;
+  std::vector<Element> elements;
+};
+
+// Leaves the input behind the header. Throws Error, also where the file is too short for the elements that it announces.
+Header read_header(Input& input);
+
+}  // namespace glark::geometry::ply

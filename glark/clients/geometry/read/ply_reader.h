@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Reads PLY: a reader of our own, since the libraries at hand keep floats only, which georeferenced scans outgrow, or want
+// faces, or take tens of times the memory of the points.
+#pragma once
+
+#include "glark/clients/geometry/geometry.h"
+#include "glark/clients/geometry/read/input.h"
+
+namespace glark::geometry {
+
+Reading read_ply(Input& input, const ReadOptions& options);
+
+}  // namespace glark::geometry

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The numbers of a PLY file behind its header, whatever their encoding.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/read/ply_header.h"
+
+namespace glark::geometry::ply {
+
+class Values {
+ public:
+  Values(Input& input, Encoding encoding) : input_(input), encoding_(encoding) {}
+
+  // For messages: "vertex 17".
+  void at(const Element& element, std::uint64_t index) {
+    element_ = &element;
+    index_ = index;
+  }
+  // The scalars of an element without lists, one after the other.
+  void record(std::span<double> values);
+  double number(Type type);
+  void list(const Property& property, std::vector<double>& values);
+  [[noreturn]] void fail(const std::string& problem) const;
+
+ private:
+  double parse_word(Type type);
+
+  Input& input_;
+  Encoding encoding_;
+  const Element* element_ = nullptr;
+  std::uint64_t index_ = 0;
+};
+
+}  // namespace glark::geometry::ply

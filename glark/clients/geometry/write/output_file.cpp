@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/geometry/write/output_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "glark/clients/geometry/geometry.h"
+
+namespace glark::geometry {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t block_size = std::size_t{1} << 20;
+constexpr mode_t permissions = 0666;  // less the umask
+
+fs::path resolved(const fs::path& file) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(fs::absolute(file), error);  // a link stays a link, its file is replaced
+  return error ? fs::absolute(file) : real;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file_, error);
+  if (fs::is_directory(status)) throw Error(file.string() + ": is a folder; name a file in it");
+  direct_ = fs::exists(status) && !fs::is_regular_file(status);
+  if (direct_) {
+    descriptor_ = open(file_.c_str(), O_WRONLY | O_CLOEXEC);
+  } else {
+    // Without a name first: nothing is left behind even if the process is killed.
+    descriptor_ = open(file_.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, permissions);
+    if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
+      aside_ = file_.parent_path() / ("." + file_.filename().string() + "." + std::to_string(getpid()));
+      descriptor_ = open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+    }
+  }
+  if (descriptor_ < 0) fail("cannot be written");
+  buffer_.reserve(block_size);
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+  if (!aside_.empty()) unlink(aside_.c_str());
+}
+
+void OutputFile::fail(const std::string& what) const {
+  const int error = errno;
+  throw Error(file_.string() + ": " + what + ": " + std::strerror(error) + "; " +
+              (error == ENOSPC || error == EDQUOT ? "make room on the disk or name a file elsewhere"
+                                                  : "name a file in a folder that can be written"));
+}
+
+void OutputFile::write(std::string_view bytes) {
+  buffer_ += bytes;
+  if (buffer_.size() >= block_size) flush();
+}
+
+void OutputFile::flush() {
+  for (std::size_t done = 0; done < buffer_.size();) {
+    const ssize_t count = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("writing failed");
+    done += static_cast<std::size_t>(count);
+  }
+  buffer_.clear();
+}
+
+void OutputFile::commit() {
+  flush();
+  if (direct_) return;
+  if (fsync(descriptor_) != 0) fail("writing failed");
+  if (aside_.empty()) {
+    const fs::path name = file_.parent_path() / ("." + file_.filename().string() + "." + std::to_string(getpid()));
+    const std::string from = "/proc/self/fd/" + std::to_string(descriptor_);
+    if (linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
+      fail("cannot be put in its place");
+    aside_ = name;
+  }
+  if (rename(aside_.c_str(), file_.c_str()) != 0) fail("cannot be put in its place");
+  aside_.clear();
+}
+
+}  // namespace glark::geometry

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The implicit function at the corners of the cells near the transition layer, in blocks.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "glark/clients/reconstruct/contour/transition_layer.h"
+
+namespace glark::reconstruct {
+
+inline constexpr std::int32_t block_side = 8;  // corners
+inline constexpr std::size_t block_corners = 512;
+
+inline std::uint32_t corner_in_block(std::int32_t x, std::int32_t y, std::int32_t z) {
+  return static_cast<std::uint32_t>(x + block_side * (y + block_side * z));
+}
+
+// In cells of the grid: negative inside, no_value where no plane reaches.
+inline constexpr float no_value = std::numeric_limits<float>::max();
+using BlockValues = std::array<float, block_corners>;
+
+struct Blocks {
+  CellTable table;
+  std::vector<CellIndex> places;  // in blocks
+  std::vector<BlockValues> values;
+
+  std::uint32_t find(const CellIndex& place) const {
+    for (const std::int32_t i : place) {
+      if (i < 0) return CellTable::absent;
+    }
+    return table.find(key_of(place));
+  }
+};
+
+// The partition of unity of planes near each corner; of those that face the way that the nearest does, so that the two sides of a thin
+// sheet do not mix.
+Blocks evaluate(const TransitionLayer& layer, unsigned level, const Workers& workers);
+
+}  // namespace glark::reconstruct

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The surface where the partition of unity of the transition layer's planes is zero.
+#pragma once
+
+#include "glark/clients/reconstruct/contour/transition_layer.h"
+
+namespace glark::reconstruct {
+
+// A vertex for each sheet of the surface in a cell, and a quadrilateral for each edge of the grid that the surface crosses.
+struct Contour {
+  std::vector<Float4> points;
+  std::vector<std::uint64_t> cells;  // [points], their keys on the grid's level
+  std::vector<std::uint32_t> quads;  // [4 * quads], counterclockwise from the outside
+};
+
+// On the grid of cells of the level's side.
+Contour contour(const TransitionLayer& layer, unsigned level, const Workers& workers);
+
+}  // namespace glark::reconstruct

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Colours of the coarse mesh's vertices, as LocalEstimate has them: those of the samples around, or else of the neighbours.
+#pragma once
+
+#include "glark/clients/reconstruct/samples/local_surface.h"
+
+namespace glark::reconstruct {
+
+std::vector<Float4> coarse_colours(const std::vector<Float4>& points, const std::vector<Float4>& normals,
+                                   const std::vector<std::uint32_t>& triangles, const Octree& octree,
+                                   const Workers& workers);
+
+}  // namespace glark::reconstruct

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The samples in the order of the octree's cells, so that those of a cell of any level follow one another.
+#pragma once
+
+#include <glark/reconstruct.h>
+
+#include <array>
+#include <vector>
+
+#include "glark/clients/common/workers.h"
+#include "glark/clients/reconstruct/samples/cell_blocks.h"
+#include "glark/clients/common/points/record.h"
+
+namespace glark::reconstruct {
+
+using namespace common;  // Float4, records and workers
+using vstree::none;
+using vstree::PointSet;
+
+inline constexpr unsigned cell_levels = 16;  // of the octree here; its keys have three bits for each
+
+// The cell of a point, and the nearest one of a point outside of the root.
+CellIndex cell_of(Float4 point, unsigned level);
+
+// The non-empty cells of one level.
+struct Level {
+  unsigned level = 0;
+  std::vector<std::uint64_t> keys;
+  std::vector<std::uint32_t> begins;  // [keys + 1], of their records
+  CellBlocks blocks;
+
+  float side() const { return 1.0F / static_cast<float>(1U << level); }
+};
+
+struct Octree {
+  Cube cube;  // of the root, which holds the bounding box
+  // Those with a normal, in the order of the cells. The fourth of a position packs the sample's colour.
+  std::vector<Record> records;
+  bool has_colours = false;
+  // The finest that transition nodes may have, and coarser ones.
+  std::vector<Level> levels;
+  float noise = 0;  // as Reconstructed has it, within the cube
+
+  const Level& finest() const { return levels[0]; }
+};
+
+Octree sort_samples(const PointSet& points, const ReconstructOptions& options, const Workers& workers);
+
+}  // namespace glark::reconstruct

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/reconstruct/samples/spacing.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "glark/clients/common/points/moments.h"
+#include "glark/clients/common/points/point_set.h"
+
+namespace glark::reconstruct {
+namespace {
+
+constexpr std::size_t most_looked_at = 1 << 14;  // samples of a cell, and cells
+
+// The mean square of the samples' heights over their mean plane, less what the curvature of the surface explains: a surface of second order
+// is as high over the plane as half the slope of its normals.
+float roughness(const std::vector<Record>& records) {
+  const Moments moments = Moments::of(records);
+  const Float4 normal = without_fourth(moments.normal()), centroid = without_fourth(moments.mean);
+  float sum = 0;
+  float squares = 0;
+  for (const Record& record : records) {
+    const float height = dot(record.point() - centroid, normal + record.normal) / 2;
+    sum += height;
+    squares += height * height;
+  }
+  const auto count = static_cast<float>(records.size());
+  return std::max(0.0F, squares - sum * sum / count) / (count - 3);
+}
+
+}  // namespace
+
+Occupancy occupancy_of(const std::vector<Entry>& entries) {
+  Occupancy result;
+  result.cells.fill(1);
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    const std::uint64_t apart = entries[i].key ^ entries[i - 1].key;
+    if (apart == 0) continue;
+    const auto top = static_cast<unsigned>(63 - std::countl_zero(apart)) / 3;
+    for (unsigned level = cell_levels - top; level <= cell_levels; ++level) ++result.cells[level];
+  }
+  return result;
+}
+
+double side_for(const Occupancy& occupancy, double aim) {
+  unsigned level = 0;
+  while (level + 1 < cell_levels && occupancy.samples_a_cell(level + 1) > aim) ++level;
+  const double more = std::log2(occupancy.samples_a_cell(level) / aim);
+  const double step = std::log2(occupancy.samples_a_cell(level) / occupancy.samples_a_cell(level + 1));
+  const double part = step > 0 ? std::clamp(more / step, 0.0, 1.0) : 0;
+  return std::exp2(-(level + part));
+}
+
+double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level) {
+  const unsigned shift = 3 * (cell_levels - level);
+  const std::size_t stride = std::max<std::size_t>(1, entries.size() / most_looked_at);
+  std::vector<float> errors;
+  std::vector<Record> records;
+  for (std::size_t at = 0; at < entries.size();) {
+    std::size_t end = at;
+    records.clear();
+    for (; end < entries.size() && entries[end].key >> shift == entries[at].key >> shift; ++end) {
+      if (records.size() >= most_looked_at) continue;
+      const std::size_t index = 3 * std::size_t{entries[end].index};
+      records.push_back({cube.inside(&points.positions[index]), unit_normal(&points.normals[index])});
+    }
+    if (records.size() >= least_samples) errors.push_back(roughness(records));
+    at = std::max(end, std::min(at + least_samples * stride, entries.size()));
+    while (at > end && at < entries.size() && entries[at].key >> shift == entries[at - 1].key >> shift) ++at;
+  }
+  if (errors.empty()) return 0;
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return std::sqrt(static_cast<double>(*middle));
+}
+
+}  // namespace glark::reconstruct

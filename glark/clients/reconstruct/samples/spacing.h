@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// How far apart samples are, and how noisy, measured over the cells of an octree.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "glark/clients/reconstruct/samples/octree.h"
+
+namespace glark::reconstruct {
+
+// The fewest samples of a cell that show its noise.
+inline constexpr std::size_t least_samples = 8;
+
+// A sample in the order of the octree's cells.
+struct Entry {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+// The number of cells of each level that have samples. On the last level these are the places with samples.
+struct Occupancy {
+  std::array<std::size_t, cell_levels + 1> cells{};
+  double samples() const { return static_cast<double>(cells[cell_levels]); }
+  double samples_a_cell(unsigned level) const { return samples() / static_cast<double>(cells[level]); }
+};
+
+Occupancy occupancy_of(const std::vector<Entry>& entries);
+
+// The side of cells that have about `aim` samples each, within the unit cube.
+double side_for(const Occupancy& occupancy, double aim);
+
+// The median roughness of the samples of a cell, within the unit cube, over the cells of the level with at least `least_samples`.
+double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level);
+
+}  // namespace glark::reconstruct

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <bit>
+
+#include "glark/clients/common/counting_sort.h"
+#include "glark/clients/vstree/tree/cells.h"
+#include "glark/clients/vstree/normals/neighbours.h"
+#include "glark/clients/vstree/normals/orientation.h"
+#include "glark/clients/common/points/point_set.h"
+
+namespace glark::vstree {
+namespace {
+
+// The direction of the least extent; zero where two directions have none.
+Float4 least_extent(std::span<const Float4> points, std::span<const std::uint32_t> which) {
+  const Float4 first = points[which.front()];
+  Float4 sum{}, rows[3] = {};
+  for (const std::uint32_t i : which) {
+    const Float4 d = points[i] - first;
+    sum += d;
+    rows[0] += splat<0>(d) * d;
+    rows[1] += splat<1>(d) * d;
+    rows[2] += splat<2>(d) * d;
+  }
+  const auto count = static_cast<float>(which.size());
+  Eigen::Matrix3f products;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) products(i, k) = rows[i][k] - sum[i] * sum[k] / count;
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(products);
+  const Eigen::Vector3f& values = solver.eigenvalues();
+  if (!(values[1] > 1e-6F * values[2])) return Float4{};
+  const Eigen::Vector3f vector = solver.eigenvectors().col(0);
+  return unit(Float4{vector[0], vector[1], vector[2], 0});
+}
+
+constexpr unsigned grid_levels = 6;  // cells of a few hundred points, of millions of a surface
+
+std::uint32_t grid_cell(Float4 point) { return cube_key(octree_cell(point), octree_levels - grid_levels); }
+
+// The points by the cells of a grid, so that near ones have near numbers. Their own are the bits of the fourth.
+std::vector<Float4> sorted(const PointSet& points, const Cube& cube, const Workers& workers) {
+  std::vector<Float4> result(points.positions.size() / 3);
+  const auto key = [&](std::size_t begin, std::size_t end, std::uint32_t* keys) {
+    for (std::size_t i = begin; i < end; ++i) *keys++ = grid_cell(cube.inside(&points.positions[3 * i]));
+  };
+  const auto move = [&](std::size_t begin, std::size_t end, const std::uint32_t* slots) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Float4 point = cube.inside(&points.positions[3 * i]);
+      point[3] = std::bit_cast<float>(static_cast<std::uint32_t>(i));
+      result[*slots++] = point;
+    }
+  };
+  sort_by_key(result.size(), std::size_t{1} << (3 * grid_levels), key, move, workers);
+  return result;
+}
+
+// Points at one place count once: a thousand there would be all the neighbours that each of them has, and a million would be looked at a
+// million times.
+struct Places {
+  std::vector<Float4> positions, normals;  // the first normal given of a place, or zero
+  std::vector<bool> given;
+  std::vector<std::uint32_t> of;  // of each point
+};
+
+std::uint32_t hash(Float4 point) {
+  std::uint32_t result = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    result = (result ^ std::bit_cast<std::uint32_t>(static_cast<float>(point[axis]))) * 0x9E3779B1U;
+  return result ^ result >> 15U;
+}
+
+bool same_place(Float4 a, Float4 b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+
+// Of points in the order of sorted(): equal ones are in one cell, so that a table of its places is in the cache.
+Places places_of(std::span<const Float4> points) {
+  constexpr std::uint32_t nothing = 0xFFFFFFFF;
+  Places places;
+  places.positions.reserve(points.size());
+  places.of.resize(points.size());
+  std::vector<std::uint32_t> table;
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+    const std::uint32_t cell = grid_cell(points[begin]);
+    while (end < points.size() && grid_cell(points[end]) == cell) ++end;
+    table.assign(std::bit_ceil(2 * (end - begin)), nothing);
+    for (std::size_t i = begin; i < end; ++i) {
+      std::size_t slot = hash(points[i]) & (table.size() - 1);
+      while (table[slot] != nothing && !same_place(places.positions[table[slot]], points[i]))
+        slot = (slot + 1) & (table.size() - 1);
+      if (table[slot] == nothing) {
+        table[slot] = static_cast<std::uint32_t>(places.positions.size());
+        places.positions.push_back(without_fourth(points[i]));
+      }
+      places.of[i] = table[slot];
+    }
+  }
+  places.normals.resize(places.positions.size());
+  places.given.resize(places.positions.size());
+  return places;
+}
+
+void estimate(Places& places, const Cube& cube, const NormalOptions& options, const Workers& workers) {
+  const std::size_t count = places.positions.size();
+  const std::size_t each = std::min<std::size_t>(options.neighbours, count);
+  const std::vector<std::uint32_t> neighbours = nearest(places.positions, each, workers);
+  workers.each(count, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!places.given[i])
+        places.normals[i] = least_extent(places.positions, std::span(neighbours).subspan(i * each, each));
+    }
+  });
+  if (options.scanner == nullptr) {
+    orient(places.positions, places.normals, neighbours, each, places.given, workers);
+    return;
+  }
+  const Float4 scanner = cube.inside(options.scanner->data());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!places.given[i] && dot(places.normals[i], scanner - places.positions[i]) < 0)
+      places.normals[i] = -places.normals[i];
+  }
+}
+
+}  // namespace
+
+std::vector<float> estimate_normals(const PointSet& points, const NormalOptions& options) {
+  const Workers workers(options.threads);
+  check(points, workers);
+  if (options.neighbours < 3 || options.neighbours > 256) {
+    throw Error(Element::option, 0, "neighbours is " + std::to_string(options.neighbours) + "; 3 to 256 are possible");
+  }
+  const Cube cube = bounding_cube(points.positions, workers);
+  const std::size_t count = points.positions.size() / 3;
+  std::vector<float> result(3 * count);
+  if (count == 0) return result;
+  const std::vector<Float4> positions = sorted(points, cube, workers);
+  Places places = places_of(positions);
+  const auto index = [&](std::size_t i) {
+    return std::size_t{std::bit_cast<std::uint32_t>(static_cast<float>(positions[i][3]))};
+  };
+  const auto given_normal = [&](std::size_t i) {
+    return points.normals.empty() ? Float4{} : unit_normal(&points.normals[3 * index(i)]);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const Float4 normal = given_normal(i);
+    if (!(normal[3] > 0) || places.given[places.of[i]]) continue;
+    places.given[places.of[i]] = true;
+    places.normals[places.of[i]] = without_fourth(normal);
+  }
+  estimate(places, cube, options, workers);
+  for (std::size_t i = 0; i < count; ++i) {
+    Float4 normal = given_normal(i);
+    if (!(normal[3] > 0)) normal = places.normals[places.of[i]];
+    for (std::size_t k = 0; k < 3; ++k) result[3 * index(i) + k] = normal[static_cast<int>(k)];
+  }
+  return result;
+}
+
+}  // namespace glark::vstree

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "glark/clients/common/vertex_normals.h"
+#include "glark/clients/vstree/simplify/clusters.h"
+#include "glark/clients/common/mesh/cut_sheets.h"
+#include "glark/clients/common/mesh/reindex.h"
+#include "glark/clients/common/points/point_set.h"
+#include "glark/clients/vstree/validation.h"
+#include "glark/clients/vstree/simplify/shapes.h"
+
+namespace glark::vstree {
+namespace {
+
+// Area-weighted means of the triangles' normals, not of unit length.
+std::vector<float> vertex_normals(const Surface& surface) {
+  std::vector<float> normals(surface.points.positions.size());
+  add_triangle_normals(
+      surface.triangles, [&](std::uint32_t vertex) { return surface.point(vertex); },
+      [&](std::uint32_t vertex, Float4 normal) {
+        for (int k = 0; k < 3; ++k) normals[3 * std::size_t{vertex} + static_cast<std::size_t>(k)] += normal[k];
+      });
+  return normals;
+}
+
+// Of the samples of each vertex of the result: the mean normal, and what else they have.
+void write_attributes(const Surface& surface, const Clusters& clusters, const Representatives& representatives,
+                      std::span<const std::uint32_t> cluster_of, Simplified& result) {
+  const PointSet& from = surface.points;
+  result.normals.reserve(3 * cluster_of.size());
+  for (const std::uint32_t cluster : cluster_of) {
+    const Float4 normal = unit(representatives.normals[cluster]);
+    result.normals.insert(result.normals.end(), {normal[0], normal[1], normal[2]});
+  }
+  if (!from.colours.empty()) {
+    std::vector<std::array<std::uint64_t, 4>> sums(clusters.count);
+    for (std::size_t i = 0; i < clusters.of.size(); ++i) {
+      std::array<std::uint64_t, 4>& sum = sums[clusters.of[i]];
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += from.colours[3 * i + k];
+      ++sum[3];
+    }
+    for (const std::uint32_t cluster : cluster_of) {
+      const std::array<std::uint64_t, 4>& sum = sums[cluster];
+      for (std::size_t k = 0; k < 3; ++k)
+        result.colours.push_back(static_cast<std::uint8_t>((2 * sum[k] + sum[3]) / (2 * sum[3])));
+    }
+  }
+  if (!from.texcoords.empty()) {
+    struct Nearest {
+      float square = std::numeric_limits<float>::infinity();
+      std::uint32_t sample = 0;
+    };
+    std::vector<Nearest> nearest(clusters.count);
+    for (std::uint32_t i = 0; i < clusters.of.size(); ++i) {
+      const Float4 apart = surface.point(i) - representatives.points[clusters.of[i]];
+      Nearest& best = nearest[clusters.of[i]];
+      if (dot(apart, apart) < best.square) best = {dot(apart, apart), i};
+    }
+    for (const std::uint32_t cluster : cluster_of) {
+      const float* const texcoord = &from.texcoords[2 * std::size_t{nearest[cluster].sample}];
+      result.texcoords.insert(result.texcoords.end(), {texcoord[0], texcoord[1]});
+    }
+  }
+}
+
+// Leaves out what no triangle uses. Returns of each vertex that stays which one it was.
+std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& triangles, std::size_t count) {
+  std::vector<std::uint32_t> number(count, none), kept;
+  for (const std::uint32_t i : triangles) number[i] = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (number[i] == none) continue;
+    number[i] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(i);
+  }
+  for (std::uint32_t& i : triangles) i = number[i];
+  return kept;
+}
+
+}  // namespace
+
+Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
+  const Workers workers(options.threads);
+  check(mesh.points, workers);
+  check_triangles(mesh.triangles, mesh.points.positions.size() / 3);
+  check(Options{.threshold = options.threshold, .delta_a = options.delta_a, .delta_d = options.delta_d});
+  Surface surface{bounding_cube(mesh.points.positions, workers), mesh.points, mesh.triangles};
+  std::vector<float> normals;
+  if (mesh.points.normals.empty()) {
+    normals =
+        mesh.triangles.empty() ? estimate_normals(mesh.points, {.threads = options.threads}) : vertex_normals(surface);
+    surface.points.normals = normals;
+  }
+  Clusters clusters = cluster(surface, options, workers);
+  const Representatives stand = representatives(surface, clusters, options.representative, workers);
+
+  Simplified result;
+  std::vector<std::uint32_t> cluster_of(clusters.count);  // of each vertex of the result
+  for (std::uint32_t i = 0; i < clusters.count; ++i) cluster_of[i] = i;
+  if (!mesh.triangles.empty()) {
+    if (clusters.triangles.empty()) clusters.set_triangles(spanning(mesh.triangles, clusters.of, workers));
+    result.triangles = std::move(clusters.triangles);
+    if (options.cut) cluster_of = cut_sheets(result.triangles, stand.points, clusters.irregular);
+    const std::vector<std::uint32_t> kept = compact(result.triangles, cluster_of.size());
+    std::vector<std::uint32_t> compacted(kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) compacted[i] = cluster_of[kept[i]];
+    cluster_of = std::move(compacted);
+  }
+  std::vector<std::uint32_t> vertex_of(clusters.count, none);
+  for (std::uint32_t i = static_cast<std::uint32_t>(cluster_of.size()); i-- > 0;) vertex_of[cluster_of[i]] = i;
+  result.representatives.reserve(clusters.of.size());
+  for (const std::uint32_t cluster : clusters.of) result.representatives.push_back(vertex_of[cluster]);
+  result.positions.reserve(3 * cluster_of.size());
+  for (const std::uint32_t cluster : cluster_of) {
+    const Float4 point = surface.cube.low + stand.points[cluster] * surface.cube.side;
+    result.positions.insert(result.positions.end(), {point[0], point[1], point[2]});
+  }
+  write_attributes(surface, clusters, stand, cluster_of, result);
+  return result;
+}
+
+}  // namespace glark::vstree

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The recursive construction of a volume-surface tree, several levels at a time.
+#pragma once
+
+#include <glark/vstree.h>
+
+#include <vector>
+
+#include "glark/clients/common/workers.h"
+#include "glark/clients/vstree/tree/local_frame.h"
+
+namespace glark::vstree {
+
+struct Nodes {
+  std::vector<Node> nodes;
+  std::vector<LocalFrame> frames;
+  std::vector<std::uint32_t> frame_nodes;  // of each frame its transition node
+};
+
+// The tree of points that are checked and have normals; `order` gets the samples in the tree's order, `sorted` if given their records.
+// ends_at_layer: transition nodes are leaves, and what is a leaf by the metric is none.
+Nodes construct(const PointSet& points, const Cube& cube, const Options& options, std::vector<std::uint32_t>& order,
+                const Workers& workers, Records* sorted = nullptr, bool ends_at_layer = false);
+
+}  // namespace glark::vstree

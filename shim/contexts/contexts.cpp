@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "shim/contexts/contexts.h"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "glark/core/context.h"
+#include "glark/core/report.h"
+#include "shim/report/options.h"
+#include "shim/report/statistics.h"
+#include "shim/contexts/surface_size.h"
+#include "shim/contexts/thread.h"
+
+namespace glark::shim {
+namespace {
+
+struct Record {
+  Provider provider;
+  void* native;
+  std::shared_ptr<core::ShareGroup> share;
+  std::unique_ptr<core::Context> context;  // made when the context is first current
+  bool tried = false;
+  bool destroyed = false;  // by the program; GL keeps the context while it is current
+  int users = 0;           // threads in which it is current: 0 or 1, but for a thread that ended without releasing it
+};
+
+struct Registry {
+  std::mutex mutex;
+  std::map<std::pair<Provider, void*>, std::unique_ptr<Record>> records;
+  std::vector<std::unique_ptr<Record>> replaced;  // current in a thread although GL has given their address away again
+};
+
+// Never destroyed: drivers and programs call GL from their own destructors at exit.
+Registry& registry() {
+  static Registry& instance = *new Registry;
+  return instance;
+}
+
+struct Current {
+  Record* record = nullptr;
+  Surface surface;
+};
+constinit thread_local Current current __attribute__((tls_model("initial-exec")));
+
+Record& record_of(Registry& all, Provider provider, void* native) {
+  std::unique_ptr<Record>& record = all.records[{provider, native}];
+  if (record == nullptr)
+    record = std::make_unique<Record>(
+        Record{.provider = provider, .native = native, .share = core::make_share_group(), .context = nullptr});
+  return *record;
+}
+
+// Removes the record if nobody can use it any more. Its context is handed back, to be destroyed without the lock.
+std::unique_ptr<Record> take_if_unused(Registry& all, Record& record) {
+  if (!record.destroyed || record.users > 0) return nullptr;
+  std::unique_ptr<Record> taken;
+  const auto found = all.records.find({record.provider, record.native});
+  if (found != all.records.end() && found->second.get() == &record) {
+    taken = std::move(found->second);
+    all.records.erase(found);
+    return taken;
+  }
+  const auto replaced = std::find_if(all.replaced.begin(), all.replaced.end(),
+                                     [&](const std::unique_ptr<Record>& other) { return other.get() == &record; });
+  if (replaced != all.replaced.end()) {
+    taken = std::move(*replaced);
+    all.replaced.erase(replaced);
+  }
+  return taken;
+}
+
+std::unique_ptr<core::Context> make_context(const Record& record) {
+  try {
+    return core::Context::create(dispatch_of(record.provider), record.share, options().context);
+  } catch (const std::exception& error) {
+    core::log(core::LogLevel::error, std::string("no refinement in this context: ") + error.what());
+  } catch (...) {
+    core::log(core::LogLevel::error, "no refinement in this context: unknown failure");
+  }
+  return nullptr;
+}
+
+void leave_current() {
+  Registry& all = registry();
+  Record& record = *current.record;
+  current = {};
+  thread().context = nullptr;
+  std::unique_ptr<Record> unused;
+  const std::lock_guard lock(all.mutex);
+  --record.users;
+  unused = take_if_unused(all, record);
+}
+
+void enter(Provider provider, void* native) {
+  Registry& all = registry();
+  {
+    const std::lock_guard lock(all.mutex);
+    current.record = &record_of(all, provider, native);
+    ++current.record->users;
+  }
+  Record& record = *current.record;
+  if (!std::exchange(record.tried, true)) {
+    context_made();
+    record.context = make_context(record);
+  }
+  thread().context = record.context.get();
+}
+
+}  // namespace
+
+void context_created(Provider provider, void* native, void* share) {
+  if (native == nullptr) return;
+  Registry& all = registry();
+  std::unique_ptr<Record> stale;
+  const std::lock_guard lock(all.mutex);
+  // The same address again: the old context went without our seeing it (eglTerminate), or while a thread had it (OSMesa).
+  if (const auto found = all.records.find({provider, native}); found != all.records.end()) {
+    found->second->destroyed = true;
+    stale = std::move(found->second);
+    all.records.erase(found);
+    if (stale->users > 0) all.replaced.push_back(std::move(stale));
+  }
+  Record& record = record_of(all, provider, native);
+  if (share != nullptr) record.share = record_of(all, provider, share).share;
+}
+
+void context_destroyed(Provider provider, void* native) {
+  if (native == nullptr) return;
+  Registry& all = registry();
+  std::unique_ptr<Record> unused;
+  const std::lock_guard lock(all.mutex);
+  const auto found = all.records.find({provider, native});
+  if (found == all.records.end()) return;
+  found->second->destroyed = true;
+  unused = take_if_unused(all, *found->second);
+}
+
+void context_copied(Provider provider, void* native) {
+  Registry& all = registry();
+  const std::lock_guard lock(all.mutex);
+  const auto found = all.records.find({provider, native});
+  if (found != all.records.end() && found->second->context != nullptr) found->second->context->state().forget();
+}
+
+void make_current_begins(Provider provider, void* native) {
+  Record* record = current.record;
+  if (record == nullptr || record->provider != provider || record->native == native || !record->destroyed) return;
+  thread().context = nullptr;
+  if (record->context != nullptr) record->context->release();
+}
+
+void make_current_done(Provider provider, void* native, const Surface& surface) {
+  if (native == nullptr) {
+    // Releasing a context of GLX does not release one of OSMesa.
+    if (current.record != nullptr && current.record->provider == provider) leave_current();
+    return;
+  }
+  thread().gl = &dispatch_of(provider);
+  if (current.record == nullptr || current.record->provider != provider || current.record->native != native) {
+    if (current.record != nullptr) leave_current();
+    enter(provider, native);
+  }
+  current.surface = surface;
+}
+
+Provider current_provider() { return current.record == nullptr ? Provider::glx : current.record->provider; }
+void* current_native() { return current.record == nullptr ? nullptr : current.record->native; }
+Surface current_surface() { return current.surface; }
+
+Size current_size() {
+  if (current.record == nullptr) return {};
+  return surface_size(current.record->provider, current.surface, *thread().gl);
+}
+
+bool current_is_offscreen() {
+  if (current.record == nullptr) return false;
+  return current.record->provider == Provider::osmesa || current.surface.drawable == nullptr;
+}
+
+}  // namespace glark::shim

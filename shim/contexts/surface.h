@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "shim/contexts/provider.h"
+
+namespace glark::shim {
+
+// Where a context draws to; the size is asked for when it is needed.
+struct Surface {
+  void* display = nullptr;
+  void* drawable = nullptr;  // an XID, an EGLSurface; null for OSMesa and for a context without a surface
+  int width = 0;             // OSMesa only
+  int height = 0;
+};
+
+struct Size {
+  int width = 0;
+  int height = 0;
+};
+
+}  // namespace glark::shim

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "shim/linker/dynamic_linker.h"
+
+#include <dlfcn.h>
+#include <elf.h>
+#include <link.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstring>
+
+namespace glark::shim {
+namespace {
+
+// An address of the dynamic section; glibc has already relocated it on most machines, but not on all (MIPS, RISC-V).
+template <class T>
+const T* dynamic_address(const link_map& object, ElfW(Addr) value) {
+  return reinterpret_cast<const T*>(value >= object.l_addr ? value : value + object.l_addr);
+}
+
+struct SymbolTable {
+  const ElfW(Sym) * symbols = nullptr;
+  const char* strings = nullptr;
+  const std::uint32_t* gnu_hash = nullptr;
+};
+
+SymbolTable symbol_table(const link_map& object) {
+  SymbolTable table;
+  for (const ElfW(Dyn)* entry = object.l_ld; entry->d_tag != DT_NULL; ++entry) {
+    if (entry->d_tag == DT_SYMTAB) table.symbols = dynamic_address<ElfW(Sym)>(object, entry->d_un.d_ptr);
+    if (entry->d_tag == DT_STRTAB) table.strings = dynamic_address<char>(object, entry->d_un.d_ptr);
+    if (entry->d_tag == DT_GNU_HASH) table.gnu_hash = dynamic_address<std::uint32_t>(object, entry->d_un.d_ptr);
+  }
+  return table;
+}
+
+// The layout of DT_GNU_HASH: bucket count, index of the first hashed symbol, words of the Bloom filter, its shift, the
+// filter, the buckets, the chains (whose last entry has bit 0 set).
+const ElfW(Sym) * find_defined(const SymbolTable& table, std::string_view name) {
+  if (table.symbols == nullptr || table.strings == nullptr || table.gnu_hash == nullptr) return nullptr;
+  const std::uint32_t bucket_count = table.gnu_hash[0];
+  const std::uint32_t first_hashed = table.gnu_hash[1];
+  const std::uint32_t* buckets = table.gnu_hash + 4 + table.gnu_hash[2] * (sizeof(ElfW(Addr)) / 4);
+  const std::uint32_t* chains = buckets + bucket_count;
+  std::uint32_t hash = 5381;
+  for (const char c : name) hash = hash * 33 + static_cast<unsigned char>(c);
+  for (std::uint32_t i = bucket_count == 0 ? 0 : buckets[hash % bucket_count]; i >= first_hashed && i != 0; ++i) {
+    const std::uint32_t entry = chains[i - first_hashed];
+    const ElfW(Sym)& symbol = table.symbols[i];
+    if ((entry | 1) == (hash | 1) && symbol.st_shndx != SHN_UNDEF && name == table.strings + symbol.st_name)
+      return &symbol;
+    if (entry & 1) break;
+  }
+  return nullptr;
+}
+
+bool may_define_dlvsym(std::string_view path) {
+  const std::string_view file = path.substr(path.rfind('/') + 1);
+  return file.starts_with("libc.") || file.starts_with("libdl.") || file.starts_with("libc-") ||
+         file.starts_with("libdl-");
+}
+
+// dlvsym itself cannot be asked for by name: that name is ours. glibc has it in libc.so.6, before 2.34 in libdl.so.2. Neither
+// can dl_iterate_phdr be called: ThreadSanitizer interposes it, and asks us for functions before its own work. The list that
+// debuggers read has libc near its head and grows at its end, so that no lock is needed.
+void* address_of_dlvsym() {
+  for (const link_map* object = _r_debug.r_map; object != nullptr; object = object->l_next) {
+    if (object->l_name == nullptr || !may_define_dlvsym(object->l_name)) continue;
+    if (const ElfW(Sym)* symbol = find_defined(symbol_table(*object), "dlvsym"); symbol != nullptr)
+      return reinterpret_cast<void*>(object->l_addr + symbol->st_value);
+  }
+  return nullptr;
+}
+
+DynamicLinker find_linker() {
+  DynamicLinker linker;
+  linker.dlvsym = reinterpret_cast<decltype(linker.dlvsym)>(address_of_dlvsym());
+  if (linker.dlvsym == nullptr) return linker;
+  // The version of glibc 2.34, of x86-64 before that, of AArch64 before that.
+  const auto find = [&](const char* name) {
+    void* function = nullptr;
+    for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17"})
+      if (function == nullptr) function = linker.dlvsym(RTLD_NEXT, name, version);
+    return function;
+  };
+  linker.dlsym = reinterpret_cast<decltype(linker.dlsym)>(find("dlsym"));
+  linker.dlopen = reinterpret_cast<decltype(linker.dlopen)>(find("dlopen"));
+  return linker;
+}
+
+bool is_gl_library(std::string_view path) {
+  const std::string_view file = path.substr(path.rfind('/') + 1);
+  constexpr std::array names{"libGL.so", "libOpenGL.so", "libGLESv2.so", "libGLX.so", "libEGL.so", "libOSMesa.so"};
+  for (const char* name : names)
+    if (file.starts_with(name)) return true;
+  return false;
+}
+
+int collect_gl_library(dl_phdr_info* object, std::size_t, void* paths) {
+  if (is_gl_library(object->dlpi_name)) static_cast<std::vector<std::string>*>(paths)->emplace_back(object->dlpi_name);
+  return 0;
+}
+
+// Only names that are loaded are asked for, so that nothing here fails and disturbs dlerror().
+std::vector<std::string> loaded_gl_libraries() {
+  std::vector<std::string> paths;
+  dl_iterate_phdr(collect_gl_library, &paths);
+  return paths;
+}
+
+}  // namespace
+
+// Without the guard of a static variable, which sanitizers interpose, too. Threads that come here at once find the same.
+const DynamicLinker& real_linker() {
+  static constinit DynamicLinker linker;
+  static constinit std::atomic<bool> found{false};
+  if (!found.load(std::memory_order_acquire)) {
+    const DynamicLinker fresh = find_linker();
+    std::atomic_ref(linker.dlsym).store(fresh.dlsym, std::memory_order_relaxed);
+    std::atomic_ref(linker.dlvsym).store(fresh.dlvsym, std::memory_order_relaxed);
+    std::atomic_ref(linker.dlopen).store(fresh.dlopen, std::memory_order_relaxed);
+    found.store(true, std::memory_order_release);
+  }
+  return linker;
+}
+
+void* next_symbol(const char* name) {
+  void* symbol = real_linker().dlsym(RTLD_NEXT, name);
+  asm volatile("" : "+r"(symbol));  // no tail call: RTLD_NEXT looks at who calls
+  return symbol;
+}
+
+void* symbol_of_loaded_gl(const char* name) {
+  for (const std::string& path : loaded_gl_libraries()) {
+    void* library = real_linker().dlopen(path.c_str(), RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+    if (library == nullptr) continue;
+    void* symbol = real_linker().dlsym(library, name);
+    dlclose(library);
+    if (symbol != nullptr) return symbol;
+  }
+  return nullptr;
+}
+
+void* find_symbol(const char* name) {
+  void* symbol = next_symbol(name);
+  return symbol != nullptr ? symbol : symbol_of_loaded_gl(name);
+}
+
+bool gl_is_loaded() { return !loaded_gl_libraries().empty(); }
+
+bool in_main_program(const void* address) {
+  static void* const main_base = [] {
+    void* base = nullptr;
+    // The first object is the main program.
+    dl_iterate_phdr(
+        [](dl_phdr_info* object, std::size_t, void* result) {
+          Dl_info info{};
+          for (int i = 0; i < object->dlpi_phnum; ++i)
+            if (object->dlpi_phdr[i].p_type == PT_LOAD) {
+              dladdr(reinterpret_cast<void*>(object->dlpi_addr + object->dlpi_phdr[i].p_vaddr), &info);
+              break;
+            }
+          *static_cast<void**>(result) = info.dli_fbase;
+          return 1;
+        },
+        &base);
+    return base;
+  }();
+  Dl_info info{};
+  return dladdr(address, &info) != 0 && info.dli_fbase == main_base;
+}
+
+void keep_loaded(const void* address) {
+  Dl_info info{};
+  if (dladdr(address, &info) == 0 || info.dli_fname == nullptr || in_main_program(address)) return;
+  if (void* library = real_linker().dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE)) dlclose(library);
+}
+
+}  // namespace glark::shim

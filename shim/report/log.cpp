@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Plain write(2) instead of a logging library: one call is one line even among several threads and processes, and there is
+// nothing to construct or destroy, so that it works before main and after exit.
+#include "shim/report/log.h"
+
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+
+namespace glark::shim {
+namespace {
+
+std::atomic<core::LogLevel> most_verbose{core::LogLevel::warning};
+
+iovec piece(std::string_view text) { return {const_cast<char*>(text.data()), text.size()}; }
+
+void write_line(core::LogLevel level, std::string_view message) {
+  constexpr std::array<std::string_view, 4> prefixes{"glark: error: ", "glark: ", "glark: ", "glark: debug: "};
+  if (level > most_verbose.load(std::memory_order_relaxed)) return;
+  const int saved = errno;
+  const std::array pieces{piece(prefixes[static_cast<std::size_t>(level)]), piece(message), piece("\n")};
+  static_cast<void>(!writev(STDERR_FILENO, pieces.data(), pieces.size()));
+  errno = saved;
+}
+
+}  // namespace
+
+void install_log(core::LogLevel level) {
+  most_verbose.store(level, std::memory_order_relaxed);
+  core::set_log_sink(write_line);
+}
+
+}  // namespace glark::shim

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "shim/report/shader_dump.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+
+#include "glark/core/report.h"
+#include "glark/core/state/programs/program.h"
+
+namespace glark::shim {
+namespace {
+
+// Never destroyed: drivers may draw from their own exit handlers.
+const std::string* dump_folder = nullptr;
+std::atomic<bool> complained{false};
+
+void complain(const std::string& file, const char* reason) {
+  if (complained.exchange(true)) return;  // one line, not one for each shader
+  core::log(core::LogLevel::error, "shaders cannot be written to " + file + ": " + reason +
+                                       "; name a folder that can be written with GLARK_DUMP_SHADERS");
+}
+
+// program12-0123456789abcdef.original.vert, fixed-0123456789abcdef.pn.vert; further shader objects of a stage are .1.vert ...
+std::string file_name(const core::ShownShader& shader) {
+  std::string name = shader.program == 0 ? std::string("fixed") : "program" + std::to_string(shader.program);
+  name += "-" + core::hash_text(shader.hash) + "." + std::string(shader.kind);
+  if (shader.object > 0) name += "." + std::to_string(shader.object);
+  return name + "." + std::string(shader.stage);
+}
+
+void write_shader(const core::ShownShader& shader) {
+  try {
+    const std::string file = *dump_folder + "/" + file_name(shader);
+    std::ofstream out(file, std::ios::binary | std::ios::trunc);
+    out.write(shader.source.data(), static_cast<std::streamsize>(shader.source.size()));
+    if (!out.flush()) complain(file, std::strerror(errno));
+  } catch (const std::exception& error) {
+    complain(*dump_folder, error.what());
+  }
+}
+
+}  // namespace
+
+void install_shader_dump(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) complain(folder, error.message().c_str());
+  dump_folder = new std::string(folder);
+  core::set_shader_sink(write_shader);
+}
+
+}  // namespace glark::shim

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "shim/report/statistics.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <fstream>
+#include <mutex>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "glark/core/report.h"
+#include "glark/core/state/programs/program.h"
+#include "shim/report/options.h"
+
+namespace glark::shim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// A program that is killed leaves statistics of at most this age, or those of its first frame.
+constexpr auto write_interval = std::chrono::milliseconds(250);
+
+// The latest frames only: enough for a mean and a median, whatever the program's run time.
+constexpr std::size_t kept_frames = 8192;
+
+// Of all contexts of the process.
+std::atomic<unsigned long> frames{0};
+
+struct Times {
+  std::mutex mutex;
+  std::atomic<pid_t> process{0};  // that made a context
+  Clock::time_point start;
+  Clock::time_point last_frame;
+  std::vector<double> frame_ms;
+  std::size_t next = 0;
+  Clock::time_point last_write;
+};
+
+// Never destroyed: it is read from a destructor of this library.
+Times& times() {
+  static Times& instance = *new Times;
+  return instance;
+}
+
+double milliseconds(Clock::duration duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
+
+nlohmann::json frame_times(std::vector<double> ms) {
+  if (ms.empty()) return {{"mean", nullptr}, {"median", nullptr}};
+  const auto middle = ms.begin() + static_cast<std::ptrdiff_t>(ms.size() / 2);
+  std::nth_element(ms.begin(), middle, ms.end());
+  return {{"mean", std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size())}, {"median", *middle}};
+}
+
+nlohmann::json passed_through(const core::Statistics& counters) {
+  nlohmann::json causes = nlohmann::json::object();
+  for (unsigned i = 0; i < core::cause_count; ++i)
+    if (const auto count = counters.passed_through[i].load())
+      causes[std::string(core::text_of(static_cast<core::Cause>(i)).key)] = count;
+  return causes;
+}
+
+// By the hash of its sources: how often each shader program was drawn with.
+nlohmann::json shaders() {
+  nlohmann::json all = nlohmann::json::object();
+  core::for_each_program([&](std::uint64_t hash, const core::ProgramCounters& counters) {
+    all[core::hash_text(hash)] = {{"seen", counters.draws_seen.load()}, {"refined", counters.draws_refined.load()}};
+  });
+  return all;
+}
+
+nlohmann::json report(Times& all) {
+  const core::Statistics& counters = core::statistics();
+  return {
+      {"program", program_invocation_short_name},
+      {"process", getpid()},
+      {"draws",
+       {{"seen", counters.draws_seen.load()},
+        {"refined", counters.draws_refined.load()},
+        {"passed_through", passed_through(counters)}}},
+      {"coarse_triangles", counters.coarse_triangles.load()},
+      {"refined_triangles", counters.refined_triangles.load()},
+      {"captures", {{"made", counters.captures_made.load()}, {"reused", counters.captures_reused.load()}}},
+      {"programs", {{"derived", counters.programs_derived.load()}, {"failed", counters.programs_failed.load()}}},
+      {"shaders", shaders()},
+      {"frames", frames.load()},
+      {"frame_ms", frame_times(all.frame_ms)},
+      {"seconds", milliseconds(Clock::now() - all.start) / 1000},
+  };
+}
+
+// Complete or not at all: written aside and renamed.
+void write_file(const std::string& file, const std::string& text) {
+  const std::string aside = file + "." + std::to_string(getpid());
+  {
+    std::ofstream out(aside);
+    out << text << '\n';
+    if (!out.flush()) {
+      core::log(core::LogLevel::error, "the statistics cannot be written to " + aside + ": " + std::strerror(errno) +
+                                           "; name a file in a folder that can be written with GLARK_STATS");
+      return;
+    }
+  }
+  if (std::rename(aside.c_str(), file.c_str()) != 0)
+    core::log(core::LogLevel::error, "the statistics cannot be renamed to " + file + ": " + std::strerror(errno));
+}
+
+__attribute__((destructor)) void write_at_exit() { write_statistics(); }
+
+}  // namespace
+
+void context_made() {
+  Times& all = times();
+  const std::lock_guard lock(all.mutex);
+  if (all.process == getpid()) return;
+  all.process = getpid();
+  all.start = all.last_frame = Clock::now();
+}
+
+void frame_counted() {
+  Times& all = times();
+  bool write = false;
+  frames.fetch_add(1, std::memory_order_relaxed);
+  {
+    const std::lock_guard lock(all.mutex);
+    const Clock::time_point now = Clock::now();
+    if (all.frame_ms.size() < kept_frames) all.frame_ms.emplace_back();
+    all.frame_ms[all.next++ % kept_frames] = milliseconds(now - all.last_frame);
+    all.last_frame = now;
+    write = now - all.last_write > write_interval;
+    if (write) all.last_write = now;
+  }
+  if (write) write_statistics();
+}
+
+unsigned long current_frame() { return frames.load(std::memory_order_relaxed) + 1; }
+
+void write_statistics() {
+  Times& all = times();
+  if (all.process != getpid() || options().statistics_file.empty()) return;
+  try {
+    const std::lock_guard lock(all.mutex);
+    write_file(options().statistics_file, report(all).dump(2));
+  } catch (const std::exception& error) {
+    core::log(core::LogLevel::error, std::string("the statistics cannot be written: ") + error.what());
+  }
+}
+
+}  // namespace glark::shim
