@@ -17,7 +17,7 @@
 
 namespace glark::capture {
 
-// Who knows how many triangles a capture has.
+// How the number of captured triangles is known.
 enum class Count {
   known,     // the caller knows it
   checked,   // the caller gives a count, and GL's count is read back: the lesser one holds

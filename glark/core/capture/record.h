@@ -52,7 +52,7 @@ struct Layout {
   // its first corner in the draw. < 0: each side is measured by itself.
   int turn_offset = -1;
   int border_offset = -1;      // in a corner; < 0: displacement takes what each triangle has
-  int coordinate_offset = -1;  // of the texture coordinate for displacement, where there is a border
+  int coordinate_offset = -1;  // the texture coordinate for displacement, where there is a border
 
   bool welded() const { return control_offset >= 0; }
   bool joins_edges() const { return welded() || turn_offset >= 0 || displaced(); }

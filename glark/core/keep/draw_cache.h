@@ -29,13 +29,13 @@ class DrawCache {
   struct Entry {
     std::vector<std::uint64_t> key;
     std::uint64_t hash = 0;
-    std::vector<BufferStamps::State> states;  // of the buffers, in the order of the key's
+    std::vector<BufferStamps::State> states;  // states of the buffers, in the order of the key
     bool filled = false;
     bool refused = false;  // the draw reads a buffer that cannot be watched, or there is no room
     GpuBuffer buffer;
     capture::CoarseTriangles triangles;
-    depth::BinnedInstances bins;          // of an adaptive draw; the coarse triangles are then not kept
-    std::uint64_t refined_triangles = 0;  // of the bins
+    depth::BinnedInstances bins;          // instances of an adaptive draw; then its coarse triangles are not kept
+    std::uint64_t refined_triangles = 0;  // their number in the bins
     std::uint64_t last_use = 0;
     std::uint64_t last_frame = 0;
   };

@@ -63,7 +63,7 @@ class DrawKey {
 
  private:
   std::vector<std::uint64_t> words_;
-  std::vector<GLuint> buffers_;  // that the draw reads
+  std::vector<GLuint> buffers_;  // buffers that the draw reads
 };
 
 }  // namespace glark::core

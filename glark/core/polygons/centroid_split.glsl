@@ -14,13 +14,13 @@ layout(std430, binding = 3) writeonly buffer SplitCount { uint split_count[]; };
 // Two words for each polygon, and two more: its first captured triangle, and its first record.
 layout(std430, binding = 4) readonly buffer Table { uint table[]; };
 
-uniform int record_offset;  // of the captured triangles, in words
+uniform int record_offset;  // first captured triangle, in words
 uniform int corner_words;
 uniform int tag_offset;     // in a corner; < 0: there are no tags
 uniform int first_integer;  // words from here to the tag are integers, the same at all vertices of a polygon
 uniform int pool_level;
 uniform int depth_steps;    // to a level, as edge_steps.glsl has it; depths of edges and faces are in steps
-uniform int equal_sides;    // of every polygon; 0: the table says how many
+uniform int equal_sides;    // sides of every polygon; 0: the table has their numbers
 uniform int polygon_bound;
 uniform int count_on_gpu;
 uniform int centroids;      // first word of the centroids

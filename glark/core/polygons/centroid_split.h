@@ -64,7 +64,7 @@ class CentroidSplit {
   std::array<core::ComputePass, 2> passes_;
   core::GpuBuffer records_;  // and the centroids
   core::GpuBuffer count_command_;
-  core::GpuBuffer table_;  // of polygons that differ
+  core::GpuBuffer table_;  // sizes of polygons that differ
   GLint64 largest_block_ = 0;
 };
 
