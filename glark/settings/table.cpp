@@ -52,7 +52,7 @@ constexpr char files[] = "Configuration file";
 template <std::size_t size>
 struct Text {
   std::array<char, size> letters{};
-  constexpr operator std::string_view() const { return {letters.data(), size}; }
+  constexpr std::string_view view() const { return {letters.data(), size}; }
 };
 
 enum class RefinementText { words, help, details };
@@ -147,8 +147,8 @@ constexpr std::array first_settings{
             "With a --budget, depths change slowly, so that some frames may exceed the budget.",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.geomorph); }},
 
-    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words, "linear", "",
-            refinement_help, refinement_details,
+    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words.view(), "linear", "",
+            refinement_help.view(), refinement_details.view(),
             [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
 };
 
