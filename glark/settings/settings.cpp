@@ -58,8 +58,11 @@ void warn_of_unused(Parsed& parsed) {
   const core::ContextOptions& context = parsed.settings.context;
   if (context.measure.budget > 0 && !context.measure.on())
     parsed.problems.emplace_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
-  if (context.scalar_tags.tension != 0 && context.refinement != core::Refinement::scalar_tagged_pn)
-    parsed.problems.emplace_back("GLARK_TENSION has no effect without GLARK_REFINE=stpn");
+  for (const core::RefinementTraits& row : core::refinements) {
+    const float number = context.shape_numbers.at(static_cast<std::size_t>(row.refinement));
+    if (number != row.number.initial && context.refinement != row.refinement)
+      parsed.problems.push_back(fmt::format("{} has no effect without GLARK_REFINE={}", row.number.variable, row.word));
+  }
   if (context.geomorph && !context.measure.on())
     parsed.problems.emplace_back("GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
 }

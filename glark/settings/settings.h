@@ -55,7 +55,7 @@ std::optional<std::string_view> find_variable(const char* const* environment, st
 // Parse single values; return nothing if the text is invalid. Setting::needed says in words which texts are valid.
 std::optional<unsigned> parse_level(std::string_view text);
 std::optional<core::Refinement> parse_refinement(std::string_view text);
-std::optional<float> parse_tension(std::string_view text);
+std::optional<float> parse_shape_number(const core::ShapeNumber& number, std::string_view text);
 std::optional<float> parse_edge_pixels(std::string_view text);
 std::optional<float> parse_curvature(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);

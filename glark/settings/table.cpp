@@ -48,9 +48,78 @@ constexpr char attributes[] = "Vertex attributes";
 constexpr char output[] = "Pictures, statistics and messages";
 constexpr char files[] = "Configuration file";
 
+// Texts that list all refinements, made at compile time from their rows.
+template <std::size_t size>
+struct Text {
+  std::array<char, size> letters{};
+  constexpr operator std::string_view() const { return {letters.data(), size}; }
+};
+
+// Calls `add` with the parts of "a, b or c".
+constexpr void list_refinements(bool with_help, auto&& add) {
+  for (std::size_t i = 0; i < core::refinements.size(); ++i) {
+    add(i == 0 ? "" : i + 1 < core::refinements.size() ? ", " : " or ");
+    add(core::refinements[i].word);
+    if (!with_help) continue;
+    add(" (");
+    add(core::refinements[i].help);
+    add(")");
+  }
+}
+
+template <bool with_help>
+constexpr auto refinements_text() {
+  constexpr std::size_t size = [] {
+    std::size_t letters = 0;
+    list_refinements(with_help, [&](std::string_view part) { letters += part.size(); });
+    return letters;
+  }();
+  Text<size> text;
+  list_refinements(with_help, [&, end = std::size_t{0}](std::string_view part) mutable {
+    for (const char letter : part) text.letters[end++] = letter;
+  });
+  return text;
+}
+constexpr auto refinement_words = refinements_text<false>();
+constexpr auto refinement_help = refinements_text<true>();
+
+template <std::size_t refinement>
+bool read_shape_number(Settings& s, std::string_view text) {
+  return assign(parse_shape_number(core::refinements[refinement].number, text), s.context.shape_numbers[refinement]);
+}
+
+constexpr std::size_t shape_number_count = [] {
+  std::size_t count = 0;
+  for (const core::RefinementTraits& row : core::refinements) count += row.number.exists() ? 1 : 0;
+  return count;
+}();
+
+// Makes a row for each refinement that has a number.
+template <std::size_t... refinement>
+constexpr auto settings_of_shape_numbers(std::index_sequence<refinement...> /*all*/) {
+  std::array<Setting, shape_number_count> rows{};
+  std::size_t next = 0;
+  const auto add = [&](const core::ShapeNumber& number, bool (*read)(Settings&, std::string_view)) {
+    if (number.exists())
+      rows[next++] = {shape,
+                      number.key,
+                      number.variable,
+                      Kind::value,
+                      number.placeholder,
+                      number.needed,
+                      number.initial_text.empty() ? "0" : number.initial_text,
+                      "",
+                      number.help,
+                      "",
+                      read};
+  };
+  (add(core::refinements[refinement].number, read_shape_number<refinement>), ...);
+  return rows;
+}
+
 // Columns: group, key, variable, kind, value, limits, default, default in words, help, details, reader.
 // clang-format off
-constexpr std::array settings_table{
+constexpr std::array first_settings{
     Setting{depth, "level", "GLARK_LEVEL", Kind::value, "N", level_needed, "2", "",
             "Replace every triangle by 4^N triangles", "",
             [](Settings& s, std::string_view text) { return assign(parse_level(text), s.context.level); }},
@@ -71,14 +140,13 @@ constexpr std::array settings_table{
             "With a --budget, depths change slowly, so that some frames may exceed the budget.",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.geomorph); }},
 
-    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", "linear, outputs, pn or stpn", "linear", "",
-            "Choose the surface: linear, outputs, pn (curved) or stpn (curved, with --tension)",
-            "linear runs the program's vertex stage on every refined vertex. outputs interpolates the results of the vertex stage, "
-            "so that the picture stays the same. pn makes curved PN triangles. stpn makes curved triangles that --tension shapes.",
+    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words, "linear", "",
+            refinement_help,
+            "The linear kinds keep the plane of the coarse triangle; outputs also keeps the picture.",
             [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
-    Setting{shape, "tension", "GLARK_TENSION", Kind::value, "T", "a number from -1 to 1", "0", "",
-            "Set how flat --refine stpn is: 1 is flat, 0 is pn, -1 is rounder than pn", "",
-            [](Settings& s, std::string_view text) { return assign(parse_tension(text), s.context.scalar_tags.tension); }},
+};
+
+constexpr std::array other_settings{
     Setting{shape, "no-weld", "GLARK_NO_WELD", Kind::toggle, "", switch_needed, "0", "off",
             "Curve each triangle by its own normals alone; pn and stpn then crack open where normals jump",
             "Otherwise the edges of a draw are welded by position.", read_no_weld},
@@ -137,6 +205,15 @@ constexpr std::array settings_table{
             [](Settings&, std::string_view) { return true; }, false},
 };
 // clang-format on
+
+constexpr auto settings_table = [] {
+  constexpr auto numbers = settings_of_shape_numbers(std::make_index_sequence<core::refinements.size()>());
+  std::array<Setting, first_settings.size() + numbers.size() + other_settings.size()> all{};
+  auto* const after_first = std::copy(first_settings.begin(), first_settings.end(), all.begin());
+  auto* const after_numbers = std::copy(numbers.begin(), numbers.end(), after_first);
+  std::copy(other_settings.begin(), other_settings.end(), after_numbers);
+  return all;
+}();
 
 }  // namespace
 

@@ -81,14 +81,15 @@ std::optional<unsigned> parse_level(std::string_view text) {
 }
 
 std::optional<core::Refinement> parse_refinement(std::string_view text) {
-  if (text == "linear") return core::Refinement::linear_inputs;
-  if (text == "outputs") return core::Refinement::linear_outputs;
-  if (text == "pn") return core::Refinement::pn;
-  if (text == "stpn") return core::Refinement::scalar_tagged_pn;
-  return std::nullopt;
+  const auto* const row =
+      std::find_if(core::refinements.begin(), core::refinements.end(),
+                   [&](const core::RefinementTraits& refinement) { return refinement.word == text; });
+  return row != core::refinements.end() ? std::optional(row->refinement) : std::nullopt;
 }
 
-std::optional<float> parse_tension(std::string_view text) { return parse_decimal(text, -1, 1); }
+std::optional<float> parse_shape_number(const core::ShapeNumber& number, std::string_view text) {
+  return parse_decimal(text, number.least, number.most);
+}
 
 std::optional<float> parse_edge_pixels(std::string_view text) {
   return text == "0" ? std::optional<float>(0) : parse_decimal(text, 0.5F, 10000);

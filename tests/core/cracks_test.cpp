@@ -30,6 +30,7 @@ struct Way {
 std::string name_of(const testing::TestParamInfo<Way>& info) {
   const std::string language = info.param.language == Language::glsl_450_core ? "core" : "glsl120";
   const std::string refinement = info.param.refinement == GL_CURVED_PN_ARK        ? "Curved"
+                                 : info.param.refinement == GL_PHONG_ARK          ? "Phong"
                                  : info.param.refinement == GL_LINEAR_OUTPUTS_ARK ? "Outputs"
                                                                                   : "Inputs";
   return language + refinement + (info.param.interior == GL_SMOOTH_INTERIOR_ARK ? "Smooth" : "Minimum");
@@ -165,6 +166,8 @@ INSTANTIATE_TEST_SUITE_P(All, Cracks,
                                          Way{Language::glsl_450_core, GL_LINEAR_INPUTS_ARK, GL_SMOOTH_INTERIOR_ARK},
                                          Way{Language::glsl_450_core, GL_LINEAR_OUTPUTS_ARK, GL_MINIMUM_INTERIOR_ARK},
                                          Way{Language::glsl_450_core, GL_CURVED_PN_ARK, GL_MINIMUM_INTERIOR_ARK},
+                                         Way{Language::glsl_120, GL_PHONG_ARK, GL_MINIMUM_INTERIOR_ARK},
+                                         Way{Language::glsl_450_core, GL_PHONG_ARK, GL_SMOOTH_INTERIOR_ARK},
                                          Way{Language::glsl_450_core, GL_CURVED_PN_ARK, GL_SMOOTH_INTERIOR_ARK}),
                          name_of);
 

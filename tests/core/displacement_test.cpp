@@ -233,7 +233,7 @@ TEST_F(Displaced, SharedEdgesHaveTheSameBits) {
     for (float& x : v.texture_coordinate) x = number(random);
     return v;
   };
-  for (const GLenum refinement : {GL_LINEAR_INPUTS_ARK, GL_CURVED_PN_ARK, GL_SCALAR_TAGGED_PN_ARK}) {
+  for (const GLenum refinement : {GL_LINEAR_INPUTS_ARK, GL_CURVED_PN_ARK, GL_SCALAR_TAGGED_PN_ARK, GL_PHONG_ARK}) {
     glARKParameteriARK(GL_REFINEMENT_ARK, static_cast<GLint>(refinement));
     std::vector<Vertex> mesh;
     for (int pair = 0; pair < 64; ++pair) {

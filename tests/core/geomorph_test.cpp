@@ -26,6 +26,7 @@ struct Way {
 std::string name_of(const testing::TestParamInfo<Way>& info) {
   return std::string(info.param.language == Language::glsl_450_core ? "core" : "glsl120") +
          (info.param.refinement == GL_CURVED_PN_ARK        ? "Curved"
+          : info.param.refinement == GL_PHONG_ARK          ? "Phong"
           : info.param.refinement == GL_LINEAR_OUTPUTS_ARK ? "Outputs"
                                                            : "Inputs");
 }
@@ -94,6 +95,7 @@ INSTANTIATE_TEST_SUITE_P(All, Geomorph,
                                          Way{Language::glsl_120, GL_CURVED_PN_ARK},
                                          Way{Language::glsl_450_core, GL_LINEAR_INPUTS_ARK},
                                          Way{Language::glsl_450_core, GL_LINEAR_OUTPUTS_ARK},
+                                         Way{Language::glsl_450_core, GL_PHONG_ARK},
                                          Way{Language::glsl_450_core, GL_CURVED_PN_ARK}),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(All, GeomorphCurved,

@@ -11,7 +11,7 @@ namespace glark::core::test {
 
 inline constexpr unsigned deepest = 7;
 inline constexpr GLuint coordinate_attribute = 4;
-inline constexpr GLenum refinements[] = {GL_LINEAR_INPUTS_ARK, GL_CURVED_PN_ARK, GL_SCALAR_TAGGED_PN_ARK};
+inline constexpr GLenum refinements[] = {GL_LINEAR_INPUTS_ARK, GL_CURVED_PN_ARK, GL_SCALAR_TAGGED_PN_ARK, GL_PHONG_ARK};
 
 using Coordinate = std::array<GLfloat, 2>;
 

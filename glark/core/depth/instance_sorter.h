@@ -11,7 +11,7 @@
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/bins.h"
 #include "glark/core/depth/depth_plan.h"
-#include "glark/core/depth/measure.h"
+#include "glark/core/depth/measure/measure.h"
 #include "glark/core/depth/ordered.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/pool_in_use.h"

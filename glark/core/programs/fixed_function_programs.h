@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "glark/core/programs/derived_programs.h"
-#include "glark/core/refine/fixed_function_state.h"
+#include "glark/core/refine/fixed_function/state.h"
 
 namespace glark::core {
 

@@ -45,7 +45,7 @@ struct DerivedKey {
   bool clamp_colors = false;
   bool tagged = false;
   bool at_corner = false;            // no refinement: gives the position of each captured corner, for measured depths
-  int discontinuity_attribute = -1;  // for Refinement::scalar_tagged_pn: locations; -1 where vertices carry no tags
+  int discontinuity_attribute = -1;  // locations of the tags; -1 where vertices carry none
   int scalar_tag_attribute = -1;
   bool displaced = false;
   int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
@@ -74,7 +74,8 @@ struct SubroutineTable {
 struct DerivedProgram {
   GLuint name = 0;
   capture::Layout layout;
-  GLint height_map = -1;  // locations of the uniforms of displacement
+  GLint shape_number = -1;  // location of the uniform with ShapeNumber's value
+  GLint height_map = -1;    // locations of the uniforms of displacement
   GLint height_channel = -1;
   GLint height_range = -1;
   GLint first_word = -1;                   // location, in a program that reads the records from the storage block
