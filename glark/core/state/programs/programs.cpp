@@ -82,6 +82,18 @@ void Programs::mirror_from_now_on() {
   }
 }
 
+LockedMirrors Programs::mirrors(const Bindings& bindings) {
+  if (current_ == nullptr && bindings.program == 0 && bindings.pipeline != 0) {
+    return mirrors(bindings, pipelines_.object(bindings.pipeline).active);
+  }
+  return current_ != nullptr ? LockedMirrors(current_, gl_, bindings.debug_output) : LockedMirrors();
+}
+
+LockedMirrors Programs::mirrors(const Bindings& bindings, GLuint program) const {
+  std::shared_ptr<Program> known = find(program);
+  return known != nullptr ? LockedMirrors(std::move(known), gl_, bindings.debug_output) : LockedMirrors();
+}
+
 std::vector<StageSource> Programs::read_stages(GLuint program) const {
   GLint count = 0;
   gl_.GetProgramiv(program, GL_ATTACHED_SHADERS, &count);
