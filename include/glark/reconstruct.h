@@ -13,7 +13,7 @@
 // Samples as they come: none, one or equal ones give no triangles, those on a line none or a narrow strip, coplanar ones an open sheet. Samples without a
 // normal (zero) have no say; without any normals, estimate_normals() finds them first.
 //
-// Source: Boubekeur 2007, ch. 3.4. What differs is in docs/points.md.
+// Source: Boubekeur 2007, ch. 3.4. What differs is in docs/reference/points.md.
 #ifndef GLARK_RECONSTRUCT_H
 #define GLARK_RECONSTRUCT_H
 
