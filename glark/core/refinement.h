@@ -92,29 +92,30 @@ inline constexpr std::array refinements{
                                 .variable = "GLARK_TENSION",
                                 .placeholder = "T",
                                 .needed = "a number from -1 to 1",
-                                .help = "With --refine stpn: how flat triangles are: "
+                                .help = "With --refine stpn: how tightly triangles follow the coarse ones: "
                                         "1 is flat, 0 is pn, -1 is rounder than pn",
                                 .least = -1,
                                 .most = 1}},
     // Boubekeur, Alexa, Phong Tessellation, 2008
-    RefinementTraits{.refinement = Refinement::phong,
-                     .token = GL_PHONG_ARK,
-                     .token_name = "PHONG_ARK",
-                     .word = "phong",
-                     .help = "curved, normals linear, with --phong-shape",
-                     .curves_positions = true,
-                     .number = {.token = GL_PHONG_SHAPE_ARK,
-                                .token_name = "PHONG_SHAPE_ARK",
-                                .values = "0 to 1",
-                                .initial_text = "0.75",
-                                .key = "phong-shape",
-                                .variable = "GLARK_PHONG_SHAPE",
-                                .placeholder = "A",
-                                .needed = "a number from 0 to 1",
-                                .help = "With --refine phong: how far triangles bend, from 0 (flat) to 1",
-                                .least = 0,
-                                .most = 1,
-                                .initial = 0.75F}},
+    RefinementTraits{
+        .refinement = Refinement::phong,
+        .token = GL_PHONG_ARK,
+        .token_name = "PHONG_ARK",
+        .word = "phong",
+        .help = "curved, normals linear, with --phong-shape",
+        .curves_positions = true,
+        .number = {.token = GL_PHONG_SHAPE_ARK,
+                   .token_name = "PHONG_SHAPE_ARK",
+                   .values = "0 to 1",
+                   .initial_text = "0.75",
+                   .key = "phong-shape",
+                   .variable = "GLARK_PHONG_SHAPE",
+                   .placeholder = "A",
+                   .needed = "a number from 0 to 1",
+                   .help = "With --refine phong: how far triangles bend to their tangent planes, from 0 (flat) to 1",
+                   .least = 0,
+                   .most = 1,
+                   .initial = 0.75F}},
 };
 
 constexpr const RefinementTraits& traits_of(Refinement refinement) {
@@ -141,7 +142,7 @@ constexpr ShapeNumbers initial_shape_numbers() {
   return numbers;
 }
 
-// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. docs/explanation/architecture.md explains the rules.
+// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. man glark explains the rules.
 namespace left_draws {
 inline constexpr unsigned screen_quads = 1U << 0;  // depth neither read nor written, one or two triangles
 inline constexpr unsigned overlays = 1U << 1;      // depth neither read nor written, and blended
