@@ -56,8 +56,6 @@ def complaint_about(layers: Layers, name: str, included: str) -> str:
     if included.startswith("generated/") or "../" in included:
         return "write paths from the root of the repository or of the generated files"
     mine, theirs = layer_of(layers, name), layer_of(layers, included)
-    if not mine:
-        return "the file is in no layer of cmake/layers.txt"
     if not theirs or mine == theirs:
         return ""
     if layers.groups[mine] != layers.groups[theirs]:
@@ -70,6 +68,8 @@ def complaint_about(layers: Layers, name: str, included: str) -> str:
 
 
 def complaints_in(layers: Layers, name: str, text: str) -> list:
+    if not layer_of(layers, name):
+        return [f"{name} is in no layer; give it a line"]
     found = []
     for match in INCLUDE.finditer(text):
         included = match.group(1) or match.group(2)

@@ -150,7 +150,7 @@ constexpr ShapeNumbers initial_shape_numbers() {
   return numbers;
 }
 
-// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. docs/architecture.md explains the rules.
+// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. man glark explains the rules.
 namespace left_draws {
 inline constexpr unsigned screen_quads = 1U << 0;  // depth neither read nor written, one or two triangles
 inline constexpr unsigned overlays = 1U << 1;      // depth neither read nor written, and blended

@@ -101,7 +101,7 @@ constexpr std::size_t shape_number_count = [] {
   return count;
 }();
 
-// A setting for each refinement that has a number.
+// Makes a row for each refinement that has a number.
 template <std::size_t... refinement>
 constexpr auto settings_of_shape_numbers(std::index_sequence<refinement...> /*all*/) {
   std::array<Setting, shape_number_count> rows{};
@@ -215,9 +215,9 @@ constexpr std::array other_settings{
 constexpr auto settings_table = [] {
   constexpr auto numbers = settings_of_shape_numbers(std::make_index_sequence<core::refinements.size()>());
   std::array<Setting, first_settings.size() + numbers.size() + other_settings.size()> all{};
-  std::copy(
-      other_settings.begin(), other_settings.end(),
-      std::copy(numbers.begin(), numbers.end(), std::copy(first_settings.begin(), first_settings.end(), all.begin())));
+  auto* const after_first = std::copy(first_settings.begin(), first_settings.end(), all.begin());
+  auto* const after_numbers = std::copy(numbers.begin(), numbers.end(), after_first);
+  std::copy(other_settings.begin(), other_settings.end(), after_numbers);
   return all;
 }();
 

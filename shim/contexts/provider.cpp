@@ -19,19 +19,23 @@
 namespace glark::shim {
 namespace {
 
+constexpr std::size_t member_count = sizeof(gl::Dispatch) / sizeof(void*);
+
+void log_missing_once(std::size_t index) {
+  static std::array<std::atomic<bool>, member_count> said{};
+  if (said[index].exchange(true)) return;
+  core::log(core::LogLevel::warning,
+            fmt::format("{} was called, but the OpenGL driver does not have it; the call is ignored",
+                        gl::members()[index].name));
+}
+
 // Replaces a function that the driver lacks. There is one for each member, so that the log can name the function. Any GL function
 // may be called through it, because the caller cleans the stack and the result is in a register.
 template <std::size_t index>
 std::uintptr_t missing_function() {
-  static std::atomic<bool> said{false};
-  if (!said.exchange(true))
-    core::log(core::LogLevel::warning,
-              fmt::format("{} was called, but the OpenGL driver does not have it; the call is ignored",
-                          gl::members()[index].name));
+  log_missing_once(index);
   return 0;
 }
-
-constexpr std::size_t member_count = sizeof(gl::Dispatch) / sizeof(void*);
 
 template <std::size_t... indices>
 constexpr std::array<std::uintptr_t (*)(), member_count> make_missing_functions(std::index_sequence<indices...>) {

@@ -71,6 +71,11 @@ class Sources(unittest.TestCase):
         folders = {name.split("/")[0] for name in names if "/" in name and not name.startswith(".")} - FOLDERS_WITHOUT_README
         self.assertEqual([], sorted(folder for folder in folders if f"{folder}/README.md" not in names))
 
+    def test_readme_is_short(self):
+        text = text_of("README.md")
+        self.assertLessEqual(text.count("\n"), 120)
+        self.assertLessEqual(len(text.split()), 900)
+
     def test_readme_links_lead_somewhere(self):
         names = tracked_files()
         for name in (name for name in names if name.endswith(".md")):
