@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The parameters of GL_ARK_adaptive_refinement: a row each. The commands that set them, the queries, and the tables of the
-// extension's text (tests/core/parameters_test.cpp) read the same rows.
+// extension's text (tests/core/track/parameters_test.cpp) read the same rows.
 #pragma once
 
 #include <span>

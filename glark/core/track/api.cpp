@@ -51,7 +51,7 @@ bool refuse_array(Context& c, GLsizei stride, const void* pointer) {
   }
   const bool is_default = c.state().bindings().vertex_array == 0;
   if (is_default ? c.capabilities().api == Capabilities::Api::core
-                 : pointer != nullptr && c.state().bound_buffer(GL_ARRAY_BUFFER).name == 0) {
+                 : pointer != nullptr && c.state().arrays().bound_buffer(GL_ARRAY_BUFFER).name == 0) {
     c.raise(GL_INVALID_OPERATION);
     return true;
   }
@@ -147,7 +147,7 @@ void ARKinit(Context& c, GLuint max_level) {
   const GLuint tag = track::current_tag(c);  // of the old level
   c.ark().pool_level = static_cast<int>(max_level);
   c.ark().uniform_level = std::min(c.ark().uniform_level, max_level);
-  if (tag > max_level && c.state().lists().compiling) {
+  if (tag > max_level && c.state().lists().compiling()) {
     c.ark().lowered_tag = max_level;
   } else if (tag > max_level) {
     DepthTag1i(c, max_level);
@@ -174,9 +174,9 @@ void DepthTag1i(Context& c, GLuint d) {
     return;
   }
   set_tag(c.gl(), c.ark().tag_attribute, &d);
-  c.state().set_current(generic_slot(c.ark().tag_attribute), set_tag, c.ark().tag_attribute, &d, sizeof(d));
-  c.state().immediate().tags_set = true;
-  if (c.state().lists().compiling && c.state().lists().mode == GL_COMPILE_AND_EXECUTE) {
+  c.changes().set_current(generic_slot(c.ark().tag_attribute), set_tag, c.ark().tag_attribute, &d, sizeof(d));
+  c.state().immediate().note_tag();
+  if (c.state().lists().compiling() && c.state().lists().mode() == GL_COMPILE_AND_EXECUTE) {
     c.ark().lowered_tag.reset();
   }
 }
@@ -193,14 +193,14 @@ void DepthTagPointerARK(Context& c, GLenum type, GLsizei stride, const void* poi
     return;
   }
   c.gl().VertexAttribPointer(c.ark().tag_attribute, 1, type, GL_FALSE, stride, pointer);
-  c.state().vertex_arrays().forget_current();
+  c.state().arrays().vertex_arrays().forget_current();
 }
 
 void DrawARP(Context& c, GLenum mode, GLint first, GLsizei count) {
   if (refuse(c, true) || refuse_mode(c, mode)) {
     return;
   }
-  if (c.state().lists().compiling) {
+  if (c.state().lists().compiling()) {
     c.raise(GL_INVALID_OPERATION);
     return;
   }
@@ -215,7 +215,7 @@ void DrawARPElementsARK(Context& c, GLenum mode, GLsizei count, GLenum type, con
   if (refuse(c, true) || refuse_mode(c, mode)) {
     return;
   }
-  if (c.state().lists().compiling) {
+  if (c.state().lists().compiling()) {
     c.raise(GL_INVALID_OPERATION);
     return;
   }

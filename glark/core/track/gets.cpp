@@ -63,8 +63,8 @@ bool answer(Context& c, GLenum name, Value* data) {
 // While a list is cut into segments, GL's current list is a segment of ours.
 template <typename Value>
 void correct_list_index(const Context& c, GLenum name, Value* data) {
-  if (name == GL_LIST_INDEX && c.state().lists().cutting && data != nullptr) {
-    *data = static_cast<Value>(c.state().lists().name);
+  if (name == GL_LIST_INDEX && c.state().lists().cutting() && data != nullptr) {
+    *data = static_cast<Value>(c.state().lists().name());
   }
 }
 
@@ -87,10 +87,10 @@ GLuint current_tag(const Context& c) {
 }
 
 bool inside_begin(Context& c) {
-  if (c.state().immediate().open) {
+  if (c.state().immediate().open()) {
     c.raise(GL_INVALID_OPERATION);
   }
-  return c.state().immediate().open;
+  return c.state().immediate().open();
 }
 
 }  // namespace track
@@ -145,7 +145,7 @@ void GetPointerv(Context& c, GLenum name, void** data) {
 
 // The application's own pending errors, which we may have taken aside, come before ours in time; GL returns them in any order.
 GLenum GetError(Context& c) {
-  if (c.state().immediate().open) {
+  if (c.state().immediate().open()) {
     return c.gl().GetError();
   }
   const GLenum error = c.pending_error().take();
