@@ -48,40 +48,47 @@ constexpr char attributes[] = "Vertex attributes";
 constexpr char output[] = "Pictures, statistics and messages";
 constexpr char files[] = "Configuration file";
 
-// Texts that list all refinements, made at compile time from their rows.
+// The words of all refinements, and with them what each does, made at compile time from their rows.
 template <std::size_t size>
 struct Text {
   std::array<char, size> letters{};
-  constexpr operator std::string_view() const { return {letters.data(), size}; }
+  constexpr std::string_view view() const { return {letters.data(), size}; }
 };
 
-// Calls `add` with the parts of "a, b or c".
-constexpr void list_refinements(bool with_help, auto&& add) {
+enum class RefinementText { words, help, details };
+
+// Calls `add` with the parts of "a, b or c", or with the sentences.
+constexpr void list_refinements(RefinementText wanted, auto&& add) {
   for (std::size_t i = 0; i < core::refinements.size(); ++i) {
+    if (wanted == RefinementText::details) {
+      add(core::refinements[i].details);
+      continue;
+    }
     add(i == 0 ? "" : i + 1 < core::refinements.size() ? ", " : " or ");
     add(core::refinements[i].word);
-    if (!with_help) continue;
+    if (wanted == RefinementText::words) continue;
     add(" (");
     add(core::refinements[i].help);
     add(")");
   }
 }
 
-template <bool with_help>
+template <RefinementText wanted>
 constexpr auto refinements_text() {
   constexpr std::size_t size = [] {
     std::size_t letters = 0;
-    list_refinements(with_help, [&](std::string_view part) { letters += part.size(); });
+    list_refinements(wanted, [&](std::string_view part) { letters += part.size(); });
     return letters;
   }();
   Text<size> text;
-  list_refinements(with_help, [&, end = std::size_t{0}](std::string_view part) mutable {
+  list_refinements(wanted, [&, end = std::size_t{0}](std::string_view part) mutable {
     for (const char letter : part) text.letters[end++] = letter;
   });
   return text;
 }
-constexpr auto refinement_words = refinements_text<false>();
-constexpr auto refinement_help = refinements_text<true>();
+constexpr auto refinement_words = refinements_text<RefinementText::words>();
+constexpr auto refinement_help = refinements_text<RefinementText::help>();
+constexpr auto refinement_details = refinements_text<RefinementText::details>();
 
 template <std::size_t refinement>
 bool read_shape_number(Settings& s, std::string_view text) {
@@ -107,7 +114,7 @@ constexpr auto settings_of_shape_numbers(std::index_sequence<refinement...> /*al
                       Kind::value,
                       number.placeholder,
                       number.needed,
-                      number.initial_text.empty() ? "0" : number.initial_text,
+                      number.initial_text,
                       "",
                       number.help,
                       "",
@@ -140,15 +147,14 @@ constexpr std::array first_settings{
             "With a --budget, depths change slowly, so that some frames may exceed the budget.",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.geomorph); }},
 
-    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words, "linear", "",
-            refinement_help,
-            "The linear kinds keep the plane of the coarse triangle; outputs also keeps the picture.",
+    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words.view(), "linear", "",
+            refinement_help.view(), refinement_details.view(),
             [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
 };
 
 constexpr std::array other_settings{
     Setting{shape, "no-weld", "GLARK_NO_WELD", Kind::toggle, "", switch_needed, "0", "off",
-            "Curve each triangle by its own normals alone; pn and stpn then crack open where normals jump",
+            "Curve each triangle by its own normals alone; curved ones then crack open where normals differ",
             "Otherwise the edges of a draw are welded by position.", read_no_weld},
     Setting{shape, "polygons", "GLARK_POLYGONS", Kind::value, "SPLIT", "triangles or centroid", "triangles", "",
             "Split quads and polygons into triangles as OpenGL does (triangles), or into a fan about their centre (centroid)", "",
