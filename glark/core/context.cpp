@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "glark/core/stages.h"
 #include "glark/core/report.h"
+#include "glark/core/stages.h"
 
 namespace glark::core {
 
@@ -16,8 +16,7 @@ Context::Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group
       share_(std::move(group)),
       options_(wanted),
       pending_error_(dispatch),
-      state_(dispatch, capabilities_, *share_, pending_error_, *this),
-      writes_(state_, share_->buffers) {}
+      state_(dispatch, capabilities_, *share_, pending_error_, *this) {}
 
 // Objects live on in the share group: another context deletes them.
 Context::~Context() {
@@ -51,10 +50,10 @@ void Context::start() {
     log(LogLevel::warning, "context " + version + " is below OpenGL 4.3 and OpenGL ES 3.2: its draws stay as they are");
     return;
   }
-  state_.read_client_state();
+  state_.arrays().read_client_state();
   supported_ = supported_functions(gl_, capabilities_);
-  stages_ = std::make_unique<Stages>(
-      Environment{supported_, capabilities_, options_, ark_, state_, pending_error_, *share_});
+  stages_ =
+      std::make_unique<Stages>(Environment{supported_, capabilities_, options_, ark_, state_, pending_error_, *share_});
   const auto attributes = static_cast<GLuint>(capabilities_.max_vertex_attributes);
   ark_.tag_attribute = attributes - 1;
   ark_.discontinuity_attribute = attributes - 2;
@@ -81,14 +80,12 @@ void Context::frame_finished() {
   }
 }
 
-void Context::program_changed(Program& program, GLuint name) {
-  stages_->programs().changed(program, name);
-}
+void Context::program_changed(Program& program, GLuint name) { stages_->programs().changed(program, name); }
 
 void Context::update_refining() {
-  refining_ =
-      capabilities_.refinable && (options_.transparent || (ark_.enabled && ark_.pool_level >= 0) ||
-                                  state_.lists().cutting || (stages_ != nullptr && stages_->feedback().watches_draws()));
+  refining_ = capabilities_.refinable &&
+              (options_.transparent || (ark_.enabled && ark_.pool_level >= 0) || state_.lists().cutting() ||
+               (stages_ != nullptr && stages_->feedback().watches_draws()));
 }
 
 }  // namespace glark::core

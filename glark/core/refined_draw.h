@@ -6,9 +6,8 @@
 
 #include <cstdint>
 
+#include "glark/core/capture/draw_call.h"
 #include "glark/core/capture/draw_capture.h"
-#include "glark/core/draw_call.h"
-#include "glark/core/environment.h"
 #include "glark/core/feedback/refined_feedback.h"
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
@@ -16,6 +15,7 @@
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
 #include "glark/core/report.h"
+#include "glark/core/state/environment.h"
 #include "glark/core/submit/submission.h"
 
 namespace glark::core {

@@ -123,9 +123,9 @@ void PassedDraws::count(Cause cause) {
   const CauseText& text = text_of(cause);
   const bool expected = cause == Cause::not_triangles || cause == Cause::level_zero ||
                         cause == Cause::rasterizer_discard || cause == Cause::invalid_draw;
-  log(expected ? LogLevel::debug : LogLevel::info, "draws stay as the application asked: " +
-                                                       std::string(text.explanation) +
-                                                       "; to change that: " + std::string(text.remedy));
+  log(expected ? LogLevel::debug : LogLevel::info,
+      "draws stay as the application asked: " + std::string(text.explanation) +
+          "; to change that: " + std::string(text.remedy));
 }
 
 }  // namespace glark::core

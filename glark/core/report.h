@@ -45,7 +45,7 @@ enum class Cause {
   invalid_draw,         // GL will raise an error
   out_of_memory,        // no room for the capture
   left_shader,          // the user named its shader program
-  screen_quad,  // transparent refinement leaves user interfaces and full-screen passes alone: plan/exemptions.h
+  screen_quad,          // transparent refinement leaves user interfaces and full-screen passes alone: plan/exemptions.h
   overlay,
   orthographic,
   blended,  // the user asked for these three

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "glark/core/capture/draw_capture.h"
-#include "glark/core/environment.h"
 #include "glark/core/feedback/refined_feedback.h"
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
@@ -16,6 +15,7 @@
 #include "glark/core/plan/planner.h"
 #include "glark/core/programs/draw_programs.h"
 #include "glark/core/refined_draw.h"
+#include "glark/core/state/environment.h"
 #include "glark/core/submit/submission.h"
 
 namespace glark::core {

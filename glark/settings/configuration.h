@@ -25,10 +25,10 @@ void apply_configuration(std::string_view text, const std::string& file, std::sp
 // The file that this environment names or has in its XDG folders; empty: none.
 std::string find_configuration(const char* const* environment);
 
-// Of a file of at most `longest_configuration` bytes; otherwise nothing, with the reason in `problem`.
+// The text of a file of at most `longest_configuration` bytes; otherwise nothing, with the reason in `problem`.
 std::optional<std::string> read_configuration(const std::string& file, std::string& problem);
 
-// What a program may be called in [program.NAME], the most specific last: the file that is executed, the name that it was
+// The names that a program may have in [program.NAME], the most specific last: the file that is executed, the name that it was
 // called by, and, where the program is an interpreter (Python, Wine, Java ...), what it runs, with and without its ending.
 std::vector<std::string> program_names(const std::string& executable, std::span<const std::string> arguments);
 

@@ -45,7 +45,7 @@ std::vector<std::string> program_names(const std::string& executable, std::span<
   if (!arguments.empty()) add_with_and_without_ending(names, arguments[0]);
   const bool interprets = std::any_of(names.begin(), names.end(), is_interpreter);
   if (!interprets || arguments.size() < 2) return names;
-  // Options of the interpreter come first; `-m module` names what is run, `-c` none.
+  // Options of the interpreter come first. `-m module` names the program; with `-c` it has no name.
   for (std::size_t i = 1; i < arguments.size() && arguments[i] != "-c"; ++i) {
     if (arguments[i] == "-m" || arguments[i] == "-jar" || arguments[i] == "-X" || arguments[i] == "-W") {
       if (arguments[i] == "-X" || arguments[i] == "-W") ++i;

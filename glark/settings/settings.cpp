@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/settings/settings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "glark/settings/configuration.h"
@@ -20,7 +22,7 @@ void read_configuration_file(const char* const* environment, std::span<const std
     parsed.problems.push_back(problem);
 }
 
-// The conformance suite judges the extension in its initial state: `glark run` must not set it up before.
+// The conformance suite tests the extension in its initial state, so `glark run` must not change that state.
 bool makes_its_own_calls(std::span<const std::string> names) {
   return std::find(names.begin(), names.end(), "glark-conformance") != names.end();
 }
@@ -30,19 +32,18 @@ void read_variables(const char* const* environment, Parsed& parsed) {
   for (const Setting& setting : table()) {
     const std::optional<std::string_view> text = find_variable(environment, setting.variable);
     if (text && !text->empty() && !setting.read(parsed.settings, *text))
-      parsed.problems.push_back(std::string(setting.variable) + " is \"" + std::string(*text) + "\"; " +
-                                std::string(setting.needed) + " is needed");
+      parsed.problems.push_back(fmt::format("{} is \"{}\"; {} is needed", setting.variable, *text, setting.needed));
   }
 }
 
-// A level that was asked for is reached: only a limit that was asked for as well holds it back.
+// A level above the default limit raises the limit, unless the user has set the limit too.
 void limit_level(Parsed& parsed) {
   core::ContextOptions& context = parsed.settings.context;
   if (context.level <= context.max_level) return;
   if (parsed.settings.max_level_set) {
-    parsed.problems.push_back("the level is " + std::to_string(context.level) +
-                              ", more than the greatest level; it is " + std::to_string(context.max_level) +
-                              " now; raise GLARK_MAX_LEVEL or max-level");
+    parsed.problems.push_back(
+        fmt::format("the level is {}, more than the greatest level; it is {} now; raise GLARK_MAX_LEVEL or max-level",
+                    context.level, context.max_level));
     context.level = context.max_level;
   } else {
     context.max_level = context.level;
@@ -69,15 +70,17 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
     if (const std::optional<bool> wanted = parse_switch(*enable))
       settings.context.transparent = *wanted;
     else
-      parsed.problems.push_back(std::string(variable::enable) + " is \"" + std::string(*enable) +
-                                "\"; 0 or 1 is needed");
+      parsed.problems.push_back(fmt::format("{} is \"{}\"; 0 or 1 is needed", variable::enable, *enable));
   }
   read_variables(environment, parsed);
   limit_level(parsed);
   if (settings.context.measure.budget > 0 && !settings.context.measure.on())
     parsed.problems.emplace_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
-  if (settings.context.scalar_tags.tension != 0 && settings.context.refinement != core::Refinement::scalar_tagged_pn)
-    parsed.problems.emplace_back("GLARK_TENSION has no effect without GLARK_REFINE=stpn");
+  for (const core::RefinementTraits& row : core::refinements) {
+    const float number = settings.context.shape_numbers.at(static_cast<std::size_t>(row.refinement));
+    if (number != row.number.initial && settings.context.refinement != row.refinement)
+      parsed.problems.push_back(fmt::format("{} has no effect without GLARK_REFINE={}", row.number.variable, row.word));
+  }
   if (settings.context.geomorph && !settings.context.measure.on())
     parsed.problems.emplace_back("GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
   settings.context.transparent = settings.context.transparent && !settings.leave_alone;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a user may ask of glark, through environment variables (the launcher sets them, the shim reads them) or a
-// configuration file. All of it is listed in table.h. No GL here.
+// The user's settings, from environment variables (the launcher sets them, the shim reads them) or a configuration file. table.h lists
+// them all. No GL here.
 #pragma once
 
 #include <cstdint>
@@ -45,17 +45,17 @@ struct Parsed {
   std::vector<std::string> problems;
 };
 
-// `environment`: as `environ`, "NAME=value" strings up to a null pointer; may be null. Of the configuration file, the tables of
-// the programs `names` count; what the environment says wins over it.
+// `environment`: as `environ`, "NAME=value" strings up to a null pointer; may be null. The configuration file's tables for the programs
+// `names` are used. Variables override the file.
 Parsed parse(const char* const* environment, std::span<const std::string> names = {});
 
 // The value of a variable; nothing if it is not there.
 std::optional<std::string_view> find_variable(const char* const* environment, std::string_view name);
 
-// Of single values; nothing if the text is not one. What would be one, in words, is in needed_*().
+// Each reads one value. Nothing if the text is not such a value.
 std::optional<unsigned> parse_level(std::string_view text);
 std::optional<core::Refinement> parse_refinement(std::string_view text);
-std::optional<float> parse_tension(std::string_view text);
+std::optional<float> parse_shape_number(const core::ShapeNumber& number, std::string_view text);
 std::optional<float> parse_edge_pixels(std::string_view text);
 std::optional<float> parse_curvature(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);

@@ -34,19 +34,77 @@ constexpr char switch_needed[] = "0 or 1";
 constexpr char file_needed[] = "the name of a file";
 constexpr char attribute_needed[] = "the name of a vertex attribute or its location";
 
+// The words of all refinements, and with them what each does, made at compile time from their rows.
+template <std::size_t size>
+struct Text {
+  std::array<char, size> letters{};
+  constexpr operator std::string_view() const { return {letters.data(), size}; }
+};
+
+// Calls `add` with the parts of "a, b or c".
+constexpr void list_refinements(bool with_help, auto&& add) {
+  for (std::size_t i = 0; i < core::refinements.size(); ++i) {
+    add(i == 0 ? "" : i + 1 < core::refinements.size() ? ", " : " or ");
+    add(core::refinements[i].word);
+    if (!with_help) continue;
+    add(" (");
+    add(core::refinements[i].help);
+    add(")");
+  }
+}
+
+template <bool with_help>
+constexpr auto refinements_text() {
+  constexpr std::size_t size = [] {
+    std::size_t letters = 0;
+    list_refinements(with_help, [&](std::string_view part) { letters += part.size(); });
+    return letters;
+  }();
+  Text<size> text;
+  list_refinements(with_help, [&, end = std::size_t{0}](std::string_view part) mutable {
+    for (const char letter : part) text.letters[end++] = letter;
+  });
+  return text;
+}
+constexpr auto refinement_words = refinements_text<false>();
+constexpr auto refinement_help = refinements_text<true>();
+
+template <std::size_t refinement>
+bool read_shape_number(Settings& s, std::string_view text) {
+  return assign(parse_shape_number(core::refinements[refinement].number, text), s.context.shape_numbers[refinement]);
+}
+
+constexpr std::size_t shape_number_count = [] {
+  std::size_t count = 0;
+  for (const core::RefinementTraits& row : core::refinements) count += row.number.exists() ? 1 : 0;
+  return count;
+}();
+
+// A setting for each refinement that has a number.
+template <std::size_t... refinement>
+constexpr auto settings_of_shape_numbers(std::index_sequence<refinement...> /*all*/) {
+  std::array<Setting, shape_number_count> rows{};
+  std::size_t next = 0;
+  const auto add = [&](const core::ShapeNumber& number, bool (*read)(Settings&, std::string_view)) {
+    if (number.exists())
+      rows[next++] = {number.key, number.variable, Kind::value, number.placeholder, number.needed, number.help, read};
+  };
+  (add(core::refinements[refinement].number, read_shape_number<refinement>), ...);
+  return rows;
+}
+
 // clang-format off
-constexpr std::array settings_table{
+constexpr std::array first_settings{
     Setting{"level", "GLARK_LEVEL", Kind::value, "N", level_needed,
             "Uniform level of refinement, 0 to 11: every triangle becomes 4^N; 2 if not given",
             [](Settings& s, std::string_view text) { return assign(parse_level(text), s.context.level); }},
     Setting{"max-level", "GLARK_MAX_LEVEL", Kind::value, "N", level_needed,
             "Deepest level that patterns are made for, 0 to 11; 6 if not given", read_max_level},
-    Setting{"refine", "GLARK_REFINE", Kind::value, "KIND", "linear, outputs, pn or stpn",
-            "linear (vertex stage on every refined vertex), outputs (interpolate its results), pn (curved) or stpn (curved, with --tension)",
+    Setting{"refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words, refinement_help,
             [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
-    Setting{"tension", "GLARK_TENSION", Kind::value, "T", "a number from -1 to 1",
-            "Of --refine stpn: how tightly curved triangles are drawn to the coarse ones: 1 flat, 0 as pn, -1 rounder than pn",
-            [](Settings& s, std::string_view text) { return assign(parse_tension(text), s.context.scalar_tags.tension); }},
+};
+
+constexpr std::array other_settings{
     Setting{"no-weld", "GLARK_NO_WELD", Kind::toggle, "", switch_needed,
             "Curve each triangle by its own normals alone: where they jump from one to the next, pn may crack there",
             [](Settings& s, std::string_view text) {
@@ -112,6 +170,15 @@ constexpr std::array settings_table{
             [](Settings&, std::string_view) { return true; }, false},
 };
 // clang-format on
+
+constexpr auto settings_table = [] {
+  constexpr auto numbers = settings_of_shape_numbers(std::make_index_sequence<core::refinements.size()>());
+  std::array<Setting, first_settings.size() + numbers.size() + other_settings.size()> all{};
+  std::copy(
+      other_settings.begin(), other_settings.end(),
+      std::copy(numbers.begin(), numbers.end(), std::copy(first_settings.begin(), first_settings.end(), all.begin())));
+  return all;
+}();
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 
 namespace glark::settings {
 
-// What the launcher does with the value of an option before it goes to the environment.
+// How the launcher treats the value of an option before it sets the variable.
 enum class Kind {
   value,
   toggle,         // an option without a value
@@ -25,10 +25,10 @@ struct Setting {
   std::string_view key;  // in a configuration file; the option is "--" and this
   const char* variable;  // null: configuration files only
   Kind kind;
-  std::string_view value;   // what stands for it in --help and the manual; empty: a switch
+  std::string_view value;   // its placeholder in --help and the manual; empty: a switch
   std::string_view needed;  // completes "... is needed"
   std::string_view help;
-  bool (*read)(Settings& settings, std::string_view text);  // false, and nothing changed: `text` is no value of it
+  bool (*read)(Settings& settings, std::string_view text);  // false if `text` is not a value; then nothing changes
   bool in_file = true;                                      // a configuration file may have it
 };
 

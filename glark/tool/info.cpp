@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "glark/settings/table.h"
+
 namespace glark::tool {
 namespace {
 
@@ -92,7 +94,8 @@ class Report {
   // What a program gets here.
   void print_offer() const {
     std::printf("  levels     0 to 11 (2048 segments an edge)\n");
-    std::printf("  refinement of unmodified programs: linear, outputs, pn, stpn\n");
+    const std::string refinements(settings::find_setting("refine")->needed);
+    std::printf("  refinement of unmodified programs: %s\n", refinements.c_str());
     std::printf(
         "  commands   glARKinit glDepthTag1i glDepthTagPointerARK glDrawARP glDrawARPElementsARK\n"
         "             glARKParameteriARK glARKParameterfARK glRefinementShaderSourceARK glGetRefinementivARK "

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "glark/core/program.h"
 #include "glark/core/report.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::shim {
 namespace {

@@ -19,8 +19,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "glark/core/program.h"
 #include "glark/core/report.h"
+#include "glark/core/state/programs/program.h"
 #include "shim/report/options.h"
 
 namespace glark::shim {

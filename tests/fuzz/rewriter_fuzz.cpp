@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/refine/geometry_shader.h"
-#include "glark/core/refine/glsl_types.h"
-#include "glark/core/refine/rewrite.h"
+#include "glark/core/refine/glsl/geometry_shader.h"
+#include "glark/core/refine/glsl/rewrite.h"
+#include "glark/core/refine/glsl/types.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Scalar tags beside many other attributes: the coarse record is then read from a storage block; or does not fit at all.
-#include "tests/core/osmesa_context.h"
+#include "tests/core/support/osmesa_context.h"
 #include "tests/pn/tagged_program.h"
 
 namespace glark::pn::test {

@@ -60,7 +60,8 @@ TEST(Settings, ANameIsNotTakenForALongerOne) {
 TEST(Settings, AProblemNamesVariableValueAndLimit) {
   EXPECT_EQ(only_problem("GLARK_LEVEL=x"), "GLARK_LEVEL is \"x\"; an integer from 0 to 11 is needed");
   EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=12"), "GLARK_MAX_LEVEL is \"12\"; an integer from 0 to 11 is needed");
-  EXPECT_EQ(only_problem("GLARK_REFINE=cubic"), "GLARK_REFINE is \"cubic\"; linear, outputs, pn or stpn is needed");
+  EXPECT_EQ(only_problem("GLARK_REFINE=cubic"),
+            "GLARK_REFINE is \"cubic\"; linear, outputs, pn, stpn or phong is needed");
   EXPECT_EQ(only_problem("GLARK_ENABLE=maybe"), "GLARK_ENABLE is \"maybe\"; 0 or 1 is needed");
   EXPECT_EQ(only_problem("GLARK_LOG=loud"), "GLARK_LOG is \"loud\"; error, warning, info or debug is needed");
   EXPECT_EQ(only_problem("GLARK_CAPTURE=a.png"),
@@ -101,10 +102,11 @@ TEST(Settings, ABudgetNeedsAMeasure) {
 TEST(Settings, Tension) {
   const Parsed parsed = parse_all({"GLARK_REFINE=stpn", "GLARK_TENSION=-0.5"});
   EXPECT_EQ(parsed.settings.context.refinement, core::Refinement::scalar_tagged_pn);
-  EXPECT_EQ(parsed.settings.context.scalar_tags.tension, -0.5F);
+  EXPECT_EQ(parsed.settings.context.shape_numbers[static_cast<std::size_t>(core::Refinement::scalar_tagged_pn)], -0.5F);
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_EQ(only_problem("GLARK_TENSION=1.5"), "GLARK_TENSION is \"1.5\"; a number from -1 to 1 is needed");
   EXPECT_EQ(only_problem("GLARK_TENSION=1"), "GLARK_TENSION has no effect without GLARK_REFINE=stpn");
+  EXPECT_EQ(only_problem("GLARK_PHONG_SHAPE=1"), "GLARK_PHONG_SHAPE has no effect without GLARK_REFINE=phong");
 }
 
 TEST(Settings, GeomorphingNeedsAMeasure) {

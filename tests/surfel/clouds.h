@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Clouds of points, and what their strips are as triangles.
+// Clouds of points for tests, and the triangles of their strips.
 #pragma once
 
 #include <glark/surfel.h>
@@ -24,25 +24,25 @@ struct Points {
 };
 
 Points sphere(std::size_t count);                        // of radius 1, evenly spread
-Points torus(std::size_t count);                         // of radii 1 and 0.4, at random
-Points plane(unsigned side, float noise, float at = 0);  // side * side points of the unit square at z = at, facing up
-Points two_layers(unsigned side, float apart);           // a thin plate: facing up at z = apart, down at z = 0
-Points cube(unsigned side);                              // of edge 1, side * side points a face, none on an edge
+Points torus(std::size_t count);                         // of radii 1 and 0.4, at random places
+Points plane(unsigned side, float noise, float at = 0);  // side * side points of the unit square at z = at, normals up
+Points two_layers(unsigned side, float apart);           // a thin plate: normals up at z = apart, down at z = 0
+Points cube(unsigned side);  // of edge 1, side * side points on each face, no point on an edge
 
-// Of ../shared/data beside the source, unpacked by zstd; nothing where file or program is missing.
+// Reads a scan of ../shared/data beside the source tree with zstd. Nothing if the file or zstd is missing.
 std::optional<Points> scan(const std::string& name);
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Those with an area by their indices, counter-clockwise; of one leaf after the other.
+// Triangles without duplicate indices, counter-clockwise, leaf by leaf.
 std::vector<std::vector<Triangle>> patches(const Strips& strips, unsigned level = 0);
 std::vector<Triangle> triangles(const Strips& strips, unsigned level = 0);
 
 struct Edges {
-  std::size_t matched = 0;  // two triangles, of opposite orientation
-  std::size_t single = 0;
+  std::size_t matched = 0;  // edges of two triangles with the same orientation
+  std::size_t single = 0;   // edges of one triangle
   std::size_t other = 0;
-  // Of edges between patches.
+  // Edges between patches; single edges count as border_other.
   std::size_t border_matched = 0, border_other = 0;
 };
 Edges count_edges(const Strips& strips);

@@ -22,7 +22,7 @@ double area_facing_up(const Points& points, const std::vector<Triangle>& all) {
   return sum;
 }
 
-TEST(Strips, ASphereIsClosed) {
+TEST(SurfelStrips, SphereIsClosed) {
   const Points points = sphere(20000);
   const Strips strips(points.cloud());
   const Edges edges = count_edges(strips);
@@ -31,14 +31,14 @@ TEST(Strips, ASphereIsClosed) {
   EXPECT_NEAR(static_cast<double>(triangles(strips).size()), 2.0 * 20000 - 4, 40);
 }
 
-TEST(Strips, ATorusOfRandomPointsMatchesAtItsBorders) {
+TEST(SurfelStrips, PatchesOfATorusMatch) {
   const Points points = torus(20000);
   const Edges edges = count_edges(Strips(points.cloud()));
   EXPECT_EQ(edges.border_other, 0U);
 }
 
-// Squares of a grid have two diagonals that are equally good: leaves have to choose the same.
-TEST(Strips, AGridIsCoveredOnce) {
+// Squares of a grid have two equally good diagonals. All leaves must choose the same.
+TEST(SurfelStrips, GridIsCoveredOnce) {
   const Points points = plane(100, 0);
   const Strips strips(points.cloud());
   EXPECT_EQ(triangles(strips).size(), 2U * 99 * 99);
@@ -48,14 +48,14 @@ TEST(Strips, AGridIsCoveredOnce) {
   EXPECT_EQ(edges.other, 0U);
 }
 
-TEST(Strips, ANoisyPlaneIsCovered) {
+TEST(SurfelStrips, NoisyPlaneIsCovered) {
   const Points points = plane(100, 0.004F);
   const Strips strips(points.cloud());
   EXPECT_NEAR(area_facing_up(points, triangles(strips)), 1, 0.03);
   EXPECT_EQ(count_edges(strips).other, 0U);
 }
 
-TEST(Strips, TwoLayersStayApart) {
+TEST(SurfelStrips, CloseLayersStaySeparate) {
   const Points points = two_layers(60, 0.004F);  // a quarter of the points' distance
   const Strips strips(points.cloud());
   std::size_t across = 0;
@@ -115,21 +115,20 @@ TEST(Strips, ACoarseFoldHasNoHolesAndNothingTwice) {
   EXPECT_LT(edges.single, 6U * side) << "its four sides";
 }
 
-// No leaf sees both sides of all edges; what bends away is unrolled.
-TEST(Strips, TheEdgesOfACubeAreClosed) {
+TEST(SurfelStrips, EdgesOfACubeAreClosed) {
   const Points points = cube(40);
   const Edges edges = count_edges(Strips(points.cloud()));
   EXPECT_LT(edges.single, 40U) << "of " << 12 * 40 * 2 << " edges along those of the cube";
 }
 
-TEST(Strips, EveryPointOfASurfaceIsDrawn) {
+TEST(SurfelStrips, EveryPointIsDrawn) {
   const Points points = torus(5000);
   const Strips strips(points.cloud());
   std::set<std::uint32_t> drawn(strips.indices().begin(), strips.indices().end());
   EXPECT_EQ(drawn.size(), points.size());
 }
 
-TEST(Strips, TrianglesFaceWhereNormalsPoint) {
+TEST(SurfelStrips, TrianglesFaceTheDirectionOfNormals) {
   const Points points = sphere(5000);
   for (const auto& [a, b, c] : triangles(Strips(points.cloud()))) {
     std::array<float, 3> u{}, v{};
@@ -144,7 +143,7 @@ TEST(Strips, TrianglesFaceWhereNormalsPoint) {
   }
 }
 
-TEST(Strips, LeavesAreAtLeastHalfFull) {
+TEST(SurfelStrips, LeavesAreAtLeastHalfFull) {
   for (const unsigned most : {40U, 128U, 256U}) {
     const std::size_t leaves = Strips(sphere(10000).cloud(), {.leaf_points = most}).counts().strips;
     EXPECT_GE(leaves, 10000U / most);
@@ -152,7 +151,7 @@ TEST(Strips, LeavesAreAtLeastHalfFull) {
   }
 }
 
-TEST(Strips, CountsAreThoseOfTheStrips) {
+TEST(SurfelStrips, CountsDescribeTheStrips) {
   const Strips strips(torus(5000).cloud());
   const Counts counts = strips.counts();
   EXPECT_EQ(counts.valid, triangles(strips).size());
@@ -162,17 +161,17 @@ TEST(Strips, CountsAreThoseOfTheStrips) {
   EXPECT_GT(counts.redundant, 0U);
 }
 
-TEST(Strips, TurnedEdgesSaveIndices) {
+TEST(SurfelStrips, FlippedEdgesSaveIndices) {
   const Points points = torus(5000);
-  const Strips free(points.cloud()), exact(points.cloud(), {.turn_edges = false});
-  EXPECT_GT(free.counts().turned, 200U);
+  const Strips flipped(points.cloud()), exact(points.cloud(), {.turn_edges = false});
+  EXPECT_GT(flipped.counts().turned, 200U);
   EXPECT_EQ(exact.counts().turned, 0U);
-  EXPECT_EQ(free.counts().valid, exact.counts().valid);
-  EXPECT_LT(free.counts().indices, exact.counts().indices);
-  EXPECT_LT(static_cast<double>(free.counts().indices), 1.45 * static_cast<double>(free.counts().valid));
+  EXPECT_EQ(flipped.counts().valid, exact.counts().valid);
+  EXPECT_LT(flipped.counts().indices, exact.counts().indices);
+  EXPECT_LT(static_cast<double>(flipped.counts().indices), 1.45 * static_cast<double>(flipped.counts().valid));
 }
 
-TEST(Strips, AreTheSameForAnyNumberOfThreads) {
+TEST(SurfelStrips, ResultDoesNotDependOnThreads) {
   const Points points = torus(50000);
   const Strips one(points.cloud(), {.levels = 3, .threads = 1});
   for (const unsigned threads : {2U, 5U, 0U}) {
@@ -181,7 +180,7 @@ TEST(Strips, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(Strips, AreTheSameAtAnyScale) {
+TEST(SurfelStrips, ResultDoesNotDependOnScale) {
   Points points = torus(5000);
   const Strips strips(points.cloud());
   for (float& x : points.positions) x *= 1024;
@@ -190,7 +189,7 @@ TEST(Strips, AreTheSameAtAnyScale) {
   EXPECT_TRUE(std::ranges::equal(strips.indices(), Strips(points.cloud()).indices()));
 }
 
-TEST(Strips, LevelsHaveAQuarterOfThePoints) {
+TEST(SurfelStrips, LevelsHaveAQuarterOfThePoints) {
   const Points points = sphere(20000);
   const Strips strips(points.cloud(), {.levels = 3});
   ASSERT_EQ(strips.level_count(), 3U);
@@ -201,16 +200,16 @@ TEST(Strips, LevelsHaveAQuarterOfThePoints) {
   }
 }
 
-TEST(Strips, WithoutNormalsAPlaneIsCovered) {
+TEST(SurfelStrips, PlaneIsCoveredWithoutNormals) {
   const Points points = plane(50, 0.002F);
   const Strips strips({points.positions, {}});
   EXPECT_NEAR(std::fabs(area_facing_up(points, triangles(strips))), 1, 0.03);
   for (const Node& node : strips.nodes()) EXPECT_GE(node.cone_sine, 1);
 }
 
-class Scans : public testing::TestWithParam<const char*> {};
+class SurfelScans : public testing::TestWithParam<const char*> {};
 
-TEST_P(Scans, PatchesMatch) {
+TEST_P(SurfelScans, PatchesMatch) {
   const auto points = scan(GetParam());
   if (!points) GTEST_SKIP() << GetParam() << ".ply.zst is not in ../shared/data, or zstd is missing";
   const Strips strips(points->cloud());
@@ -219,11 +218,11 @@ TEST_P(Scans, PatchesMatch) {
   EXPECT_GT(matched / (matched + other), 0.995) << other << " edges do not match";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Scans,
+INSTANTIATE_TEST_SUITE_P(All, SurfelScans,
                          testing::Values("igea", "bunny", "horse", "armadillo", "nefertiti", "bunny_scans"));
 
 // Leaves have neighbours that are a million times sparser.
-TEST(Strips, PointsOfAnyDensityHaveTriangles) {
+TEST(SurfelStrips, PointsOfAnyDensityHaveTriangles) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> uniform(0, 1);
   Points points;

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "glark/core/shader.h"
+#include "glark/core/objects/shader.h"
 
 namespace glark::capture {
 namespace {

@@ -9,10 +9,10 @@
 #include <map>
 #include <string>
 
-#include "glark/core/bindings.h"
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::capture {

@@ -10,10 +10,10 @@
 #include "glark/core/capture/capture.h"
 #include "glark/core/capture/capture_plan.h"
 #include "glark/core/capture/coarse_triangles.h"
-#include "glark/core/draw_call.h"
-#include "glark/core/environment.h"
-#include "glark/core/gpu_buffer.h"
-#include "glark/core/quiet.h"
+#include "glark/core/capture/draw_call.h"
+#include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/objects/quiet.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::capture {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "glark/core/bindings.h"
 #include "glark/core/capture/capture.h"
+#include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::capture {

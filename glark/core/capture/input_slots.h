@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "glark/core/attribute_slots.h"
 #include "glark/core/capture/record.h"
+#include "glark/core/state/arrays/attribute_slots.h"
 
 namespace glark::core {
 

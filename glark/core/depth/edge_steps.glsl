@@ -6,7 +6,7 @@
 
 uniform int depth_steps;  // to a level
 
-// What is not a number is 0.
+// Not-a-number gives 0.
 int steps_of(float tag) {
   if (!(tag > 0.0)) return 0;
   float steps = min(tag * float(depth_steps), float(pool_level * depth_steps));

@@ -63,9 +63,8 @@ BinnedInstances InstanceSorter::sort(const SortRequest& request) {
   // The application's queries have counted the corners that were measured on the screen.
   const std::uint64_t measured_corners = plan.corner_program != 0 ? request.triangles.count : 0;
   capture::add_surplus(env_.state, static_cast<std::int64_t>(measured_corners));
-  return takes_in_order(request)
-             ? ordered_.sort({measured, ends, bins_.work_buffer(), request.tags_are_edge_depths}, b)
-             : sort_in_bins(request, measured);
+  return takes_in_order(request) ? ordered_.sort({measured, ends, bins_.work_buffer(), request.tags_are_edge_depths}, b)
+                                 : sort_in_bins(request, measured);
 }
 
 BinnedInstances InstanceSorter::sort_in_bins(const SortRequest& request, const MeasureRequest& measured) {

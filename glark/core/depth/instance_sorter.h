@@ -11,11 +11,11 @@
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/bins.h"
 #include "glark/core/depth/depth_plan.h"
-#include "glark/core/depth/measure.h"
+#include "glark/core/depth/measure/measure.h"
 #include "glark/core/depth/ordered.h"
-#include "glark/core/environment.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/pool_in_use.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::depth {
 
@@ -25,7 +25,7 @@ struct SortRequest {
   capture::CoarseTriangles triangles;
   const core::GpuBuffer* count_command = nullptr;  // of triangles that are counted on the GPU
   bool tags_are_edge_depths = false;
-  bool stored = false;    // the derived program reads the records from a storage block
+  bool stored = false;  // the derived program reads the records from a storage block
 };
 
 // What a draw needs room for.

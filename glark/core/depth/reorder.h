@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Coarse records put into the order of their instances: drawn through an index buffer and captured again. Vertex fetch moves
+// Puts coarse records into the order of their instances: draws them through an index buffer and captures them again. Vertex fetch moves
 // whole corners, which a compute shader would do word by word. Drawn as triangles, since Mesa keeps the mode of a paused
-// transform feedback (the application's) in the context, not in the object: ours must have the same.
+// transform feedback (the application's) in the context, not in the object: ours must use the same mode.
 #pragma once
 
 #include <map>
 
-#include "glark/core/bindings.h"
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::depth {

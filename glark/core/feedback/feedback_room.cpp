@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "glark/core/capture/layout.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
 
 namespace glark::core {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "glark/core/environment.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::core {
 

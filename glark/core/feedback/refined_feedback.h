@@ -4,17 +4,18 @@
 // The application's transform feedback, when it enabled GL_ARK itself: it captures refined triangles.
 #pragma once
 
-#include "glark/core/environment.h"
 #include "glark/core/feedback/feedback_room.h"
 #include "glark/core/plan/feedback_in_use.h"
 #include "glark/core/plan/planner.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::core {
 
 // After a call of a function that is not const, the caller updates what depends on watches_draws().
 class RefinedFeedback {
  public:
-  RefinedFeedback(const Environment& environment, FeedbackInUse& in_use, Planner& planner, const ProgramSwitch& programs)
+  RefinedFeedback(const Environment& environment, FeedbackInUse& in_use, Planner& planner,
+                  const ProgramSwitch& programs)
       : env_(environment), in_use_(in_use), planner_(planner), programs_(programs), room_(environment) {}
 
   // glBeginTransformFeedback. False: nothing was done.

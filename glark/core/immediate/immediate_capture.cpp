@@ -21,8 +21,7 @@ std::uint64_t ImmediateCapture::room() const {
 std::uint64_t ImmediateCapture::begin(GLenum mode, std::optional<Cause>& cause) {
   const auto nothing = [] {};
   const bool tags_vary = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
-  Decision decision =
-      planner_.plan({.mode = mode, .tags_vary = tags_vary, .whole_polygons = true, .issue = nothing});
+  Decision decision = planner_.plan({.mode = mode, .tags_vary = tags_vary, .whole_polygons = true, .issue = nothing});
   cause = decision.cause;
   plan_ = std::move(decision.plan);
   if (!cause) {
@@ -32,7 +31,7 @@ std::uint64_t ImmediateCapture::begin(GLenum mode, std::optional<Cause>& cause) 
     return 0;
   }
   // glArrayElement may restart the primitive.
-  exact_ = !env_.bindings().primitive_restart && !env_.state.immediate().elements_restart;
+  exact_ = !env_.bindings().primitive_restart && !env_.state.immediate().elements_restart();
   capture_.begin(plan_.capture, {.count = exact_ ? capture::Count::known : capture::Count::by_query});
   return room();
 }

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "glark/core/capture/draw_capture.h"
-#include "glark/core/environment.h"
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/plan/planner.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::core {
 

@@ -11,11 +11,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "glark/core/buffer_stamps.h"
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/keep/draw_key.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/state/arrays/buffer_stamps.h"
 
 namespace glark::core {
 

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "glark/core/buffer_stamps.h"
-#include "glark/core/current_values.h"
-#include "glark/core/vertex_arrays.h"
+#include "glark/core/state/arrays/buffer_stamps.h"
+#include "glark/core/state/arrays/current_values.h"
+#include "glark/core/state/arrays/vertex_arrays.h"
 
 namespace glark::core {
 

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "glark/core/capture/capture_plan.h"
+#include "glark/core/capture/draw_call.h"
 #include "glark/core/depth/depth_plan.h"
 #include "glark/core/depth/kept_instances.h"
-#include "glark/core/draw_call.h"
-#include "glark/core/environment.h"
 #include "glark/core/keep/draw_cache.h"
 #include "glark/core/keep/draw_key.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::core {
 
@@ -22,7 +22,7 @@ namespace glark::core {
 struct KeyFacts {
   const capture::CapturePlan& capture;
   const depth::DepthPlan& depth;
-  bool split = false;   // polygons, at their centroids
+  bool split = false;  // polygons, at their centroids
   bool welded = false;
   std::uint64_t pool = 0;  // number of the pattern pool
 };

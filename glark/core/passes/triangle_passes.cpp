@@ -76,12 +76,8 @@ Records TrianglePasses::split(const DrawPlan& plan, const capture::CoarseTriangl
   if (!plan.polygons) {
     return {captured, &capture_.count_command()};
   }
-  const polygons::SplitRequest request{&layout,
-                                       captured,
-                                       *plan.polygons,
-                                       pool_.pool().max_level(),
-                                       plan.depth.depth_steps(),
-                                       plan.polygon_sides};
+  const polygons::SplitRequest request{
+      &layout, captured, *plan.polygons, pool_.pool().max_level(), plan.depth.depth_steps(), plan.polygon_sides};
   Records records{captured, &capture_.count_command()};
   if (ensure_split_room(plan, request)) {
     records = {centroids_.split(request, capture_.stage().count_buffer()), &centroids_.count_command(), true};

@@ -10,10 +10,10 @@
 
 #include "glark/core/capture/draw_capture.h"
 #include "glark/core/depth/instance_sorter.h"
-#include "glark/core/environment.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/polygons/centroid_split.h"
 #include "glark/core/report.h"
+#include "glark/core/state/environment.h"
 #include "glark/core/weld/draw_weld.h"
 
 namespace glark::core {

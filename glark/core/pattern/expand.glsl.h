@@ -40,7 +40,7 @@ GLARK_SHARED_FUNCTION bool lifts_interior(int least, int most, int interior) {
   return interior == smooth_interior && least == 0 && most >= smooth_difference;
 }
 
-// While morphing, one shallow edge does not keep the interior from being there: the row beside it merges (epilogue_morph.cpp).
+// While morphing, one shallow edge does not keep the interior from being there: the row beside it merges (refine/epilogue/morph.cpp).
 GLARK_SHARED_FUNCTION int morphing_level(int d0, int d1, int d2) {
   int least = lesser(d0, lesser(d1, d2));
   int middle = greater(lesser(d0, d1), lesser(greater(d0, d1), d2));

@@ -4,7 +4,7 @@
 // The pattern pool in buffer objects.
 #pragma once
 
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/expand.h"
 #include "glark/core/pattern/pool.h"
 

@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
-#include "glark/core/environment.h"
 #include "glark/core/pattern/gpu_pool.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::pattern {
 

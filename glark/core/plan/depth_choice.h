@@ -6,7 +6,7 @@
 
 #include "glark/core/ark_state.h"
 #include "glark/core/depth/depth_plan.h"
-#include "glark/core/program.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::core {
 
@@ -19,10 +19,10 @@ bool measures_screen(const EdgeMeasure& wanted, const Program& program);
 struct DepthFacts {
   const ContextOptions& options;
   const ArkState& ark;
-  bool measurable = false;   // can_measure()
-  bool tags_vary = false;    // between the vertices of the draw
-  double current_tag = 0;    // the current value of the tag attribute, where tags do not vary
-  bool coarse = false;       // the draw is captured by the program of refined draws, but at depth 0
+  bool measurable = false;  // can_measure()
+  bool tags_vary = false;   // between the vertices of the draw
+  double current_tag = 0;   // the current value of the tag attribute, where tags do not vary
+  bool coarse = false;      // the draw is captured by the program of refined draws, but at depth 0
 };
 
 // Whether `tags_vary` and `current_tag` matter.

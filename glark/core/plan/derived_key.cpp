@@ -15,8 +15,8 @@ DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
   const Bindings& b = state.bindings;
   const bool transparent = state.options.transparent;
   const bool compatibility = state.capabilities.is_compatibility();
-  const bool first = b.provoking_vertex == GL_FIRST_VERTEX_CONVENTION &&
-                     !captures_last_vertex(b, state.capabilities, request.mode);
+  const bool first =
+      b.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !captures_last_vertex(b, state.capabilities, request.mode);
   DerivedKey key;
   key.refinement = transparent ? state.options.refinement : state.ark.refinement;
   key.provoking_corner = first ? 0 : 2;

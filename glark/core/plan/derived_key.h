@@ -5,9 +5,9 @@
 #pragma once
 
 #include "glark/core/ark_state.h"
-#include "glark/core/bindings.h"
-#include "glark/core/program.h"
+#include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::core {
 

@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "glark/core/capture/capture_plan.h"
+#include "glark/core/capture/draw_call.h"
 #include "glark/core/depth/depth_plan.h"
-#include "glark/core/draw_call.h"
 #include "glark/core/polygons/decomposition.h"
-#include "glark/core/program.h"
-#include "glark/core/program_pipelines.h"
 #include "glark/core/report.h"
+#include "glark/core/state/programs/program.h"
+#include "glark/core/state/programs/program_pipelines.h"
 #include "glark/core/weld/draw_weld.h"
 
 namespace glark::core {

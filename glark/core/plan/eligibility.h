@@ -4,18 +4,18 @@
 
 #include <optional>
 
-#include "glark/core/bindings.h"
-#include "glark/core/draw_call.h"
+#include "glark/core/capture/draw_call.h"
 #include "glark/core/report.h"
+#include "glark/core/state/bindings.h"
 
 namespace glark::core {
 
 struct DrawConditions {
   const Bindings& bindings;
-  bool transparent = false;          // the program does not know that it is refined
+  bool transparent = false;  // the program does not know that it is refined
   bool core_profile = false;
-  bool feedback_is_ours = false;     // the application's transform feedback captures refined triangles
-  bool plans_feedback = false;       // nothing is drawn yet: glBeginTransformFeedback asks for the program
+  bool feedback_is_ours = false;  // the application's transform feedback captures refined triangles
+  bool plans_feedback = false;    // nothing is drawn yet: glBeginTransformFeedback asks for the program
 };
 
 // Whether the state of the context lets the draw be refined, whatever its program. No GL.

@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "glark/core/bindings.h"
 #include "glark/core/report.h"
+#include "glark/core/state/bindings.h"
 #include "glark/core/state/matrices.h"
 
 namespace glark::core {
@@ -20,8 +20,8 @@ namespace glark::core {
 struct ExemptionFacts {
   unsigned rules = 0;  // bits of left_draws
   const Bindings& bindings;
-  bool left_alone = false;    // the user named the program
-  bool conventional = false;  // the program multiplies by the current projection matrix
+  bool left_alone = false;      // the user named the program
+  bool conventional = false;    // the program multiplies by the current projection matrix
   std::uint64_t triangles = 0;  // 0: not counted yet
   MatrixTraits matrices = {};   // read only if needs_matrices()
 };

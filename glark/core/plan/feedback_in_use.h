@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "glark/core/bindings.h"
-#include "glark/core/program.h"
+#include "glark/core/state/bindings.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::core {
 

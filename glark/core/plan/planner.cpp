@@ -36,9 +36,7 @@ KeyState key_state(const Environment& environment) {
 }  // namespace
 
 Planner::Planner(const Environment& environment, const Parts& parts)
-    : env_(environment),
-      parts_(parts),
-      decompositions_(environment, parts.capture, parts.programs.in_use()) {}
+    : env_(environment), parts_(parts), decompositions_(environment, parts.capture, parts.programs.in_use()) {}
 
 Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   env_.state.refresh();
@@ -87,8 +85,7 @@ std::optional<Cause> Planner::find_program(DrawPlan& plan) {
     return find_pipeline_programs(plan);
   }
   plan.owner = current;
-  plan.program =
-      choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
+  plan.program = choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
   parts_.programs.derived().prepare(*plan.program);
   ++plan.program->counters->draws_seen;
   return plan.program->cause;
@@ -124,14 +121,13 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
                        .conventional = program.conventional_projection && env_.capabilities.is_compatibility(),
                        .triangles = triangles};
   if (needs_matrices(facts)) {
-    facts.matrices = env_.state.matrices().traits(env_.gl);
+    facts.matrices = env_.state.fixed_function().matrices().traits(env_.gl);
   }
   return exemption(facts);
 }
 
 bool Planner::can_measure(const Program& program) const {
-  return core::can_measure(edge_measure(env_.options, env_.ark), program,
-                           !env_.state.programs().subroutines().empty());
+  return core::can_measure(edge_measure(env_.options, env_.ark), program, !env_.state.programs().subroutines().empty());
 }
 
 void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
@@ -139,7 +135,7 @@ void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
   DepthFacts facts{.options = env_.options, .ark = env_.ark, .measurable = can_measure(*plan.program)};
   if (takes_tags(facts)) {
     const auto tag_slot = static_cast<int>(env_.ark.tag_attribute);
-    facts.tags_vary = call.tags_vary || feedback.tagged() || env_.state.attribute_source(tag_slot).enabled;
+    facts.tags_vary = call.tags_vary || feedback.tagged() || env_.state.arrays().attribute_source(tag_slot).enabled;
     facts.current_tag = facts.tags_vary ? 0 : current_tag(env_);
   }
   // The feedback's program has to draw what the application wants coarse, too.
@@ -188,7 +184,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
     return Cause::transform_feedback;
   }
   if (plan.derived->stored() && plan.pipeline != nullptr) {
-    return Cause::too_many_attributes;  // other programs of the pipeline may need the storage binding
+    return Cause::too_many_attributes;  // other stages of the program pipeline may need the storage binding
   }
   plan.capture.layout = &plan.derived->layout;
   if (const std::optional<Cause> cause = find_corner_program(plan)) {

@@ -7,12 +7,12 @@
 
 #include <memory>
 
-#include "glark/core/environment.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/plan/feedback_in_use.h"
 #include "glark/core/polygons/decompositions.h"
 #include "glark/core/programs/draw_programs.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::core {
 

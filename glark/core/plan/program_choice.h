@@ -4,10 +4,10 @@
 
 #include <optional>
 
-#include "glark/core/bindings.h"
-#include "glark/core/program.h"
-#include "glark/core/program_pipelines.h"
 #include "glark/core/report.h"
+#include "glark/core/state/bindings.h"
+#include "glark/core/state/programs/program.h"
+#include "glark/core/state/programs/program_pipelines.h"
 
 namespace glark::core {
 

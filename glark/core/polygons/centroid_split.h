@@ -12,8 +12,9 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/objects/compute_pass.h"
+#include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/polygons/decomposition.h"
-#include "glark/core/gpu_buffer.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::polygons {
@@ -54,19 +55,13 @@ class CentroidSplit {
 
  private:
   static constexpr std::size_t uniform_count = 11;
-  struct Pass {
-    GLuint program = 0;
-    std::array<GLint, uniform_count> uniform{};
-    GLint corners = -1;
-  };
-
-  Pass compile(int pass) const;
+  bool compile();
   bool prepare();
   void write_table(const SplitRequest& request);
-  void set_uniforms(const Pass& pass, const SplitRequest& request) const;
+  void set_uniforms(const core::ComputePass& pass, const SplitRequest& request) const;
 
   const gl::Dispatch& gl_;
-  std::array<Pass, 2> passes_{};
+  std::array<core::ComputePass, 2> passes_;
   core::GpuBuffer records_;  // and the centroids
   core::GpuBuffer count_command_;
   core::GpuBuffer table_;  // of polygons that differ

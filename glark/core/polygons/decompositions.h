@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "glark/core/capture/draw_capture.h"
-#include "glark/core/environment.h"
 #include "glark/core/polygons/decomposition.h"
 #include "glark/core/programs/program_switch.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::polygons {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "glark/core/bindings.h"
-#include "glark/core/draw_call.h"
-#include "glark/core/program.h"
+#include "glark/core/capture/draw_call.h"
+#include "glark/core/state/bindings.h"
+#include "glark/core/state/programs/program.h"
 
 namespace glark::polygons {
 

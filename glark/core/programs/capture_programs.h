@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "glark/core/capture/capture.h"
-#include "glark/core/environment.h"
+#include "glark/core/state/environment.h"
 
 namespace glark::core {
 

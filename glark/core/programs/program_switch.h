@@ -5,8 +5,8 @@
 // a program pipeline, and with the subroutines that were chosen.
 #pragma once
 
-#include "glark/core/environment.h"
-#include "glark/core/program_pipelines.h"
+#include "glark/core/state/environment.h"
+#include "glark/core/state/programs/program_pipelines.h"
 
 namespace glark::core {
 

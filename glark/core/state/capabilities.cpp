@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "glark/core/attribute_slots.h"
+#include "glark/core/state/arrays/attribute_slots.h"
 
 namespace glark::core {
 namespace {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "glark/core/bindings.h"
 #include "glark/core/plan/draw_plan.h"
-#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refine/fixed_function/fixed_function.h"
+#include "glark/core/state/bindings.h"
 
 namespace glark::submit {
 

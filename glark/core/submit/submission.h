@@ -6,11 +6,11 @@
 
 #include "glark/core/capture/capture.h"
 #include "glark/core/depth/binned_instances.h"
-#include "glark/core/environment.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/plan/feedback_in_use.h"
 #include "glark/core/programs/draw_programs.h"
+#include "glark/core/state/environment.h"
 #include "glark/core/submit/draw_modes.h"
 #include "glark/core/submit/submit.h"
 

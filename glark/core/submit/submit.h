@@ -10,7 +10,7 @@
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/record.h"
 #include "glark/core/depth/binned_instances.h"
-#include "glark/core/gpu_buffer.h"
+#include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/refine/attribute_locations.h"
 

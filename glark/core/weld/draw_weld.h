@@ -4,7 +4,7 @@
 // Welds the triangles of one draw: tags as soon as they are captured, edges when the triangles are those that will be drawn.
 #pragma once
 
-#include "glark/core/environment.h"
+#include "glark/core/state/environment.h"
 #include "glark/core/weld/weld.h"
 
 namespace glark::weld {

@@ -52,11 +52,8 @@ TEST(ExemptionRules, APerspectiveProjectionIsNoInterface) {
   const Bindings bindings = without_depth(true);
   const ExemptionFacts perspective{.rules = rules, .bindings = bindings, .conventional = true, .triangles = 2};
   EXPECT_EQ(exemption(perspective), std::nullopt);
-  const ExemptionFacts affine{.rules = rules,
-                              .bindings = bindings,
-                              .conventional = true,
-                              .triangles = 2,
-                              .matrices = {.affine = true}};
+  const ExemptionFacts affine{
+      .rules = rules, .bindings = bindings, .conventional = true, .triangles = 2, .matrices = {.affine = true}};
   EXPECT_EQ(exemption(affine), Cause::screen_quad);
 }
 

@@ -9,9 +9,7 @@ namespace {
 
 const auto nothing = [] {};
 
-core::DrawCall quads() {
-  return {.mode = GL_QUADS, .triangles = 4, .whole_polygons = true, .issue = nothing};
-}
+core::DrawCall quads() { return {.mode = GL_QUADS, .triangles = 4, .whole_polygons = true, .issue = nothing}; }
 
 TEST(SplitChoice, QuadsAreSplit) { EXPECT_TRUE(splits_at_centroid(quads(), {}, {})); }
 

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Bounding boxes and normal cones of patches.
+// Based on: meshopt_computeClusterBounds of meshoptimizer (Kapoulkine).
+#pragma once
+
+#include <span>
+
+#include "glark/clients/surfel/level/level.h"
+
+namespace glark::surfel {
+
+inline constexpr float cone_margin = 1e-3F;  // radians; cones are wider by this, because of rounding
+
+// triangles: those that are drawn. Their normals decide what a viewer sees, not the normals of the points.
+void compute_bounds(const Level& level, std::span<const Triangle> triangles, Patch& patch);
+
+}  // namespace glark::surfel

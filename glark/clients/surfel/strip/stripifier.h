@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Joins the triangles of a patch to one triangle strip. Runs of triangles follow one another in the order that needs the fewest indices
+// between them.
+// Based on: Boubekeur 2007, ch. 5.2.3.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "glark/clients/surfel/level/candidate.h"
+#include "glark/clients/surfel/strip/edge_flipper.h"
+#include "glark/clients/surfel/strip/strip_builder.h"
+
+namespace glark::surfel {
+
+// Makes one strip after the other and reuses its memory.
+class Stripifier {
+ public:
+  Stripifier(std::span<const Vector> positions, bool flip_edges) : flip_edges_(flip_edges), flipper_(positions) {}
+
+  // The strip has all triangles with their orientation, apart from flipped edges, and degenerate triangles between them. It is valid until
+  // the next call.
+  std::span<const std::uint32_t> stripify(std::span<const Triangle> triangles);
+
+  // Of the last strip.
+  std::size_t flipped_edges() const { return flipped_; }
+  std::span<const Triangle> triangles() const { return triangles_; }
+
+ private:
+  struct Run {
+    std::size_t first, count;  // in triangles_
+  };
+  // A way to begin a run: from one of its ends, with these two points.
+  struct Entry {
+    std::uint32_t first, second;
+    bool clockwise;  // orientation of first, second and the third point
+    bool backwards;  // from the run's last triangle
+    std::uint32_t run;
+  };
+
+  const Triangle& triangle_at(const Run& run, std::size_t i, bool backwards) const {
+    return triangles_[run.first + (backwards ? run.count - 1 - i : i)];
+  }
+  void find_runs(std::span<const Triangle> triangles);
+  void add_entries(std::uint32_t run, bool backwards);
+  std::size_t cheapest_entry() const;
+  int connecting_indices(const Entry& entry) const;
+  void connect(const Entry& entry);
+  void append(const Entry& entry);
+
+  bool flip_edges_;
+  StripBuilder builder_;
+  EdgeFlipper flipper_;
+  std::size_t flipped_ = 0;
+  std::vector<Triangle> triangles_;  // run by run
+  std::vector<Run> runs_;
+  std::vector<Entry> entries_;  // of the runs that are not in the strip yet, run by run
+  std::vector<std::uint32_t> run_;
+  std::vector<std::uint32_t> strip_;
+};
+
+}  // namespace glark::surfel

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/objects/gpu_buffer.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace glark::core {
+CopyWriteBinding::CopyWriteBinding(const gl::Dispatch& gl, GLuint buffer) : gl_(gl) {
+  GLint previous = 0;
+  gl.GetIntegerv(GL_COPY_WRITE_BUFFER_BINDING, &previous);
+  previous_ = static_cast<GLuint>(previous);
+  gl.BindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+}
+
+CopyWriteBinding::~CopyWriteBinding() { gl_.BindBuffer(GL_COPY_WRITE_BUFFER, previous_); }
+
+bool GpuBuffer::allocate(const gl::Dispatch& gl, GLsizeiptr size, const void* data, GLenum usage) {
+  GLuint fresh = 0;
+  gl.GenBuffers(1, &fresh);
+  {
+    const CopyWriteBinding binding(gl, fresh);
+    gl.BufferData(GL_COPY_WRITE_BUFFER, size, data, usage);
+  }
+  if (gl.GetError() != GL_NO_ERROR) {
+    gl.DeleteBuffers(1, &fresh);
+    return false;
+  }
+  release(gl);
+  name_ = fresh;
+  size_ = size;
+  return true;
+}
+
+bool GpuBuffer::reserve(const gl::Dispatch& gl, GLsizeiptr size, GLenum usage) {
+  constexpr GLsizeiptr grain = 16;  // ranges of it are bound, whose sizes must be multiples of 4
+  const GLsizeiptr wanted = (std::max(size, size_ + size_ / 2) + grain - 1) / grain * grain;
+  return size <= size_ || allocate(gl, wanted, nullptr, usage);
+}
+
+void GpuBuffer::write(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, const void* data) const {
+  const CopyWriteBinding binding(gl, name_);
+  gl.BufferSubData(GL_COPY_WRITE_BUFFER, offset, size, data);
+}
+
+void GpuBuffer::read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const {
+  const CopyWriteBinding binding(gl, name_);
+  const void* mapped = gl.MapBufferRange(GL_COPY_WRITE_BUFFER, offset, size, GL_MAP_READ_BIT);
+  if (mapped != nullptr) {
+    std::memcpy(data, mapped, static_cast<std::size_t>(size));
+    gl.UnmapBuffer(GL_COPY_WRITE_BUFFER);
+  }
+}
+
+void GpuBuffer::copy_from(const gl::Dispatch& gl, GLuint buffer, GLintptr from, GLintptr to, GLsizeiptr size) const {
+  const CopyWriteBinding binding(gl, name_);
+  GLint previous = 0;
+  gl.GetIntegerv(GL_COPY_READ_BUFFER_BINDING, &previous);
+  gl.BindBuffer(GL_COPY_READ_BUFFER, buffer);
+  gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, from, to, size);
+  gl.BindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(previous));
+}
+
+void GpuBuffer::release(const gl::Dispatch& gl) {
+  if (name_ != 0) {
+    gl.DeleteBuffers(1, &name_);
+    name_ = 0;
+    size_ = 0;
+  }
+}
+
+}  // namespace glark::core

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A buffer object of ours. Allocating it changes no binding.
+#pragma once
+
+#include "glark/gl/dispatch.h"
+
+namespace glark::core {
+
+// Binds a buffer to GL_COPY_WRITE_BUFFER during its lifetime. It queries the old binding, so it is for rare paths only. OpenGL ES lacks
+// the functions that need no binding (glNamedBufferData ...), although their addresses may be found there.
+class CopyWriteBinding {
+ public:
+  CopyWriteBinding(const gl::Dispatch& gl, GLuint buffer);
+  ~CopyWriteBinding();
+  CopyWriteBinding(const CopyWriteBinding&) = delete;
+  CopyWriteBinding& operator=(const CopyWriteBinding&) = delete;
+
+ private:
+  const gl::Dispatch& gl_;
+  GLuint previous_;
+};
+
+class GpuBuffer {
+ public:
+  // Allocates, or allocates again; `data` may be null. False: GL has no memory, and the old storage is kept.
+  // The caller has an ErrorScope.
+  bool allocate(const gl::Dispatch& gl, GLsizeiptr size, const void* data, GLenum usage);
+  // Grows to at least `size`, and by at least half. The contents are lost.
+  bool reserve(const gl::Dispatch& gl, GLsizeiptr size, GLenum usage);
+  void write(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, const void* data) const;
+  void read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const;
+  void copy_from(const gl::Dispatch& gl, GLuint buffer, GLintptr from, GLintptr to, GLsizeiptr size) const;
+  void release(const gl::Dispatch& gl);
+
+  GLuint name() const { return name_; }
+  GLsizeiptr size() const { return size_; }
+
+ private:
+  GLuint name_ = 0;
+  GLsizeiptr size_ = 0;
+};
+
+}  // namespace glark::core

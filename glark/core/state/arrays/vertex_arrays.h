@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The state of the vertex array objects, as far as draws need it. It is read from GL when it is first needed. The hooks of the usual
+// calls then keep it up to date; any other call makes it unknown.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "glark/core/state/arrays/attribute_slots.h"
+#include "glark/core/state/arrays/bound_buffers.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::core {
+
+// Where the values of an attribute come from.
+struct AttributeSource {
+  bool enabled = false;
+  bool normalized = false;
+  bool integer = false;
+  GLint size = 4;
+  GLenum type = GL_FLOAT;
+  GLuint relative_offset = 0;
+  GLuint binding = 0;  // generic attributes only
+  GLuint divisor = 0;
+  GLuint buffer = 0;
+  std::uint64_t generation = 0;  // generation of the buffer's name when it was attached
+  GLintptr offset = 0;
+  GLsizei stride = 0;
+};
+
+struct VertexArray {
+  std::uint64_t known = 0;  // slots whose source is valid
+  std::uint64_t epoch = 0;
+  std::array<AttributeSource, slot_count> sources{};
+  BoundBuffer elements;
+};
+
+class VertexArrays {
+ public:
+  // `name` is bound. False: GL must be asked whether there is such an object.
+  bool bind(GLuint name) {
+    current_ = nullptr;
+    return name < seen_.size() && seen_[name];
+  }
+  void confirm(GLuint name);
+  void erase(GLuint name);
+
+  void forget_current() { current_ != nullptr ? static_cast<void>(current_->known = 0) : forget_all(); }
+  void forget_elements() { current_ != nullptr ? static_cast<void>(current_->elements.known = false) : forget_all(); }
+  void forget_all() {
+    ++epoch_;
+    current_ = nullptr;
+  }
+  VertexArray& current(GLuint name) { return current_ != nullptr ? *current_ : look_up(name); }
+
+ private:
+  VertexArray& look_up(GLuint name);
+
+  std::unordered_map<GLuint, VertexArray> arrays_;
+  std::vector<bool> seen_;  // names that GL is known to have objects for
+  VertexArray* current_ = nullptr;
+  std::uint64_t epoch_ = 1;
+};
+
+// Bytes from one element to the next if the application gives a stride of 0; 0 for unknown types.
+GLsizei packed_stride(GLint size, GLenum type);
+
+// Queries GL for a source of the bound vertex array.
+AttributeSource read_source(const gl::Dispatch& gl, int slot);
+
+}  // namespace glark::core

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The part of the context's state that a refined draw changes or depends on. The hooks keep it up to date, so that drawing needs no
+// glGet.
+#pragma once
+
+#include <array>
+
+#include "glark/core/state/capabilities.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::core {
+
+inline constexpr int tracked_storage_bindings = 5;  // indexed bindings of shader storage that our compute passes use
+
+struct IndexedBuffer {
+  GLuint buffer = 0;
+  GLintptr offset = 0;
+  GLsizeiptr size = 0;  // 0: the whole buffer (glBindBufferBase)
+};
+
+struct Bindings {
+  GLuint program = 0;
+  GLuint pipeline = 0;
+  GLuint vertex_array = 0;
+  GLuint transform_feedback = 0;
+  bool transform_feedback_active = false;
+  bool transform_feedback_paused = false;
+  bool transform_feedback_ours = false;  // it captures refined triangles: between our draws we pause it
+  GLuint draw_indirect_buffer = 0;
+  GLuint parameter_buffer = 0;
+  GLuint query_buffer = 0;
+  GLuint feedback_buffer = 0;  // generic binding point of GL_TRANSFORM_FEEDBACK_BUFFER
+  GLuint storage_buffer = 0;
+  std::array<IndexedBuffer, tracked_storage_bindings> storage{};
+  bool rasterizer_discard = false;
+  bool blend = false;  // of draw buffer 0
+  bool depth_test = false;
+  bool depth_writes = true;
+  GLenum depth_function = GL_LESS;
+  GLenum matrix_mode = GL_MODELVIEW;
+  bool primitive_restart = false;
+  bool primitive_restart_fixed = false;
+  bool vertex_program = false;    // GL_VERTEX_PROGRAM_ARB
+  bool two_side = false;          // GL_VERTEX_PROGRAM_TWO_SIDE
+  GLenum polygon_mode = GL_FILL;  // GL_FILL only if both faces have it
+  GLenum front_polygon_mode = GL_FILL;
+  GLenum back_polygon_mode = GL_FILL;
+  GLenum shade_model = GL_SMOOTH;
+  bool clamp_vertex_color = true;  // compatibility only
+  GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
+  GLenum render_mode = GL_RENDER;
+  std::array<float, 2> viewport{};  // width and height
+  GLuint list_base = 0;
+  bool debug_output = false;
+  int primitive_queries = 0;              // active queries that would count our captures
+  GLuint primitives_generated_query = 0;  // active queries that count triangles; 0: none
+  GLuint primitives_written_query = 0;
+};
+
+// Reads all of them from GL, except for the queries.
+void read_bindings(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& bindings);
+
+}  // namespace glark::core

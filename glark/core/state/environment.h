@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "glark/core/ark_state.h"
+#include "glark/core/objects/error_scope.h"
+#include "glark/core/state/capabilities.h"
+#include "glark/core/state/gl_state.h"
+#include "glark/core/state/share_group.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::core {
+
+// What the stages of a draw see of the context that they work for. All of it outlives them.
+struct Environment {
+  const gl::Dispatch& gl;  // without functions that the context does not offer
+  const Capabilities& capabilities;
+  const ContextOptions& options;
+  const ArkState& ark;
+  GlState& state;
+  PendingError& errors;
+  ShareGroup& share;
+
+  const Bindings& bindings() const { return state.bindings(); }
+};
+
+}  // namespace glark::core

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/state/programs/programs.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "glark/core/state/share_group.h"
+
+namespace glark::core {
+namespace {
+
+std::shared_ptr<const std::string> read_source(const gl::Dispatch& gl, GLuint shader) {
+  GLint length = 0;
+  gl.GetShaderiv(shader, GL_SHADER_SOURCE_LENGTH, &length);
+  if (length <= 1) {
+    return nullptr;
+  }
+  std::string source(static_cast<std::size_t>(length), '\0');
+  GLsizei written = 0;
+  gl.GetShaderSource(shader, length, &written, source.data());
+  source.resize(static_cast<std::size_t>(written));
+  return std::make_shared<const std::string>(std::move(source));
+}
+
+// By the words that every store of a shader needs. A shader that is taken for a storing one by mistake only costs captures.
+bool may_store(const std::vector<StageSource>& stages) {
+  constexpr std::string_view words[] = {"buffer", "image", "atomic", "store"};
+  return std::any_of(stages.begin(), stages.end(), [&](const StageSource& stage) {
+    return std::any_of(std::begin(words), std::end(words),
+                       [&](std::string_view word) { return stage.source->find(word) != std::string::npos; });
+  });
+}
+
+}  // namespace
+
+Programs::Programs(const gl::Dispatch& gl, const Capabilities& capabilities, ShareGroup& share, PendingError& pending,
+                   ProgramWatcher& watcher)
+    : gl_(gl), capabilities_(capabilities), share_(share), pending_(pending), watcher_(watcher), pipelines_(gl) {
+  const std::lock_guard lock(share_.mutex);
+  share_.contexts.push_back(this);
+  mirroring_ = share_.any_derived.load();
+}
+
+Programs::~Programs() {
+  const std::lock_guard lock(share_.mutex);
+  std::erase(share_.contexts, this);
+}
+
+std::shared_ptr<Program> Programs::find(GLuint name) const {
+  const std::lock_guard lock(share_.mutex);
+  const auto found = share_.programs.find(name);
+  return found != share_.programs.end() ? found->second : nullptr;
+}
+
+std::shared_ptr<Program> Programs::known(GLuint name) {
+  std::shared_ptr<Program> program = find(name);
+  if (program == nullptr) {
+    ErrorScope errors(pending_);
+    linked(name, read_stages(name));
+    program = find(name);
+  }
+  return program;
+}
+
+void Programs::adopt(GLuint name) {
+  current_ = name != 0 ? known(name) : nullptr;
+  refresh_mirroring();
+}
+
+void Programs::refresh_mirroring() { mirroring_ = share_.any_derived.load(std::memory_order_relaxed); }
+
+void Programs::mirror_from_now_on() {
+  if (share_.any_derived.exchange(true)) {
+    return;
+  }
+  const std::lock_guard lock(share_.mutex);
+  for (Programs* context : share_.contexts) {
+    context->mirroring_ = true;
+  }
+}
+
+LockedMirrors Programs::mirrors(const Bindings& bindings) {
+  if (current_ == nullptr && bindings.program == 0 && bindings.pipeline != 0) {
+    return mirrors(bindings, pipelines_.object(bindings.pipeline).active);
+  }
+  return current_ != nullptr ? LockedMirrors(current_, gl_, bindings.debug_output) : LockedMirrors();
+}
+
+LockedMirrors Programs::mirrors(const Bindings& bindings, GLuint program) const {
+  std::shared_ptr<Program> known = find(program);
+  return known != nullptr ? LockedMirrors(std::move(known), gl_, bindings.debug_output) : LockedMirrors();
+}
+
+std::vector<StageSource> Programs::read_stages(GLuint program) const {
+  GLint count = 0;
+  gl_.GetProgramiv(program, GL_ATTACHED_SHADERS, &count);
+  std::vector<GLuint> shaders(static_cast<std::size_t>(count));
+  if (count > 0) {
+    gl_.GetAttachedShaders(program, count, nullptr, shaders.data());
+  }
+  std::vector<StageSource> stages;
+  for (const GLuint shader : shaders) {
+    GLint stage = 0;
+    gl_.GetShaderiv(shader, GL_SHADER_TYPE, &stage);
+    std::shared_ptr<const std::string> source;
+    {
+      const std::lock_guard lock(share_.mutex);
+      const auto found = share_.compiled_sources.find(shader);
+      source = found != share_.compiled_sources.end() ? found->second : nullptr;
+    }
+    source = source != nullptr ? source : read_source(gl_, shader);
+    if (source == nullptr || source->empty()) {
+      return {};  // a binary or SPIR-V stage
+    }
+    stages.push_back({static_cast<GLenum>(stage), source});
+  }
+  return stages;
+}
+
+void Programs::compiled(GLuint shader) {
+  if (!capabilities_.refinable || gl_.IsShader(shader) == GL_FALSE) {
+    return;
+  }
+  std::shared_ptr<const std::string> source = read_source(gl_, shader);
+  const std::lock_guard lock(share_.mutex);
+  share_.compiled_sources[shader] = std::move(source);
+}
+
+// SPIR-V takes the place of any source that the shader had.
+void Programs::specialized(GLuint shader) {
+  const std::lock_guard lock(share_.mutex);
+  share_.compiled_sources[shader] = std::make_shared<const std::string>();
+}
+
+// A shader that is still attached lives on and may be linked again; its source is read again then.
+void Programs::shader_deleted(GLuint shader) {
+  const std::lock_guard lock(share_.mutex);
+  share_.compiled_sources.erase(shader);
+}
+
+void Programs::linked(GLuint name) {
+  if (capabilities_.refinable && gl_.IsProgram(name) != GL_FALSE) {
+    linked(name, read_stages(name));
+  }
+}
+
+// Notes the stages of a program that was just linked, and drops what was derived from the old ones.
+void Programs::linked(GLuint name, std::vector<StageSource> stages) {
+  if (!capabilities_.refinable || gl_.IsProgram(name) == GL_FALSE) {
+    return;
+  }
+  std::shared_ptr<Program> program;
+  {
+    const std::lock_guard lock(share_.mutex);
+    std::shared_ptr<Program>& slot = share_.programs[name];
+    slot = slot != nullptr ? slot : std::make_shared<Program>();
+    program = slot;
+  }
+  const std::lock_guard lock(program->mutex);
+  watcher_.program_changed(*program, name);
+  program->name = name;
+  program->stages = std::move(stages);
+  program->from_binary = program->stages.empty();
+  program->may_store = program->from_binary || may_store(program->stages);
+  GLint linked = GL_FALSE;
+  gl_.GetProgramiv(name, GL_LINK_STATUS, &linked);
+  program->linked = linked != GL_FALSE;
+  program->subroutines_asked = false;
+  forget_subroutines();
+}
+
+void Programs::deleted(GLuint name) {
+  std::shared_ptr<Program> program;
+  {
+    const std::lock_guard lock(share_.mutex);
+    const auto found = share_.programs.find(name);
+    if (found == share_.programs.end()) {
+      return;
+    }
+    program = found->second;
+    share_.programs.erase(found);
+  }
+  const std::lock_guard lock(program->mutex);
+  watcher_.program_changed(*program, name);
+  // A program in use lives on in GL until another one is used. We could not return to it after a refined draw.
+  program->prepared = true;
+  program->cause = Cause::program_gone;
+}
+
+}  // namespace glark::core

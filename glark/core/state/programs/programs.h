@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The application's programs as one context sees them: which one is in use, and the sources it was linked from.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "glark/core/objects/error_scope.h"
+#include "glark/core/state/bindings.h"
+#include "glark/core/state/capabilities.h"
+#include "glark/core/state/programs/program.h"
+#include "glark/core/state/programs/program_pipelines.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::core {
+
+struct ShareGroup;
+
+// Hears of programs that were linked again or deleted: what was derived from the old program goes.
+class ProgramWatcher {
+ public:
+  virtual void program_changed(Program& program, GLuint name) = 0;  // the program's mutex is held
+
+ protected:
+  ~ProgramWatcher() = default;
+};
+
+class Programs {
+ public:
+  Programs(const gl::Dispatch& gl, const Capabilities& capabilities, ShareGroup& share, PendingError& pending,
+           ProgramWatcher& watcher);
+  ~Programs();
+  Programs(const Programs&) = delete;
+  Programs& operator=(const Programs&) = delete;
+
+  // Null: not seen to be linked.
+  std::shared_ptr<Program> find(GLuint name) const;
+  // The same. A program that was linked before we were here is read from GL. Null: there is none.
+  std::shared_ptr<Program> known(GLuint name);
+  // What the hooks saw.
+  void compiled(GLuint shader);
+  void specialized(GLuint shader);
+  void shader_deleted(GLuint shader);
+  void linked(GLuint name);
+  void linked(GLuint name, std::vector<StageSource> stages);
+  void deleted(GLuint name);
+
+  // The program in use. Null: there is none, or it is not known to us.
+  const std::shared_ptr<Program>& current() const { return current_; }
+  void use(std::shared_ptr<Program> program) { current_ = std::move(program); }
+  // GL says that this program is in use.
+  void adopt(GLuint name);
+  ProgramPipelines& pipelines() { return pipelines_; }
+
+  // The subroutines that the program in use has chosen; valid while they are known.
+  bool subroutines_known() const { return subroutines_known_; }
+  void forget_subroutines() { subroutines_known_ = false; }
+  const SubroutineChoice& subroutines() const { return subroutines_; }
+  void set_subroutines(SubroutineChoice choice) {
+    subroutines_ = std::move(choice);
+    subroutines_known_ = true;
+  }
+
+  // Uniform calls must reach derived programs, too.
+  bool mirroring() const { return mirroring_.load(std::memory_order_seq_cst); }
+  void refresh_mirroring();
+  // The derived programs that uniform calls must reach, too: those of the program in use, or of the one named.
+  LockedMirrors mirrors(const Bindings& bindings);
+  LockedMirrors mirrors(const Bindings& bindings, GLuint program) const;
+  // From the first derived program on, every context of the share group mirrors uniforms.
+  void mirror_from_now_on();
+
+ private:
+  std::vector<StageSource> read_stages(GLuint program) const;
+
+  const gl::Dispatch& gl_;
+  const Capabilities& capabilities_;
+  ShareGroup& share_;
+  PendingError& pending_;
+  ProgramWatcher& watcher_;
+  ProgramPipelines pipelines_;
+  std::shared_ptr<Program> current_;
+  bool subroutines_known_ = false;
+  SubroutineChoice subroutines_;
+  std::atomic<bool> mirroring_ = false;  // any context of the group sets it
+};
+
+}  // namespace glark::core

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/surfel/clouds.h"
+
+namespace glark::surfel::test {
+namespace {
+
+TEST(SurfelDegenerateClouds, EmptyCloudHasNoStrips) {
+  const Strips strips({});
+  EXPECT_EQ(strips.indices().size(), 0U);
+  ASSERT_EQ(strips.nodes().size(), 1U);
+  Frame frame;
+  strips.select({.clip_from_object = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, .width = 8, .height = 8}, frame);
+  EXPECT_EQ(frame.draws(), 0);
+}
+
+TEST(SurfelDegenerateClouds, OneOrTwoPointsHaveNoStrips) {
+  Points points;
+  points.add({1, 2, 3}, {0, 0, 1});
+  EXPECT_EQ(Strips(points.cloud(), {.levels = 4}).indices().size(), 0U);
+  points.add({1, 2, 4}, {0, 0, 1});
+  EXPECT_EQ(Strips(points.cloud()).indices().size(), 0U);
+}
+
+TEST(SurfelDegenerateClouds, DuplicatesAloneHaveNoStrips) {
+  Points points;
+  for (int i = 0; i < 1000000; ++i) points.add({0.1F, 0.2F, 0.3F}, {0, 1, 0});
+  const Strips strips(points.cloud(), {.levels = 3});
+  EXPECT_EQ(strips.indices().size(), 0U);
+  EXPECT_EQ(strips.nodes().front().representative, 0U);
+}
+
+TEST(SurfelDegenerateClouds, FirstOfSeveralDuplicatesIsDrawn) {
+  const Points once = sphere(2000);
+  Points twice = once;
+  for (std::size_t i = 0; i < once.positions.size(); ++i) {
+    twice.positions.push_back(once.positions[i]);
+    twice.normals.push_back(once.normals[i]);
+  }
+  const Strips strips(twice.cloud(), {.leaf_points = 80});
+  for (const std::uint32_t point : strips.indices()) ASSERT_LT(point, 2000U);
+  EXPECT_NEAR(static_cast<double>(triangles(strips).size()), 2.0 * 2000 - 4, 10);
+}
+
+TEST(SurfelDegenerateClouds, CollinearPointsHaveNoTriangles) {
+  Points points;
+  for (int i = 0; i < 1000; ++i) points.add({0.37F * static_cast<float>(i), 0, 0}, {0, 0, 1});
+  EXPECT_EQ(triangles(Strips(points.cloud())).size(), 0U);
+  for (std::size_t i = 0; i < points.size(); ++i) {  // a line that rounding bends
+    points.positions[3 * i + 1] = points.positions[3 * i] * 0.1234567F;
+    points.positions[3 * i + 2] = points.positions[3 * i] * 0.7654321F;
+  }
+  for (const std::uint32_t point : Strips(points.cloud()).indices()) ASSERT_LT(point, 1000U);
+}
+
+TEST(SurfelDegenerateClouds, ZeroNormalsAreIgnored) {
+  Points points = plane(40, 0);
+  for (std::size_t i = 0; i < points.normals.size(); i += 7) points.normals[i / 3 * 3 + 2] = 0;
+  EXPECT_EQ(triangles(Strips(points.cloud())).size(), 2U * 39 * 39);
+  std::fill(points.normals.begin(), points.normals.end(), 0.0F);
+  EXPECT_EQ(triangles(Strips(points.cloud())).size(), 2U * 39 * 39);
+}
+
+TEST(SurfelDegenerateClouds, AcceptsNormalsOfAnyLengthAndOpposedNormals) {
+  Points points = plane(40, 0);
+  for (float& x : points.normals) x *= 1e-30F;
+  EXPECT_EQ(triangles(Strips(points.cloud())).size(), 2U * 39 * 39);
+  for (std::size_t i = 0; i < points.size(); i += 2) points.normals[3 * i + 2] = -1;
+  const Strips strips(points.cloud());  // two layers at one place
+  EXPECT_GT(triangles(strips).size(), 0U);
+}
+
+TEST(SurfelDegenerateClouds, AcceptsVeryLargeAndSmallCoordinates) {
+  for (const float scale : {1e18F, 1e-37F}) {
+    Points points = sphere(500);
+    for (float& x : points.positions) x *= 0.99F * scale;
+    EXPECT_GT(triangles(Strips(points.cloud())).size(), 900U) << scale;
+  }
+}
+
+}  // namespace
+}  // namespace glark::surfel::test
