@@ -63,13 +63,13 @@ Terrain make_terrain() {
 }
 
 // The lesson: three lines set the tags of a frame.
-void tag(Terrain& terrain, glark::tagging::Tagger& tagger, const glark::tagging::Vector& eye) {
+void tag(Terrain& terrain, glark::depth::Tagger& tagger, const glark::depth::Vector& eye) {
   static std::vector<float> by_distance(terrain.tags.size());
-  const glark::tagging::View view{.eye = eye, .pixels_at_one = 0.5F * frame_size / std::tan(0.5F * field_of_view)};
+  const glark::depth::View view{.eye = eye, .pixels_at_one = 0.5F * frame_size / std::tan(0.5F * field_of_view)};
   tagger.by_curvature(terrain.positions, terrain.normals, view, 0.05F, terrain.tags);
   tagger.by_distance(terrain.positions, {.point = eye, .nearest = 2, .farthest = 9, .finest = max_level}, by_distance);
   tagger.take_lesser(by_distance, terrain.tags);
-  const glark::tagging::Budget budget = tagger.keep_budget(most_triangles, terrain.tags);
+  const glark::depth::Budget budget = tagger.keep_budget(most_triangles, terrain.tags);
   std::printf("%llu triangles, %.2f levels less than wished for\n", static_cast<unsigned long long>(budget.triangles),
               static_cast<double>(budget.bias));
 }
@@ -83,7 +83,7 @@ void color_by_depth(Terrain& terrain) {
   }
 }
 
-void look_from(const glark::tagging::Vector& eye) {
+void look_from(const glark::depth::Vector& eye) {
   glMatrixMode(GL_PROJECTION);
   glLoadIdentity();
   const double half = 0.1 * std::tan(0.5 * static_cast<double>(field_of_view));
@@ -143,9 +143,9 @@ int main(int argc, char** argv) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
   Terrain terrain = make_terrain();
-  glark::tagging::Tagger tagger(terrain.tags.size(), terrain.triangles, max_level);
+  glark::depth::Tagger tagger(terrain.tags.size(), terrain.triangles, max_level);
   for (int frame = 0; frame < frames; ++frame) {
-    const glark::tagging::Vector eye = {0, -10.0F + 3.2F * static_cast<float>(frame),
+    const glark::depth::Vector eye = {0, -10.0F + 3.2F * static_cast<float>(frame),
                                         3.2F - 0.5F * static_cast<float>(frame)};
     glViewport(frame * frame_size, 0, frame_size, frame_size);
     tag(terrain, tagger, eye);

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Builds implementations that are broken on purpose, the mutants of the *.toml files here, and judges each of them.
 
-    conformance/mutants/run.py [--build build/release] [--filter GLOB] [--table docs/conformance.md]
+    conformance/mutants/run.py [--build build/release] [--filter GLOB] [--table docs/reference/conformance.md]
 
 The run copies the sources to BUILD/mutants/source, makes one mutant at a time there, and builds only the library. It begins
 with the true implementation: a case that fails there counts for no mutant. A mutant is caught if a case fails. Cases that cite

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The exit status of the program; docs/conformance.md documents it.
+// The exit status of the program; docs/reference/conformance.md documents it.
 namespace glark::conformance::exit_status {
 
 inline constexpr int passed = 0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Everything that glark keeps for one OpenGL context: the options it was made with, the application's state, and the stages that
-// draw with it.
+// Everything that glark keeps for one OpenGL context: the options it was made with, the application's state, and the
+// stages that draw with it.
 #pragma once
 
 #include <cstdint>

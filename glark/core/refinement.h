@@ -46,7 +46,8 @@ struct RefinementTraits {
   GLenum token = 0;             // value of GL_REFINEMENT_ARK
   std::string_view token_name;  // as in the extension's text
   std::string_view word;        // for users: --refine, names of dumped shaders; begins the names of its GLSL functions
-  std::string_view help;        // what --help says about it
+  std::string_view help;        // a few words, for --help
+  std::string_view details;     // a sentence, for the documents
   bool interpolates_outputs = false;  // runs the vertex stage at the corners only
   bool curves_positions = false;      // needs positions and normals; welded edges have control points in the record
   bool curves_normals = false;        // otherwise normals are linear
@@ -63,19 +64,23 @@ inline constexpr std::array refinements{
                      .token = GL_LINEAR_INPUTS_ARK,
                      .token_name = "LINEAR_INPUTS_ARK",
                      .word = "linear",
-                     .help = "vertex stage on every refined vertex"},
-    RefinementTraits{.refinement = Refinement::linear_outputs,
-                     .token = GL_LINEAR_OUTPUTS_ARK,
-                     .token_name = "LINEAR_OUTPUTS_ARK",
-                     .word = "outputs",
-                     .help = "interpolate its results",
-                     .interpolates_outputs = true},
+                     .help = "the vertex stage runs on every refined vertex",
+                     .details = "linear runs the program's vertex stage on every refined vertex. "},
+    RefinementTraits{
+        .refinement = Refinement::linear_outputs,
+        .token = GL_LINEAR_OUTPUTS_ARK,
+        .token_name = "LINEAR_OUTPUTS_ARK",
+        .word = "outputs",
+        .help = "its results are interpolated",
+        .details = "outputs interpolates the results of the vertex stage, so that the picture stays the same. ",
+        .interpolates_outputs = true},
     // Vlachos, Peters, Boyd, Mitchell, Curved PN Triangles, 2001
     RefinementTraits{.refinement = Refinement::pn,
                      .token = GL_CURVED_PN_ARK,
                      .token_name = "CURVED_PN_ARK",
                      .word = "pn",
                      .help = "curved",
+                     .details = "pn makes curved PN triangles. ",
                      .curves_positions = true,
                      .curves_normals = true,
                      .displaced_as = Refinement::scalar_tagged_pn},
@@ -85,37 +90,40 @@ inline constexpr std::array refinements{
                      .token_name = "SCALAR_TAGGED_PN_ARK",
                      .word = "stpn",
                      .help = "curved, with --tension",
+                     .details = "stpn makes curved triangles that --tension shapes. ",
                      .curves_positions = true,
                      .curves_normals = true,
                      .takes_tags = true,
-                     .number = {.key = "tension",
+                     .number = {.initial_text = "0",
+                                .key = "tension",
                                 .variable = "GLARK_TENSION",
                                 .placeholder = "T",
                                 .needed = "a number from -1 to 1",
-                                .help = "With --refine stpn: how tightly curved triangles follow the coarse ones: "
-                                        "1 flat, 0 as pn, -1 rounder than pn",
+                                .help = "Set how flat --refine stpn is: 1 is flat, 0 is pn, -1 is rounder than pn",
                                 .least = -1,
                                 .most = 1}},
     // Boubekeur, Alexa, Phong Tessellation, 2008
-    RefinementTraits{
-        .refinement = Refinement::phong,
-        .token = GL_PHONG_ARK,
-        .token_name = "PHONG_ARK",
-        .word = "phong",
-        .help = "curved, normals linear, with --phong-shape",
-        .curves_positions = true,
-        .number = {.token = GL_PHONG_SHAPE_ARK,
-                   .token_name = "PHONG_SHAPE_ARK",
-                   .values = "0 to 1",
-                   .initial_text = "0.75",
-                   .key = "phong-shape",
-                   .variable = "GLARK_PHONG_SHAPE",
-                   .placeholder = "A",
-                   .needed = "a number from 0 to 1",
-                   .help = "With --refine phong: how far triangles bend, from 0 (flat) to 1; 0.75 if not given",
-                   .least = 0,
-                   .most = 1,
-                   .initial = 0.75F}},
+    RefinementTraits{.refinement = Refinement::phong,
+                     .token = GL_PHONG_ARK,
+                     .token_name = "PHONG_ARK",
+                     .word = "phong",
+                     .help = "curved, normals linear, with --phong-shape",
+                     .details = "phong bends triangles towards the tangent planes of their corners and keeps normals "
+                                "linear, which is cheaper "
+                                "than pn.",
+                     .curves_positions = true,
+                     .number = {.token = GL_PHONG_SHAPE_ARK,
+                                .token_name = "PHONG_SHAPE_ARK",
+                                .values = "0 to 1",
+                                .initial_text = "0.75",
+                                .key = "phong-shape",
+                                .variable = "GLARK_PHONG_SHAPE",
+                                .placeholder = "A",
+                                .needed = "a number from 0 to 1",
+                                .help = "Set how far --refine phong bends triangles: 0 is flat",
+                                .least = 0,
+                                .most = 1,
+                                .initial = 0.75F}},
 };
 
 constexpr const RefinementTraits& traits_of(Refinement refinement) {
@@ -142,7 +150,7 @@ constexpr ShapeNumbers initial_shape_numbers() {
   return numbers;
 }
 
-// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. docs/architecture.md explains the rules.
+// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. man glark explains the rules.
 namespace left_draws {
 inline constexpr unsigned screen_quads = 1U << 0;  // depth neither read nor written, one or two triangles
 inline constexpr unsigned overlays = 1U << 1;      // depth neither read nor written, and blended

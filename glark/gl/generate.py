@@ -202,7 +202,7 @@ constexpr Member member_table[] = {{
 {table}
 }};
 
-// Of each member: the other names of the same function, each ended by a NUL.
+// For each member, the other names of the same function; each ends with a NUL.
 constexpr const char* alias_table[] = {{
 {aliases}
 }};
@@ -227,7 +227,7 @@ void load(Dispatch& dispatch, GetProc get_proc, void* user) {{
 
 def hooks_header(hooked, kinds):
     lines = [HEADER, "#pragma once\n\n#include \"glark/gl/types.h\"\n\nnamespace glark::core {\n\nclass Context;\n\n"
-             "// What glark does in place of a GL function. A hook calls the real function itself, through its context's dispatch.\n"
+             "// A hook replaces a GL function. It calls the real function itself, through its context's dispatch.\n"
              "namespace hook {\n"]
     titles = {"track": "State that a refined draw needs.", "draw": "Draws; called only while the context is refining.", "array": "Vertex arrays; only while the context is refining.",
               "api": "GL_ARK_adaptive_refinement."}

@@ -11,10 +11,10 @@
 #include <exception>
 #include <utility>
 
-#define TOML_EXCEPTIONS 0  // no exception may pass through a program that glark is loaded into
+#define TOML_EXCEPTIONS 0  // an exception must not pass through the host program
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/impl/preprocessor.h>
-// toml++ 3.3 calls unreachable what letters of Latin and Cyrillic outside texts reach.
+// toml++ 3.3 marks code as unreachable that Latin and Cyrillic letters outside of strings reach.
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false
@@ -27,14 +27,14 @@
 namespace glark::settings {
 namespace {
 
-// A dotted key nests tables, which are destroyed recursively; no key of ours has more than two dots.
+// A dotted key nests tables, which are destroyed recursively. Our keys have at most two dots.
 constexpr std::ptrdiff_t most_dots = 200;
 constexpr int most_syntax_errors = 16;
 
-// Lines of the file that were parsed separately.
+// Some lines of the file, parsed separately.
 struct Part {
   toml::table table;
-  std::size_t first_line = 0;  // of the file, counted from 0
+  std::size_t first_line = 0;  // in the file, counted from 0
 };
 
 class Reader {
@@ -80,7 +80,7 @@ bool is_header(std::string_view line) {
   return first != std::string_view::npos && line[first] == '[';
 }
 
-// The value as the text of a variable. Nothing for kinds that no setting takes (dates, tables).
+// Returns the value as the text of a variable, or nothing for a date or a table, which no setting takes.
 std::optional<std::string> text_of(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
   if (const auto* number = node.as_integer()) return std::to_string(number->get());
@@ -126,8 +126,8 @@ void Reader::parse(std::string_view text) {
     parts_.push_back({std::move(whole).table(), 0});
     return;
   }
-  // Parses table by table, so that mistakes in one table do not affect the others. This also cuts lists of lists and multi-line texts,
-  // so it is done only for files with mistakes.
+  // The file has an error: parse it table by table, so that the other tables count. This also cuts lists of lists and texts of
+  // several lines, so a correct file is never parsed this way.
   const std::vector<std::string_view> lines = lines_of(text);
   for (std::size_t first = 0; first < lines.size();) {
     std::size_t end = first + 1;
@@ -138,7 +138,7 @@ void Reader::parse(std::string_view text) {
   }
 }
 
-// Leaves out the lines that are wrong. If the header of a table is wrong, nothing of that table is used.
+// Parses the lines and drops those with errors. A table whose header has an error is dropped as a whole.
 void Reader::parse_lines(std::vector<std::string_view> lines, std::size_t first_line) {
   for (int errors = 0; errors < most_syntax_errors && problems_.size() < 4 * most_syntax_errors; ++errors) {
     std::string text;
@@ -200,8 +200,8 @@ void apply_configuration(std::string_view text, const std::string& file, std::sp
     Reader reader(file, settings, problems);
     reader.parse(text);
     reader.apply(names);
-  } catch (const std::exception& error) {  // no memory
-    problems.push_back(file + ": cannot be read: " + error.what());
+  } catch (const std::exception& error) {  // out of memory
+    problems.push_back(fmt::format("{}: cannot be read: {}", file, error.what()));
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The place of the configuration file: XDG Base Directory Specification 0.8.
+// Finds and reads the configuration file: XDG Base Directory Specification 0.8.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -70,7 +70,7 @@ std::string find_configuration(const char* const* environment) {
 }
 
 std::optional<std::string> read_configuration(const std::string& file, std::string& problem) {
-  // Opening a pipe without a writer must not block the program.
+  // O_NONBLOCK: a pipe without a writer must not block the program.
   const int opened = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   std::string reason = opened < 0 ? std::strerror(errno) : "";
   std::optional<std::string> text;

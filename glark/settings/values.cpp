@@ -24,7 +24,7 @@ std::optional<float> parse_decimal(std::string_view text, float least, float mos
   return whole && value >= least && value <= most ? std::optional<float>(value) : std::nullopt;
 }
 
-// The end of the file name that starts at `text`: its length.
+// Returns the length of the file name that `text` begins with.
 std::size_t file_name_length(std::string_view text) {
   for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
     const std::size_t after = text.find_first_not_of("0123456789", comma + 1);
@@ -42,7 +42,8 @@ std::optional<CaptureRequest> parse_capture(std::string_view text) {
   return CaptureRequest{*frame, std::string(file)};
 }
 
-// Calls `take` with each word of a list with commas, without surrounding blanks. Returns false if `take` does, or if a word is empty.
+// Calls `take` with each word of a comma-separated list, without blanks around it. Returns false if `take` did for a word, or if
+// a word is empty.
 template <class Take>
 bool for_each_word(std::string_view text, const Take& take) {
   if (text.find_first_not_of(' ') == std::string_view::npos) return true;  // the empty list

@@ -29,55 +29,56 @@ namespace glark::pn {
 
 enum class Element { vertex, triangle, crease, array, option };
 
-// What is wrong with an argument, and with which element of it.
+// An error in an argument, and the element that has it.
 class Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
 };
 
-// The caller owns the arrays, which are read and not kept. Vertices at equal positions are one point of the surface.
+// The caller owns the arrays; they are read only during the call. Vertices at equal positions are one point of the
+// surface.
 struct Mesh {
   std::span<const float> positions;             // [3 * vertices]
   std::span<const std::uint32_t> triangles;     // [3 * triangles], vertices
   std::span<const float> normals = {};          // [3 * vertices], of any length; empty: from the triangles' planes
-  std::span<const std::uint32_t> creases = {};  // [2 * creases], the two ends of edges that are to be sharp
+  std::span<const std::uint32_t> creases = {};  // [2 * creases], the two ends of each sharp edge
 };
 
 struct Options {
   float crease_degrees =
-      40;  // 0 to 180, without normals: edges whose planes differ by more are creases; with them, normals decide
-  float sharpness = 1;  // 0 or more: 0 smooth, 1 as sharp as the mesh is
+      40;  // 0 to 180; only without normals: edges whose planes differ by more are creases
+  float sharpness = 1;  // 0 or more: 0 is smooth, 1 as sharp as the mesh
   float tension = 0;    // -1 to 1, of the vertices on creases
   float bias = 0;       // -1 to 1, of the vertices on creases
-  bool split = true;    // in their middle, edges that their ends would make creases
+  bool split = true;    // divides smooth edges whose ends would make them creases
 };
 
-// What the vertices carry. The first vertices are those of the mesh, in its order and at its positions; more follow where one vertex
-// had to become several, or an edge had to be split.
+// The attributes of the vertices. The first vertices are those of the mesh, in its order and at its positions. More
+// follow where a vertex became several, or where an edge was split.
 struct TaggedMesh {
   std::vector<float> positions;          // [3 * vertices]
   std::vector<float> normals;            // [3 * vertices], of unit length
   std::vector<float> discontinuities;    // [4 * vertices]: Delta and the number of the crease
   std::vector<float> tags;               // [3 * vertices]: sharpness, tension, bias
   std::vector<std::uint32_t> triangles;  // [3 * triangles]
-  // For other attributes: a vertex lies half-way between these two of the mesh, which are the same where it is one of them.
+  // For other attributes: each vertex lies half-way between these two vertices of the mesh, which may be the same.
   std::vector<std::array<std::uint32_t, 2>> sources;
   std::vector<std::uint32_t> triangle_sources;  // [triangles], of the mesh
   std::size_t crease_vertices = 0;              // points with two normals, tagged by their discontinuity
-  std::size_t corners = 0;  // points where more creases meet: one vertex for each normal, and tension 1
+  std::size_t corners = 0;  // points where several creases meet: one vertex for each normal, and tension 1
 };
 
-// Creases are the edges that `creases` names, those where the normals of the two triangles differ by more than 1 degree at either end
-// or, without normals, those of Options::crease_degrees; and edges of more than two triangles, or of two that disagree on the
-// orientation. A point on a crease gets the mean of the two normals and their difference, such that sharpness 1 gives both back; one
-// where creases meet keeps all its normals, its tension holds the edges together. Edges between two tagged vertices that are no
-// crease are split in the middle, because the ends alone do not tell (ch. 8.2.1).
+// These edges are creases: those of `creases`; those where the normals of the two triangles differ by more than 1
+// degree at either end; without normals, those of Options::crease_degrees; and edges of more than two triangles, or of
+// two with different orientations. A point on one crease gets the mean of the two normals, and their difference, so
+// that sharpness 1 restores both. A point where creases meet keeps all its normals, and its tension holds the edges
+// together. An edge between two tagged vertices that is no crease is split in the middle, because its ends alone do not
+// tell (ch. 8.2.1).
 //   - An isolated vertex keeps its normal, or gets (0, 0, 1).
-//   - A triangle with two equal positions is kept, and has no say in anything.
-//   - A normal that is zero or not finite counts as the one that the triangles have there.
-// Every number that comes out is finite.
-// Errors: Error for an array of a wrong size, an index that is no vertex, a position that is not finite, a crease that is no edge, an
-// option out of its range.
+//   - A triangle with two equal positions is kept, but otherwise ignored.
+//   - A normal that is zero or not finite is replaced by the mean normal of the triangles.
+// All results are finite. Errors: Error for an array of the wrong size, an index that is no vertex, a position that is
+// not finite, a crease that is no edge, an option out of its range.
 TaggedMesh derive_tags(const Mesh& mesh, const Options& options = {});
 
 struct Corner {
@@ -92,8 +93,8 @@ struct Sample {
   std::array<double, 3> normal;
 };
 
-// A point of the triangle at barycentric coordinates (w, u, v), the weights of corners 0, 1 and 2, as 11.R.7 of the extension has it:
-// what the GPU computes, in double precision.
+// Evaluates the triangle at barycentric coordinates (w, u, v), the weights of corners 0, 1 and 2, as in 11.R.7 of the
+// extension: the computation of the GPU, in double precision.
 Sample evaluate(const std::array<Corner, 3>& corners, const std::array<double, 3>& barycentric);
 
 }  // namespace glark::pn

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// QAS: subdivision surfaces in real time. One limit step of Loop's scheme on the CPU gives six points and normals of the limit
-// surface for every triangle of a coarse mesh; a refinement shader (GL_ARK_adaptive_refinement) fits a quadratic patch to each
-// six and evaluates it at the refined vertices. Link to glark-qas.
+// Quadratic approximation of subdivision surfaces (QAS) in real time. One limit step of Loop's scheme on the CPU gives
+// six points and normals of the limit surface for every triangle of a coarse mesh; a refinement shader
+// (GL_ARK_adaptive_refinement) fits a quadratic patch to each six and evaluates it at the refined vertices. Link to
+// glark-qas.
 //
 //   glark::qas::Surface surface({vertex_count, triangles});        // once: the topology
 //   std::vector<glark::qas::Corner> corners(surface.corner_count());
@@ -13,13 +14,14 @@
 //
 // Space and units are those of the positions. Indices count from 0, triangles are counter-clockwise seen from outside.
 //
-// Meshes of any kind are taken. Edges of one triangle, of more than two, or of two that disagree on the orientation are creases,
-// beside those that are named; so every vertex is smooth, on a crease of two edges, or a corner that stays where it is.
+// Meshes of any kind are possible. Edges of one triangle, of more than two, or of two with different orientations are
+// creases, as are the edges in Mesh::creases. So every vertex is smooth, lies on a crease of two edges, or is a corner
+// that does not move.
 //   - An isolated vertex is its own limit.
 //   - A triangle with two equal indices is ignored, and drawn as a point.
-//   - A triangle with the vertices of an earlier one is drawn as that one; its normals are reversed if its orientation is.
-//   - Where the limit surface has no normal, the mean normal of the coarse triangles stands for it, and (0, 0, 1) if that is zero.
-// Every number that comes out is finite, and every normal has unit length.
+//   - A triangle with the vertices of an earlier one is drawn as that one, with reversed normals if its orientation is reversed.
+//   - Where the limit surface has no normal, it gets the mean normal of the coarse triangles, or (0, 0, 1) if that is zero.
+// All results are finite, and all normals have unit length.
 //
 // Source: Boubekeur 2007, ch. 9.
 #ifndef GLARK_QAS_H
@@ -38,18 +40,18 @@ namespace glark::qas {
 
 enum class Element { mesh, vertex, triangle, crease, array };
 
-// What is wrong with an argument, and with which element of it.
+// An error in an argument, and the element that has it.
 class Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
 };
 
-// The caller owns the arrays; they are read by the constructors only.
+// The caller owns the arrays; only constructors read them.
 struct Mesh {
   std::size_t vertex_count = 0;
   std::span<const std::uint32_t> triangles = {};  // [3 * triangles], vertices
   std::span<const std::uint32_t> creases =
-      {};  // [2 * creases], the two ends of edges across which the surface is not smooth
+      {};  // [2 * creases], the ends of edges across which the surface is not smooth
 };
 
 enum class Scheme {
@@ -59,23 +61,23 @@ enum class Scheme {
 
 struct Options {
   Scheme scheme = Scheme::loop;
-  // 0: one patch for each triangle, as in the thesis. 1: four, after one more step of the scheme, which costs about four times
-  // as much and is five times as exact; the patches are drawn one level less deep.
+  // 0: one patch for each triangle, as in the thesis. 1: four patches, after one more step of the scheme. That costs
+  // about four times as much and is five times as exact; the patches are drawn one level less deep.
   unsigned splits = 0;
-  unsigned threads = 0;  // at most; 0: as many as the machine has, 1: none but the caller's
+  unsigned threads = 0;  // the most threads; 0: as many as the machine has, 1: only the caller's
 };
 
 struct alignas(16) Vector {
   float x, y, z, w;  // w: 1 for a position, 0 for a normal
 };
 
-// Six positions and normals by index: at corners 0, 1, 2, and in the middle of the edges 01, 12, 20.
+// The indices of six positions and normals: at corners 0, 1, 2, then in the middle of the edges 01, 12, 20.
 struct Patch {
   std::array<std::uint32_t, 6> positions;
   std::array<std::uint32_t, 6> normals;
 };
 
-// A corner of a patch as the vertex stage reads it, with the edge to the next corner.
+// A corner of a patch in the form that the vertex stage reads, with the middle of the edge to the next corner.
 struct Corner {
   std::array<float, 3> position;
   std::array<float, 3> edge_position;
@@ -83,21 +85,22 @@ struct Corner {
   std::array<float, 3> edge_normal;
 };
 
-// A corner of a coarse triangle of a surface of splits 1 as the vertex stage reads it: two matrices, by columns. points: the corner,
-// and the points at 1/4, 2/4 and 3/4 of the edge to the next corner, x y z each; the fourth components of columns 0, 1 and 2 are the
-// x y z of the inner point next to the corner, whose weights are 2/4, 1/4 and 1/4. normals: the same of the normals.
+// A corner of a coarse triangle in the form that the vertex stage reads, for a surface with splits 1: two matrices, by
+// columns. points: x y z of the corner, and of the points at 1/4, 2/4 and 3/4 of the edge to the next corner. The
+// fourth components of columns 0, 1 and 2 are the x y z of the inner point next to the corner, whose weights are 2/4,
+// 1/4 and 1/4. normals: the normals at the same points.
 struct QuarticCorner {
   std::array<std::array<float, 4>, 4> points;
   std::array<std::array<float, 4>, 4> normals;
 };
 
-// A point of a surface and its normal, of unit length.
+// A point of a surface and its unit normal.
 struct Sample {
   std::array<float, 3> position;
   std::array<float, 3> normal;
 };
 
-// The limit step. One thread at a time may call update(); the others are const and safe then.
+// The limit step. Only one thread at a time may call update(); the const functions are safe from several threads.
 class Surface {
  public:
   // Errors: Error for an array that is not made of whole triangles or creases, an index that is no vertex, a crease that is no
@@ -107,31 +110,32 @@ class Surface {
   Surface(Surface&& other) noexcept;
   Surface& operator=(Surface&& other) noexcept;
 
-  // Moves the mesh. positions: [3 * vertex_count], x y z of every vertex; read, not kept. Allocates nothing.
-  // Errors: Error for an array of another size, or a coordinate that is not finite or above 1e37; nothing has changed then.
+  // Moves the mesh. positions: [3 * vertex_count], x y z of every vertex; read, not kept. Allocates nothing. Errors:
+  // Error for an array of another size, or a coordinate that is not finite or above 1e37. Then nothing has changed.
   void update(std::span<const float> positions);
 
-  // What update() found, owned by the surface; all zero before the first.
+  // The results of update(), owned by the surface; all zero before the first update.
   std::span<const Vector> limit_positions() const;
   std::span<const Vector> limit_normals() const;
-  // In the order of the triangles; of splits 1: the three at the corners, then the middle one.
+  // In the order of the triangles. With splits 1, each triangle has three patches at its corners, then the middle one.
   std::span<const Patch> patches() const;
 
-  // Three for each patch.
+  // Three corners for each patch.
   std::size_t corner_count() const;
-  // Errors: Error if `corners` has another size than corner_count(); nothing is written then. Allocates nothing.
+  // Allocates nothing. Errors: Error if `corners` has another size than corner_count(). Then nothing is written.
   void write_corners(std::span<Corner> corners) const;
-  // [corner_count()], for attributes of the coarse vertices such as texture coordinates and depth tags: the corner lies half-way
-  // between the two, which are the same at a coarse vertex.
+  // [corner_count()], for attributes of the coarse vertices such as texture coordinates and depth tags. Each corner
+  // lies half-way between these two vertices, which are the same at a coarse vertex.
   std::span<const std::array<std::uint32_t, 2>> corner_vertices() const;
 
-  // The patch at barycentric coordinates (w, u, v), 0 to 1 with the sum 1, that belong to corners 0, 1, 2: what the refinement
-  // shader computes. Errors: Error if there is no such patch, or the coordinates are no such.
+  // Evaluates a patch at barycentric coordinates (w, u, v) of corners 0, 1, 2, each 0 to 1, with the sum 1. This is the
+  // computation of the refinement shader. Errors: Error for a patch that does not exist, or coordinates outside the
+  // triangle.
   Sample evaluate(std::size_t patch, std::array<float, 3> barycentric) const;
 
-  // Of splits 1, in place of four quadratic patches: one quartic for each coarse triangle, through the same 15 points and normals.
-  // Where the surface is smooth it is ten times as exact, about extraordinary vertices twice.
-  // Three for each coarse triangle, in the order of Mesh::triangles; 0 without splits.
+  // With splits 1, instead of four quadratic patches: one quartic for each coarse triangle, through the same 15 points
+  // and normals. It is ten times as exact where the surface is smooth, and twice as exact near extraordinary vertices.
+  // There are three corners for each coarse triangle, in the order of Mesh::triangles; none without splits.
   std::size_t quartic_corner_count() const;
   // Errors: as write_corners(), for quartic_corner_count().
   void write_quartic_corners(std::span<QuarticCorner> corners) const;
@@ -143,7 +147,7 @@ class Surface {
   std::unique_ptr<State> state_;
 };
 
-// Loop's limit surface itself, evaluated at any parameter: the reference for Surface, and a slow refinement.
+// Loop's limit surface itself, evaluated at any parameter. It is the reference for Surface, and a slow refinement.
 // Source: Boubekeur 2007, ch. 7.5; J. Stam, Evaluation of Loop Subdivision Surfaces, 1999.
 class LoopSurface {
  public:
@@ -157,9 +161,9 @@ class LoopSurface {
   void update(std::span<const float> positions);
   // Errors: as Surface::evaluate(), for a triangle.
   Sample evaluate(std::size_t triangle, std::array<float, 3> barycentric) const;
-  // All triangles at the vertices of the uniform pattern of `level`, 0 to 11: [triangles * (2^level + 1) * (2^level + 2) / 2], for
-  // i = 0 .. 2^level the j = 0 .. 2^level - i, at (w, u, v) = (2^level - i - j, i, j) / 2^level. Errors: Error for another size or
-  // level; nothing is written then.
+  // Evaluates all triangles at the vertices of the uniform pattern of `level`, 0 to 11: [triangles * (2^level + 1) *
+  // (2^level + 2) / 2]. For i = 0 .. 2^level and j = 0 .. 2^level - i, (w, u, v) = (2^level - i - j, i, j) / 2^level.
+  // Errors: Error for another size or level. Then nothing is written.
   void refine(unsigned level, std::span<Sample> samples, unsigned threads = 0) const;
 
  private:
@@ -167,10 +171,10 @@ class LoopSurface {
   std::unique_ptr<State> state_;
 };
 
-// The vertex inputs that the refinement shader reads, of three components or more; position and normal are what the vertex stage
-// gets. All of them have to be active in it, so that pairs are best: `in mat2x3 point` with the position in column 0 and that of the
-// edge in column 1. A matrix takes a location, and an array, for each column. Without a normal (""), as in a depth-only pass, the
-// positions are the same bits.
+// The vertex inputs that the refinement shader reads, with three or more components. The vertex stage gets position and
+// normal. All inputs must be active in the vertex stage, so pairs are best: `in mat2x3 point` with the position in
+// column 0 and the edge's position in column 1. A matrix takes a location, and an array, for each column. Without a
+// normal (""), as in a depth-only pass, the positions are the same bits.
 struct ShaderInputs {
   std::string position = "point[0]";
   std::string edge_position = "point[1]";
@@ -178,12 +182,12 @@ struct ShaderInputs {
   std::string edge_normal = "normal[1]";
 };
 
-// GLSL for glRefinementShaderSourceARK, from 1.20 on. What lies on an edge is computed from the edge's three points alone, and
-// alike from both ends: patches that share them meet bit by bit, whatever their depths inside.
+// GLSL for glRefinementShaderSourceARK, from 1.20 on. Points on an edge are computed from the three points of the edge
+// alone, and symmetrically in its ends. So patches that share an edge meet bit by bit, whatever their depths inside.
 std::string refinement_shader(const ShaderInputs& inputs = {});
 
-// As refinement_shader(), for the corners of write_quartic_corners(): inputs are two mat4, of which the vertex stage reads column 0.
-// Without normals (""), the positions are the same bits.
+// As refinement_shader(), for the corners of write_quartic_corners(). Inputs are two mat4; the vertex stage reads
+// column 0. Without normals (""), the positions are the same bits.
 std::string quartic_refinement_shader(const std::string& points = "points", const std::string& normals = "normals");
 
 }  // namespace glark::qas

@@ -68,7 +68,7 @@ Mesh make_landscape() {
 // Tags by the length of edges on the screen.
 class ScreenTags {
  public:
-  ScreenTags(const Mesh& mesh, const tagging::View& view)
+  ScreenTags(const Mesh& mesh, const depth::View& view)
       : tagger_(mesh.vertices.size(), mesh.indices, deepest), view_(view), tags_(mesh.vertices.size()) {
     for (const Vertex& vertex : mesh.vertices) {
       positions_.insert(positions_.end(), std::begin(vertex.position), std::end(vertex.position));
@@ -89,8 +89,8 @@ class ScreenTags {
   double triangles() const { return triangles_; }  // of the last tags
 
  private:
-  tagging::Tagger tagger_;
-  tagging::View view_;
+  depth::Tagger tagger_;
+  depth::View view_;
   std::vector<float> positions_;
   std::vector<float> tags_;
   double triangles_ = 0;

@@ -22,8 +22,8 @@ void* operator new(std::size_t size) {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
 
-namespace glark::tagging::testing {
+namespace glark::depth::testing {
 
 int allocations() { return count; }
 
-}  // namespace glark::tagging::testing
+}  // namespace glark::depth::testing

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace glark::tagging::testing {
+namespace glark::depth::testing {
 
 // How often `new` was called since the program began.
 int allocations();
 
-}  // namespace glark::tagging::testing
+}  // namespace glark::depth::testing

@@ -10,7 +10,7 @@
 #include "glark/core/pattern/pool.h"
 #include "tests/depth/meshes.h"
 
-namespace glark::tagging {
+namespace glark::depth {
 namespace {
 
 std::uint64_t drawn(int e0, int e1, int e2, pattern::Interior interior) {
@@ -92,4 +92,4 @@ TEST(Budget, BelowTheCoarseMeshIsNotKept) {
 }
 
 }  // namespace
-}  // namespace glark::tagging
+}  // namespace glark::depth

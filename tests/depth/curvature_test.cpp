@@ -8,7 +8,7 @@
 
 #include "tests/depth/meshes.h"
 
-namespace glark::tagging {
+namespace glark::depth {
 namespace {
 
 using testing::Mesh;
@@ -126,4 +126,4 @@ TEST(Curvature, StaysFiniteWhereAllIsDegenerate) {
 }
 
 }  // namespace
-}  // namespace glark::tagging
+}  // namespace glark::depth

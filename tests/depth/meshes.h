@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace glark::tagging::testing {
+namespace glark::depth::testing {
 
 struct Mesh {
   std::vector<float> positions;
@@ -77,4 +77,4 @@ inline Mesh make_sphere(float radius, std::uint32_t n) {
   });
 }
 
-}  // namespace glark::tagging::testing
+}  // namespace glark::depth::testing

@@ -12,7 +12,7 @@
 #include "tests/depth/allocations.h"
 #include "tests/depth/meshes.h"
 
-namespace glark::tagging {
+namespace glark::depth {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -179,4 +179,4 @@ TEST(Tagger, UpdatesAllocateNothing) {
 }
 
 }  // namespace
-}  // namespace glark::tagging
+}  // namespace glark::depth

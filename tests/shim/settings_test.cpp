@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "glark/settings/table.h"
+
 namespace glark::settings {
 namespace {
 
@@ -28,6 +30,25 @@ TEST(Settings, AnEmptyEnvironmentGivesTheDefaults) {
   EXPECT_EQ(parsed.settings.context.level, 2u);
   EXPECT_EQ(parsed.settings.log_level, core::LogLevel::warning);
   EXPECT_TRUE(parsed.settings.captures.empty());
+}
+
+TEST(Settings, DefaultsOfTheTableAreThoseOfTheCore) {
+  const Settings parsed = parse(nullptr).settings;
+  const Settings constructed;
+  EXPECT_EQ(parsed.context.max_level, constructed.context.max_level);
+  EXPECT_EQ(parsed.context.refinement, constructed.context.refinement);
+  EXPECT_EQ(parsed.context.left_draws, constructed.context.left_draws);
+  EXPECT_EQ(parsed.context.weld, constructed.context.weld);
+  EXPECT_EQ(parsed.context.measure.on(), constructed.context.measure.on());
+  EXPECT_FALSE(parsed.max_level_set);
+}
+
+TEST(Settings, EveryDefaultIsAValidValue) {
+  for (const Setting& setting : table()) {
+    Settings settings;
+    EXPECT_FALSE(shown_default(setting).empty()) << setting.key;
+    EXPECT_TRUE(setting.initial.empty() || setting.read(settings, setting.initial)) << setting.key;
+  }
 }
 
 TEST(Settings, TheConformanceSuiteMakesItsOwnCalls) {
@@ -81,8 +102,7 @@ TEST(Settings, ALimitThatIsSetHoldsTheLevelBack) {
   const Parsed parsed = parse_all({"GLARK_LEVEL=8", "GLARK_MAX_LEVEL=3"});
   EXPECT_EQ(parsed.settings.context.level, 3u);
   ASSERT_EQ(parsed.problems.size(), 1u);
-  EXPECT_EQ(parsed.problems[0],
-            "the level is 8, more than the greatest level; it is 3 now; raise GLARK_MAX_LEVEL or max-level");
+  EXPECT_EQ(parsed.problems[0], "the level 8 exceeds the limit 3; 3 is used; raise GLARK_MAX_LEVEL or max-level");
 }
 
 TEST(Settings, Measures) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t grain = 1 << 16;  // the least number of records for a thread
 
-// counts[part * cells + cell] becomes the slot of the part's first record of the cell.
+// On entry, counts[part * cells + cell] is a number of records; on return, the slot of the first of them.
 std::vector<std::uint32_t> slots_of(std::vector<std::uint32_t>& counts, std::size_t parts, std::size_t cells) {
   std::vector<std::uint32_t> begins(cells + 1);
   std::uint32_t slot = 0;
@@ -27,7 +27,7 @@ std::vector<std::uint32_t> slots_of(std::vector<std::uint32_t>& counts, std::siz
 std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, const KeyFunction& key,
                                        const MoveFunction& move, const Workers& workers) {
   thread_local std::vector<std::uint32_t> kept_keys;
-  std::vector<std::uint32_t> keys = std::exchange(kept_keys, {});  // another task may run here while this one waits
+  std::vector<std::uint32_t> keys = std::exchange(kept_keys, {});  // this thread may run another task while it waits
   keys.resize(std::max(keys.size(), count));
   const std::size_t parts = std::clamp<std::size_t>(count / grain, 1, workers.count());
   std::vector<std::uint32_t> counts(parts * cells);

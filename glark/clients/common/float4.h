@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Points and vectors as four floats, of which the compiler makes vector instructions.
+// Points and vectors of four floats, for loops of vector instructions. The fourth float is free for the user.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ inline Float4 without_fourth(Float4 a) {
   return std::bit_cast<Float4>(std::bit_cast<Int4>(a) & kept);
 }
 
-// Of the first three.
+// The dot product of the first three floats.
 inline float dot(Float4 a, Float4 b) {
   const Float4 product = a * b;
   return product[0] + product[1] + product[2];
@@ -36,7 +36,7 @@ inline Float4 cross(Float4 a, Float4 b) {
   return __builtin_shufflevector(zxy, zxy, 1, 2, 0, 3);
 }
 
-// Zero stays zero.
+// The vector with length 1; zero for zero.
 inline Float4 unit(Float4 a) {
   const float square = dot(a, a);
   return square > 0 ? a / std::sqrt(square) : Float4{};

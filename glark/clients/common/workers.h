@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Loops and recursions, by the caller alone or shared with others. What they compute must not depend on who does it.
+// Parallel loops. The results of a loop must not depend on which thread runs a piece of it.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -21,8 +21,8 @@
 
 namespace glark::common {
 
-// ThreadSanitizer does not see that oneTBB, which is not compiled for it, hands what was done before a loop to its pieces and what they did
-// to what comes after it.
+// Tells ThreadSanitizer that the pieces of a loop come after the code before the loop, and before the code after it.
+// oneTBB is not compiled for ThreadSanitizer, which sees no such order.
 class Handover {
  public:
 #ifdef __SANITIZE_THREAD__
@@ -36,9 +36,9 @@ class Handover {
 
 class Workers {
  public:
-  // threads: at most; 0: as many as the machine has.
+  // threads: the most threads; 0 for as many as the machine has.
   explicit Workers(unsigned threads) {
-    const int most = tbb::info::default_concurrency();  // TBB complains of more
+    const int most = tbb::info::default_concurrency();  // TBB warns about more
     count_ = threads == 0 ? most : std::min(most, static_cast<int>(std::min(threads, 1024U)));
     if (count_ == 1) return;
     arena_ = std::make_unique<tbb::task_arena>(count_);
@@ -47,7 +47,7 @@ class Workers {
 
   std::size_t count() const { return static_cast<std::size_t>(count_); }
 
-  // body(begin, end) over all of 0 .. count, in pieces of `grain` at least, fewer for whoever is slow.
+  // Calls body(begin, end) for pieces of 0 .. count, each of at least `grain` elements. Slow threads get fewer pieces.
   template <typename Body>
   void each(std::size_t count, std::size_t grain, const Body& body) const {
     if (is_alone(count, grain, body)) return;
@@ -57,7 +57,7 @@ class Workers {
     });
   }
 
-  // One piece for each worker: the least to do beside the work, where all elements take the same time.
+  // Calls body with one piece for each worker. This has the least overhead where all elements take the same time.
   template <typename Body>
   void evenly(std::size_t count, const Body& body, std::size_t grain = 2048) const {
     if (is_alone(count, grain, body)) return;
@@ -68,7 +68,8 @@ class Workers {
     });
   }
 
-  // Pieces that begin at multiples of `grain`, for any number of workers: a piece may have a place for what it finds.
+  // Calls body with pieces that begin at multiples of `grain`, whatever the number of workers. So piece i may write to
+  // the i-th element of an array.
   template <typename Body>
   void in_pieces(std::size_t count, std::size_t grain, const Body& body) const {
     const auto piece = [&](std::size_t i) { body(i * grain, std::min(count, (i + 1) * grain)); };
@@ -93,7 +94,7 @@ class Workers {
   }
 
  private:
-  // `loop` gets what its pieces have to be run by.
+  // Calls loop(piece), which must run each piece of the loop by piece(code).
   template <typename Loop>
   void share(const Loop& loop) const {
     Handover before, after;
@@ -108,7 +109,7 @@ class Workers {
     after.take();
   }
 
-  // True when the caller has done it all.
+  // Runs a small loop in the calling thread and returns true; otherwise returns false.
   template <typename Body>
   bool is_alone(std::size_t count, std::size_t grain, const Body& body) const {
     if (arena_ && count > grain) return false;

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glark/depth.h>
+#include "glark/clients/depth/state.h"
+#include "glark/clients/depth/validation.h"
 
-namespace glark::tagging {
+namespace glark::depth {
 namespace {
 
-constexpr int morph_steps = 64;  // of a level, GL_GEOMORPH_ARK
-constexpr int morph_lift = 3;    // to this depth, one shallow edge does not make the interior shallow
+constexpr int morph_steps = 64;  // steps of a level, as GL_GEOMORPH_ARK has them
+constexpr int morph_lift = 3;    // up to this depth, one shallow edge does not make the interior shallow
 constexpr int bias_steps = 256;
 
 int edge_depth(float a, float b, EdgeRule rule) {
@@ -20,9 +21,10 @@ int edge_depth(float a, float b, EdgeRule rule) {
   return ((steps(a) + steps(b)) / 2 + morph_steps - 1) / morph_steps;
 }
 
-// A triangulation of b points on the border and i inside has 2 i + b - 2 triangles; inside are those of a lattice of 2^least
-// segments. While morphing, the interior is as deep as the second least depth, up to 3, where that is more; a triangle whose
-// interior has depth 0 or 1 has a point in its middle, unless it stays as it is.
+// A triangulation of b points on the boundary and i points inside has 2 i + b - 2 triangles. The points inside are
+// those of a lattice of 2^least segments. With geomorphing, the interior is as deep as the second least depth, but at
+// most 3, where that is more. A triangle whose interior has depth 0 or 1 has a point in its middle, unless it is not
+// divided at all.
 std::uint64_t triangles_of(int d0, int d1, int d2, EdgeRule rule) {
   const int least = std::min({d0, d1, d2});
   const std::uint64_t border = (std::uint64_t{1} << d0) + (std::uint64_t{1} << d1) + (std::uint64_t{1} << d2);
@@ -35,28 +37,27 @@ std::uint64_t triangles_of(int d0, int d1, int d2, EdgeRule rule) {
 
 }  // namespace
 
-std::uint64_t Tagger::refined_triangles(std::span<const float> tags, float bias, EdgeRule rule) const {
+std::uint64_t Tagger::count_refined(std::span<const float> tags, float bias, EdgeRule rule) const {
+  const std::vector<std::uint32_t>& triangles = state_->triangles;
   std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < triangles_.size(); i += 3) {
-    const float a = limited(tags[triangles_[i]] - bias);
-    const float b = limited(tags[triangles_[i + 1]] - bias);
-    const float c = limited(tags[triangles_[i + 2]] - bias);
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
+    const float a = clamped(tags[triangles[i]] - bias);
+    const float b = clamped(tags[triangles[i + 1]] - bias);
+    const float c = clamped(tags[triangles[i + 2]] - bias);
     sum += triangles_of(edge_depth(a, b, rule), edge_depth(b, c, rule), edge_depth(c, a, rule), rule);
   }
   return sum;
 }
 
 std::uint64_t Tagger::refined_triangles(std::span<const float> tags, EdgeRule rule) const {
-  check_tags("the tag", tags);
-  return refined_triangles(tags, 0.0F, rule);
+  check_tags("the tag", tags, vertices_);
+  return count_refined(tags, 0.0F, rule);
 }
 
-// Lower tags never give more triangles, so that the least bias is found by halving.
+// Lower tags never give more triangles, so the least bias is found by bisection.
 Budget Tagger::keep_budget(std::uint64_t triangles, std::span<float> tags, EdgeRule rule) const {
-  check_tags("the tag", tags);
-  const auto count_at = [&](int steps) {
-    return refined_triangles(tags, static_cast<float>(steps) / bias_steps, rule);
-  };
+  check_tags("the tag", tags, vertices_);
+  const auto count_at = [&](int steps) { return count_refined(tags, static_cast<float>(steps) / bias_steps, rule); };
   int enough = 0;
   std::uint64_t count = count_at(0);
   if (count > triangles) {
@@ -76,8 +77,8 @@ Budget Tagger::keep_budget(std::uint64_t triangles, std::span<float> tags, EdgeR
     }
   }
   Budget result{static_cast<float>(enough) / bias_steps, count, count <= triangles};
-  for (float& tag : tags) tag = limited(tag - result.bias);
+  for (float& tag : tags) tag = clamped(tag - result.bias);
   return result;
 }
 
-}  // namespace glark::tagging
+}  // namespace glark::depth

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "glark/clients/depth/vector.h"
+#include "glark/clients/depth/state.h"
+#include "glark/clients/depth/validation.h"
 
-namespace glark::tagging {
+namespace glark::depth {
 namespace {
 
-constexpr int fewest_samples = 8;  // on an edge
+constexpr int fewest_samples = 8;  // on the longest edge
 constexpr int most_samples = 128;
 
 struct Point {
   float u, v;
 };
 
-// Texels are at the middles of cells, as in a texture.
+// Texels lie at the middles of cells, as in a texture.
 float height_at(const HeightMap& map, float u, float v) {
   const auto wrapped = [](float t, std::uint32_t size) {
     const float scaled = (t - std::floor(t)) * static_cast<float>(size) - 0.5F;
@@ -35,8 +35,9 @@ float height_at(const HeightMap& map, float u, float v) {
          up * ((1 - right) * texel(column, row + 1) + right * texel(column + 1, row + 1));
 }
 
-// The mean square of what linear interpolation between the corners misses; a sample for every texel along the longest side.
-double missed(const HeightMap& map, const Point corner[3]) {
+// The mean square of the difference between the map and the linear interpolation of the corners. The longest side has a sample for every
+// texel.
+double variance_within(const HeightMap& map, const Point corner[3]) {
   float texels = 0;
   float height[3];
   for (int k = 0; k < 3; ++k) {
@@ -62,49 +63,44 @@ double missed(const HeightMap& map, const Point corner[3]) {
   return sum / (0.5 * (n + 1) * (n + 2));
 }
 
+void check_map(const HeightMap& map) {
+  require(map.width > 0 && map.height > 0 && map.heights.size() == std::size_t{map.width} * map.height,
+          "a height map of {} by {} needs as many heights, above 0; there are {}", map.width, map.height,
+          map.heights.size());
+  const auto bad = std::find_if(map.heights.begin(), map.heights.end(), [](float h) { return !std::isfinite(h); });
+  require(bad == map.heights.end(), "height {} of the map is not a finite number", bad - map.heights.begin());
+}
+
 }  // namespace
 
 void Tagger::by_displacement(std::span<const float> coordinates, const HeightMap& map, float tolerance,
                              std::span<float> tags) {
-  check_target(tags);
-  if (coordinates.size() != 2 * vertices_) {
-    throw Error("glark: the array of texture coordinates has " + std::to_string(coordinates.size()) + " floats; " +
-                std::to_string(vertices_) + " vertices need " + std::to_string(2 * vertices_));
-  }
-  for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    if (!std::isfinite(coordinates[i])) {
-      throw Error("glark: the texture coordinate of vertex " + std::to_string(i / 2) + " is not a finite number");
-    }
-  }
-  if (map.width == 0 || map.height == 0 || map.heights.size() != std::size_t{map.width} * map.height) {
-    throw Error("glark: a height map of " + std::to_string(map.width) + " by " + std::to_string(map.height) +
-                " needs as many heights, above 0; there are " + std::to_string(map.heights.size()));
-  }
-  const auto bad = std::find_if(map.heights.begin(), map.heights.end(), [](float h) { return !std::isfinite(h); });
-  if (bad != map.heights.end()) {
-    throw Error("glark: height " + std::to_string(bad - map.heights.begin()) + " of the map is not a finite number");
-  }
-  if (!(tolerance > 0)) throw Error("glark: the tolerance " + std::to_string(tolerance) + " is not above 0");
-  // The mean over the triangles about a vertex, by their area in the map; longest_ holds sums.
-  std::fill(longest_.begin(), longest_.end(), 0.0F);
-  std::fill(areas_.begin(), areas_.end(), 0.0F);
-  for (std::size_t i = 0; i < triangles_.size(); i += 3) {
+  check_target(tags, vertices_);
+  check_length("the array of texture coordinates", coordinates.size(), vertices_, 2);
+  check_finite("the texture coordinate", coordinates, 2);
+  check_map(map);
+  require(tolerance > 0, "the tolerance {} is not above 0", tolerance);
+  // The mean over the triangles around a vertex, weighted by their area in the map.
+  const std::vector<std::uint32_t>& triangles = state_->triangles;
+  std::vector<float>&sums = state_->longest, &areas = state_->areas;
+  std::fill(sums.begin(), sums.end(), 0.0F);
+  std::fill(areas.begin(), areas.end(), 0.0F);
+  for (std::size_t i = 0; i < triangles.size(); i += 3) {
     Point corner[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      corner[k] = {coordinates[2 * triangles_[i + k]], coordinates[2 * triangles_[i + k] + 1]};
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+      corner[k] = {coordinates[2 * triangles[i + k]], coordinates[2 * triangles[i + k] + 1]};
     const float area = 0.5F * std::abs((corner[1].u - corner[0].u) * (corner[2].v - corner[0].v) -
                                        (corner[1].v - corner[0].v) * (corner[2].u - corner[0].u));
-    const auto variance = static_cast<float>(missed(map, corner));
+    const auto variance = static_cast<float>(variance_within(map, corner));
     for (std::size_t k = 0; k < 3; ++k) {
-      longest_[triangles_[i + k]] += area * variance;
-      areas_[triangles_[i + k]] += area;
+      sums[triangles[i + k]] += area * variance;
+      areas[triangles[i + k]] += area;
     }
   }
   for (std::size_t vertex = 0; vertex < vertices_; ++vertex) {
-    const float deviation = areas_[vertex] > 0 ? std::sqrt(longest_[vertex] / areas_[vertex]) : 0.0F;
-    tags[vertex] = limited(std::log2(std::max(deviation / tolerance, 1.0F)));
+    const float deviation = areas[vertex] > 0 ? std::sqrt(sums[vertex] / areas[vertex]) : 0.0F;
+    tags[vertex] = clamped(std::log2(std::max(deviation / tolerance, 1.0F)));
   }
 }
 
-}  // namespace glark::tagging
+}  // namespace glark::depth

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Reads and writes geometry in the format that the file's ending names.
+// Reads and writes files. The ending of the name gives the format.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,21 @@
 
 namespace glark::geometry {
 
-// Fraction of the work that is done, 0 to 1; less than 0 where it cannot be known.
+// Receives the fraction of the work that is done, 0 to 1; less than 0 where it is not known.
 using Progress = std::function<void(double fraction)>;
 
-// PLY, OBJ, STL, XYZ (TXT, ASC, CSV) or PTS, each also compressed by zstd (.zst behind the ending). Throws Error.
+// Reads PLY, OBJ, STL, XYZ (TXT, ASC, CSV) or PTS, or one of these compressed by zstd (with a second ending .zst).
+// Throws Error.
 Reading read_file(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress = {});
 
 struct WriteOptions {
-  bool text = false;  // of PLY
+  bool text = false;  // writes PLY as text
 };
 
-// PLY, OBJ, STL, XYZ, PTS or GLB. The file appears complete or not at all. Throws Error.
+// Writes PLY, OBJ, STL, XYZ, PTS or GLB. The writing is atomic. Throws Error.
 void write_file(const std::filesystem::path& file, const Geometry& geometry, const WriteOptions& options = {});
 
-// Throws Error where write_file cannot write this: found out before an hour's work.
+// Throws Error if write_file() cannot write this file. Called before long computations.
 void check_writable(const std::filesystem::path& file);
 
 }  // namespace glark::geometry

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Acquired geometry as the readers give it and the writers take it: points with attributes, and triangles where there are any.
+// The contents of a file: points with attributes, and triangles if there are any.
 #pragma once
 
 #include <array>
@@ -13,21 +13,22 @@
 
 namespace glark::geometry {
 
-// Of a file: what() names the file, the element and the remedy.
+// An error in a file. what() names the file, the element and the remedy.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 struct Geometry {
-  // Georeferenced coordinates have more digits than a float: a position is `origin` plus three floats. Zero where floats do.
+  // Georeferenced coordinates have more digits than a float: a position is `origin` plus three floats. The origin is
+  // zero where floats suffice.
   std::array<double, 3> origin{};
   std::vector<float> positions;            // 3 a point
   std::vector<float> normals;              // 3 a point, or none; zero where a point has no normal
   std::vector<std::uint8_t> colours;       // red, green, blue, alpha, 4 a point, or none
   std::vector<float> texture_coordinates;  // 2 a point, or none
   std::vector<std::uint32_t> triangles;    // 3 indices a triangle, or none
-  // To be written instead of triangles, where a format has them (PLY): strips one after the other, and how long each is.
+  // Triangle strips, one after the other, and their lengths. PLY files get these instead of triangles.
   std::vector<std::uint32_t> strips;
   std::vector<std::uint32_t> strip_sizes;
 
@@ -42,10 +43,10 @@ struct ReadOptions {
 
 struct Reading {
   Geometry geometry;
-  std::vector<std::string> warnings;  // what the file has and the geometry has not
+  std::vector<std::string> warnings;  // what was lost in reading
 };
 
-// What points and triangles of a file will take, against this machine's memory. Throws where it is too much.
+// Throws Error if so many bytes do not fit into the memory of this machine.
 void require_memory(const std::string& file, double bytes);
 
 }  // namespace glark::geometry

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Based on: Boubekeur 2007, ch. 8.2. Delta is scaled as N is, so that the sharpness 1 gives both sides their own normals back. Ours: creases
-// have numbers, and points where more than one passes keep their normals.
+// Based on: Boubekeur 2007, ch. 8.2. Delta is scaled as N is, so that sharpness 1 restores the normals of both sides.
+// Our additions: creases have numbers, and points where several creases meet keep all their normals.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -34,7 +34,7 @@ namespace {
 
 constexpr std::uint32_t none = ~0U;
 
-// What all vertices at a point have in common.
+// The tags that all vertices at a point share.
 struct PointTags {
   enum class Kind { smooth, crease, corner };
   Kind kind = Kind::smooth;
@@ -79,7 +79,7 @@ class TagDerivation {
     }
   }
 
-  // Along a crease, N+ stays on the same side, and the number the same.
+  // Gives all points of a crease the same number, and keeps N+ on the same side of the crease.
   void follow_creases() {
     std::vector<std::vector<const Edge*>> edges_of(points_.count());
     for (const Edge& edge : points_.edges()) {
@@ -130,7 +130,7 @@ class TagDerivation {
     sector_of_.assign(result_.sources.size(), none);
   }
 
-  // A vertex stands for one sector of a corner; copies stand for the others.
+  // At a corner, each vertex belongs to one sector; the other sectors get copies of it.
   void part_corners() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copies;
     for (std::uint32_t corner = 0; corner < mesh_.triangles.size(); ++corner) {
@@ -194,7 +194,8 @@ class TagDerivation {
     return !is_zero(normal) ? normal : Vector{0, 0, 1};
   }
 
-  // Taken for sharp by the tags of its ends, and no crease. Between two corners it is straight anyway.
+  // Returns whether the tags of its ends make the edge a crease, though it is none. Edges between two corners are
+  // straight in any case.
   bool misleads(const Edge& edge) const {
     const PointTags& a = tags_[edge.a];
     const PointTags& b = tags_[edge.b];
@@ -204,7 +205,7 @@ class TagDerivation {
   }
 
   void split_edges() {
-    std::vector<bool> split(result_.triangles.size());  // by side: 3 t + k
+    std::vector<bool> split(result_.triangles.size());  // indexed by side: 3 t + k
     for (const Edge& edge : points_.edges()) {
       if (!misleads(edge)) continue;
       for (std::uint32_t i = edge.first; i < edge.first + edge.count; ++i) {
@@ -252,7 +253,7 @@ class TagDerivation {
       for (std::size_t k = 0; k < 3; ++k) append(c[k], m[k], m[(k + 2) % 3]);
       return append(m[0], m[1], m[2]);
     }
-    // From the corner after which a split edge follows one that is not.
+    // Finds the corner after which a split edge follows one that is not split.
     std::size_t k = 0;
     while (m[k] == none || m[(k + 2) % 3] != none) ++k;
     const std::uint32_t next = c[(k + 1) % 3];
@@ -271,7 +272,7 @@ class TagDerivation {
   const Options& options_;
   SurfacePoints points_;
   std::vector<PointTags> tags_;
-  std::vector<std::uint32_t> sector_of_;  // by vertex of the result; none: of every or of no sector
+  std::vector<std::uint32_t> sector_of_;  // of each vertex of the result; none: it belongs to all sectors or to none
   TaggedMesh result_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Based on: Boubekeur 2007, ch. 8.3; A. Vlachos, J. Peters, C. Boyd, J. L. Mitchell, Curved PN Triangles, I3D 2001. The classification of
-// the sides of a crease by its edges is ours: section 11.R.7a of the extension.
+// Based on: Boubekeur 2007, ch. 8.3; A. Vlachos, J. Peters, C. Boyd, J. L. Mitchell, Curved PN Triangles, I3D 2001. We
+// classify the sides of a crease by its edges: section 11.R.7a of the extension.
 #include <algorithm>
 
 #include "glark/clients/common/vector.h"
@@ -17,10 +17,10 @@ double within(double value, double least, double most) {
   return std::isnan(value) ? 0 : std::clamp(value, least, most);
 }
 
-// A corner in the thesis's letters: P, N, Delta, sigma, theta, beta.
+// A corner in the letters of the thesis: P, N, Delta, sigma, theta, beta.
 struct TaggedVertex {
   Vector p, n, delta;
-  double size;  // of the normal that was given
+  double size;  // of the given normal
   double crease, sigma, theta, beta;
   bool tagged;
 };

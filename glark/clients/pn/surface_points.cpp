@@ -60,7 +60,7 @@ Vector SurfacePoints::given_normal(std::uint32_t vertex) const {
   return is_finite(normal) ? unit(normal) : Vector{0, 0, 0};
 }
 
-// Equal numbers, with one zero.
+// Welds vertices at equal positions; -0 equals 0.
 void SurfacePoints::weld() {
   const std::size_t vertices = mesh_.positions.size() / 3;
   const auto key = [&](std::uint32_t vertex) {
@@ -164,7 +164,7 @@ void SurfacePoints::find_sectors() {
   }
 }
 
-// Weighted by the angles of the triangles at the point; the given ones before those of the planes.
+// Means weighted by the angles of the triangles at the point: of the given normals, or else of the triangles' planes.
 void SurfacePoints::find_normals() {
   normals_.assign(sector_.size(), {0, 0, 0});
   std::vector<Vector> of_planes(sector_.size(), {0, 0, 0});

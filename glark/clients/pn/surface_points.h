@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The points of a mesh, whatever vertices stand for them, its edges, and the sectors into which creases cut the triangles about a point.
+// The points of a mesh, each with all vertices at its position; the edges between points; and the sectors into which
+// creases divide the triangles around a point.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +15,16 @@ namespace glark::pn {
 
 using Vector = common::Vector3d;
 
-// Edges of one triangle or more between two points, a < b.
+// An edge of one or more triangles between two points, a < b.
 struct Edge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  std::uint32_t first = 0;  // of its sides
+  std::uint32_t first = 0;  // the first of its sides
   std::uint32_t count = 0;
   bool crease = false;
 };
 
-// An edge as one triangle has it: from its corner k to the next.
+// The edge of one triangle from corner k to the next corner.
 struct Side {
   std::uint32_t triangle = 0;
   std::uint32_t k = 0;
@@ -31,7 +32,7 @@ struct Side {
 
 class SurfacePoints {
  public:
-  // Errors: those of derive_tags for the arrays of the mesh.
+  // Errors: as derive_tags() for the arrays of the mesh.
   SurfacePoints(const Mesh& mesh, double crease_degrees);
 
   std::uint32_t count() const { return point_count_; }
@@ -40,9 +41,9 @@ class SurfacePoints {
   bool degenerate(std::uint32_t triangle) const { return degenerate_[triangle]; }
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<Side>& sides() const { return sides_; }
-  // Of the corner of a triangle, 3 t + k: the same number for all that no crease separates at their point.
+  // The sector of corner 3 t + k. Corners that no crease separates at their point have the same sector.
   std::uint32_t sector(std::uint32_t corner) const { return sector_[corner]; }
-  // Of unit length; (0, 0, 1) where nothing says more.
+  // The unit normal of a sector; (0, 0, 1) where it is unknown.
   const Vector& normal(std::uint32_t sector) const { return normals_[sector]; }
   // The sectors at each point, in ascending order.
   const std::vector<std::vector<std::uint32_t>>& sectors() const { return sectors_; }
@@ -56,7 +57,7 @@ class SurfacePoints {
   void find_normals();
   std::uint32_t corner_of(const Side& side, std::uint32_t point) const;
   Vector position(std::uint32_t vertex) const;
-  Vector given_normal(std::uint32_t vertex) const;  // zero where there is none
+  Vector given_normal(std::uint32_t vertex) const;  // zero if there is none
   bool normals_differ(const Edge& edge) const;
   const Edge* find(std::uint32_t a, std::uint32_t b) const;
 
@@ -64,7 +65,7 @@ class SurfacePoints {
   std::uint32_t point_count_ = 0;
   std::vector<std::uint32_t> point_of_;
   std::vector<bool> degenerate_;
-  std::vector<Vector> planes_;  // twice the area long
+  std::vector<Vector> planes_;  // normals as long as twice the area
   std::vector<Edge> edges_;     // sorted by their points
   std::vector<Side> sides_;
   std::vector<std::uint32_t> sector_;

@@ -13,17 +13,17 @@
 
 namespace glark::qas {
 
-using namespace common;  // Float4 and what is computed with it
+using namespace common;  // Float4 and its functions
 
 inline void store(Vector& to, Float4 value) { std::memcpy(&to, &value, sizeof(to)); }
 
 inline Float4 load(const Vector& from) { return Float4{from.x, from.y, from.z, 0}; }
 
-// Squares below are lost to the range of floats; a square of a sine below makes two tangents parallel in single precision.
+// Smaller squares leave the range of floats. Tangents with a smaller squared sine are parallel in single precision.
 inline constexpr float least_square = 1e-36F;
 inline constexpr float parallel = 1e-12F;
 
-// The unit normal of two tangents; false where they are parallel.
+// Finds the unit normal of two tangents. Returns false if they are parallel.
 inline bool unit_normal(Float4 first, Float4 second, Float4& normal) {
   const Float4 product = cross(first, second);
   const float square = dot(product, product);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/qas/frame.h"
 
+#include <fmt/format.h>
+
 #include <glark/qas.h>
 
 #include <algorithm>
@@ -21,11 +23,11 @@ constexpr float barycentric_tolerance = 1e-3F;
       std::find_if(positions.begin(), positions.end(), [](float x) { return !(std::fabs(x) <= greatest_coordinate); });
   const auto index = static_cast<std::size_t>(wrong - positions.begin());
   throw Error(Element::vertex, index / 3,
-              std::string("has the ") + "xyz"[index % 3] + " coordinate " + std::to_string(*wrong) +
-                  "; it has to be finite and at most 1e37");
+              fmt::format("has the {} coordinate {}; it has to be finite and at most 1e37", "xyz"[index % 3], *wrong));
 }
 
-// In four lanes, which the compiler keeps in one register. Infinity where something is no number.
+// The greatest magnitude, in four lanes that the compiler keeps in one register. Infinity if a value is NaN or too
+// large.
 float greatest_of(std::span<const float> values) {
   std::array<float, 4> greatest{};
   bool numbers = true;
@@ -41,9 +43,9 @@ float greatest_of(std::span<const float> values) {
 
 Scaled take_positions(std::span<const float> positions, std::vector<Float4>& to) {
   if (positions.size() != 3 * to.size()) {
-    throw Error(Element::array, 0,
-                "of positions has " + std::to_string(positions.size()) + " values; " + std::to_string(to.size()) +
-                    " vertices take " + std::to_string(3 * to.size()));
+    throw Error(
+        Element::array, 0,
+        fmt::format("of positions has {} values; {} vertices take {}", positions.size(), to.size(), 3 * to.size()));
   }
   const float greatest = greatest_of(positions);
   if (!(greatest <= greatest_coordinate)) complain(positions);
@@ -63,8 +65,8 @@ void check_barycentric(const std::array<float, 3>& barycentric) {
       std::min({w, u, v}) >= -barycentric_tolerance && std::fabs(w + u + v - 1) <= barycentric_tolerance;
   if (std::isfinite(w + u + v) && inside) return;
   throw Error(Element::array, 0,
-              "of barycentric coordinates (" + std::to_string(w) + ", " + std::to_string(u) + ", " + std::to_string(v) +
-                  ") is not of a point of the triangle: 0 to 1, of sum 1");
+              fmt::format("of barycentric coordinates ({}, {}, {}) is not of a point of the triangle: 0 to 1, of sum 1",
+                          w, u, v));
 }
 
 }  // namespace glark::qas

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The positions of a frame, taken over from the caller: checked, and scaled by a power of two so that no coordinate is above 1. What
-// is computed of them is then the same at every scale, and neither overflows nor vanishes.
+// Checks the positions of a frame and scales them by a power of two, so that no coordinate is above 1. The results are
+// then the same at every scale, and neither overflow nor vanish.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 namespace glark::qas {
 
 struct Scaled {
-  float scale = 1;    // of the caller's space in the scaled one
+  float scale = 1;    // from the caller's space to the scaled space
   float unscale = 1;  // 1 / scale, exactly
 };
 
-// Throws Error, before anything is written.
+// Throws Error before it writes anything.
 Scaled take_positions(std::span<const float> positions, std::vector<Float4>& to);
 
-// Throws Error unless they are of a point of the triangle.
+// Throws Error unless the coordinates belong to a point of the triangle.
 void check_barycentric(const std::array<float, 3>& barycentric);
 
 }  // namespace glark::qas

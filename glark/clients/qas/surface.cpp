@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The limit step behind its public face.
+// The class Surface of the public header.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -9,12 +11,12 @@
 #include <string>
 
 #include "glark/clients/common/error_message.h"
-#include "glark/clients/qas/limit_step/butterfly_step.h"
 #include "glark/clients/qas/frame.h"
+#include "glark/clients/qas/limit_step/butterfly_step.h"
 #include "glark/clients/qas/limit_step/limit_step.h"
+#include "glark/clients/qas/limit_step/split.h"
 #include "glark/clients/qas/shader/quadratic.h"
 #include "glark/clients/qas/shader/quartic.h"
-#include "glark/clients/qas/limit_step/split.h"
 
 namespace glark::qas {
 namespace {
@@ -37,7 +39,7 @@ std::optional<std::size_t> number_of(Element element, std::size_t index) {
 
 std::array<float, 3> triple(const Vector& vector) { return {vector.x, vector.y, vector.z}; }
 
-// Four columns, and the inner point in the last row.
+// The matrix of a quartic corner: four points as columns, and the inner point in the last row.
 std::array<std::array<float, 4>, 4> columns(const std::array<const Vector*, 5>& points) {
   std::array<std::array<float, 4>, 4> result{};
   const std::array<float, 3> inner = triple(*points[4]);
@@ -54,12 +56,12 @@ Error::Error(Element element, std::size_t index, const std::string& what)
 struct Surface::State {
   Workers workers;
   std::unique_ptr<LimitStep>
-      subdivision;  // from the coarse mesh to the one that has the patches; none where that is the same
+      subdivision;  // from the coarse mesh to the mesh of the patches; null if that is the same
   std::unique_ptr<LimitStep> step;
-  std::unique_ptr<ButterflyStep> butterfly_subdivision, butterfly;  // in their place
+  std::unique_ptr<ButterflyStep> butterfly_subdivision, butterfly;  // instead of these
   std::vector<std::array<std::uint32_t, 2>> corner_vertices;
-  std::vector<std::vector<Float4>> levels;  // the vertices, scaled: of the coarse mesh first
-  std::vector<Float4> shift;                // or the points of a step of the Butterfly
+  std::vector<std::vector<Float4>> levels;  // the scaled vertices, those of the coarse mesh first
+  std::vector<Float4> shift;                // or the points after a step of the Butterfly scheme
   std::vector<Vector> positions, normals;
 
   State(const Mesh& mesh, const Options& options);
@@ -67,7 +69,7 @@ struct Surface::State {
 
 Surface::State::State(const Mesh& mesh, const Options& options) : workers(options.threads) {
   if (options.splits > 1) {
-    throw Error(Element::mesh, 0, "is to be split " + std::to_string(options.splits) + " times; 0 and 1 are possible");
+    throw Error(Element::mesh, 0, fmt::format("is to be split {} times; 0 and 1 are possible", options.splits));
   }
   Topology topology = analyse(mesh);
   std::vector<std::array<std::uint32_t, 2>> ancestors;
@@ -122,8 +124,7 @@ std::span<const std::array<std::uint32_t, 2>> Surface::corner_vertices() const {
 void Surface::write_corners(std::span<Corner> corners) const {
   if (corners.size() != corner_count()) {
     throw Error(Element::array, 0,
-                "of corners has " + std::to_string(corners.size()) + "; " + std::to_string(patches().size()) +
-                    " patches have " + std::to_string(corner_count()));
+                fmt::format("of corners has {}; {} patches have {}", corners.size(), patches().size(), corner_count()));
   }
   state_->workers.evenly(patches().size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
@@ -139,7 +140,7 @@ void Surface::write_corners(std::span<Corner> corners) const {
 
 Sample Surface::evaluate(std::size_t patch, std::array<float, 3> barycentric) const {
   if (patch >= patches().size()) {
-    throw Error(Element::triangle, patch, "is none of the " + std::to_string(patches().size()) + " patches");
+    throw Error(Element::triangle, patch, fmt::format("is none of the {} patches", patches().size()));
   }
   check_barycentric(barycentric);
   std::array<Float4, 6> points, normals;
@@ -156,9 +157,9 @@ std::size_t Surface::quartic_corner_count() const { return state_->levels.size()
 
 void Surface::write_quartic_corners(std::span<QuarticCorner> corners) const {
   if (corners.size() != quartic_corner_count()) {
-    throw Error(Element::array, 0,
-                "of quartic corners has " + std::to_string(corners.size()) + "; the triangles have " +
-                    std::to_string(quartic_corner_count()));
+    throw Error(
+        Element::array, 0,
+        fmt::format("of quartic corners has {}; the triangles have {}", corners.size(), quartic_corner_count()));
   }
   state_->workers.evenly(corners.size() / 3, [&](std::size_t begin, std::size_t end) {
     for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner) {
@@ -177,7 +178,7 @@ void Surface::write_quartic_corners(std::span<QuarticCorner> corners) const {
 Sample Surface::evaluate_quartic(std::size_t triangle, std::array<float, 3> barycentric) const {
   if (triangle >= quartic_corner_count() / 3) {
     throw Error(Element::triangle, triangle,
-                "is none of the " + std::to_string(quartic_corner_count() / 3) + " with a quartic (splits 1)");
+                fmt::format("is none of the {} with a quartic (splits 1)", quartic_corner_count() / 3));
   }
   check_barycentric(barycentric);
   std::array<QuarticPoints, 3> points{}, normals{};

@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/qas/topology.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 
 namespace glark::qas {
 namespace {
 
-// The indices of all triangles and edges have to fit into 32 bits, those of the refined mesh of Patch::split too.
+// The indices of all triangles and edges must fit into 32 bits, also after a split.
 constexpr std::size_t most_triangles = 1U << 26;
 
 void check(const Mesh& mesh) {
   if (mesh.triangles.size() % 3 != 0) {
     throw Error(Element::triangle, mesh.triangles.size() / 3,
-                "has " + std::to_string(mesh.triangles.size() % 3) + " indices; every triangle takes three");
+                fmt::format("has {} indices; every triangle takes three", mesh.triangles.size() % 3));
   }
   if (mesh.creases.size() % 2 != 0) {
     throw Error(Element::crease, mesh.creases.size() / 2, "has one end; every crease takes two");
@@ -25,11 +27,11 @@ void check(const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (mesh.triangles[i] < mesh.vertex_count) continue;
     throw Error(Element::triangle, i / 3,
-                "refers to vertex " + std::to_string(mesh.triangles[i]) + " of " + std::to_string(mesh.vertex_count));
+                fmt::format("refers to vertex {} of {}", mesh.triangles[i], mesh.vertex_count));
   }
 }
 
-// Later triangles with the vertices of an earlier one, in whatever order, are its copies.
+// Finds copies: later triangles with the vertices of an earlier one in any order.
 void find_copies(Topology& topology) {
   struct Key {
     std::array<std::uint32_t, 3> vertices;
@@ -79,10 +81,10 @@ std::vector<Side> sorted_sides(const Topology& topology) {
   return sides;
 }
 
-// Numbers the edges in the order in which the triangles have them: neighbours lie together in memory.
+// Numbers the edges in the order of the triangles, so that neighbours are close in memory.
 void find_edges(Topology& topology, const std::vector<Side>& sides) {
   std::vector<std::uint32_t> group_of(topology.triangles.size(),
-                                      none);  // of the first side of an edge: where in `sides`
+                                      none);  // of the first side of each edge: its index in `sides`
   for (std::uint32_t i = 0; i < sides.size(); ++i) {
     if (i == 0 || sides[i].ends != sides[i - 1].ends) group_of[sides[i].half_edge] = i;
   }
@@ -108,8 +110,7 @@ void mark_creases(Topology& topology, const Mesh& mesh, const std::vector<Side>&
     const auto found = std::lower_bound(sides.begin(), sides.end(), Side{ends, 0});
     if (found == sides.end() || found->ends != ends) {
       throw Error(Element::crease, i / 2,
-                  "from vertex " + std::to_string(mesh.creases[i]) + " to " + std::to_string(mesh.creases[i + 1]) +
-                      " is no edge of the mesh");
+                  fmt::format("from vertex {} to {} is no edge of the mesh", mesh.creases[i], mesh.creases[i + 1]));
     }
     Edge& edge = topology.edges[topology.edge_of[found->half_edge]];
     edge.marked = edge.marked || edge.smooth;
@@ -117,7 +118,7 @@ void mark_creases(Topology& topology, const Mesh& mesh, const std::vector<Side>&
   }
 }
 
-// The outgoing half-edge of the next triangle about the same vertex, counter-clockwise or clockwise; none at a crease.
+// The outgoing half-edge of the next triangle around the same vertex, counter-clockwise or clockwise; none at a crease.
 std::uint32_t next_about(const Topology& topology, std::uint32_t half_edge) {
   return topology.twin(Topology::before(half_edge));
 }
@@ -145,7 +146,7 @@ void add_sector(Topology& topology, std::uint32_t any) {
   topology.sectors.push_back(sector);
 }
 
-// Loop's rules as Hoppe et al. (1994) extend them: by the number of creases that meet.
+// Loop's rules as Hoppe et al. (1994) extend them, by the number of creases that meet at a vertex.
 void find_rules(Topology& topology) {
   topology.rules.assign(topology.vertex_count, Rule::corner);
   topology.crease_neighbours.assign(topology.vertex_count, {none, none});
@@ -172,7 +173,7 @@ void find_rules(Topology& topology) {
     if (sector.closed && sector_count[v] == 1) topology.rules[v] = Rule::smooth;
     if (sharp_edges[v] == 2 && !sector.closed) topology.rules[v] = Rule::crease;
   }
-  for (const Sector& sector : topology.sectors) {  // a fan that leaves the two creases aside makes the vertex a corner
+  for (const Sector& sector : topology.sectors) {  // a fan that is not between the two creases makes the vertex a corner
     const bool between =
         !sector.closed && topology.rings[sector.first] != topology.rings[sector.first + sector.count - 1];
     if (topology.rules[sector.vertex] == Rule::crease && !between) topology.rules[sector.vertex] = Rule::corner;

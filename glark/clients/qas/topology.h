@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the limit rules have to know of a triangle mesh: its edges, and for every vertex the fans of triangles between creases.
+// The topology that the limit rules need: the edges of a triangle mesh, and for every vertex the fans of triangles
+// between creases.
 #pragma once
 
 #include <glark/qas.h>
@@ -14,12 +15,13 @@ namespace glark::qas {
 
 inline constexpr std::uint32_t none = 0xFFFFFFFFU;
 
-// Triangles about a vertex that are joined by smooth edges: one normal. The ring has one neighbour more than triangles where it is open.
+// Triangles around a vertex that are joined by smooth edges. They share one normal. The ring of an open sector has one
+// vertex more than triangles.
 struct Sector {
   std::uint32_t vertex;
   std::uint32_t first;  // in Topology::rings, counter-clockwise
   std::uint32_t count;
-  bool closed;  // all around, or but for the one crease of a dart
+  bool closed;  // the triangles surround the vertex, possibly with the one crease of a dart
 };
 
 enum class Rule : std::uint8_t { smooth, crease, corner };
@@ -29,28 +31,29 @@ struct Edge {
   std::uint32_t first_side;  // in Topology::sides
   std::uint32_t side_count;  // 2 if smooth
   bool smooth;               // not a boundary, crease or non-manifold edge
-  bool marked;               // sharp, and its two sides do not tell
+  bool marked;               // made a crease by the caller, not by its sides
 };
 
 struct Topology {
   std::uint32_t vertex_count = 0;
   std::vector<std::uint32_t> triangles;  // as given, three indices each
-  // Per triangle: the one whose points it has: itself; an earlier one with the same vertices; none if two of them are equal.
+  // For each triangle the one whose points it has: itself, an earlier one with the same vertices, or none if two of its
+  // vertices are equal.
   std::vector<std::uint32_t> same_as;
   std::vector<Edge> edges;             // in the order of the triangles
   std::vector<std::uint32_t> sides;    // half-edges 3 * triangle + i, from corner i to corner i + 1
-  std::vector<std::uint32_t> edge_of;  // per half-edge; none in triangles that are another's copy or degenerate
+  std::vector<std::uint32_t> edge_of;  // of each half-edge; none in copies and degenerate triangles
   std::vector<Sector> sectors;
   std::vector<std::uint32_t> rings;
-  std::vector<std::uint32_t> sector_of;                         // per corner
-  std::vector<Rule> rules;                                      // per vertex
-  std::vector<std::array<std::uint32_t, 2>> crease_neighbours;  // per vertex; of crease vertices
+  std::vector<std::uint32_t> sector_of;                         // of each corner
+  std::vector<Rule> rules;                                      // of each vertex
+  std::vector<std::array<std::uint32_t, 2>> crease_neighbours;  // of crease vertices
 
   std::uint32_t corner(std::uint32_t half_edge) const { return triangles[half_edge]; }
   std::uint32_t opposite(std::uint32_t half_edge) const { return triangles[before(half_edge)]; }
   static std::uint32_t after(std::uint32_t half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
   static std::uint32_t before(std::uint32_t half_edge) { return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1; }
-  // Across a smooth edge; none otherwise.
+  // The half-edge across a smooth edge; none at other edges.
   std::uint32_t twin(std::uint32_t half_edge) const {
     const Edge& edge = edges[edge_of[half_edge]];
     if (!edge.smooth) return none;

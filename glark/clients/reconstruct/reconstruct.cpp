@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <glark/reconstruct.h>
 
 #include <algorithm>
 
-#include "glark/clients/reconstruct/mesh/refinement.h"
 #include "glark/clients/common/points/point_set.h"
+#include "glark/clients/reconstruct/mesh/refinement.h"
 
 namespace glark::reconstruct {
 namespace {
@@ -14,8 +16,7 @@ void check(const ReconstructOptions& options) {
   const auto within = [](double value, double least, double most, const char* name) {
     if (value >= least && value <= most) return;
     throw vstree::Error(vstree::Element::option, 0,
-                std::string(name) + " is " + std::to_string(value) + "; " + std::to_string(least) + " to " +
-                    std::to_string(most) + " is possible");
+                        fmt::format("{} is {}; {} to {} is possible", name, value, least, most));
   };
   within(static_cast<double>(options.threshold), 0, 1e18, "threshold");
   within(static_cast<double>(options.delta_a), 0, 1, "delta_a");

@@ -13,12 +13,12 @@ namespace glark::vstree {
 
 using namespace common;  // Float4, records and workers
 
-// About an origin that its user keeps: the error at x is x^T A x + 2 b x + c.
+// A quadratic error function relative to an origin that the user keeps: the error at x is x^T A x + 2 b x + c.
 struct Quadric {
   Float4 rows[3] = {};  // of A; the fourth column is b
   float constant = 0;
 
-  // The plane through `point` with the unit normal, its share times `weight`.
+  // Adds the plane through `point` with the unit normal, times `weight`.
   void add_plane(Float4 point, Float4 normal, float weight) {
     Float4 plane = without_fourth(normal);
     plane[3] = -dot(plane, point);
@@ -33,10 +33,10 @@ struct Quadric {
     constant += other.constant;
   }
   float weight() const { return rows[0][0] + rows[1][1] + rows[2][2]; }  // of all planes
-  // About an origin that lies `by` further.
+  // The same function relative to an origin that is moved by `by`.
   Quadric moved(Float4 by) const;
   float error_at(Float4 point) const;
-  // The point of the least error; along directions that the planes leave open it stays at the origin.
+  // The point of the least error. In directions that the planes leave open it stays at the origin.
   Float4 best_point() const;
 };
 

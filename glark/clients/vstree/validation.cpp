@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/vstree/validation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -35,8 +37,7 @@ Error::Error(Element element, std::size_t index, const std::string& what)
 void check(const Options& options) {
   const auto within = [](float value, float most, const char* name) {
     if (value >= 0 && value <= most) return;
-    throw Error(Element::option, 0,
-                std::string(name) + " is " + std::to_string(value) + "; 0 to " + std::to_string(most) + " is possible");
+    throw Error(Element::option, 0, fmt::format("{} is {}; 0 to {} is possible", name, value, most));
   };
   within(options.threshold, 1e18F, "threshold");
   within(options.delta_a, 1, "delta_a");
@@ -45,11 +46,10 @@ void check(const Options& options) {
 
 void check_triangles(std::span<const std::uint32_t> triangles, std::size_t points) {
   if (triangles.size() % 3 != 0) {
-    throw Error(Element::array, 0,
-                "triangles has " + std::to_string(triangles.size()) + " indices; give three for each");
+    throw Error(Element::array, 0, fmt::format("triangles has {} indices; give three for each", triangles.size()));
   }
   std::uint32_t beyond =
-      0;  // points are 2^31 at most: so signed comparisons do, of which there are vector instructions
+      0;  // at most 2^31 points, so that signed comparisons suffice, which have vector instructions
   const auto last = static_cast<std::int32_t>(static_cast<std::int64_t>(points) - 1);
   for (const std::uint32_t index : triangles)
     beyond |= index | (static_cast<std::int32_t>(index) > last ? 0x80000000U : 0U);
@@ -57,8 +57,7 @@ void check_triangles(std::span<const std::uint32_t> triangles, std::size_t point
   const auto wrong =
       std::find_if(triangles.begin(), triangles.end(), [&](std::uint32_t index) { return index >= points; });
   throw Error(Element::triangle, static_cast<std::size_t>(wrong - triangles.begin()) / 3,
-              "has index " + std::to_string(*wrong) + " of " + std::to_string(points) +
-                  " points; remove it, or give all points");
+              fmt::format("has index {} of {} points; remove it, or give all points", *wrong, points));
 }
 
 }  // namespace glark::vstree

@@ -8,8 +8,9 @@
 
 namespace glark::core {
 
-// Binds a buffer to GL_COPY_WRITE_BUFFER during its lifetime. It queries the old binding, so it is for rare paths only. OpenGL ES lacks
-// the functions that need no binding (glNamedBufferData ...), although their addresses may be found there.
+// Binds a buffer to GL_COPY_WRITE_BUFFER during its lifetime. It queries the old binding, so it is for rare paths only.
+// OpenGL ES lacks the functions that need no binding (glNamedBufferData ...), although their addresses may be found
+// there.
 class CopyWriteBinding {
  public:
   CopyWriteBinding(const gl::Dispatch& gl, GLuint buffer);

@@ -4,7 +4,7 @@
 // The rule from the depths of three edges to instances of pieces, once for C++ and for GLSL 4.30 / ES 3.10.
 //
 // The includer defines, before the #include:
-//   GLARK_EMIT(piece, ou, ov, s, r)  takes one instance: int piece; float ou, ov, s, r (docs/architecture.md, *patch*)
+//   GLARK_EMIT(piece, ou, ov, s, r)  takes one instance: int piece; float ou, ov, s, r (docs/explanation/architecture.md, *patch*)
 //   GLARK_SINK_PARAMETER             C++: "Sink& sink," for GLARK_EMIT to use; GLSL: leave undefined
 //   GLARK_SINK_ARGUMENT              C++: "sink,"; GLSL: leave undefined
 // and calls expand_pattern(GLARK_SINK_ARGUMENT e0, e1, e2, interior). C++ code includes expand.h instead.

@@ -11,6 +11,7 @@
 
 #include "glark/core/capture/record.h"
 #include "glark/core/refinement.h"
+#include "glark/core/state/programs/vertex_stage_traits.h"
 
 namespace glark::refine {
 
@@ -66,16 +67,6 @@ struct DeriveRequest {
   std::string refinement_source;  // the application's own refinement shader (glRefinementShaderSourceARK), or empty
   std::vector<std::string>
       extensions;  // of the context ("GL_ARB_..."): which GL_ macros its preprocessor defines; empty: unknown
-};
-
-// Traits of the vertex stage that decide whether and how it can be refined.
-struct VertexStageTraits {
-  bool reads_vertex_id = false;         // then outputs must be interpolated
-  bool writes_cull_distance = false;    // the same: culling needs all corners of the triangle
-  std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
-  bool has_side_effects = false;        // image stores, buffer writes, atomics
-  bool writes_flat_outputs = false;
-  bool writes_integers = false;  // not declared flat: a geometry shader reads them of every vertex
 };
 
 struct Inspection {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The part of the context's state that a refined draw changes or depends on. The hooks keep it up to date, so that drawing needs no
-// glGet.
+// The part of the context's state that a refined draw changes or depends on. The hooks keep it up to date, so that
+// drawing needs no glGet.
 #pragma once
 
 #include <array>

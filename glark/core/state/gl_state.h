@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The application's GL state in one context. The hooks (glark/core/track) keep it up to date; what they cannot follow is marked as
-// stale and read again from GL when it is needed.
+// The application's GL state in one context. The hooks (glark/core/track) keep it up to date; what they cannot follow
+// is marked as stale and read again from GL when it is needed.
 #pragma once
 
 #include "glark/core/objects/error_scope.h"

@@ -62,7 +62,8 @@ class ImmediateMode {
   // Bits: the numbers of components that the vertices have.
   unsigned components() const { return components_; }
 
-  // glPrimitiveRestartNV ends a primitive of so many triangles. Its mode takes `step` vertices for each; 0: vertices are shared.
+  // glPrimitiveRestartNV ends a primitive of so many triangles. Its mode takes `step` vertices for each; 0: vertices
+  // are shared.
   void restart(std::uint64_t triangles, std::uint64_t step) {
     restarted_ = true;
     vertices_before_ += vertices_;

@@ -30,7 +30,7 @@ struct ShareGroup {
   GLuint next_list_name = 0x60000000;  // for our list segments: far from the names that applications use
   BufferStamps buffers;
   std::atomic<std::uint64_t> contexts_made{0};  // so far; gives each context its range of stamps
-  std::vector<GLuint> orphaned_buffers;  // left by contexts that could not delete them; guarded by `mutex`
+  std::vector<GLuint> orphaned_buffers;         // left by contexts that could not delete them; guarded by `mutex`
   std::atomic<bool> any_derived{false};
   std::atomic<bool> lists_push{false};  // a display list has glPushAttrib or glPopAttrib
   // Changes whenever a program is linked, deleted or derived. What refers to programs by name is valid only until then.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Calls of the application that go straight to GL, and what they change: state of the context, or of the display list that is
-// being compiled.
+// Calls of the application that go straight to GL, and what they change: state of the context, or of the display list
+// that is being compiled.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of vertex arrays. Most are called only while the context refines, because programs call these functions all the time. If GL
-// may refuse the arguments, the state of the array becomes unknown: the next draw asks GL for it.
+// Hooks of vertex arrays. Most are called only while the context refines, because programs call these functions all the
+// time. If GL may refuse the arguments, the state of the array becomes unknown: the next draw asks GL for it.
 #include "glark/core/track/track.h"
 
 namespace glark::core {

@@ -119,7 +119,7 @@ void BindBuffersRange(Context& c, GLenum target, GLuint first, GLsizei count, co
 void DeleteBuffers(Context& c, GLsizei n, const GLuint* buffers) {
   c.gl().DeleteBuffers(n, buffers);
   c.state().forget_bindings();                          // deleting unbinds
-  c.state().arrays().vertex_arrays().forget_current();  // from the bound vertex array, too; other vertex arrays keep the object
+  c.state().arrays().vertex_arrays().forget_current();  // others keep the object
   c.state().arrays().vertex_arrays().forget_elements();
   for (GLsizei i = 0; i < n && buffers != nullptr; ++i) {
     c.writes().deleted(buffers[i]);

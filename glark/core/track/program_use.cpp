@@ -39,7 +39,8 @@ void UseProgram(Context& c, GLuint program) {
   c.state().programs().forget_subroutines();
   c.state().programs().refresh_mirroring();
   if (c.state().bindings().transform_feedback_active && c.state().bindings_stale()) {
-    c.state().refresh();  // feedback may have ended: then GL takes the program, and the uniform calls that follow are for it
+    // Feedback may have ended. Then GL takes the program, and the uniform calls that follow are for it.
+    c.state().refresh();
   }
   if (program != 0 && !use_known(c, program)) {
     c.state().forget_bindings();  // GL may have refused

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of shaders and programs. The sources that a program was linked from are kept, because an application may delete its shader
-// objects right after linking.
+// Hooks of shaders and programs. The sources that a program was linked from are kept, because an application may delete
+// its shader objects right after linking.
 #include <string>
 
 #include "glark/core/track/track.h"

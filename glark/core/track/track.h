@@ -14,13 +14,14 @@ namespace glark::core::track {
 
 // A draw of the application: goes into the display list being cut, or to the stages.
 void draw(Context& context, const DrawCall& call);
-// A draw that goes to the stages, and one that stays as it is: either may give the application's transform feedback back to GL.
+// A draw that goes to the stages, and one that stays as it is: either may give the application's transform feedback
+// back to GL.
 void refine(Context& context, const DrawCall& call);
 void pass(Context& context, Cause cause);
 void hand_back_feedback(Context& context);
 
-// False while a display list is compiled and not executed: the call then changes no state. To be asked by hooks of calls that
-// change state that refined draws depend on.
+// False while a display list is compiled and not executed: the call then changes no state. To be asked by hooks of
+// calls that change state that refined draws depend on.
 inline bool executes(Context& context) {
   ListCompilation& lists = context.state().lists();
   lists.note_state_change();

@@ -4,6 +4,8 @@
 // The libraries take colours without alpha.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,7 +26,7 @@ inline std::vector<std::uint8_t> rgb_of(const std::vector<std::uint8_t>& rgba) {
 inline void warn_of_alpha(const std::vector<std::uint8_t>& rgba, const std::string& file) {
   for (std::size_t i = 3; i < rgba.size(); i += 4) {
     if (rgba[i] == 255) continue;
-    warn(file + ": point " + std::to_string(i / 4) + " is not opaque; the result has no alpha");
+    warn(fmt::format("{}: point {} is not opaque; the result has no alpha", file, i / 4));
     return;
   }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // glark simplify FILE -o OUT: fewer triangles, or points where there are no triangles.
+#include <fmt/format.h>
+
 #include <glark/vstree.h>
 
 #include <memory>
@@ -52,9 +54,10 @@ std::size_t seam_points(const geometry::Geometry& geometry) {
 // What the result cannot have.
 void warn_of_losses(const geometry::Geometry& geometry, const std::string& file) {
   if (const std::size_t seams = seam_points(geometry); seams > 0) {
-    warn(file + ": its texture coordinates have seams, at " + std::to_string(seams) +
-         " of its points; the result has those of one side there, so that triangles along a seam show a wrong part of "
-         "the texture: take it off, or bake it into colours first");
+    warn(fmt::format(
+        "{}: its texture coordinates have seams, at {} of its points; the result has those of one side there, so that "
+        "triangles along a seam show a wrong part of the texture: take it off, or bake it into colours first",
+        file, seams));
   }
   warn_of_alpha(geometry.colours, file);
 }

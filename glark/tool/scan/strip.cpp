@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // glark strip FILE -o OUT: the points as they are, with triangle strips that interpolate them.
+#include <fmt/format.h>
+
 #include <glark/surfel.h>
 
 #include <memory>
@@ -52,7 +54,7 @@ void strip(const Strip& command) {
     seconds = progress.seconds();
   }
   const unsigned level = std::min(command.level, strips->level_count() - 1);
-  if (level < command.level) warn("the coarsest level of detail is " + std::to_string(level) + ", which is taken");
+  if (level < command.level) warn(fmt::format("the coarsest level of detail is {}, which is taken", level));
   for (const surfel::Node& node : strips->nodes(level))
     if (node.left == surfel::none && node.count > 0)
       add_strip(geometry, strips->indices().subspan(node.first, node.count));
@@ -85,9 +87,8 @@ void add_strip(CLI::App& app) {
   describe_output(*command, stripping->files);
   describe_measure(*command, stripping->reference);
   command
-      ->add_option(
-          "--leaf-points", stripping->options.leaf_points,
-          "Points of a strip at most, 8 to 1024; " + std::to_string(stripping->options.leaf_points) + " if not given")
+      ->add_option("--leaf-points", stripping->options.leaf_points,
+                   fmt::format("Points of a strip at most, 8 to 1024; {} if not given", stripping->options.leaf_points))
       ->check(CLI::Range(8, 1024));
   command->add_flag_callback(
       "--keep-edges", [stripping] { stripping->options.turn_edges = false; },

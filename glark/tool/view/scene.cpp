@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <limits>
 
 #include "glark/tool/view/gl.h"
@@ -33,17 +34,18 @@ std::uint32_t make_buffer(GLenum target, std::span<const Value> values) {
 }  // namespace
 
 Scene::Scene(geometry::Geometry geometry) : geometry_(std::move(geometry)) {
-  low_.fill(std::numeric_limits<float>::infinity());
-  high_.fill(-std::numeric_limits<float>::infinity());
-  for (std::size_t i = 0; i < geometry_.positions.size(); ++i) {
-    low_[i % 3] = std::min(low_[i % 3], geometry_.positions[i]);
-    high_[i % 3] = std::max(high_[i % 3], geometry_.positions[i]);
+  low_ = glm::vec3(std::numeric_limits<float>::infinity());
+  high_ = -low_;
+  for (std::size_t i = 0; i < geometry_.positions.size(); i += 3) {
+    const glm::vec3 position = glm::make_vec3(&geometry_.positions[i]);
+    low_ = glm::min(low_, position);
+    high_ = glm::max(high_, position);
   }
   spacing_ = estimated_spacing(geometry_.positions, low_, high_);
   if (geometry_.normals.empty() && !geometry_.triangles.empty()) geometry_.normals = normals_of_triangles(geometry_);
   has_lighting_ = !geometry_.normals.empty();
   if (!has_lighting_ && geometry_.colours.empty())
-    geometry_.colours = colours_by_height(geometry_.positions, low_[2], high_[2]);
+    geometry_.colours = colours_by_height(geometry_.positions, low_.z, high_.z);
   upload();
 }
 
@@ -58,14 +60,11 @@ Mode Scene::default_mode() const {
 
 Camera Scene::default_camera() const {
   Camera camera;
-  float square = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    camera.target[axis] = (low_[axis] + high_[axis]) / 2;
-    square += (high_[axis] - low_[axis]) * (high_[axis] - low_[axis]);
-  }
-  camera.radius = std::max(std::sqrt(square) / 2, std::numeric_limits<float>::min() * 1e6F);
-  // Flat in z, as terrain is: seen from above.
-  camera.z_is_up = 4 * (high_[2] - low_[2]) < std::min(high_[0] - low_[0], high_[1] - low_[1]);
+  const glm::vec3 size = high_ - low_;
+  camera.target = (low_ + high_) / 2.0F;
+  camera.radius = std::max(glm::length(size) / 2, std::numeric_limits<float>::min() * 1e6F);
+  // Terrain is flat in z and is seen from above.
+  camera.z_is_up = 4 * size.z < std::min(size.x, size.y);
   if (camera.z_is_up) camera.pitch = 40;
   return camera;
 }
@@ -110,13 +109,13 @@ void Scene::set_up(const Camera& camera, int width, int height) const {
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl.Enable(GL_DEPTH_TEST);
   gl.MatrixMode(GL_PROJECTION);
-  gl.LoadMatrixf(camera.projection(width, height).data());
+  gl.LoadMatrixf(glm::value_ptr(camera.projection(width, height)));
   gl.MatrixMode(GL_MODELVIEW);
   gl.LoadIdentity();
   const GLfloat direction[4] = {0.3F, 0.5F, 1, 0};  // over the viewer's shoulder
   const GLfloat shine[4] = {0.15F, 0.15F, 0.15F, 1};
   gl.Lightfv(GL_LIGHT0, GL_POSITION, direction);
-  gl.LoadMatrixf(camera.view().data());
+  gl.LoadMatrixf(glm::value_ptr(camera.view()));
   gl.Color3f(0.78F, 0.76F, 0.72F);
   gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
   gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, shine);
@@ -147,7 +146,8 @@ void Scene::draw_triangles() const {
 Statistics Scene::draw_strips(const Camera& camera, int width, int height) {
   make_strips();
   surfel::View view;
-  view.clip_from_object = product(camera.projection(width, height), camera.view());
+  const glm::mat4 clip_from_object = camera.projection(width, height) * camera.view();
+  std::copy_n(glm::value_ptr(clip_from_object), view.clip_from_object.size(), view.clip_from_object.begin());
   view.width = static_cast<unsigned>(width);
   view.height = static_cast<unsigned>(height);
   view.cull_frustum = cull;

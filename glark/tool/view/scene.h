@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What glark view draws: points as splats, surfel strips, or the triangles of the file; by the fixed functions of OpenGL, so that the
-// extension refines them as they are.
+// Draws points as splats, surfel strips, or the triangles of the file. It uses the fixed functions of OpenGL, so that the extension can
+// refine the triangles.
 #pragma once
 
 #include <glark/surfel.h>
@@ -30,7 +30,7 @@ struct Statistics {
 
 class Scene {
  public:
-  // A context of OpenGL must be current, then and later.
+  // An OpenGL context must be current as long as the scene lives.
   explicit Scene(geometry::Geometry geometry);
   ~Scene();
   Scene(const Scene&) = delete;
@@ -54,8 +54,8 @@ class Scene {
   Statistics draw_strips(const Camera& camera, int width, int height);
 
   geometry::Geometry geometry_;
-  std::array<float, 3> low_{}, high_{};
-  float spacing_ = 0;  // between neighbouring points, about
+  glm::vec3 low_{}, high_{};
+  float spacing_ = 0;  // the approximate distance of neighbouring points
   bool has_lighting_ = false;
   std::optional<surfel::Strips> strips_;
   surfel::Frame frame_;

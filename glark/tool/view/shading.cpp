@@ -46,21 +46,23 @@ std::vector<std::uint8_t> colours_by_height(std::span<const float> positions, fl
   return colours;
 }
 
-float estimated_spacing(std::span<const float> positions, const std::array<float, 3>& low,
-                        const std::array<float, 3>& high) {
-  const float longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+float estimated_spacing(std::span<const float> positions, const glm::vec3& low, const glm::vec3& high) {
+  const glm::vec3 size = high - low;
+  const float longest = std::max({size.x, size.y, size.z});
   if (!(longest > 0)) return 0;
   const float side = longest / grid;
   std::vector<bool> taken(grid * grid * grid);
   std::size_t count = 0;
   for (std::size_t i = 0; i < positions.size(); i += 3) {
     std::size_t cube = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      cube = cube * grid + std::min(static_cast<std::size_t>((positions[i + axis] - low[axis]) / side), grid - 1);
+    for (int axis = 0; axis < 3; ++axis) {
+      const float above = positions[i + static_cast<std::size_t>(axis)] - low[axis];
+      cube = cube * grid + std::min(static_cast<std::size_t>(above / side), grid - 1);
+    }
     count += taken[cube] ? 0 : 1;
     taken[cube] = true;
   }
-  // A surface crosses about one and a half cubes for each face's worth of area.
+  // A surface crosses about one and a half cubes for the area of a face.
   const double area = static_cast<double>(count) * side * side / 1.5;
   return static_cast<float>(std::sqrt(area / (static_cast<double>(positions.size()) / 3)));
 }

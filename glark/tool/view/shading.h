@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a picture takes and a file may lack.
+// Normals, colours and spacing of points whose file has none.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -13,14 +13,13 @@
 
 namespace glark::tool {
 
-// Of the points, the mean of the triangles' weighted by their area.
+// Normals at the points: means of the triangles' normals, weighted by area.
 std::vector<float> normals_of_triangles(const geometry::Geometry& geometry);
 
-// Blue at the bottom, green, then sand at the top.
+// Red green blue alpha for each point: blue at the bottom, then green, sand at the top.
 std::vector<std::uint8_t> colours_by_height(std::span<const float> positions, float low, float high);
 
-// About the distance of neighbouring points, from how many cubes of a grid have points.
-float estimated_spacing(std::span<const float> positions, const std::array<float, 3>& low,
-                        const std::array<float, 3>& high);
+// The approximate distance of neighbouring points, from the number of cubes of a grid that have points.
+float estimated_spacing(std::span<const float> positions, const glm::vec3& low, const glm::vec3& high);
 
 }  // namespace glark::tool

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/tool/view/window.h"
 
+#include <fmt/format.h>
+
 #include <GLFW/glfw3.h>
 
 #include <array>
@@ -60,22 +62,18 @@ class Viewer {
     const Statistics drawn = scene_.draw(camera_, mode_, width, height);
     if (wants_screenshot_) take_screenshot(width, height);
     glfwSwapBuffers(window_);
-    std::array<char, 256> text{};
+    std::string title = fmt::format("{} - {} indices, {} points", title_, drawn.indices, drawn.points);
     if (drawn.strips > 0)
-      std::snprintf(text.data(), text.size(),
-                    "%zu strips, %zu indices, %zu points; of %zu nodes %zu out of view, %zu turned away", drawn.strips,
-                    drawn.indices, drawn.points, drawn.nodes_visited, drawn.nodes_out_of_frustum,
-                    drawn.nodes_back_facing);
-    else
-      std::snprintf(text.data(), text.size(), "%zu indices, %zu points", drawn.indices, drawn.points);
-    glfwSetWindowTitle(window_, (title_ + " - " + text.data()).c_str());
+      title += fmt::format(", {} strips; of {} nodes {} out of view, {} turned away", drawn.strips, drawn.nodes_visited,
+                           drawn.nodes_out_of_frustum, drawn.nodes_back_facing);
+    glfwSetWindowTitle(window_, title.c_str());
   }
 
   void take_screenshot(int width, int height) {
     wants_screenshot_ = false;
     std::string file;
     do {
-      file = "glark-" + std::to_string(++screenshots_) + ".png";
+      file = fmt::format("glark-{}.png", ++screenshots_);
     } while (std::filesystem::exists(file));
     try {
       write_screenshot(file, width, height);

@@ -31,8 +31,8 @@ constexpr char old_fragment[] = "void main() { gl_FragColor = vec4(1.0); }\n";
 
 class ExemptDraws : public testing::Test {
  public:
-  ExemptDraws(const Exemptions&) = delete;
-  Exemptions& operator=(const Exemptions&) = delete;
+  ExemptDraws(const ExemptDraws&) = delete;
+  ExemptDraws& operator=(const ExemptDraws&) = delete;
 
  protected:
   ExemptDraws() {

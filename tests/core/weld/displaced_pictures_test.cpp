@@ -8,7 +8,7 @@
 namespace glark::core::test {
 namespace {
 
-class DisplacedPictures : public WeldDisplaced {
+class DisplacedPictures : public DisplacedEdges {
  protected:
   DisplacedPictures() {
     scene_program_ = link_program(

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Based on: A. Gueziec et al., Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces, 2001: vertices are cut apart
-// and put together again only across edges of which two triangles are known to be neighbours.
+// Based on: A. Gueziec et al., Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces, 2001: all
+// vertices are cut apart, then joined across the edges of two triangles that are neighbours.
 #include "glark/clients/common/mesh/cut_sheets.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace glark::common {
 namespace {
 
-// A half-edge by the ends of its edge and the corner that starts it.
+// A half-edge with the two ends of its edge, to sort by.
 struct HalfEdge {
   std::uint64_t edge;  // the lesser end is the upper half
   std::uint32_t corner;
@@ -46,7 +46,7 @@ class Cut {
   }
 
  private:
-  // Those of one edge one after the other.
+  // The half-edges at irregular vertices, sorted by edge.
   std::vector<HalfEdge> at_irregular_vertices() const {
     std::vector<HalfEdge> result;
     const auto add = [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
@@ -72,22 +72,22 @@ class Cut {
     return unit(cross(points_[triangles_[t + 1]] - a, points_[triangles_[t + 2]] - a));
   }
 
-  // The triangles at the half-edges become neighbours.
+  // Makes neighbours of the triangles at the two half-edges.
   void join(std::uint32_t a, std::uint32_t b) {
     const bool reversed = triangles_[a] != triangles_[b];
     corners_.join(a, reversed ? next_corner(b) : b);
     corners_.join(next_corner(a), reversed ? b : next_corner(b));
   }
 
-  // At how many ends of their edge two triangles belong to one sheet already.
+  // The number of ends of their common edge where two triangles belong to one sheet already.
   int ends_together(std::uint32_t a, std::uint32_t b) {
     const bool reversed = triangles_[a] != triangles_[b];
     return (corners_.find(a) == corners_.find(reversed ? next_corner(b) : b) ? 1 : 0) +
            (corners_.find(next_corner(a)) == corners_.find(reversed ? b : next_corner(b)) ? 1 : 0);
   }
 
-  // More than two half-edges of one edge, in pairs that run against each other: first those of one sheet, which another pairing would
-  // connect with another sheet, then those whose triangles bend least.
+  // Joins more than two half-edges of one edge in pairs that run in opposite directions. Pairs of one sheet come first,
+  // for another pairing would connect it with another sheet; then pairs whose triangles bend least.
   void stitch(std::span<const std::uint32_t> edge) {
     struct Pair {
       float bend;
@@ -110,7 +110,7 @@ class Cut {
     }
   }
 
-  // At irregular vertices. The first set of corners at a vertex keeps it, the others get a copy.
+  // Numbers the vertices. At an irregular vertex the first set of corners keeps the vertex, each other set gets a copy.
   std::vector<std::uint32_t> number() {
     std::vector<std::uint32_t> copies(points_.size());
     std::iota(copies.begin(), copies.end(), 0U);

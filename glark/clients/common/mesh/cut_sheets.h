@@ -12,8 +12,9 @@
 
 namespace glark::common {
 
-// Makes one vertex for each sheet of triangles where sheets touch in a vertex or along an edge. Returns of each vertex which one it
-// is a copy of: the first `points.size()` are their own. `points`: where the vertices are. `irregular`: of these or more triangles.
+// Makes one vertex for each sheet of triangles where sheets touch in a vertex or along an edge. Returns for each vertex
+// the one that it is a copy of; the first `points.size()` vertices are no copies. `points`: the positions of the
+// vertices. `irregular`: as irregular_vertices() returns it, for these triangles or more.
 std::vector<std::uint32_t> cut_sheets(std::vector<std::uint32_t>& triangles, std::span<const Float4> points,
                                std::span<const std::uint8_t> irregular);
 

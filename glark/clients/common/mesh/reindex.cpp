@@ -21,19 +21,19 @@ Triangle sorted(const std::uint32_t* corners) {
   return result;
 }
 
-// Whether the corners run as their sorted ones do, but for where they begin.
+// Returns whether the corners are a rotation of the sorted corners.
 bool runs_up(const std::uint32_t* corners) {
   return (corners[0] < corners[1]) + (corners[1] < corners[2]) + (corners[2] < corners[0]) == 2;
 }
 
 constexpr std::uint32_t gone = 0xFFFFFFFF;
 
-// What a triangle has opposite to one of its corners.
+// The edge of a triangle opposite to one of its corners.
 struct Link {
   std::uint32_t from, to;
 };
 
-// Tells whether the links of a vertex follow one another in one path, or in a ring of three or more.
+// Returns whether the links of a vertex form one path, or one ring of three or more.
 class Fans {
  public:
   explicit Fans(std::size_t vertices) : links_(vertices) {}
@@ -53,7 +53,7 @@ class Fans {
     } while (at != start && links_[at].vertex == vertex + 1 && steps < links.size());
     if (at == start) return steps == links.size() && steps > 2;
     if (links_[at].vertex == vertex + 1) return false;
-    for (at = start; steps < links.size(); ++steps) {  // what leads to the first
+    for (at = start; steps < links.size(); ++steps) {  // the links before the first
       const auto before = std::find_if(links.begin(), links.end(), [&](const Link& link) { return link.to == at; });
       if (before == links.end()) return false;
       at = before->from;
@@ -63,10 +63,10 @@ class Fans {
 
  private:
   struct Of {
-    std::uint32_t vertex = 0;  // plus 1, of the last that has such a link
+    std::uint32_t vertex = 0;  // plus 1: the last vertex that has this link
     std::uint32_t to = 0;
   };
-  std::vector<Of> links_;  // by where they come from
+  std::vector<Of> links_;  // indexed by the vertex where they start
 };
 
 }  // namespace
@@ -84,7 +84,7 @@ std::vector<std::uint32_t> spanning(std::span<const std::uint32_t> triangles, st
       *to++ = a;
       *to++ = b;
       *to++ = c;
-      to -= static_cast<unsigned>((a == b) | (b == c) | (c == a)) * 3;  // a branch would be foretold badly
+      to -= static_cast<unsigned>((a == b) | (b == c) | (c == a)) * 3;  // a branch would be predicted badly
       if (to - some.data() < static_cast<std::ptrdiff_t>(some.size()) - 3) continue;
       mine.insert(mine.end(), some.data(), to);
       to = some.data();
@@ -115,7 +115,7 @@ std::vector<std::uint8_t> irregular_vertices(std::span<const std::uint32_t> tria
 }
 
 std::vector<std::uint32_t> without_repeats(std::vector<std::uint32_t> all, std::span<const std::uint8_t> irregular) {
-  // The triangles that may be there twice, those of the same corners one after the other in their order.
+  // Triangles that may occur twice, sorted by their corners.
   std::vector<std::pair<Triangle, std::uint32_t>> some;
   for (std::uint32_t t = 0; t < all.size(); t += 3) {
     if ((irregular[all[t]] & irregular[all[t + 1]] & irregular[all[t + 2]]) != 0) some.emplace_back(sorted(&all[t]), t);
@@ -124,7 +124,7 @@ std::vector<std::uint32_t> without_repeats(std::vector<std::uint32_t> all, std::
   bool any = false;
   for (std::size_t i = 0; i < some.size();) {
     std::uint32_t* const first = &all[some[i].second];
-    int balance = 1;  // of those that run as the first less the others
+    int balance = 1;  // triangles oriented as the first, minus the others
     std::size_t end = i + 1;
     for (; end < some.size() && some[end].first == some[i].first; ++end) {
       std::uint32_t* const other = &all[some[end].second];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Triangles over clusters instead of points.
+// Triangles of clusters instead of points.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,15 @@
 
 namespace glark::common {
 
-// The triangles whose corners are in three clusters, over these, in their order.
+// Returns the triangles whose corners lie in three different clusters, in their order. Their indices are clusters.
 std::vector<std::uint32_t> spanning(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> clusters,
                                     const Workers& workers);
-// 1 for each vertex around which the triangles are not one fan, open or closed: so for all corners of a triangle that is there twice, the ends
-// of an edge with more than two triangles or with two that run the same way, and where sheets touch in a vertex. Few vertices are.
+// Returns 1 for each vertex whose triangles are not one fan, open or closed. These are the corners of triangles that
+// occur twice, the ends of edges with more than two triangles or with two that run the same way, and vertices where
+// sheets touch. They are few.
 std::vector<std::uint8_t> irregular_vertices(std::span<const std::uint32_t> triangles, std::size_t vertices);
-// Each triangle once. Two that are the same but reversed, a fin of no thickness, cancel: so what is closed stays closed.
+// Keeps one of several equal triangles. Two triangles with opposite orientations are a fin without thickness; both are
+// removed, so that a closed mesh stays closed.
 std::vector<std::uint32_t> without_repeats(std::vector<std::uint32_t> spanning,
                                            std::span<const std::uint8_t> irregular);
 

@@ -7,8 +7,8 @@
 namespace glark::common {
 namespace {
 
-constexpr std::size_t run = 32;     // records between two looks at the angles
-constexpr std::size_t stride = 64;  // between records of the first, coarse look
+constexpr std::size_t run = 32;     // records between two checks of the angles
+constexpr std::size_t stride = 64;  // between records of the first, coarse check
 
 }  // namespace
 
@@ -19,7 +19,7 @@ bool is_height_field(std::span<const Record> records, const Moments& moments, fl
   const auto turns_away = [&](const Record& record) {
     return (dot(record.normal, normal) <= delta_a) & (record.normal[3] > 0);
   };
-  // Most nodes that are none are found out by a few records.
+  // A few records are enough to reject most nodes.
   for (std::size_t i = 0; i < records.size(); i += stride) {
     if (turns_away(records[i])) return false;
   }

@@ -8,8 +8,8 @@
 
 namespace glark::common {
 
-// Whether the records are a height field over the plane of their mean and mean normal, by the thresholds delta_a and delta_d.
-// Source: Boubekeur 2007, ch. 3.2.2. A record without normal has no say in the angle.
+// Returns whether the records are a height field over the plane of their mean and mean normal, within the thresholds
+// delta_a and delta_d. Source: Boubekeur 2007, ch. 3.2.2. Records without a normal are ignored by delta_a.
 bool is_height_field(std::span<const Record> records, const Moments& moments, float delta_a, float delta_d);
 
 }  // namespace glark::common

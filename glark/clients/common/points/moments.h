@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Sums over the samples of a cell from which its error follows. They add up, so that each level of a tree comes from the one below.
+// Sums over the samples of a cell, from which its error follows. The sums of a cell are those of its children added up.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace glark::common {
 
-// The products are about the mean: small numbers, so that single precision will do.
-// Based on: Chan, Golub, LeVeque, Updating Formulae and a Pairwise Algorithm for Computing Sample Variances, 1979.
+// The products are relative to the mean. So they are small numbers, and single precision is enough. Based on: Chan,
+// Golub, LeVeque, Updating Formulae and a Pairwise Algorithm for Computing Sample Variances, 1979.
 struct Moments {
   Float4 mean{};         // the fourth is the number of samples
   Float4 products[3]{};  // row i: the sums of (p - mean)_i * (p - mean)
@@ -24,9 +24,9 @@ struct Moments {
   static Moments of(std::span<const Record> records);
   void add(const Moments& other);
 
-  // The mean of the squares of the distances from the plane of the mean and the mean normal; from the mean if there is no normal.
+  // The mean square distance from the plane of the mean and the mean normal; from the mean where there is no normal.
   float plane_error() const;
-  // The mean of the squares of the differences from the mean normal.
+  // The mean square difference from the mean normal.
   float normal_error() const;
 };
 

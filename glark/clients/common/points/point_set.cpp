@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/common/points/point_set.h"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <limits>
 #include <mutex>
@@ -9,14 +11,14 @@
 namespace glark::common {
 namespace {
 
-constexpr float largest = 1e18F;  // so that squares stay in range
+constexpr float largest = 1e18F;  // squares of larger numbers leave the range of floats
 constexpr std::size_t grain = 1 << 16;
 
 void check_size(std::size_t points, std::size_t size, std::size_t each, const char* name) {
   if (size == 0 || size == points * each) return;
-  throw vstree::Error(vstree::Element::array, 0,
-              std::string(name) + " has " + std::to_string(size) + " elements for " + std::to_string(points) +
-                  " points; give " + std::to_string(each) + " a point, or none");
+  throw vstree::Error(
+      vstree::Element::array, 0,
+      fmt::format("{} has {} elements for {} points; give {} a point, or none", name, size, points, each));
 }
 
 bool all_within(std::span<const float> numbers, float limit) {
@@ -34,7 +36,7 @@ bool all_within(std::span<const float> numbers, float limit) {
   return result;
 }
 
-// The first element of `numbers` beyond the limit; `numbers.size()` if there is none. A NaN compares false.
+// Returns the first element of `numbers` beyond the limit, or numbers.size(). NaN counts as beyond.
 std::size_t first_beyond(std::span<const float> numbers, float limit, const Workers& workers) {
   std::size_t first = numbers.size();
   std::mutex mutex;
@@ -52,27 +54,30 @@ std::size_t first_beyond(std::span<const float> numbers, float limit, const Work
 void check(const vstree::PointSet& points, const Workers& workers) {
   if (points.positions.size() % 3 != 0) {
     throw vstree::Error(vstree::Element::array, 0,
-                "positions has " + std::to_string(points.positions.size()) + " numbers; give three for each point");
+                        fmt::format("positions has {} numbers; give three for each point", points.positions.size()));
   }
   const std::size_t count = points.positions.size() / 3;
   if (count > (std::size_t{1} << 31))
-    throw vstree::Error(vstree::Element::array, 0, "positions has " + std::to_string(count) + " points; 2^31 are possible: split it");
+    throw vstree::Error(vstree::Element::array, 0,
+                        fmt::format("positions has {} points; 2^31 are possible: split it", count));
   check_size(count, points.normals.size(), 3, "normals");
   check_size(count, points.colours.size(), 3, "colours");
   check_size(count, points.texcoords.size(), 2, "texcoords");
   const std::size_t position = first_beyond(points.positions, largest, workers);
   if (position < points.positions.size()) {
     throw vstree::Error(vstree::Element::point, position / 3,
-                "has the coordinate " + std::to_string(points.positions[position]) +
-                    "; finite ones up to 1e18 are possible: remove the point");
+                        fmt::format("has the coordinate {}; finite ones up to 1e18 are possible: remove the point",
+                                    points.positions[position]));
   }
   const std::size_t normal = first_beyond(points.normals, std::numeric_limits<float>::max(), workers);
   if (normal < points.normals.size()) {
-    throw vstree::Error(vstree::Element::point, normal / 3, "has a normal that is not finite; make it zero to say that there is none");
+    throw vstree::Error(vstree::Element::point, normal / 3,
+                        "has a normal that is not finite; make it zero to say that there is none");
   }
   const std::size_t texcoord = first_beyond(points.texcoords, std::numeric_limits<float>::max(), workers);
   if (texcoord < points.texcoords.size())
-    throw vstree::Error(vstree::Element::point, texcoord / 2, "has a texture coordinate that is not finite; remove the point");
+    throw vstree::Error(vstree::Element::point, texcoord / 2,
+                        "has a texture coordinate that is not finite; remove the point");
 }
 
 Cube bounding_cube(std::span<const float> positions, const Workers& workers) {
@@ -97,7 +102,7 @@ Cube bounding_cube(std::span<const float> positions, const Workers& workers) {
   const Float4 extent = high - low;
   cube.low = low;
   const float side = std::max({extent[0], extent[1], extent[2]});
-  if (!(side > 0) || !std::isfinite(1 / side)) return cube;  // as good as one point
+  if (!(side > 0) || !std::isfinite(1 / side)) return cube;  // the points are one point, as far as floats tell
   cube.side = side;
   cube.scale = 1 / side;
   cube.diagonal = std::sqrt(dot(extent * cube.scale, extent * cube.scale));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a caller hands over, checked and brought into the unit cube.
+// Checks the points that a caller gives, and brings them into the unit cube.
 #pragma once
 
 #include <glark/vstree.h>
@@ -16,14 +16,14 @@ namespace glark::common {
 // Throws Error for arrays whose sizes do not fit, and for numbers that are not finite or out of range.
 void check(const vstree::PointSet& points, const Workers& workers);
 
-// Of points that are checked.
+// The points must be checked.
 Cube bounding_cube(std::span<const float> positions, const Workers& workers);
 
 inline Float4 unit_normal(const float* normal) {
   Float4 n{normal[0], normal[1], normal[2], 0};
   const float square = dot(n, n);
   if (square < 0.999F || square > 1.001F) {
-    if (!(square > 1e-30F) || square > 1e30F) {  // its square leaves the range of floats: scale first
+    if (!(square > 1e-30F) || square > 1e30F) {  // the square leaves the range of floats: scale first
       const float most = std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
       if (most == 0) return Float4{};
       n /= most;

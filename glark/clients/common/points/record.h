@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A sample as the construction moves it about, and the bounding cube.
+// A sample in the unit cube, as sorts move it, and the bounding cube.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,14 @@
 
 namespace glark::common {
 
-// Within the unit cube. The fourth of the position holds the bits of the sample's index, that of the normal is 1 if there is a normal.
+// A sample within the unit cube. The fourth number of the position has the bits of the sample's index; that of the
+// normal is 1 if there is a normal.
 struct Record {
   Float4 position;
   Float4 normal;
 
   std::uint32_t index() const { return std::bit_cast<std::uint32_t>(static_cast<float>(position[3])); }
-  // Without the index, which as a number may be anything.
+  // The position without the bits of the index.
   Float4 point() const { return without_fourth(position); }
 };
 
@@ -33,7 +34,8 @@ inline bool are_at_one_point(std::span<const Record> records) {
   });
 }
 
-// So many, with memory that stays as it is until written: so threads share what the first use of a page costs.
+// An array of records without initial values. The first write to each page is expensive; this way the threads share
+// these writes.
 class Records {
  public:
   Records() = default;
@@ -51,12 +53,12 @@ class Records {
   std::size_t count_ = 0;
 };
 
-// From the positions' unit to the unit cube.
+// The bounding cube, which maps positions to the unit cube.
 struct Cube {
   Float4 low{};
   float side = 1;
   float scale = 1;     // 1 / side
-  float diagonal = 1;  // of the bounding box, by the side
+  float diagonal = 1;  // of the bounding box, relative to the side
 
   Float4 inside(const float* position) const {
     return (Float4{position[0], position[1], position[2], 0} - low) * scale;
@@ -65,7 +67,7 @@ struct Cube {
 
 inline constexpr unsigned octree_levels = 21;  // the last level's cubes are as small as a float resolves
 
-// The position on the grid of the octree's last level.
+// The cell of a position on the octree's last level.
 inline std::array<std::uint32_t, 3> octree_cell(Float4 position) {
   constexpr float cells = 1U << octree_levels;
   constexpr Float4 last{cells - 1, cells - 1, cells - 1, 0};

@@ -25,7 +25,8 @@ Vector point_at(const Geometry& geometry, const std::array<double, 3>& shift, st
   return point;
 }
 
-// Of the reference: places with the triangle, or point, that they lie on. Any place of a triangle is at most `spacing` from one of its own.
+// Places on a surface, each with the triangle or point on which it lies. Every point of a triangle is within `spacing`
+// of one of its places.
 struct Places {
   std::vector<Vector> positions;
   std::vector<std::uint32_t> owner;
@@ -103,12 +104,13 @@ class Surface {
     std::vector<double> sorted = longest;
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
     const double median = sorted[sorted.size() / 2];
-    // A triangle of a thousand times the median is cut into a million; larger ones set the spacing.
+    // A triangle a thousand times as long as the median gets a million places; larger triangles increase the spacing.
     places_.spacing = std::max(median, *std::max_element(sorted.begin(), sorted.end()) / 1000);
     for (std::uint32_t i = 0; i < longest.size(); ++i) add_places(i, longest[i]);
   }
 
-  // The centroids of equal parts: no place of a part is farther from them than two thirds of its longest edge.
+  // The places are the centroids of equal parts. No point of a part is farther from its centroid than two thirds of its
+  // longest edge.
   void add_places(std::uint32_t triangle, double longest) {
     const std::array<Vector, 3> corners = corners_of(triangle);
     const int parts = places_.spacing > 0 ? std::max(1, static_cast<int>(std::ceil(longest / places_.spacing))) : 1;
@@ -151,7 +153,7 @@ class Samples {
  public:
   Samples(const Geometry& geometry, const std::array<double, 3>& shift) : geometry_(geometry), shift_(shift) {}
 
-  // Random within equal shares of the area, the same each time.
+  // Visits random points, one in each of equal shares of the area. They are the same each time.
   template <class Visit>
   void by_area(Visit&& visit) const {
     double total = 0;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// How far two surfaces are from each other, measured to triangles where there are any, to points otherwise.
+// The distance between two surfaces. It is measured to the triangles of a surface, or to its points if it has no
+// triangles.
 #pragma once
 
 #include <functional>
@@ -10,11 +11,12 @@
 
 namespace glark::geometry {
 
-// From samples of one surface to the nearest place of the other: all points (but those of no triangle), and samples of triangles by area.
+// Distances from samples of one surface to the other. The samples are the points, except points without triangles, and
+// random points on the triangles.
 struct OneWay {
   double greatest = 0;            // in the unit of the positions
-  double rms = 0;                 // over the samples of triangles, or over points where there are none
-  double normal_rms_degrees = 0;  // 0 to 180; of triangles, or the points' own
+  double rms = 0;                 // over the random points on triangles, or over points if there are no triangles
+  double normal_rms_degrees = 0;  // 0 to 180; between normals of triangles, or those of the points
   bool has_normals = false;
 };
 

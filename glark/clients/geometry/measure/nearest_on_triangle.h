@@ -13,7 +13,7 @@ namespace glark::geometry {
 
 using Vector = common::Vector3d;
 
-// Twice the area long.
+// The normal, whose length is twice the area.
 inline Vector normal_of(const std::array<Vector, 3>& corners) {
   return cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
@@ -36,7 +36,7 @@ inline Vector nearest_on_segment(const Vector& from, const Vector& a, const Vect
   return a + along * edge;
 }
 
-// Of a triangle without area: on its edges.
+// For a triangle without area, the nearest point on its edges.
 inline Vector nearest_on_triangle(const Vector& from, const std::array<Vector, 3>& corners) {
   const Vector normal = normal_of(corners);
   const double square = dot(normal, normal);

@@ -17,13 +17,13 @@ constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
 std::uint64_t hash(std::span<const float> position) {
   std::uint64_t mixed = 0;
   for (const float coordinate : position) {
-    mixed = (mixed ^ std::bit_cast<std::uint32_t>(coordinate + 0.0F)) * 0x9e3779b97f4a7c15ULL;  // -0 is 0
+    mixed = (mixed ^ std::bit_cast<std::uint32_t>(coordinate + 0.0F)) * 0x9e3779b97f4a7c15ULL;  // -0 becomes 0
     mixed ^= mixed >> 29;
   }
   return mixed;
 }
 
-// For each of `count` the first that is the same.
+// Returns for each element the first one that is the same.
 template <class Hash, class Same>
 std::vector<std::uint32_t> first_of_same(std::size_t count, Hash&& hash_of, Same&& same) {
   const std::size_t slots = std::bit_ceil(2 * count + 1);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/geometry/read/assimp_reader.h"
 
+#include <fmt/format.h>
+
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
 
@@ -9,13 +11,13 @@
 #include <cmath>
 #include <cstring>
 
-#include "glark/clients/geometry/read/point_builder.h"
 #include "glark/clients/geometry/measure/topology.h"
+#include "glark/clients/geometry/read/point_builder.h"
 
 namespace glark::geometry {
 namespace {
 
-// Memory by the size of the file, as measured: 7 with OBJ and STL of a quarter million triangles.
+// Memory relative to the size of the file. Measured: 7 with OBJ and STL of a quarter million triangles.
 constexpr double growth = 8;
 constexpr std::size_t block_size = std::size_t{1} << 20;
 constexpr std::size_t stl_header = 84;
@@ -31,7 +33,8 @@ std::vector<char> whole(Input& input) {
   return bytes;
 }
 
-// A binary STL that begins with "solid" exists; its size tells. Assimp reads past a count that lies.
+// Some binary STL files begin with "solid", as text files do; the size of the file tells. Assimp reads beyond the end
+// if the count is wrong.
 void check_stl(const std::string& name, const std::vector<char>& bytes) {
   std::uint32_t count = 0;
   if (bytes.size() >= stl_header) std::memcpy(&count, bytes.data() + stl_header - sizeof(count), sizeof(count));
@@ -41,9 +44,10 @@ void check_stl(const std::string& name, const std::vector<char>& bytes) {
   if (bytes.size() < stl_header)
     throw Error(name + ": is no STL file: it is too short for the header; check the format");
   if (stl_header + std::uint64_t{stl_triangle} * count > bytes.size())
-    throw Error(name + ": STL header: it announces " + std::to_string(count) + " triangles, the file has room for " +
-                std::to_string((bytes.size() - stl_header) / stl_triangle) +
-                "; it is cut off or its header wrong, get it again");
+    throw Error(
+        fmt::format("{}: STL header: it announces {} triangles, the file has room for {}; it is cut off or its header "
+                    "wrong, get it again",
+                    name, count, (bytes.size() - stl_header) / stl_triangle));
 }
 
 class Scene {
@@ -112,11 +116,11 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   if (scene == nullptr)
     throw Error(input.name() + ": is no good " + (format == MeshFormat::stl ? "STL" : "OBJ") +
                 " file: " + importer.GetErrorString() + "; check the format or export it again");
-  // Assimp could join vertices too, but takes one that is not finite for the same as any other.
+  // Assimp could join vertices too, but it takes vertices that are not finite as equal to any other.
   Reading reading = Scene(input.name(), *scene, options).gather();
   importer.FreeScene();
   if (format == MeshFormat::stl)
-    reading.geometry.normals = {};  // the faces' own: no two triangles would share a vertex
+    reading.geometry.normals = {};  // these are the faces' normals, with which no two triangles would share a vertex
   if (!reading.geometry.triangles.empty()) join_identical_points(reading.geometry);
   return reading;
 }

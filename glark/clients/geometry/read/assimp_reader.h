@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// OBJ and STL, by Assimp.
+// Reads OBJ and STL with Assimp.
 #pragma once
 
 #include "glark/clients/geometry/geometry.h"
@@ -11,7 +11,7 @@ namespace glark::geometry {
 
 enum class MeshFormat { obj, stl };
 
-// Vertices are shared between triangles where they agree: in all attributes with OBJ, in the position with STL.
+// Triangles share vertices that agree: in all attributes in OBJ, in the position in STL.
 Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options);
 
 }  // namespace glark::geometry

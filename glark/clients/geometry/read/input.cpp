@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/geometry/read/input.h"
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -147,8 +149,8 @@ bool Input::line(std::string_view& text) {
       break;
     }
     if (have >= block_size)
-      throw Error(name_ + ": a line of more than " + std::to_string(block_size) +
-                  " bytes; this is no text, check the format");
+      throw Error(
+          fmt::format("{}: a line of more than {} bytes; this is no text, check the format", name_, block_size));
     searched = have;
     ensure(std::min(have + 1, block_size));
   }
@@ -165,8 +167,10 @@ std::string_view Input::word() {
   std::size_t length = 0;
   while (length < have && !is_space(buffer_[begin_ + length])) ++length;
   if (length == longest_word)
-    throw Error(name_ + ": a word of more than " + std::to_string(longest_word) + " letters where a number is due; " +
-                "the header says text, the contents do not look like it");
+    throw Error(
+        fmt::format("{}: a word of more than {} letters where a number is due; the header says text, the contents do "
+                    "not look like it",
+                    name_, longest_word));
   const std::span<const char> taken = take(length);
   return {taken.data(), taken.size()};
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The bytes of a file, in order: plain or compressed by zstd (told by its first bytes), read in blocks.
+// The bytes of a file in order, read in blocks. A file compressed by zstd is recognised by its first bytes.
 #pragma once
 
 #include <cstddef>
@@ -19,23 +19,23 @@ namespace glark::geometry {
 
 class Input {
  public:
-  // Fills the span as far as bytes are left; returns how many those were.
+  // Fills the span with the next bytes and returns their number, which is smaller only at the end.
   using Fill = std::function<std::size_t(std::span<char>)>;
 
-  // `size`: of all bytes, where it is known before they are read.
+  // size: the number of all bytes, if it is known in advance.
   Input(std::string name, Fill fill, std::optional<std::uint64_t> size);
 
   const std::string& name() const { return name_; }
-  // Bytes that follow, where that is known.
+  // The number of bytes that follow, if it is known.
   std::optional<std::uint64_t> remaining() const;
 
-  // The next `count` bytes, fewer at the end of the file; good until the next call.
+  // Returns the next `count` bytes, fewer at the end of the file. They are valid until the next call.
   std::span<const char> take(std::size_t count);
-  // Without its end. False at the end of the file. Throws on a line that no text has.
+  // Reads a line without its end. Returns false at the end of the file. Throws Error if the line is too long for text.
   bool line(std::string_view& text);
-  // The next word between white space; empty at the end of the file.
+  // Returns the next word between white space; empty at the end of the file.
   std::string_view word();
-  // Reports how far the reading is, in bytes of the file.
+  // Sets a function that receives the number of bytes read so far.
   void on_progress(std::function<void(std::uint64_t bytes)> report) { report_ = std::move(report); }
 
  private:
@@ -52,10 +52,10 @@ class Input {
   std::function<void(std::uint64_t bytes)> report_;
 };
 
-// Throws Error where the file cannot be opened, is a folder or empty.
+// Throws Error if the file cannot be opened, is empty or is a folder.
 Input open_input(const std::filesystem::path& file);
 
-// The bytes stay the caller's.
+// The caller owns the bytes.
 Input memory_input(std::string name, std::span<const char> bytes);
 
 }  // namespace glark::geometry

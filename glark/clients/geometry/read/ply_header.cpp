@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/geometry/read/ply_header.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -85,11 +87,11 @@ void check_sizes(const Input& input, const Header& header) {
   long double needed = 0;
   for (const Element& element : header.elements) {
     needed += static_cast<long double>(element.count) * static_cast<long double>(element.least_size(header.encoding));
-    // The last number of a text file needs no white space behind it.
+    // The last number of a text file needs no white space after it.
     if (needed > static_cast<long double>(*left) + (header.encoding == Encoding::text ? 1 : 0))
-      fail(input, "it announces " + std::to_string(element.count) + " of element " + element.name +
-                      ", for which the file is too short (" + std::to_string(*left) +
-                      " bytes follow the header); the file is cut off or its header wrong, get it again");
+      fail(input, fmt::format("it announces {} of element {}, for which the file is too short ({} bytes follow the "
+                              "header); the file is cut off or its header wrong, get it again",
+                              element.count, element.name, *left));
   }
 }
 
@@ -130,13 +132,13 @@ Header read_header(Input& input) {
       has_format = true;
     } else if (words[0] == "element") {
       if (header.elements.size() == most_elements)
-        fail(input, "more than " + std::to_string(most_elements) + " elements; remove some");
+        fail(input, fmt::format("more than {} elements; remove some", most_elements));
       header.elements.push_back(element_of(input, words));
     } else if (words[0] == "property") {
       if (header.elements.empty()) fail(input, "a property stands before any element");
       std::vector<Property>& properties = header.elements.back().properties;
       if (properties.size() == most_properties)
-        fail(input, "more than " + std::to_string(most_properties) + " properties; remove some");
+        fail(input, fmt::format("more than {} properties; remove some", most_properties));
       properties.push_back(property_of(input, words));
     } else {
       fail(input, "the line begins with \"" + std::string(words[0].substr(0, 40)) +

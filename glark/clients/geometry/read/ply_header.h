@@ -30,7 +30,7 @@ struct Element {
   std::vector<Property> properties;
 
   bool has_lists() const;
-  // Bytes that one of these takes in the file at least.
+  // The least number of bytes of such an element in the file.
   std::uint64_t least_size(Encoding encoding) const;
 };
 
@@ -39,7 +39,8 @@ struct Header {
   std::vector<Element> elements;
 };
 
-// Leaves the input behind the header. Throws Error, also where the file is too short for the elements that it announces.
+// Reads the header and leaves the input after it. Throws Error, also if the file is too short for the elements that it
+// announces.
 Header read_header(Input& input);
 
 }  // namespace glark::geometry::ply

@@ -19,7 +19,7 @@ using ply::Element;
 using ply::Property;
 using ply::Type;
 
-// What a property of a vertex is.
+// The meaning of a vertex's property.
 enum Slot {
   slot_x,
   slot_y,
@@ -96,7 +96,7 @@ class Vertices {
     attributes_.normals = has({slot_nx, slot_ny, slot_nz});
     attributes_.colours = has({slot_red, slot_green, slot_blue});
     attributes_.texture_coordinates = has({slot_s, slot_t});
-    // Channels of several types are brought to bytes each by its own.
+    // Each channel becomes a byte according to its own type.
     if (is_float(slot_red) && is_float(slot_green) && is_float(slot_blue) &&
         (column_[slot_alpha] == none || is_float(slot_alpha)))
       colour_range_ = ColourRange::by_greatest;
@@ -224,7 +224,7 @@ class Body {
     return static_cast<std::int64_t>(value);
   }
 
-  // Strips of triangles, each ended by -1, as the Stanford models have them. Triangles without area join parts.
+  // Triangle strips, each ended by -1, as in the Stanford models. Triangles without area join the parts of a strip.
   void add_strips(PointBuilder& builder) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < corners_.size(); ++i) {

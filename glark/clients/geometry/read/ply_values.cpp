@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/geometry/read/ply_values.h"
 
+#include <fmt/format.h>
+
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
@@ -46,8 +48,7 @@ bool is_swapped(Encoding encoding) {
 }  // namespace
 
 void Values::fail(const std::string& problem) const {
-  throw Error(input_.name() + ": " + element_->name + " " + std::to_string(index_) + " of " +
-              std::to_string(element_->count) + ": " + problem);
+  throw Error(fmt::format("{}: {} {} of {}: {}", input_.name(), element_->name, index_, element_->count, problem));
 }
 
 double Values::parse_word(Type type) {
@@ -90,10 +91,9 @@ void Values::record(std::span<double> values) {
 void Values::list(const Property& property, std::vector<double>& values) {
   const double count = number(*property.count_type);
   if (!(count >= 0 && count <= longest_list))
-    fail("the list " + property.name + " has " +
-         std::to_string(static_cast<long long>(std::clamp(count, -9e18, 9e18))) +
-         " entries, which no polygon has (the limit is " + std::to_string(static_cast<long long>(longest_list)) +
-         "); the file is damaged, get it again");
+    fail(fmt::format(
+        "the list {} has {} entries, which no polygon has (the limit is {}); the file is damaged, get it again",
+        property.name, static_cast<long long>(std::clamp(count, -9e18, 9e18)), static_cast<long long>(longest_list)));
   values.clear();
   for (auto left = static_cast<std::size_t>(count); left > 0; --left) values.push_back(number(property.type));
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The numbers of a PLY file behind its header, whatever their encoding.
+// The numbers of a PLY file after its header, in any encoding.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@ class Values {
  public:
   Values(Input& input, Encoding encoding) : input_(input), encoding_(encoding) {}
 
-  // For messages: "vertex 17".
+  // Sets the element that messages name: "vertex 17".
   void at(const Element& element, std::uint64_t index) {
     element_ = &element;
     index_ = index;
   }
-  // The scalars of an element without lists, one after the other.
+  // Reads the scalars of an element without lists.
   void record(std::span<double> values);
   double number(Type type);
   void list(const Property& property, std::vector<double>& values);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/geometry/read/point_builder.h"
 
+#include <fmt/format.h>
+
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -13,7 +15,7 @@
 namespace glark::geometry {
 namespace {
 
-// From here on a float has a step of more than a thousandth.
+// Above this, consecutive floats differ by more than a thousandth.
 constexpr double far_from_zero = 8192;
 constexpr std::uint32_t removed = std::numeric_limits<std::uint32_t>::max();
 
@@ -58,8 +60,8 @@ void PointBuilder::expect(std::uint64_t points, std::uint64_t triangles) {
       12.0 + (attributes_.normals ? 12 : 0) + (attributes_.colours ? 4 : 0) + (attributes_.texture_coordinates ? 8 : 0);
   require_memory(file_, static_cast<double>(points) * point_bytes + static_cast<double>(triangles) * 12.0);
   if (points >= most)
-    throw Error(file_ + ": " + std::to_string(points) + " of " + element_ + "; at most " + std::to_string(most - 1) +
-                " can be indexed, split the file");
+    throw Error(
+        fmt::format("{}: {} of {}; at most {} can be indexed, split the file", file_, points, element_, most - 1));
   geometry_.positions.reserve(3 * points);
   if (attributes_.normals) geometry_.normals.reserve(3 * points);
   if (attributes_.colours) geometry_.colours.reserve(4 * points);
@@ -80,8 +82,9 @@ void PointBuilder::add_point(const Point& point, bool needs_double) {
   if (!all_finite(point.position)) {
     if (!options_.skip_invalid)
       throw Error(
-          file_ + ": " + element_ + " " + std::to_string(index) +
-          " has a coordinate that is NaN or infinite; mend the file, or leave such points out with --skip-invalid");
+          fmt::format("{}: {} {} has a coordinate that is NaN or infinite; mend the file, or leave such points out "
+                      "with --skip-invalid",
+                      file_, element_, index));
     invalid_.push_back(static_cast<std::uint32_t>(index));
   } else if (needs_double && index == invalid_.size()) {
     choose_origin(point);
@@ -89,8 +92,8 @@ void PointBuilder::add_point(const Point& point, bool needs_double) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto relative = static_cast<float>(point.position[axis] - geometry_.origin[axis]);
     if (!std::isfinite(relative) && std::isfinite(point.position[axis]))
-      throw Error(file_ + ": " + element_ + " " + std::to_string(index) +
-                  " has a coordinate beyond 3.4e38; scale the model down");
+      throw Error(
+          fmt::format("{}: {} {} has a coordinate beyond 3.4e38; scale the model down", file_, element_, index));
     geometry_.positions.push_back(relative);
   }
   if (attributes_.normals) {
@@ -105,7 +108,7 @@ void PointBuilder::add_point(const Point& point, bool needs_double) {
                                          point.texture_coordinate.end());
 }
 
-// As long as nothing is above 1, or not clearly so, numbers are taken for fractions. What was taken so is 0 or 1 of 255 then.
+// Numbers count as fractions until one is clearly above 1. Numbers that counted as fractions become 0 or 1 of 255 then.
 void PointBuilder::add_colour(const std::array<float, 4>& colour) {
   constexpr float above_fractions = 2;
   const auto is_above = [](float channel) { return channel > above_fractions; };
@@ -116,7 +119,7 @@ void PointBuilder::add_colour(const std::array<float, 4>& colour) {
   }
   const float scale = range_ == ColourRange::byte ? 1.0F : 255.0F;
   const auto add = [&](float channel) {
-    const float scaled = channel > 0 ? std::min(channel * scale, 255.0F) : 0.0F;  // 0 for NaN too
+    const float scaled = channel > 0 ? std::min(channel * scale, 255.0F) : 0.0F;  // NaN becomes 0
     geometry_.colours.push_back(static_cast<std::uint8_t>(std::lround(scaled)));
   };
   for (std::size_t i = 0; i < 3; ++i) add(colour[i]);
@@ -129,8 +132,8 @@ void PointBuilder::add_colour(const std::array<float, 4>& colour) {
 void PointBuilder::add_polygon(std::span<const std::int64_t> corners) {
   for (const std::int64_t corner : corners)
     if (corner < 0 || corner >= static_cast<std::int64_t>(removed))
-      throw Error(file_ + ": face " + std::to_string(polygons_) + " has the corner " + std::to_string(corner) +
-                  ", which is no index; get the file again");
+      throw Error(fmt::format("{}: face {} has the corner {}, which is no index; get the file again", file_, polygons_,
+                              corner));
   ++polygons_;
   if (corners.size() < 3) ++small_polygons_;
   for (std::size_t i = 2; i < corners.size(); ++i)
@@ -143,8 +146,9 @@ void PointBuilder::check_triangles() const {
   const auto bad = std::find_if(geometry_.triangles.begin(), geometry_.triangles.end(),
                                 [&](std::uint32_t corner) { return corner >= points; });
   if (bad != geometry_.triangles.end())
-    throw Error(file_ + ": a face has the corner " + std::to_string(*bad) + ", but there are only " +
-                std::to_string(points) + " of " + element_ + "; the file is damaged, get it again");
+    throw Error(
+        fmt::format("{}: a face has the corner {}, but there are only {} of {}; the file is damaged, get it again",
+                    file_, *bad, points, element_));
 }
 
 void PointBuilder::leave_out_invalid() {
@@ -172,8 +176,8 @@ void PointBuilder::leave_out_invalid() {
     std::copy(corners.begin(), corners.end(), triangles.begin() + static_cast<std::ptrdiff_t>(kept));
     kept += 3;
   }
-  warn(std::to_string(invalid_.size()) + " points with NaN or infinite coordinates and " +
-       std::to_string((triangles.size() - kept) / 3) + " of their triangles are left out");
+  warn(fmt::format("{} points with NaN or infinite coordinates and {} of their triangles are left out", invalid_.size(),
+                   (triangles.size() - kept) / 3));
   triangles.resize(kept);
 }
 
@@ -182,8 +186,8 @@ Reading PointBuilder::finish() {
   check_triangles();
   if (!invalid_.empty()) leave_out_invalid();
   if (geometry_.positions.empty()) throw Error(file_ + ": no point has finite coordinates; export it again");
-  if (small_polygons_ > 0) warn(std::to_string(small_polygons_) + " faces of fewer than three corners are left out");
-  if (bad_normals_ > 0) warn(std::to_string(bad_normals_) + " normals are NaN or infinite and count as missing");
+  if (small_polygons_ > 0) warn(fmt::format("{} faces of fewer than three corners are left out", small_polygons_));
+  if (bad_normals_ > 0) warn(fmt::format("{} normals are NaN or infinite and count as missing", bad_normals_));
   if (attributes_.normals && real_normals_ == 0) {
     warn("all normals are zero; they count as missing");
     geometry_.normals = {};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What every reader does with the points and polygons that it finds: checks them, chooses the origin, counts what is left out.
+// Checks the points and polygons that a reader finds, chooses the origin, and counts what is left out.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ struct Attributes {
   bool texture_coordinates = false;
 };
 
-// What a colour's numbers mean. Floats go from 0 to 1 in most files, and to 255 in some: the file's greatest tells.
+// The range of a colour's numbers. Floats go from 0 to 1 in most files, and from 0 to 255 in some; the greatest number
+// of the file tells.
 enum class ColourRange { byte, fraction, by_greatest };
 
 inline constexpr float opaque = -1;  // an alpha that the file does not have
@@ -34,15 +35,15 @@ struct Point {
 
 class PointBuilder {
  public:
-  // `element`: what the format calls a point, for messages.
+  // element: the format's word for a point, for messages.
   PointBuilder(std::string file, std::string element, Attributes attributes, const ReadOptions& options,
                ColourRange range = ColourRange::byte);
 
-  // Throws where the machine's memory is too small for them.
+  // Throws Error if so many points do not fit into memory.
   void expect(std::uint64_t points, std::uint64_t triangles);
-  // `needs_double`: the file has more digits than a float.
+  // needs_double: the file's numbers have more digits than a float.
   void add_point(const Point& point, bool needs_double);
-  // Polygons become fans of their first corner. Indices are checked against the points of finish().
+  // Divides a polygon into a fan around its first corner. finish() checks the indices.
   void add_polygon(std::span<const std::int64_t> corners);
   void warn(std::string text) { warnings_.push_back(std::move(text)); }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/geometry/read/text_points.h"
 
+#include <fmt/format.h>
+
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
@@ -20,7 +22,7 @@ bool is_separator(char letter) {
   return letter == ' ' || letter == '\t' || letter == ',' || letter == ';' || letter == '\r';
 }
 
-// The numbers of a line; nothing where a word is none.
+// Returns the numbers of a line; nothing if a word is not a number.
 struct Row {
   std::array<double, most_columns> values{};
   std::size_t count = 0;
@@ -45,7 +47,8 @@ struct Row {
   }
 };
 
-// "1,5 2,5" or "1,5;2,5": commas within what other letters separate. They may be those of decimal fractions, as some languages have them.
+// Returns whether commas may be decimal commas, as in "1,5 2,5" or "1,5;2,5", where other characters separate the
+// numbers.
 bool may_have_decimal_commas(std::string_view line) {
   const auto digit = [&](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
   bool within = false, other = line.find(';') != std::string_view::npos;
@@ -79,9 +82,10 @@ class Columns {
         normal_ = 7;
         break;
       default:
-        throw Error(place + ": " + std::to_string(count_) +
-                    " columns; 3 (x y z), 4 (and intensity), 6 (and colour or normal), 7 (intensity, colour), " +
-                    "9 or 10 (colour and normal) can be read, export it so");
+        throw Error(
+            fmt::format("{}: {} columns; 3 (x y z), 4 (and intensity), 6 (and colour or normal), 7 (intensity, "
+                        "colour), 9 or 10 (colour and normal) can be read, export it so",
+                        place, count_));
     }
   }
 
@@ -150,11 +154,10 @@ class Lines {
     }
     if (!builder_) throw Error(input_.name() + ": it has no points; check the format or export it again");
     if (announced_ && *announced_ > points_)
-      throw Error(input_.name() + ": the first line announces " + std::to_string(*announced_) + " points, " +
-                  std::to_string(points_) + " follow; the file is cut off, get it again");
+      throw Error(fmt::format("{}: the first line announces {} points, {} follow; the file is cut off, get it again",
+                              input_.name(), *announced_, points_));
     if (announced_ && *announced_ < points_)
-      builder_->warn("the first line announces " + std::to_string(*announced_) + " points, " + std::to_string(points_) +
-                     " follow; all are kept");
+      builder_->warn(fmt::format("the first line announces {} points, {} follow; all are kept", *announced_, points_));
     if (columns_->has_intensity()) builder_->warn("the intensity is not kept");
     Reading reading = builder_->finish();
     if (columns_->normal_may_be_colour() && !reading.geometry.normals.empty() &&
@@ -164,7 +167,7 @@ class Lines {
   }
 
  private:
-  std::string place() const { return input_.name() + ": line " + std::to_string(number_); }
+  std::string place() const { return fmt::format("{}: line {}", input_.name(), number_); }
 
   void add(const Row& row, std::string_view line) {
     const bool first = !builder_;
@@ -173,7 +176,7 @@ class Lines {
       announce(row.values[0]);
       return;
     }
-    if (!row.numbers && first && number_ == 1) return;  // names of the columns
+    if (!row.numbers && first && number_ == 1) return;  // the names of the columns
     if (!row.numbers)
       throw Error(place() + ": \"" + std::string(line.substr(0, 40)) +
                   "\" is not a row of numbers; mend the file or check the format");
@@ -187,19 +190,20 @@ class Lines {
       if (announced_) builder_->expect(*announced_, 0);
     }
     if (row.count != columns_->count())
-      throw Error(place() + ": " + std::to_string(row.count) + " columns, the lines before have " +
-                  std::to_string(columns_->count()) + "; the file is cut off or damaged, get it again");
+      throw Error(fmt::format("{}: {} columns, the lines before have {}; the file is cut off or damaged, get it again",
+                              place(), row.count, columns_->count()));
     builder_->add_point(columns_->point(row), true);
     ++points_;
   }
 
   void announce(double count) {
     announced_ = static_cast<std::uint64_t>(count);
-    // "0 0 0" and the end of a line are six bytes.
+    // The shortest line, "0 0 0" and its end, has six bytes.
     if (const std::optional<std::uint64_t> left = input_.remaining();
         left && count * 6 > static_cast<double>(*left) + 1)
-      throw Error(place() + ": it announces " + std::to_string(*announced_) +
-                  " points, for which the file is too short; it is cut off, get it again");
+      throw Error(
+          fmt::format("{}: it announces {} points, for which the file is too short; it is cut off, get it again",
+                      place(), *announced_));
   }
 
   Input& input_;

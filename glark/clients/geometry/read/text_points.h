@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Points as lines of numbers (XYZ, PTS, ASC, TXT, CSV): x y z, then an intensity, colours, normals, or colours and normals.
+// Reads points as lines of numbers (XYZ, PTS, ASC, TXT, CSV): x y z, then an intensity, colours, normals, or colours
+// and normals.
 #pragma once
 
 #include "glark/clients/geometry/geometry.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A line of text of numbers, each with as many digits as it takes to read the same value again.
+// Writes lines of numbers. Each number has enough digits to read the same value again.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class Line {
     const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
     return add({digits.data(), static_cast<std::size_t>(end - digits.data())});
   }
-  // Good until the next line is begun.
+  // Ends the line. The text is valid until the next line begins.
   std::string_view end() {
     text_ += '\n';
     return text_;
@@ -35,7 +35,7 @@ class Line {
   std::string text_;
 };
 
-// A coordinate of a point: with an origin, the sum, which a double holds.
+// Adds the coordinates of a point; with an origin, the sums as doubles.
 template <class Geometry>
 void add_position(Line& line, const Geometry& geometry, std::size_t point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {

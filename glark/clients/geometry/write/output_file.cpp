@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/geometry/write/output_file.h"
 
+#include <fmt/format.h>
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -16,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t block_size = std::size_t{1} << 20;
-constexpr mode_t permissions = 0666;  // less the umask
+constexpr mode_t permissions = 0666;  // minus the umask
 
 fs::path resolved(const fs::path& file) {
   std::error_code error;
-  const fs::path real = fs::weakly_canonical(fs::absolute(file), error);  // a link stays a link, its file is replaced
+  const fs::path real = fs::weakly_canonical(fs::absolute(file), error);  // a link stays a link: its target is replaced
   return error ? fs::absolute(file) : real;
 }
 
@@ -34,10 +36,10 @@ OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
   if (direct_) {
     descriptor_ = open(file_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    // Without a name first: nothing is left behind even if the process is killed.
+    // The file has no name at first, so that nothing is left behind if the process is killed.
     descriptor_ = open(file_.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, permissions);
     if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
-      aside_ = file_.parent_path() / ("." + file_.filename().string() + "." + std::to_string(getpid()));
+      aside_ = file_.parent_path() / (fmt::format(".{}.{}", file_.filename().string(), getpid()));
       descriptor_ = open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
     }
   }
@@ -77,8 +79,8 @@ void OutputFile::commit() {
   if (direct_) return;
   if (fsync(descriptor_) != 0) fail("writing failed");
   if (aside_.empty()) {
-    const fs::path name = file_.parent_path() / ("." + file_.filename().string() + "." + std::to_string(getpid()));
-    const std::string from = "/proc/self/fd/" + std::to_string(descriptor_);
+    const fs::path name = file_.parent_path() / (fmt::format(".{}.{}", file_.filename().string(), getpid()));
+    const std::string from = fmt::format("/proc/self/fd/{}", descriptor_);
     if (linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
       fail("cannot be put in its place");
     aside_ = name;

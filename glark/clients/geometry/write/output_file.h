@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A file that appears complete or not at all: written aside, then renamed.
+// Writes a file atomically: it is written under another name, then renamed.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace glark::geometry {
 
 class OutputFile {
  public:
-  // Throws Error where the folder cannot be written. What is not a plain file (a pipe, a device) is written as it is.
+  // Throws Error if the folder is not writable. Pipes and devices are written directly.
   explicit OutputFile(const std::filesystem::path& file);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -24,7 +24,7 @@ class OutputFile {
   void write_values(std::span<const Value> values) {
     write({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
   }
-  // The file is there once this has returned.
+  // Makes the file appear.
   void commit();
 
  private:
@@ -32,7 +32,7 @@ class OutputFile {
   [[noreturn]] void fail(const std::string& what) const;
 
   std::filesystem::path file_;
-  std::filesystem::path aside_;  // empty where the aside file has no name
+  std::filesystem::path aside_;  // empty if the temporary file has no name
   int descriptor_ = -1;
   bool direct_ = false;
   std::string buffer_;

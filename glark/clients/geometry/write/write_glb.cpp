@@ -74,12 +74,12 @@ class Builder {
       low[i % 3] = std::min(low[i % 3], static_cast<double>(geometry_.positions[i]));
       high[i % 3] = std::max(high[i % 3], static_cast<double>(geometry_.positions[i]));
     }
-    model_.accessors[static_cast<std::size_t>(index)].minValues = low;  // which glTF requires of positions
+    model_.accessors[static_cast<std::size_t>(index)].minValues = low;  // glTF requires these for positions
     model_.accessors[static_cast<std::size_t>(index)].maxValues = high;
     return index;
   }
 
-  // glTF requires unit length.
+  // glTF requires normals of unit length.
   int unit_normals() {
     std::vector<float> normals = geometry_.normals;
     for (std::size_t i = 0; i < normals.size(); i += 3) {
@@ -90,7 +90,7 @@ class Builder {
     return add(std::span<const float>(normals), 3, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT);
   }
 
-  // glTF counts t from the upper edge of the picture.
+  // In glTF, t = 0 is the upper edge of the picture.
   int flipped_texture_coordinates() {
     std::vector<float> coordinates = geometry_.texture_coordinates;
     for (std::size_t i = 1; i < coordinates.size(); i += 2) coordinates[i] = 1 - coordinates[i];

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstring>
 
@@ -19,17 +21,16 @@ std::string header_of(const Geometry& geometry, PlyEncoding encoding) {
   const std::string type = has_origin(geometry) ? "double" : "float";
   std::string text = "ply\nformat ";
   text += encoding == PlyEncoding::text ? "ascii" : "binary_little_endian";
-  text += " 1.0\ncomment written by glark\nelement vertex " + std::to_string(geometry.point_count()) + "\n";
+  text += fmt::format(" 1.0\ncomment written by glark\nelement vertex {}\n", geometry.point_count());
   for (const char* name : {"x", "y", "z"}) text += "property " + type + " " + name + "\n";
   if (!geometry.normals.empty()) text += "property float nx\nproperty float ny\nproperty float nz\n";
   if (!geometry.colours.empty())
     text += "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
   if (!geometry.texture_coordinates.empty()) text += "property float s\nproperty float t\n";
   if (has_faces(geometry))
-    text += "element face " + std::to_string(geometry.triangle_count()) + "\nproperty list uchar int vertex_indices\n";
+    text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", geometry.triangle_count());
   if (!geometry.strip_sizes.empty())
-    text +=
-        "element tristrips " + std::to_string(geometry.strip_sizes.size()) + "\nproperty list int int vertex_indices\n";
+    text += fmt::format("element tristrips {}\nproperty list int int vertex_indices\n", geometry.strip_sizes.size());
   return text + "end_header\n";
 }
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// OBJ, XYZ, PTS and STL.
+// Writes OBJ, XYZ, PTS and STL.
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
@@ -26,7 +28,7 @@ void write_rows(OutputFile& file, const Geometry& geometry, bool with_intensity)
   }
 }
 
-// "7", "7/7", "7//7" or "7/7/7", counted from 1.
+// A corner of a face: "7", "7/7", "7//7" or "7/7/7". Indices count from 1.
 std::string corner(const Geometry& geometry, std::uint32_t index) {
   const std::string number = std::to_string(std::uint64_t{index} + 1);
   std::string text = number;
@@ -49,7 +51,7 @@ Vector face_normal(Vector a, Vector b, Vector c) {
 void write_xyz(OutputFile& file, const Geometry& geometry) { write_rows(file, geometry, false); }
 
 void write_pts(OutputFile& file, const Geometry& geometry) {
-  file.write(std::to_string(geometry.point_count()) + "\n");
+  file.write(fmt::format("{}\n", geometry.point_count()));
   write_rows(file, geometry, !geometry.colours.empty());
 }
 

@@ -3,9 +3,9 @@
 //
 // One step of the Modified Butterfly scheme, which interpolates: its vertices and edge midpoints lie on the limit surface as they are.
 //
-// Based on: Zorin, Schroeder, Sweldens, Interpolating Subdivision for Meshes with Arbitrary Topology, 1996. Ours: creases have the
-// four-point rule, and where a stencil reaches across one, the vertex that is missing is the mirror image of the opposite one in
-// the middle of the edge.
+// Based on: Zorin, Schroeder, Sweldens, Interpolating Subdivision for Meshes with Arbitrary Topology, 1996. Our
+// additions: creases have the four-point rule. Where a stencil reaches across a crease, the missing vertex is the
+// mirror image of the opposite one in the middle of the edge.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ namespace glark::qas {
 
 class ButterflyStep {
  public:
-  // numbering: of the same topology; says which position and normal is which.
+  // numbering: a limit step of the same topology, which numbers the positions and normals.
   ButterflyStep(const Topology& topology, const LimitStep& numbering);
 
-  // The vertices of the mesh after one step: [position_count()] of the numbering.
+  // Computes the vertices of the mesh after one step: [position_count()] of the numbering.
   void subdivide(const Workers& workers, const Float4* from, Float4* to) const;
-  // middles: [position_count()], for subdivide(); frame.from is the mesh.
+  // points: [position_count()], receives the vertices after the step; frame.from is the mesh.
   void run(const Workers& workers, const LimitStep::Frame& frame, Float4* points) const;
 
  private:
@@ -30,15 +30,15 @@ class ButterflyStep {
     std::uint32_t point;
     float weight;
   };
-  // Of two tangents at `centre`, whose normal is number `normal`; points after the step.
+  // A term of the two tangents at a vertex. `point` is a vertex after the step.
   struct TangentTerm {
     std::uint32_t point;
     float first, second;
   };
   struct Normal {
     std::uint32_t centre, normal;
-    std::size_t first, last;  // of tangent_terms_
-    std::uint32_t coarse;     // a half-edge's triangle, for its normal where there is no other
+    std::size_t first, last;  // in tangent_terms_
+    std::uint32_t coarse;     // a half-edge whose triangle gives the normal if the tangents do not
   };
 
   void add_term(std::uint32_t vertex, double weight);
@@ -54,8 +54,8 @@ class ButterflyStep {
 
   std::size_t vertex_count_ = 0;
   const LimitStep& numbering_;
-  std::vector<std::size_t> first_term_;  // per edge, and the end
-  std::vector<Term> terms_;              // coarse vertices
+  std::vector<std::size_t> first_term_;  // of each edge, and the end
+  std::vector<Term> terms_;              // of coarse vertices
   std::vector<Normal> normals_;
   std::vector<TangentTerm> tangent_terms_;
   std::vector<std::uint32_t> triangles_;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The stencils applied. All sums are of differences to a vertex near by, which single precision holds exactly or nearly so: normals
-// are as exact in a mesh of many small triangles as in a coarse one.
+// Applies the stencils. All sums are sums of differences to a near vertex, which single precision holds almost exactly.
+// So normals are as exact in a mesh of many small triangles as in a coarse one.
 #include <algorithm>
 
 #include "glark/clients/qas/limit_step/limit_step.h"
@@ -10,7 +10,7 @@
 namespace glark::qas {
 namespace {
 
-// The sum of the normals of the triangles of a ring, where a tangent plane has none.
+// The mean normal of the triangles of a ring, for vertices without a tangent plane.
 Float4 ring_normal(const Float4* from, Float4 vertex, const std::uint32_t* ring, std::uint32_t count, bool closed) {
   Float4 sum{};
   for (std::uint32_t i = 0; i + (closed ? 0 : 1) < count; ++i)
@@ -48,7 +48,8 @@ void LimitStep::run_fan(const Frame& frame, const Fan& fan, std::size_t begin, s
   }
 }
 
-// The regular valence, which nearly all vertices have after a step: the ring's Fourier mode without its weights.
+// Vertices of valence 6, which nearly all vertices have after a step: the Fourier mode of the ring without
+// multiplications by its weights.
 template <bool With_limits>
 void LimitStep::run_regular_fan(const Frame& frame, const Fan& fan, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
@@ -118,7 +119,8 @@ void LimitStep::run_open_sectors(const Frame& frame, std::size_t begin, std::siz
     const bool found = unit_normal(first, second, normal);
     if (!found || sector.corner) {
       const Float4 coarse = ring_normal(frame.from, vertex, ring, sector.count, sector.closed);
-      // A corner of three triangles and more need not have a tangent plane; a reflex one turns its two edges round.
+      // A corner of three or more triangles need not have a tangent plane. At a reflex corner the two edges give the
+      // opposite normal.
       if (!found || sector.count > 3 || dot(normal, coarse) <= 0) normal = coarse;
     }
     store(frame.normals[sector.sector], normal);
@@ -136,7 +138,7 @@ void LimitStep::finish_edge(const Frame& frame, const SmoothEdge& edge, Float4 l
   store(frame.normals[sector_count_ + edge.edge], normal);
 }
 
-// The step and the limit masks of the six neighbours that the middle then has, multiplied out.
+// The step, and the limit masks of the six neighbours that the middle has after it, multiplied out.
 void LimitStep::run_regular_edges(const Frame& frame, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
     const SmoothEdge& edge = regular_edges_[i];

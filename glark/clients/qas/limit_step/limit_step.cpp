@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// From topology to tables of stencils.
+// Builds the tables of stencils from the topology.
 #include "glark/clients/qas/limit_step/limit_step.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Across {
   bool smooth;
 };
 
-// The vertex on the other side of an edge; one of its ends, which then weighs nothing, where the edge is sharp.
+// The vertex on the other side of an edge. For a sharp edge it is one of the ends, with the weight 0.
 Across across(const Topology& topology, std::uint32_t half_edge) {
   const std::uint32_t twin = topology.twin(half_edge);
   if (twin == none) return {topology.corner(half_edge), false};
@@ -39,7 +39,7 @@ LimitStep::LimitStep(const Topology& topology)
   normal_of_ = {};
 }
 
-// Vertices that one closed fan surrounds, by valence.
+// Adds the vertices inside closed fans, sorted by valence.
 void LimitStep::add_fans(const Topology& topology) {
   std::vector<FanVertex> closed;
   for (std::uint32_t s = 0; s < topology.sectors.size(); ++s) {
@@ -186,7 +186,7 @@ void LimitStep::add_patches(const Topology& topology) {
   }
 }
 
-// The points of the triangle it is a copy of, in its own order.
+// The patch of the original triangle, with its points in the order of the copy.
 Patch LimitStep::copied_patch(const Topology& topology, std::uint32_t triangle) {
   const Patch& source = patches_[topology.same_as[triangle]];
   const std::uint32_t* const vertices = &topology.triangles[3 * std::size_t{triangle}];

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// One limit step of Loop's scheme: positions and normals of the limit surface at the vertices and edge midpoints of a mesh. The
-// topology becomes tables of stencils, grouped by kind so that no kernel branches on it.
+// One limit step of Loop's scheme: positions and normals of the limit surface at the vertices and edge midpoints of a
+// mesh. Tables of stencils are made from the topology. They are grouped by kind, so that no kernel branches on the
+// kind.
 #pragma once
 
 #include <array>
@@ -15,7 +16,8 @@
 
 namespace glark::qas {
 
-// How the middle of an edge weighs its ends and its opposite vertices: Loop's rule, and a cubic B-spline on creases.
+// The weights of the ends and of the opposite vertices for the middle of an edge: Loop's rule, and a cubic B-spline on
+// creases.
 inline constexpr float smooth_end = 0.375F, smooth_opposite = 0.125F;
 inline constexpr float sharp_end = 0.5F, sharp_opposite = 0;
 
@@ -32,23 +34,23 @@ class LimitStep {
     Float4* shift;       // [vertex_count], receives what one step of subdivision adds to a vertex
     Vector* positions;   // [position_count()]
     Vector* normals;     // [normal_count()]
-    float unscale;       // what positions are multiplied by in the end
+    float unscale;       // the factor of the resulting positions
   };
   void run(const Workers& workers, const Frame& frame) const;
-  // The normals of what has none, and of triangles that are drawn as another's back.
+  // Sets the normals of elements without a normal, and of triangles that are drawn as the back of another one.
   void finish(const Frame& frame) const;
-  // The vertices of the mesh after one step of subdivision: [position_count()].
+  // Computes the vertices of the mesh after one step of subdivision: [position_count()].
   void subdivide(const Workers& workers, const Float4* from, Float4* to) const;
 
  private:
-  // Vertices of the same valence all around: their rings lie one after the other.
+  // Vertices of the same valence inside closed fans. Their rings lie one after the other.
   struct Fan {
     std::uint32_t valence;
     std::uint32_t first;  // in fan_vertices_
     std::uint32_t count;
     std::size_t first_ring;    // in rings_
     std::size_t first_weight;  // in weights_
-    float shift;               // of the sum over the ring: Loop's beta
+    float shift;               // the factor of the sum over the ring: Loop's beta
     float limit;
   };
   struct FanVertex {
@@ -73,7 +75,7 @@ class LimitStep {
     std::array<std::uint32_t, 4> across;
     std::uint32_t edge;
   };
-  // Of the middles of the edges a c, b c, a d, b d.
+  // The weights of the middles of the edges a c, b c, a d, b d.
   struct MiddleWeights {
     std::array<float, 4> ends, opposites;
   };
@@ -101,7 +103,7 @@ class LimitStep {
   void add_patches(const Topology& topology);
   Patch copied_patch(const Topology& topology, std::uint32_t triangle);
 
-  // With_limits: shifts and limits; without, frame.shift receives the vertices after the step.
+  // With_limits: computes shifts and limits. Otherwise frame.shift receives the vertices after the step.
   template <bool With_limits>
   void run_fans(const Frame& frame, std::size_t begin, std::size_t end) const;
   template <bool With_limits>
@@ -118,7 +120,7 @@ class LimitStep {
   void run_sharp_sides(const Frame& frame, std::size_t begin, std::size_t end) const;
 
   std::size_t vertex_count_, edge_count_, sector_count_, normal_count_;
-  std::size_t no_normal_ = 0;  // of what has none
+  std::size_t no_normal_ = 0;  // of elements without a normal
   std::vector<Fan> fans_;
   std::vector<FanVertex> fan_vertices_;
   std::vector<std::uint32_t> rings_;
@@ -126,12 +128,12 @@ class LimitStep {
   std::vector<CreaseVertex> creases_;
   std::vector<std::uint32_t> corners_;
   std::vector<OpenSector> open_sectors_;
-  std::vector<SmoothEdge> regular_edges_;  // no crease beside them
+  std::vector<SmoothEdge> regular_edges_;  // no crease is near
   std::vector<SmoothEdge> general_edges_;
   std::vector<MiddleWeights> middle_weights_;  // of general_edges_
   std::vector<SharpEdge> sharp_edges_;
   std::vector<SharpSide> sharp_sides_;
-  std::vector<std::uint32_t> normal_of_;  // per half-edge, until the patches are made
+  std::vector<std::uint32_t> normal_of_;  // of each half-edge, until the patches are made
   std::vector<Reversed> reversed_;
   std::vector<Patch> patches_;
 };

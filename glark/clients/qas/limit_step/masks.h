@@ -10,23 +10,26 @@
 
 namespace glark::qas {
 
-// Of each neighbour of a smooth vertex in one step. Loop, Smooth Subdivision Surfaces Based on Triangles, 1987.
+// The weight of each neighbour of a smooth vertex in one step. Source: C. Loop, Smooth Subdivision Surfaces Based on
+// Triangles, 1987.
 inline double loop_beta(std::uint32_t valence) {
   const double n = valence;
   const double root = 3.0 / 8 + std::cos(2 * std::numbers::pi / n) / 4;
   return (5.0 / 8 - root * root) / n;
 }
 
-// The tangents at a vertex with creases, of the ring of an open fan: along the crease, and across it into the fan; at a corner the two
-// edges that bound the fan. Weights of the differences to the vertex.
+// The weights of the ring of an open fan for the two tangents at a vertex with creases: along the crease, and across it
+// into the fan. At a corner the tangents are the two edges that bound the fan. The weights multiply differences to the
+// vertex.
 //
-// Across, these are the left eigenvectors of the step. The formula of Hoppe et al. (1994), which OpenSubdiv has for four triangles and
-// more, belongs to their modified rules: with the plain rule for crease edges, which OpenSubdiv refines by, it is not the limit.
+// The tangents across are left eigenvectors of the step. The formula of Hoppe et al. (1994), which OpenSubdiv has for
+// four triangles and more, belongs to their modified rules: with the plain rule for crease edges, which OpenSubdiv
+// refines by, it is not the limit.
 struct TangentMask {
-  std::uint32_t last;  // of the ring, and the number of triangles
+  std::uint32_t last;  // index of the ring, and the number of triangles
   bool corner;
   double theta;
-  double end;  // across, of the first and the last
+  double end;  // the weight of the first and the last vertex for the tangent across
 
   double along(std::uint32_t i) const { return i == 0 ? 1 : (i == last && !corner ? -1 : 0); }
   double inwards(std::uint32_t i) const {
@@ -42,7 +45,7 @@ inline TangentMask tangent_mask(std::uint32_t ring_size, bool corner) {
   if (last == 2) return {last, corner, theta, 0};  // 3/8
   const double eigenvalue = 3.0 / 8 + std::cos(theta) / 4;
   const double inner =
-      3.0 / 8 / std::tan(theta / 2);  // the sum over the inner ones, which weigh 3/8 in the vertex's column
+      3.0 / 8 / std::tan(theta / 2);  // the sum over the inner vertices, whose weight in the vertex's column is 3/8
   const double end =
       (inner + (eigenvalue - 0.75) * std::sin(theta)) / (8 * (eigenvalue - 0.75) * (eigenvalue - 0.5) - 1);
   return {last, corner, theta, end};

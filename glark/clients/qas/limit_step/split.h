@@ -12,11 +12,12 @@
 
 namespace glark::qas {
 
-// The vertices of `topology`, then the middles of its edges; of every triangle those at its corners, then the middle one.
-// patches: of `topology`, whose positions are these vertices.
+// Returns the triangles after the step. Vertices are those of `topology`, then the middles of its edges. Each triangle
+// becomes three triangles at its corners, then the middle one. patches: the patches of `topology`, whose positions are
+// these vertices.
 Topology split(const Topology& topology, const std::vector<Patch>& patches);
 
-// Of each vertex after the step, the two that it lies between: the same twice for one that was there before.
+// Returns for each vertex after the step the two vertices between which it lies; a vertex from before the step twice.
 std::vector<std::array<std::uint32_t, 2>> parents(const Topology& topology);
 
 }  // namespace glark::qas

@@ -17,13 +17,13 @@ Point sum(double weight, const Point& a, double other, const Point& b) {
 
 void add(Point& to, double weight, const Point& point) { to = sum(1, to, weight, point); }
 
-// A basis function and its derivatives by its own three barycentric coordinates, times 12.
+// A basis function and its derivatives by the three barycentric coordinates, times 12.
 struct Basis {
   double value;
   std::array<double, 3> by;
 };
 
-// Based on: J. Stam, Evaluation of Loop Subdivision Surfaces, 1999, appendix A, by symmetry. Of the corner p:
+// Based on: J. Stam, Evaluation of Loop Subdivision Surfaces, 1999, appendix A, by symmetry. The function of corner p:
 Basis of_corner(double p, double q, double r) {
   const double q2 = q * q, r2 = r * r, p2 = p * p;
   return {6 * p2 * p2 + 24 * p2 * p * (q + r) + p2 * (24 * q2 + 60 * q * r + 24 * r2) +
@@ -37,7 +37,7 @@ Basis of_corner(double p, double q, double r) {
                18 * q * r2 + 4 * r2 * r}};
 }
 
-// Of the vertex beyond the edge p q:
+// The function of the vertex beyond the edge p q:
 Basis beyond_edge(double p, double q, double r) {
   const double q2 = q * q, p2 = p * p;
   return {p2 * p2 + 2 * p2 * p * r + 6 * p2 * p * q + 6 * p2 * q * r + 12 * p2 * q2 + 6 * p * q2 * r + 6 * p * q2 * q +
@@ -47,7 +47,7 @@ Basis beyond_edge(double p, double q, double r) {
            2 * p2 * p + 6 * p2 * q + 6 * p * q2 + 2 * q2 * q}};
 }
 
-// Of the neighbour of p alone that lies on the side of q:
+// The function of the neighbour of p alone that lies on the side of q:
 Basis outer(double p, double q) { return {p * p * p * (p + 2 * q), {4 * p * p * p + 6 * p * p * q, 2 * p * p * p, 0}}; }
 
 }  // namespace

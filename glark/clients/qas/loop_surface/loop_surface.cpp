@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The limit surface at any parameter. Stam's tiling: a triangle with an extraordinary vertex or a crease is subdivided, and three of its
-// four children are regular but for the rim. The power of the subdivision matrix is applied step by step rather than diagonalised:
-// patterns end at the eleventh step, and creases and corners need no case of their own.
+// The limit surface at any parameter, by Stam's tiling: a triangle with an extraordinary vertex or a crease is
+// subdivided, and three of its four children are regular, except near creases. The subdivision matrix is not
+// diagonalised; its steps are applied one by one. Patterns end at the eleventh step, and so creases and corners need no
+// special case.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -16,7 +19,7 @@
 namespace glark::qas {
 namespace {
 
-constexpr int deepest_step = 24;  // nearer to a corner than floats can say
+constexpr int deepest_step = 24;  // nearer to a corner than floats resolve
 constexpr unsigned deepest_level = 11;
 
 Sample sample_of(const Jet& jet, const Point& coarse_normal) {
@@ -36,7 +39,7 @@ Sample sample_of(const Jet& jet, const Point& coarse_normal) {
   return sample;
 }
 
-// Lattice points are named (i, j), for (w, u, v) = (2^level - i - j, i, j) / 2^level.
+// Lattice point (i, j) has the barycentric coordinates (w, u, v) = (2^level - i - j, i, j) / 2^level.
 using LatticePoint = std::array<unsigned, 2>;
 
 std::size_t lattice_index(unsigned level, LatticePoint at) {
@@ -50,7 +53,7 @@ LatticePoint half_way(LatticePoint a, LatticePoint b) { return {(a[0] + b[0]) / 
 
 struct LoopSurface::State {
   Topology topology;
-  std::vector<std::uint32_t> first_about, about;  // the triangles about each vertex
+  std::vector<std::uint32_t> first_about, about;  // the triangles around each vertex
   std::vector<Point> positions;
   std::vector<Float4> checked;
 
@@ -59,7 +62,7 @@ struct LoopSurface::State {
   Point coarse_normal(std::uint32_t triangle) const;
   Sample evaluate(std::uint32_t triangle, std::array<double, 3> barycentric) const;
   Sample sample(std::uint32_t triangle,
-                const std::array<double, 3>& barycentric) const;  // of copies and degenerate ones too
+                const std::array<double, 3>& barycentric) const;  // also of copies and degenerate triangles
   void fill(const LoopPatch& patch, const Point& normal, unsigned level, unsigned steps,
             const std::array<LatticePoint, 3>& corners, std::span<Sample> samples) const;
 };
@@ -108,7 +111,7 @@ Point LoopSurface::State::coarse_normal(std::uint32_t triangle) const {
 
 Sample LoopSurface::State::evaluate(std::uint32_t triangle, std::array<double, 3> barycentric) const {
   LoopPatch here = patch(triangle);
-  // Halving doubles what their sum lacks to 1: the greatest takes it.
+  // Each step doubles the error of their sum, so the greatest one is set to make the sum 1.
   const auto greatest =
       static_cast<std::size_t>(std::max_element(barycentric.begin(), barycentric.end()) - barycentric.begin());
   barycentric[greatest] = 1 - barycentric[(greatest + 1) % 3] - barycentric[(greatest + 2) % 3];
@@ -144,7 +147,7 @@ Sample LoopSurface::State::sample(std::uint32_t triangle, const std::array<doubl
   };
   const std::uint32_t* const vertices = &topology.triangles[3 * std::size_t{triangle}];
   std::array<double, 3> there{};
-  if (source == none) {  // a point
+  if (source == none) {  // the triangle is a point
     const std::uint32_t vertex = vertices[0];
     Sample point = sample_of({positions[vertex], {}}, {0, 0, 1});
     if (first_about[vertex] == first_about[vertex + 1]) return point;
@@ -161,7 +164,7 @@ Sample LoopSurface::State::sample(std::uint32_t triangle, const std::array<doubl
   return result;
 }
 
-// The lattice between three of its points, `steps` halvings apart.
+// Fills the lattice between three of its points, `steps` subdivisions apart.
 void LoopSurface::State::fill(const LoopPatch& patch, const Point& normal, unsigned level, unsigned steps,
                               const std::array<LatticePoint, 3>& corners, std::span<Sample> samples) const {
   if (patch.regular()) {
@@ -202,7 +205,7 @@ void LoopSurface::update(std::span<const float> positions) {
 Sample LoopSurface::evaluate(std::size_t triangle, std::array<float, 3> barycentric) const {
   const Topology& topology = state_->topology;
   if (triangle >= topology.same_as.size()) {
-    throw Error(Element::triangle, triangle, "is none of the " + std::to_string(topology.same_as.size()));
+    throw Error(Element::triangle, triangle, fmt::format("is none of the {}", topology.same_as.size()));
   }
   check_barycentric(barycentric);
   return state_->sample(static_cast<std::uint32_t>(triangle), {barycentric[0], barycentric[1], barycentric[2]});
@@ -211,15 +214,13 @@ Sample LoopSurface::evaluate(std::size_t triangle, std::array<float, 3> barycent
 void LoopSurface::refine(unsigned level, std::span<Sample> samples, unsigned threads) const {
   const Topology& topology = state_->topology;
   if (level > deepest_level) {
-    throw Error(Element::array, 0,
-                "of level " + std::to_string(level) + " is deeper than patterns are, which end at 11");
+    throw Error(Element::array, 0, fmt::format("of level {} is deeper than patterns are, which end at 11", level));
   }
   const std::size_t side = std::size_t{1} << level, each = (side + 1) * (side + 2) / 2;
   if (samples.size() != topology.same_as.size() * each) {
     throw Error(Element::array, 0,
-                "of samples has " + std::to_string(samples.size()) + "; " + std::to_string(topology.same_as.size()) +
-                    " triangles of level " + std::to_string(level) + " have " +
-                    std::to_string(topology.same_as.size() * each));
+                fmt::format("of samples has {}; {} triangles of level {} have {}", samples.size(),
+                            topology.same_as.size(), level, topology.same_as.size() * each));
   }
   const unsigned last = 1U << level;
   Workers(threads).evenly(

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark_qas_precise: the qualifier that forbids fused operations, where the version of the language has one.
+// glark_qas_precise is the qualifier that forbids fused operations, in versions of the language that have it.
 #extension GL_ARB_gpu_shader5 : enable
 #ifdef GL_ES
 #define glark_qas_precise_from 320

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What refine.glsl computes, operation by operation.
+// The computation of refine.glsl, operation by operation.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace glark::qas {
 
-// points: at the corners 0, 1, 2, in the middle of the edges 01, 12, 20.
+// points: at the corners 0, 1, 2, then in the middle of the edges 01, 12, 20.
 inline Float4 quadratic(const std::array<Float4, 6>& points, const std::array<float, 3>& barycentric) {
   const auto [w, u, v] = barycentric;
   const Float4 corners =

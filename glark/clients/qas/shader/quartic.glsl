@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The quartic through 15 points, for positions and for normals. Of every corner comes a matrix: in its columns the point of the
-// corner and those at 1/4, 2/4 and 3/4 of the edge to the next corner, and in its last row the inner point next to the corner. What
-// belongs to other edges is zero on an edge, and what comes from its two ends is added first: the sum is the same from both sides.
+// The quartic through 15 points, for positions and for normals. Each corner has a matrix: its columns are the point of
+// the corner and the points at 1/4, 2/4 and 3/4 of the edge to the next corner; its last row is the inner point next to
+// the corner. On an edge, the terms of other edges are zero, and the terms of the two ends are added first. So the sum
+// is the same from both sides.
 #include "glark/clients/qas/shader/precise.glsl"
-// Of the points 1/4 to 4/4 away.
+// The weights of the points 1/4 to 4/4 away.
 vec4 glark_qas_weights(float x) {
   glark_qas_precise float x4 = 4.0 * x;
   glark_qas_precise float second = 0.5 * x4 * (x4 - 1.0);

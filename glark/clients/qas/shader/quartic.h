@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The quartic through the 15 points of a triangle whose barycentric coordinates are multiples of 1/4; what quartic.glsl computes,
-// operation by operation.
+// The quartic through the 15 points of a triangle whose barycentric coordinates are multiples of 1/4. This is the
+// computation of quartic.glsl, operation by operation.
 #pragma once
 
 #include <array>
@@ -12,13 +12,14 @@
 
 namespace glark::qas {
 
-// Of one corner: its own point, those at 1/4, 2/4 and 3/4 of the edge to the next corner, and the inner point next to it.
+// The points of one corner: its own, those at 1/4, 2/4 and 3/4 of the edge to the next corner, and the inner point next
+// to it.
 struct QuarticPoints {
   std::array<Float4, 4> edge;
   Float4 inner;
 };
 
-// 1 where x is n/4, 0 where it is another multiple of 1/4 below.
+// Weight n is 1 where x is n/4, and 0 at smaller multiples of 1/4.
 inline std::array<float, 5> quartic_weights(float x) {
   const float x4 = 4 * x;
   const float second = 0.5F * x4 * (x4 - 1);
@@ -39,13 +40,13 @@ inline Float4 quartic(const std::array<QuarticPoints, 3>& corners, const std::ar
   return (at_corners + on_edges) + inside;
 }
 
-// Where corner `corner` of triangle `triangle` finds its points among the patches of the once split mesh: patch and point of it.
+// The places of a corner's points among the patches of the mesh that is split once.
 struct PatchPoint {
   std::size_t patch, point;
 };
 inline std::array<PatchPoint, 5> quartic_points(std::size_t triangle, std::size_t corner) {
   const std::size_t first = 4 * triangle, next = (corner + 1) % 3;
-  // Child i has corner i; its edges i and i + 2 lie along those of the triangle, and edge i + 1 crosses the inside.
+  // Child i has corner i. Its edges i and i + 2 lie on edges of the triangle; edge i + 1 lies inside.
   return {{{first + corner, corner},
            {first + corner, 3 + corner},
            {first + corner, next},

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The quadratic through three corners and three edge midpoints, for positions and for normals. Its control points follow from the
-// six points (9.2.3); put into the sum, they leave these weights of the points themselves, which spares the fit. Products of
-// barycentric coordinates are exact, what belongs to other edges is zero, and the ends of an edge are added first: the sum is the
-// same from both sides of it, as long as nothing is fused.
+// The quadratic through three corners and three edge midpoints, for positions and for normals. Its control points
+// follow from the six points (9.2.3). Substituting them gives these weights of the points themselves, which makes the
+// fit unnecessary. On an edge, products of barycentric coordinates are exact, the terms of other edges are zero, and
+// the terms of the two ends are added first. So the sum is the same from both sides of the edge, if no operations are
+// fused.
 //
 // Based on: Boubekeur 2007, ch. 9.2.4, with the edge indices that the text of the chapter means.
 #include "glark/clients/qas/shader/precise.glsl"

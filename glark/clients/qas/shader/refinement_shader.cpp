@@ -33,7 +33,7 @@ std::string through_15_points(const std::string& input) {
   return "glark_qas_quartic(" + corner + "[0], " + corner + "[1], " + corner + "[2])";
 }
 
-// A normal of length 0 stays.
+// A zero normal stays zero.
 std::string with_unit_length(const std::string& input, const std::string& value) {
   return "  vec3 glark_qas_n = " + value + ";\n  " + input +
          ".xyz = dot(glark_qas_n, glark_qas_n) > 0.0 ? normalize(glark_qas_n) : glark_qas_n;\n";
@@ -41,7 +41,7 @@ std::string with_unit_length(const std::string& input, const std::string& value)
 
 }  // namespace
 
-// Its own names begin as no input's may (11.R.9).
+// The names of the shader's own variables begin as no input's name may (11.R.9).
 std::string refinement_shader(const ShaderInputs& inputs) {
   std::string body = "  " + inputs.position + ".xyz = " + fitted(inputs.position, inputs.edge_position) + ";\n";
   if (!inputs.normal.empty()) body += with_unit_length(inputs.normal, fitted(inputs.normal, inputs.edge_normal));

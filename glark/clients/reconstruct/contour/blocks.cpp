@@ -10,9 +10,9 @@
 namespace glark::reconstruct {
 namespace {
 
-constexpr float least_band = 2.5F;  // of cells, on either side of a plane
+constexpr float least_band = 2.5F;  // cells, on either side of a plane
 
-// Corners low .. high of the grid.
+// A box of corners of the grid, low .. high.
 struct Box {
   CellIndex low, high;
 };
@@ -42,7 +42,8 @@ constexpr std::size_t fours = block_corners / 4;
 using Fours = std::array<Float4, fours>;
 Float4 all(float a) { return Float4{a, a, a, a}; }
 
-// body(four, their offsets from the plane's point in cells, squares of the distances), of rows that run through its ball.
+// Calls body(four, their offsets from the plane's point in cells, the squared distances) for the rows of corners that
+// cross the plane's ball.
 template <typename Body>
 void each_four(const SupportPlane& plane, float cells, const CellIndex& place, const Body& body) {
   Box box = box_of(plane, cells);
@@ -68,7 +69,7 @@ void each_four(const SupportPlane& plane, float cells, const CellIndex& place, c
   }
 }
 
-// Of each corner the normal of the plane whose point is nearest, of those that reach it.
+// For each corner, the normal of the nearest plane of those that reach the corner.
 void find_nearest(const std::vector<SupportPlane>& planes, std::span<const std::uint32_t> mine, float cells,
                   const CellIndex& place, std::array<Fours, 3>& normals) {
   Fours least;
@@ -120,7 +121,7 @@ void evaluate_block(const std::vector<SupportPlane>& planes, std::span<const std
 Blocks evaluate(const TransitionLayer& layer, unsigned level, const Workers& workers) {
   const auto cells = static_cast<float>(1U << level);
   Blocks blocks{.table = CellTable(layer.planes.size() / 8), .places = {}, .values = {}};
-  std::vector<std::uint32_t> begins(1);  // of the planes of each block, first their numbers
+  std::vector<std::uint32_t> begins(1);  // where the planes of each block begin; first their numbers
   for (const SupportPlane& plane : layer.planes) {
     each_block(box_of(plane, cells), [&](const CellIndex& place) {
       const auto next = static_cast<std::uint32_t>(blocks.places.size());

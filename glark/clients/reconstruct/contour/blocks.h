@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The implicit function at the corners of the cells near the transition layer, in blocks.
+// The implicit function at the corners of the cells near the transition layer, in blocks of corners.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ inline std::uint32_t corner_in_block(std::int32_t x, std::int32_t y, std::int32_
   return static_cast<std::uint32_t>(x + block_side * (y + block_side * z));
 }
 
-// In cells of the grid: negative inside, no_value where no plane reaches.
+// Signed distances in cells of the grid: negative inside, no_value where no plane reaches.
 inline constexpr float no_value = std::numeric_limits<float>::max();
 using BlockValues = std::array<float, block_corners>;
 
@@ -35,8 +35,8 @@ struct Blocks {
   }
 };
 
-// The partition of unity of planes near each corner; of those that face the way that the nearest does, so that the two sides of a thin
-// sheet do not mix.
+// Evaluates the partition of unity of the planes near each corner. Only planes that face the same way as the nearest
+// one count, so that the two sides of a thin sheet do not mix.
 Blocks evaluate(const TransitionLayer& layer, unsigned level, const Workers& workers);
 
 }  // namespace glark::reconstruct

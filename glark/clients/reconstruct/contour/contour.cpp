@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Based on: G. Nielson, Dual Marching Cubes, 2004: one vertex for each sheet of the surface in a cell, not for each cell, so that sheets
-// that pass through one cell stay apart.
+// Based on: G. Nielson, Dual Marching Cubes, 2004: a cell has one vertex for each sheet of the surface that passes
+// through it, so that the sheets stay apart.
 #include "glark/clients/reconstruct/contour/contour.h"
 
 #include <algorithm>
@@ -14,21 +14,21 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr std::size_t grain = 16;              // blocks
-constexpr std::int32_t wide = block_side + 1;  // with a row of a neighbour
+constexpr std::int32_t wide = block_side + 1;  // with one row of a neighbour
 constexpr std::size_t wide_cells = 9UL * 9UL * 9UL;
 
 std::uint32_t in_wide(std::int32_t x, std::int32_t y, std::int32_t z) {
   return static_cast<std::uint32_t>(x + wide * (y + wide * z));
 }
 
-// The cells of a block that the surface runs through; empty where it runs through none.
+// The cells of a block that the surface passes through; empty where there are none.
 struct BlockCells {
-  std::vector<std::uint8_t> inside;  // [block_corners] the corners that are; 0: the surface does not run through
-  std::vector<std::uint32_t> first;  // [block_corners] vertex
+  std::vector<std::uint8_t> inside;  // [block_corners] which corners are inside; 0: the surface does not pass through the cell
+  std::vector<std::uint32_t> first;  // [block_corners] the first vertex
   std::uint32_t count = 0;           // of vertices
 };
 
-// Copies a block with one row of its neighbours: those after it, or those before.
+// Copies a block with one row of its neighbours: the neighbours after it (side 1) or before it (side -1).
 template <typename Value, typename Get>
 void gather(const Blocks& blocks, std::uint32_t number, int side, Value missing, const Get& get,
             std::array<Value, wide_cells>& out) {
@@ -38,7 +38,7 @@ void gather(const Blocks& blocks, std::uint32_t number, int side, Value missing,
     const std::uint32_t from =
         which == 0 ? number
                    : blocks.find({place[0] + side * apart[0], place[1] + side * apart[1], place[2] + side * apart[2]});
-    // In the copy the block starts at 0 where its neighbours come after it, at 1 where before.
+    // In the copy the block starts at 0 before its neighbours, at 1 after them.
     CellIndex low{}, high{};
     for (std::size_t i = 0; i < 3; ++i) {
       if (apart[i] == 0) {
@@ -171,14 +171,15 @@ class Contouring {
   };
   using Places = std::array<Place, wide_cells>;
 
-  // The corners of the cell that are inside; 0 where the surface does not run through the cell.
+  // The corners of the cell that are inside; 0 where the surface does not pass through the cell.
   std::uint8_t inside_of(const Place& place) const {
     if (place.block == CellTable::absent || cells_[place.block].count == 0) return 0;
     return cells_[place.block].inside[place.cell];
   }
 
-  // Makes the quadrilaterals of the edges that start at the corners of a block. Each has a vertex in each of the four cells around its edge.
-  // In a block without vertices there are none: of the cells around such an edge one lies in the block.
+  // Makes the quadrilaterals of the edges that start at the corners of a block. Each has a vertex in each of the four
+  // cells around its edge. A block without vertices has none, because one of the cells around such an edge lies in the
+  // block.
   void quads_of(std::uint32_t number, std::vector<std::uint32_t>& quads) const {
     if (cells_[number].count == 0) return;
     Places around;

@@ -11,11 +11,11 @@ namespace glark::reconstruct {
 // A vertex for each sheet of the surface in a cell, and a quadrilateral for each edge of the grid that the surface crosses.
 struct Contour {
   std::vector<Float4> points;
-  std::vector<std::uint64_t> cells;  // [points], their keys on the grid's level
-  std::vector<std::uint32_t> quads;  // [4 * quads], counterclockwise from the outside
+  std::vector<std::uint64_t> cells;  // [points], the keys of the cells on the grid's level
+  std::vector<std::uint32_t> quads;  // [4 * quads], counter-clockwise seen from outside
 };
 
-// On the grid of cells of the level's side.
+// Contours the layer on the grid of the level.
 Contour contour(const TransitionLayer& layer, unsigned level, const Workers& workers);
 
 }  // namespace glark::reconstruct

@@ -7,7 +7,7 @@
 namespace glark::reconstruct {
 namespace {
 
-// The edge between two corners that are neighbours.
+// The number of the edge between two neighbouring corners.
 unsigned edge_between(unsigned a, unsigned b) {
   for (unsigned edge = 0; edge < 12; ++edge) {
     const CellEdge ends = edge_of_cell(edge);
@@ -16,7 +16,7 @@ unsigned edge_between(unsigned a, unsigned b) {
   return 12;
 }
 
-// Joins the crossed edges of one face; `corners` go around it.
+// Joins the crossed edges of one face. `corners` go around the face.
 void join_face(unsigned inside, const std::array<unsigned, 4>& corners, common::DisjointSets& joined) {
   const auto is_inside = [&](unsigned i) { return ((inside >> corners[i % 4]) & 1) != 0; };
   std::array<unsigned, 4> crossed{};

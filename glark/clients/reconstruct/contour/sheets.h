@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which edges of a cell the same sheet of the surface crosses, for each way that its corners can be inside and outside.
+// The sheets of the surface in a cell, for each of the 256 ways that its corners can be inside or outside.
 #pragma once
 
 #include <array>
@@ -9,9 +9,10 @@
 
 namespace glark::reconstruct {
 
-// Corner x + 2 y + 4 z. Edge 4 a + i runs along axis a; i has the place along the axis after, then the one after that.
+// An edge of a cell. Corner (x, y, z) has the number x + 2 y + 4 z. Edge 4 a + i runs along axis a; bit 0 of i is the
+// position along the next axis, bit 1 along the axis after that.
 struct CellEdge {
-  unsigned from, to;  // corners, along the axis
+  unsigned from, to;  // corners, in the direction of the axis
 };
 CellEdge edge_of_cell(unsigned edge);
 
@@ -21,7 +22,8 @@ struct Sheets {
 };
 inline constexpr std::uint8_t no_sheet = 0xFF;
 
-// inside: a bit for each corner. Where two corners of a face that lie across are inside, they are apart, as both cells at the face see it.
+// inside: a bit for each corner. Two inside corners on a diagonal of a face are not connected; both cells at the face
+// see it so.
 const Sheets& sheets_of(unsigned inside);
 
 }  // namespace glark::reconstruct

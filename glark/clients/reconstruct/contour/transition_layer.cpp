@@ -11,19 +11,19 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr float reach =
-    2;  // radius of a node's ball, by the side of its cell, or of a square that its samples would fill
-constexpr float spacings = 4;         // or by the distance of samples, the largest of these
-constexpr float most_reach = 4;       // of what is taken for the distance of samples, by the side of the finest cells
-constexpr std::uint32_t several = 8;  // samples from which their distance is known
-constexpr float most_weight = 16;     // samples
+    2;  // radius of a node's ball, relative to the side of its cell, or of a square that its samples would fill
+constexpr float spacings = 4;         // or relative to the distance of samples, if that is larger
+constexpr float most_reach = 4;       // the largest such radius, relative to the side of the finest cells
+constexpr std::uint32_t several = 8;  // the fewest samples that show their distance
+constexpr float most_weight = 16;     // samples that give the full weight
 constexpr std::size_t grain = 256;    // cells
-constexpr std::uint32_t few = 8;      // samples that are not worth a division
+constexpr std::uint32_t few = 8;      // cells with half as many samples are not divided
 
 class Layer {
  public:
   Layer(const Octree& octree, const ReconstructOptions& options) : octree_(octree), options_(options) {}
 
-  // What becomes of cell `number` of a level; `depth` levels are finer than that.
+  // Adds the planes of cell `number` of a level, above `depth` finer levels.
   void visit(std::size_t depth, std::uint32_t number, float spacing, std::vector<SupportPlane>& out) const {
     const Level& level = octree_.levels[depth];
     const std::uint32_t begin = level.begins[number], end = level.begins[number + 1];
@@ -46,7 +46,7 @@ class Layer {
   }
 
  private:
-  // Without samples around: what flies about near a scan.
+  // Returns whether the cells around have no samples: these are stray points beside a scan.
   static bool is_alone(const Level& level, std::uint32_t number) {
     const CellIndex cell = cell_of_key(level.keys[number]);
     const std::int32_t last = (1 << level.level) - 1;
@@ -60,7 +60,7 @@ class Layer {
     return records == level.begins[number + 1] - level.begins[number];
   }
 
-  // Of a square that the samples would fill.
+  // The side of a square that the samples would fill.
   static float side_of(const Moments& moments) {
     return std::sqrt(6 * (moments.products[0][0] + moments.products[1][1] + moments.products[2][2]) / moments.count());
   }
@@ -89,7 +89,8 @@ class Layer {
     out.push_back(plane);
   }
 
-  // By the side that the normals are on: seeds are the normal farthest from the mean, and the one farthest from that.
+  // Adds a plane for each of two sides. The seeds of the sides are the normal farthest from the mean, and the normal
+  // farthest from that one.
   void part(std::span<const Record> records, const Level& level, std::uint32_t number, float spacing,
             std::vector<SupportPlane>& out) const {
     const auto farthest = [&](Float4 from) {

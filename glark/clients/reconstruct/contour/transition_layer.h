@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The octree's transition layer: cells whose samples are a height field, each with the plane of its samples.
+// The transition layer of the octree: cells whose samples are a height field, with the planes of their samples.
 #pragma once
 
 #include "glark/clients/reconstruct/samples/octree.h"
@@ -9,8 +9,8 @@
 
 namespace glark::reconstruct {
 
-// The mean plane of samples of one cell. A cell of the finest level whose samples are no height field has two, for the two sides of a
-// thin sheet.
+// The mean plane of the samples of a cell. A cell of the finest level whose samples are no height field has two planes,
+// for the two sides of a thin sheet.
 struct SupportPlane {
   Float4 point;       // the centroid; the fourth is the radius of the ball in which the plane counts
   Float4 normal;      // the fourth is its weight
@@ -20,7 +20,7 @@ struct SupportPlane {
 
 struct TransitionLayer {
   std::vector<SupportPlane> planes;
-  std::vector<CellTable> cells;  // by level, the finest first: the transition nodes' cells
+  std::vector<CellTable> cells;  // the cells of the transition nodes of each level, the finest first
 };
 
 TransitionLayer transition_layer(const Octree& octree, const ReconstructOptions& options, const Workers& workers);

@@ -15,9 +15,10 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr std::size_t grain = 1024;
-constexpr float seen = 1.1F;    // around a vertex that settles, by the side of the finest cells
+constexpr float seen = 1.1F;    // how far samples count for a vertex, relative to the side of the finest cells
 
-// The transition node coarser than the grid that the cell lies in: its key with its level in the highest bits; 0 if there is none.
+// The transition node, coarser than the grid, in which the cell lies: its key, with its level in the highest bits. 0 if
+// there is none.
 std::uint64_t coarse_node_of(std::uint64_t cell, const TransitionLayer& layer) {
   if (layer.cells[0].find(cell) != CellTable::absent) return 0;
   for (std::size_t depth = 1; depth < layer.cells.size(); ++depth) {
@@ -27,7 +28,7 @@ std::uint64_t coarse_node_of(std::uint64_t cell, const TransitionLayer& layer) {
   return 0;
 }
 
-// One vertex for those of a sheet in a node; gives whether there were any to put together.
+// Merges the vertices of one sheet in one node. Returns whether any were merged.
 bool cluster(const Contour& contour, const TransitionLayer& layer, std::vector<Float4>& points,
              std::vector<std::uint32_t>& cluster_of) {
   const std::size_t count = contour.points.size();
@@ -59,7 +60,7 @@ bool cluster(const Contour& contour, const TransitionLayer& layer, std::vector<F
   return any;
 }
 
-// By the diagonal across which the halves bend less.
+// Divides quadrilaterals by the diagonal across which the halves bend less.
 std::vector<std::uint32_t> divide(const std::vector<std::uint32_t>& quads, const std::vector<Float4>& points,
                                   const std::vector<std::uint32_t>& cluster_of) {
   std::vector<std::uint32_t> triangles;

@@ -6,9 +6,10 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr std::size_t grain = 1024;
-constexpr float reach = 0.7F;  // by the side of the finest cells
+constexpr float reach = 0.7F;  // relative to the side of the finest cells
 
-// From the triangles' other corners, as far as there are any with a colour; the fourth counts. Returns whether one more vertex has one.
+// Gives vertices without colour the mean of their neighbours' colours; the fourth number counts these. Returns whether
+// any vertex got one.
 bool spread(const std::vector<std::uint32_t>& triangles, std::vector<Float4>& colours) {
   std::vector<Float4> sums(colours.size());
   for (std::size_t t = 0; t < triangles.size(); t += 3) {

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 constexpr std::uint32_t group =
-    2;  // coarse triangles whose samples are looked at together: most are the halves of a quad
-constexpr float edges_to_noise = 6;  // shorter ones are not divided
+    2;  // coarse triangles that share a search for samples: most are the halves of a quadrilateral
+constexpr float edges_to_noise = 6;  // shorter edges are not divided, relative to the noise
 
 class Refinement {
  public:
@@ -43,7 +43,7 @@ class Refinement {
         take_back(vertices);
         break;
       }
-      // The distance falls to a quarter where edges are halved.
+      // The distance falls to a quarter when edges are halved.
       ends = ++mesh_.levels == options.levels || !is_divided(edge) || error / 4 <= goal;
       divide(edges, ends);
     }
@@ -66,7 +66,7 @@ class Refinement {
     if (!mesh_.colours.empty()) mesh_.colours[vertex] = (mesh_.colours[a] + mesh_.colours[b]) * 0.5F;
   }
 
-  // New vertices of a few triangles, which see about the same samples.
+  // Moves the new vertices of a few triangles, which need about the same samples.
   void move_to_surface(std::uint32_t begin, std::uint32_t end, LocalSurface& surface) {
     if (begin == end) return;
     const Float4 reach = Float4{1, 1, 1, 0} * reach_;
@@ -86,11 +86,11 @@ class Refinement {
     }
   }
 
-  // The edges that each get a vertex, by one of their corners, in the order of the groups.
+  // The edges that get a new vertex, each by one of its corners, in the order of the groups.
   struct Edges {
     std::vector<std::uint32_t> corners;
-    std::vector<std::uint32_t> groups;  // where the edges of each start, and where the last end
-    std::vector<std::uint32_t> middle;  // of each corner the new vertex of its edge
+    std::vector<std::uint32_t> groups;  // where the edges of each group start, and where the last ones end
+    std::vector<std::uint32_t> middle;  // the new vertex on the edge of each corner
   };
 
   Edges edges_to_divide() const {
@@ -113,7 +113,7 @@ class Refinement {
     return edges;
   }
 
-  // Returns how far the mesh was from the surface, about: the root of the mean square.
+  // Returns the approximate root mean square distance of the mesh from the surface.
   double insert(const Edges& edges) {
     const std::vector<std::uint32_t>& groups = edges.groups;
     const auto first = static_cast<std::uint32_t>(mesh_.points.size());
@@ -156,7 +156,7 @@ class Refinement {
     opposite_ = std::move(opposite);
   }
 
-  // Child i keeps corner i; the last child is the one in the middle. Its half-edge i runs from the middle of edge i.
+  // Child i keeps corner i. The last child lies in the middle; its half-edge i starts at the middle of edge i.
   void children_of(std::uint32_t t, const std::vector<std::uint32_t>& middle,
                    std::vector<std::uint32_t>& triangles) const {
     const std::uint32_t* const corner = &mesh_.triangles[3 * std::size_t{t}];
@@ -174,7 +174,7 @@ class Refinement {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const std::uint32_t j = (i + 1) % 3, k = (i + 2) % 3;
       const std::uint32_t other = opposite_[3 * t + i];
-      // The first half of an edge is edge i of child i, the second of the child after.
+      // The first half of edge i is edge i of child i, the second half is edge i of the next child.
       against[3 * i + i] = other == no_half_edge ? no_half_edge : half(other / 3, (other % 3 + 1) % 3, other % 3);
       against[3 * j + i] = other == no_half_edge ? no_half_edge : half(other / 3, other % 3, other % 3);
       against[3 * i + j] = half(t, 3, k);  // from the middle of edge i to that of the edge before
@@ -185,7 +185,7 @@ class Refinement {
   const Octree& octree_;
   const Workers& workers_;
   const float side_;
-  const float reach_;  // of the samples looked at: further where there is noise
+  const float reach_;  // how far samples count: further where there is noise
   RefinedMesh mesh_;
   std::vector<std::uint32_t> opposite_;  // as BaseMesh has it
 };

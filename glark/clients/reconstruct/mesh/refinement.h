@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The coarse mesh divided and moved to the samples.
+// Divides the coarse mesh and moves its vertices to the samples.
 #pragma once
 
 #include "glark/clients/reconstruct/mesh/base_mesh.h"
@@ -12,7 +12,7 @@ namespace glark::reconstruct {
 struct RefinedMesh {
   std::vector<Float4> points;
   std::vector<Float4> normals;  // the fourth is 1 where samples were near
-  std::vector<Float4> colours;  // as LocalEstimate has them; none if the samples have none
+  std::vector<Float4> colours;  // as in LocalEstimate; empty if the samples have none
   std::vector<std::uint32_t> triangles;
   unsigned levels = 0;
 };

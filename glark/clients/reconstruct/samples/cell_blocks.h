@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The non-empty cells of a level in blocks of 4 x 4 x 4, so that cells beside each other are found together.
+// The non-empty cells of a level, in blocks of 4 x 4 x 4, so that neighbouring cells are found together.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@
 
 namespace glark::reconstruct {
 
-// On the grid of a level. A cell's key has a bit of x, of y and of z in turn.
+// A cell on the grid of a level. Its key interleaves the bits of x, y and z.
 using CellIndex = std::array<std::int32_t, 3>;
 std::uint64_t key_of(const CellIndex& cell);
 CellIndex cell_of_key(std::uint64_t key);
 
-// Of cells low .. high, all included.
+// The cells low .. high, both included.
 struct CellBox {
   CellIndex low{}, high{};
 };
@@ -26,10 +26,11 @@ struct CellBox {
 class CellBlocks {
  public:
   CellBlocks() = default;
-  // Of cells in the order of their keys; begins[i] is the first record of cell i, and the last of them ends the last cell.
+  // The cells must be sorted by key. begins[i] is the first record of cell i; the last element ends the last cell.
   CellBlocks(const std::vector<std::uint64_t>& keys, const std::vector<std::uint32_t>& begins);
 
-  // body(begin, end) of the records of the cells in the box, which lies within the root; cells that follow one another may come at once.
+  // Calls body(begin, end) for the records of the cells in the box, which lies within the root. One call may cover
+  // several consecutive cells.
   template <typename Body>
   void each(const CellBox& box, const Body& body) const;
 
@@ -84,7 +85,7 @@ void CellBlocks::each(const CellBox& box, const Body& body) const {
         if (number == CellTable::absent) continue;
         const Block& block = blocks_[number];
         const std::uint64_t wanted = part_of(box, 0, x) & part_of(box, 1, y) & part_of(box, 2, z);
-        // Cells without records do not part those before from those after them.
+        // Cells without records do not end a run of cells.
         const std::uint64_t passable = wanted | ~block.occupied;
         for (std::uint64_t rest = wanted & block.occupied; rest != 0;) {
           const auto first = static_cast<unsigned>(std::countr_zero(rest));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Numbers of cells by their keys, in one array.
+// A hash table from keys of cells to numbers.
 #pragma once
 
 #include <bit>
@@ -24,7 +24,7 @@ class CellTable {
     }
   }
 
-  // Gives what the key has, or else `number` from now on.
+  // Returns the number of the key, which becomes `number` if it has none.
   std::uint32_t insert(std::uint64_t key, std::uint32_t number) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     for (std::size_t i = start(key);; i = (i + 1) & (slots_.size() - 1)) {

@@ -7,14 +7,14 @@
 namespace glark::reconstruct {
 namespace {
 
-constexpr float least_facing = 0.2F;  // of a sample's normal and the one looked along
+constexpr float least_facing = 0.2F;  // least cosine between a sample's normal and the given one
 constexpr float least_opposed = -0.8F;
-constexpr int few = 3;              // samples
-constexpr float sharpness = 0.01F;  // the least of what weights fall with
-constexpr float bend = 0.6F;        // what counts of the curvature
+constexpr int few = 3;              // fewer samples give no estimate
+constexpr float sharpness = 0.01F;  // the least divisor of the weights
+constexpr float bend = 0.6F;        // the share of the curvature that counts
 constexpr float noise_weight = 100;
-constexpr float least_spread_of_samples = 1e-3F;  // squares by the radius: what is closer together shows no curvature
-constexpr float most_sides = 6;                   // of a box that is worth a look, by the finest cells'
+constexpr float least_spread_of_samples = 1e-3F;  // relative to the squared radius: closer samples show no curvature
+constexpr float most_sides = 6;                   // of a box that is searched as a whole, relative to the finest cells'
 
 struct Query {
   Float4 point, normal;
@@ -28,12 +28,12 @@ struct Sums {
   int opposed = 0;  // samples
   Float4 offset{};  // from the point
   Float4 normal{};
-  float heights = 0;  // above the point, of the samples' planes
-  float squares = 0;  // of the distance from the point
+  float heights = 0;  // of the samples' planes above the point
+  float squares = 0;  // of the distances from the point
   Float4 colour{};
 };
 
-// Without a branch for each sample, which would take longer than all that is done with it.
+// There is no branch for each sample: it would take longer than the arithmetic.
 class Lanes {
  public:
   explicit Lanes(const Query& query)
@@ -89,9 +89,9 @@ class Lanes {
   Float4 offset_[3]{}, normal_[3]{}, colour_[3]{};
 };
 
-// Puts the estimate on the sphere that fits the samples around a point and their normals. Models that are flat between their samples lie
-// on the inner side of it by a part of what the curvature makes.
-// Based on: G. Guennebaud, M. Germann, M. Gross, Dynamic Sampling and Rendering of Algebraic Point Set Surfaces, 2008, section 3.
+// Puts the estimate on the sphere that fits the samples around a point and their normals. Meshes are flat between their
+// vertices, and so lie inside the sphere; the estimate moves by a part of the curvature only. Based on: G. Guennebaud,
+// M. Germann, M. Gross, Dynamic Sampling and Rendering of Algebraic Point Set Surfaces, 2008, section 3.
 void fit(const Sums& sums, float radius, LocalEstimate& estimate) {
   const float share = 1 / sums.weight;
   const Float4 mean = sums.offset * share, normal = sums.normal * share;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Where the samples around a point say that the surface is.
+// Estimates the surface near a point from the samples around.
 #pragma once
 
 #include "glark/clients/reconstruct/samples/near_samples.h"
@@ -10,22 +10,22 @@ namespace glark::reconstruct {
 
 struct LocalEstimate {
   Float4 point{}, normal{};
-  Float4 colour{};  // red, green and blue, 0 to 255; if the samples have colours
+  Float4 colour{};  // red, green and blue, 0 to 255, if the samples have colours
   bool found = false;
-  bool opposed = false;  // there are none such, but some that face the other way
-  bool near = false;     // by samples within the radius, not within twice as far
+  bool opposed = false;  // there are no such samples, but some that face the other way
+  bool near = false;     // from samples within the radius, not within twice the radius
 };
 
-// Mean colours by the same weights. For one thread at a time.
+// Finds points and colours with the same weights. Only one thread at a time may use it.
 class LocalSurface {
  public:
   explicit LocalSurface(const Octree& octree) : octree_(octree) {}
 
-  // What is asked for next is in the box, most of it.
+  // Prepares for estimates in the box. Others are possible, but slower.
   void look_around(Float4 low, Float4 high);
 
-  // The foot of a point along the normal there, by samples nearer than the radius that face the way that `normal` does. Where these are
-  // few, by those nearer than twice the radius.
+  // Projects a point onto the surface along the normal there. Samples within the radius count that face the same way as
+  // `normal`; where these are few, samples within twice the radius.
   LocalEstimate near(Float4 point, Float4 normal, float radius);
 
  private:
@@ -33,7 +33,7 @@ class LocalSurface {
 
   const Octree& octree_;
   NearSamples around_;
-  NearSamples alone_;  // of a point that is not
+  NearSamples alone_;  // of a point outside the box
 };
 
 }  // namespace glark::reconstruct

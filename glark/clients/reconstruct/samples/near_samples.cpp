@@ -10,9 +10,9 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr Record far_away{{9, 9, 9, 0}, {}};  // from the unit cube
-constexpr std::int32_t most_cells = 4;        // of a box, along each axis
+constexpr std::int32_t most_cells = 4;        // of a box along each axis
 
-// Of the first three.
+// The product of the first three numbers.
 bool are_all(Int4 mask) {
 #ifdef __SSE__
   return (_mm_movemask_ps(std::bit_cast<Float4>(mask)) & 7) == 7;
@@ -22,7 +22,7 @@ bool are_all(Int4 mask) {
 #endif
 }
 
-// Of the fourth column, which may be no numbers, the bits.
+// The fourth column holds bits that may be NaN as numbers.
 Int4 transpose(const Float4 (&rows)[4], Float4 (&out)[3]) {
   const Float4 ab = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5);
   const Float4 cd = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);
@@ -57,7 +57,7 @@ void NearSamples::gather(const Octree& octree, Float4 low, Float4 high) {
     const std::size_t most = count + (end - begin) + 4;
     if (inside_.size() < most) inside_.resize(2 * most);
     Record* const out = inside_.data();
-    // Without a branch, which nothing would foretell.
+    // There is no branch, because it could not be predicted.
     for (std::uint32_t i = begin; i < end; ++i) {
       const Record& record = octree.records[i];
       out[count] = record;

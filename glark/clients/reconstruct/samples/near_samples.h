@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The samples in a box, laid out so that four are looked at together, one in each lane.
+// The samples in a box, in groups of four, one in each lane.
 #pragma once
 
 #include <span>
@@ -16,23 +16,23 @@ struct FourSamples {
   Int4 colour;  // packed
 };
 
-// Red, green and blue as the bits of a float that is no denormal, with which comparisons might take long.
+// Red, green and blue as the bits of a float. It is never denormal, for comparisons of denormal floats may be slow.
 inline constexpr std::uint32_t packed_bits = 0x40000000;
 inline float pack_colour(const std::uint8_t* rgb) {
   return std::bit_cast<float>(packed_bits | std::uint32_t{rgb[0]} | std::uint32_t{rgb[1]} << 8U |
                               std::uint32_t{rgb[2]} << 16U);
 }
-// Each 0 to 255: red has channel 0.
+// Each channel is 0 to 255; red is channel 0.
 inline Float4 unpack_colour(Int4 packed, int channel) {
   return __builtin_convertvector((packed >> (8 * channel)) & 255, Float4);
 }
 
 class NearSamples {
  public:
-  // Takes those of the box, low .. high.
+  // Collects the samples of the box low .. high.
   void gather(const Octree& octree, Float4 low, Float4 high);
   bool covers(Float4 low, Float4 high) const;
-  // What is left of the last four is far away.
+  // Unused lanes of the last group hold samples far away.
   std::span<const FourSamples> all() const { return samples_; }
 
  private:

@@ -17,11 +17,11 @@ constexpr unsigned key_bits = 3 * cell_levels;
 constexpr unsigned digit_bits = 12;
 constexpr std::size_t grain = 1 << 15;
 constexpr unsigned coarser_levels = 2;
-constexpr double sides_to_noise = 10;  // the least side of the finest cells, by the noise
+constexpr double sides_to_noise = 10;  // the least side of the finest cells, relative to the noise
 
 bool has_normal(const float* normal) { return normal[0] != 0 || normal[1] != 0 || normal[2] != 0; }
 
-// By radix, the last digit first.
+// A radix sort, the last digit first.
 std::vector<Entry> sorted_entries(const PointSet& points, const Cube& cube, const Workers& workers) {
   std::vector<std::uint32_t> used;
   for (std::size_t i = 0; i < points.positions.size() / 3; ++i) {
@@ -48,7 +48,7 @@ std::vector<Entry> sorted_entries(const PointSet& points, const Cube& cube, cons
   return entries;
 }
 
-// The cube that the box lies in the middle of, with cells of the side on some level, and room for a few cells around.
+// A cube around the box with room for a few more cells, so that the cells of some level have the given side.
 Cube cube_with(const Cube& tight, double side, unsigned& level) {
   Cube cube = tight;
   level = 3;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The samples in the order of the octree's cells, so that those of a cell of any level follow one another.
+// The samples sorted by the octree's cells, so that the samples of a cell of any level follow one another.
 #pragma once
 
 #include <glark/reconstruct.h>
@@ -19,29 +19,29 @@ using namespace common;  // Float4, records and workers
 using vstree::none;
 using vstree::PointSet;
 
-inline constexpr unsigned cell_levels = 16;  // of the octree here; its keys have three bits for each
+inline constexpr unsigned cell_levels = 16;  // of this octree; keys have three bits for each level
 
-// The cell of a point, and the nearest one of a point outside of the root.
+// The cell of a point; for a point outside the root, the nearest cell.
 CellIndex cell_of(Float4 point, unsigned level);
 
 // The non-empty cells of one level.
 struct Level {
   unsigned level = 0;
   std::vector<std::uint64_t> keys;
-  std::vector<std::uint32_t> begins;  // [keys + 1], of their records
+  std::vector<std::uint32_t> begins;  // [keys + 1], the first records of the cells
   CellBlocks blocks;
 
   float side() const { return 1.0F / static_cast<float>(1U << level); }
 };
 
 struct Octree {
-  Cube cube;  // of the root, which holds the bounding box
-  // Those with a normal, in the order of the cells. The fourth of a position packs the sample's colour.
+  Cube cube;  // the root, which holds the bounding box
+  // The samples that have a normal, in the order of the cells. The fourth number of a position is the packed colour.
   std::vector<Record> records;
   bool has_colours = false;
-  // The finest that transition nodes may have, and coarser ones.
+  // The finest level that transition nodes may have, then coarser ones.
   std::vector<Level> levels;
-  float noise = 0;  // as Reconstructed has it, within the cube
+  float noise = 0;  // as in Reconstructed, relative to the cube
 
   const Level& finest() const { return levels[0]; }
 };

@@ -7,7 +7,7 @@
 namespace glark::vstree {
 namespace {
 
-// The view of the points that nanoflann asks for.
+// The points in the form that nanoflann reads.
 struct Cloud {
   std::span<const Float4> points;
 

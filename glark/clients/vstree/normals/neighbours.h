@@ -15,8 +15,9 @@ namespace glark::vstree {
 
 using namespace common;  // Float4, records and workers
 
-// [each * points], nearest first, the sample itself among them; `each` is no more than there are points. Near ones should
-// have near numbers: then what one search looks at is in the cache for the next.
+// Returns `each` neighbours of every point, nearest first, the point itself among them: [each * points]. `each` is at
+// most the number of points. Near points should have near indices: then one search finds in the cache what the search
+// before has read.
 std::vector<std::uint32_t> nearest(std::span<const Float4> points, std::size_t each, const Workers& workers);
 
 }  // namespace glark::vstree

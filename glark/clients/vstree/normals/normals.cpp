@@ -1,19 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <bit>
 
 #include "glark/clients/common/counting_sort.h"
-#include "glark/clients/vstree/tree/cells.h"
+#include "glark/clients/common/points/point_set.h"
 #include "glark/clients/vstree/normals/neighbours.h"
 #include "glark/clients/vstree/normals/orientation.h"
-#include "glark/clients/common/points/point_set.h"
+#include "glark/clients/vstree/tree/cells.h"
 
 namespace glark::vstree {
 namespace {
 
-// The direction of the least extent; zero where two directions have none.
+// The direction in which the points extend least; zero where they lie on a line.
 Float4 least_extent(std::span<const Float4> points, std::span<const std::uint32_t> which) {
   const Float4 first = points[which.front()];
   Float4 sum{}, rows[3] = {};
@@ -37,11 +39,12 @@ Float4 least_extent(std::span<const Float4> points, std::span<const std::uint32_
   return unit(Float4{vector[0], vector[1], vector[2], 0});
 }
 
-constexpr unsigned grid_levels = 6;  // cells of a few hundred points, of millions of a surface
+constexpr unsigned grid_levels = 6;  // with millions of points of a surface, a few hundred in each cell
 
 std::uint32_t grid_cell(Float4 point) { return cube_key(octree_cell(point), octree_levels - grid_levels); }
 
-// The points by the cells of a grid, so that near ones have near numbers. Their own are the bits of the fourth.
+// The points sorted by the cells of a grid, so that near points have near indices. The fourth number has the bits of
+// the original index.
 std::vector<Float4> sorted(const PointSet& points, const Cube& cube, const Workers& workers) {
   std::vector<Float4> result(points.positions.size() / 3);
   const auto key = [&](std::size_t begin, std::size_t end, std::uint32_t* keys) {
@@ -58,12 +61,12 @@ std::vector<Float4> sorted(const PointSet& points, const Cube& cube, const Worke
   return result;
 }
 
-// Points at one place count once: a thousand there would be all the neighbours that each of them has, and a million would be looked at a
-// million times.
+// The different places of the points. A thousand points at one place would be all the neighbours of each other, and a
+// million would take a million million steps.
 struct Places {
-  std::vector<Float4> positions, normals;  // the first normal given of a place, or zero
+  std::vector<Float4> positions, normals;  // the first given normal of each place, or zero
   std::vector<bool> given;
-  std::vector<std::uint32_t> of;  // of each point
+  std::vector<std::uint32_t> of;  // the place of each point
 };
 
 std::uint32_t hash(Float4 point) {
@@ -75,7 +78,8 @@ std::uint32_t hash(Float4 point) {
 
 bool same_place(Float4 a, Float4 b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
-// Of points in the order of sorted(): equal ones are in one cell, so that a table of its places is in the cache.
+// The points must have the order of sorted(). Equal points are in one cell, so that the hash table of a cell stays in
+// the cache.
 Places places_of(std::span<const Float4> points) {
   constexpr std::uint32_t nothing = 0xFFFFFFFF;
   Places places;
@@ -129,7 +133,7 @@ std::vector<float> estimate_normals(const PointSet& points, const NormalOptions&
   const Workers workers(options.threads);
   check(points, workers);
   if (options.neighbours < 3 || options.neighbours > 256) {
-    throw Error(Element::option, 0, "neighbours is " + std::to_string(options.neighbours) + "; 3 to 256 are possible");
+    throw Error(Element::option, 0, fmt::format("neighbours is {}; 3 to 256 are possible", options.neighbours));
   }
   const Cube cube = bounding_cube(points.positions, workers);
   const std::size_t count = points.positions.size() / 3;

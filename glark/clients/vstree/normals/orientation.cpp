@@ -44,7 +44,7 @@ struct Edge {
   std::uint32_t from, to;
 };
 
-// The edges in the order of their weights, which are not negative; equal ones in the order that they have.
+// A stable sort by weight. Weights are not negative.
 void sort_by_weight(std::vector<Edge>& edges) {
   std::vector<std::uint64_t> keys(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i)
@@ -55,15 +55,15 @@ void sort_by_weight(std::vector<Edge>& edges) {
   edges = std::move(sorted);
 }
 
-// Edges among which those of the spanning tree are: of those within a run of samples the run's own spanning trees, and those that leave
-// it. Near samples have near numbers, so that the trees of a run are found in the cache, and little is left.
+// Adds the edges that may be in the minimum spanning tree: the spanning trees of a run of samples, and the edges that
+// leave the run. Near samples have near indices, so that a run stays in the cache and few edges leave it.
 void add_edges(std::span<const Float4> normals, std::span<const std::uint32_t> neighbours, std::size_t each,
                std::uint32_t begin, std::uint32_t end, std::vector<Edge>& edges) {
   std::vector<Edge> within;
   for (std::uint32_t i = begin; i < end; ++i) {
     for (const std::uint32_t k : neighbours.subspan(i * each, each)) {
       const std::span<const std::uint32_t> theirs = neighbours.subspan(k * each, each);
-      if (k == i || (k < i && std::find(theirs.begin(), theirs.end(), i) != theirs.end())) continue;  // once is enough
+      if (k == i || (k < i && std::find(theirs.begin(), theirs.end(), i) != theirs.end())) continue;  // each edge once
       const float weight = std::max(0.0F, 1 - std::abs(dot(normals[i], normals[k])));
       (k >= begin && k < end ? within : edges).push_back({weight, i, k});
     }
@@ -92,7 +92,7 @@ std::vector<Edge> edges_of(std::span<const Float4> normals, std::span<const std:
   return edges;
 }
 
-// Of each part, by its root: whether its normals have to be reversed.
+// Returns for each part, indexed by its root, whether its normals must be reversed.
 std::vector<bool> reversed_parts(Parts& parts, std::span<const Float4> points, std::span<const Float4> normals,
                                  const std::vector<bool>& given) {
   std::vector<std::uint32_t> leader(points.size(), 0xFFFFFFFF);

@@ -15,15 +15,16 @@ namespace glark::vstree {
 namespace {
 
 constexpr int most_searches = 6;
-constexpr std::uint32_t most_cells = (1 << 21) - 1;  // of a grid a side, so that three fit a key
-constexpr double parts_a_cluster = 2.5;              // of the tree from which clusters are put together
+constexpr std::uint32_t most_cells = (1 << 21) - 1;  // of a grid along an axis, so that three fit into a key
+constexpr double parts_a_cluster = 2.5;              // parts of the tree for each cluster
 
-// Triangles, or points of a set, that clusters leave.
+// The number of triangles, or of points of a point set, that the clusters leave.
 std::size_t size_of(const Surface& surface, const Clusters& clusters) {
   return surface.triangles.empty() ? clusters.count : clusters.triangles.size() / 3;
 }
 
-// `make(k)` gives clusters, about k of them; returns those with the most triangles, or points, within the target.
+// make(k) returns about k clusters. Searches for the k with the most triangles, or points, within the target, and
+// returns its clusters.
 template <typename Make>
 Clusters search(const Surface& surface, std::size_t target, const Workers& workers, const Make& make) {
   const auto wanted = static_cast<double>(target);
@@ -34,7 +35,7 @@ Clusters search(const Surface& surface, std::size_t target, const Workers& worke
     Clusters clusters = make(aim);
     std::size_t size = clusters.count;
     bool near = true;
-    if (!surface.triangles.empty()) {  // without looking for fins, as long as that will do
+    if (!surface.triangles.empty()) {  // fins are looked for only near the target
       std::vector<std::uint32_t> triangles = spanning(surface.triangles, clusters.of, workers);
       size = triangles.size() / 3;
       near = static_cast<double>(size) < 1.2 * wanted && (static_cast<double>(size) > 0.97 * wanted || i > 2);
@@ -52,7 +53,7 @@ Clusters search(const Surface& surface, std::size_t target, const Workers& worke
     const double factor = 0.998 * wanted / static_cast<double>(std::max<std::size_t>(size, 1));
     aim = static_cast<std::size_t>(static_cast<double>(aim) * std::clamp(factor, 0.25, 4.0));
   }
-  while (best.of.empty()) {  // errors that are equal leave few numbers to choose from
+  while (best.of.empty()) {  // equal errors leave few numbers to choose from
     aim = std::max<std::size_t>(aim / 2, 1);
     Clusters clusters = make(aim);
     clusters.set_triangles(spanning(surface.triangles, clusters.of, workers));
@@ -61,7 +62,7 @@ Clusters search(const Surface& surface, std::size_t target, const Workers& worke
   return best;
 }
 
-// Leaves that come from nodes whose error is small enough.
+// The leaves become the nodes whose error is small enough.
 Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> order, std::span<const float> errors,
                    float threshold) {
   Clusters clusters;
@@ -80,9 +81,9 @@ Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> o
   return clusters;
 }
 
-// Of each node that is no leaf the squared distance of its best point from the tangent planes of its samples, by their weight in all,
-// and no less than that of any node below it. Not the mean: dividing goes on where it gains most for the whole surface. A little of the
-// extent counts too, so that what is flat is divided evenly.
+// The error of each inner node: the sum of the squared distances of its best point from the tangent planes of its
+// samples, but no less than that of a node below it. It is the sum and not the mean, so that nodes are divided where
+// the whole surface gains most. A small share of the extent is added, so that flat parts are divided evenly.
 class WholeErrors {
  public:
   WholeErrors(std::span<const Node> nodes, std::span<const Record> sorted, const Workers& workers)
@@ -92,7 +93,7 @@ class WholeErrors {
   const std::vector<float>& errors() const { return errors_; }
 
  private:
-  // The shape of a node whose children other threads may take.
+  // Finds the shape of a node; other threads may take its children.
   Shape find_shared(std::uint32_t index) {
     const Node& node = nodes_[index];
     constexpr std::uint32_t samples_alone = 1 << 12;
@@ -109,7 +110,7 @@ class WholeErrors {
     return combine(node, children);
   }
 
-  // Adds the shape of a node to the stack.
+  // Pushes the shape of a node onto the stack.
   void find(std::uint32_t index, std::vector<Shape>& stack) {
     const Node& node = nodes_[index];
     if (node.is_leaf()) {
@@ -189,7 +190,7 @@ Clusters cluster_by_grid(const Surface& surface, std::uint32_t cells) {
   return clusters;
 }
 
-// With the most cells that keep the target.
+// Makes the most cells within the target.
 Clusters finest_grid(const Surface& surface, std::size_t target, const Workers& workers) {
   Clusters best = cluster_by_grid(surface, 1);
   std::uint32_t cells = 1, too_many = 2;
@@ -221,7 +222,7 @@ void Clusters::set_triangles(std::vector<std::uint32_t> spanning) {
 Clusters cluster(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
   if (surface.size() == 0) return {};
   if (options.clustering != Clustering::grid) return cluster_by_tree(surface, options, workers);
-  const double side = 1 / (double{options.threshold} * surface.cube.diagonal);  // of infinitely many the most
+  const double side = 1 / (double{options.threshold} * surface.cube.diagonal);  // limits an infinite number of cells
   return options.target != 0
              ? finest_grid(surface, options.target, workers)
              : cluster_by_grid(surface,

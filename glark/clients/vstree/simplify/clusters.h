@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Groups of samples, each of which one point will stand for.
+// Clusters of samples. One point represents each cluster in the result.
 #pragma once
 
 #include <glark/vstree.h>
@@ -12,7 +12,7 @@
 
 namespace glark::vstree {
 
-// What is to be simplified, checked.
+// The input of a simplification, checked.
 struct Surface {
   Cube cube;
   PointSet points;  // with normals
@@ -25,8 +25,8 @@ struct Surface {
 struct Clusters {
   std::uint32_t count = 0;
   std::vector<std::uint32_t> of;         // [points]
-  std::vector<std::uint32_t> triangles;  // over clusters, each once; empty: not known yet
-  std::vector<std::uint8_t> irregular;   // [count] as of irregular_vertices(), of these triangles and their repeats
+  std::vector<std::uint32_t> triangles;  // over clusters, without repeats; empty: not known yet
+  std::vector<std::uint8_t> irregular;   // [count] as irregular_vertices(), of these triangles with repeats
 
   void set_triangles(std::vector<std::uint32_t> spanning);
 };

@@ -11,10 +11,10 @@
 namespace glark::vstree {
 namespace {
 
-constexpr unsigned most_levels = 6;  // of a grid, so that its sums fit the cache
+constexpr unsigned most_levels = 6;  // of a grid; its sums then fit into the cache
 enum PartKind : std::uint8_t { empty, filled, divided };
 
-// 1 to 2, so that equal rectangles of what is flat are not divided all or none.
+// A number from 1 to 2, so that of equal flat rectangles some are divided before others.
 float uneven(std::size_t i) {
   return 1 + static_cast<float>((static_cast<std::uint32_t>(i) * 2654435761U) >> 8) * 0x1p-24F;
 }
@@ -24,9 +24,9 @@ std::size_t quads_of(unsigned levels) { return cells_of(levels) / 3; }
 
 }  // namespace
 
-// Of the tangent planes n x + d = 0 of samples about the origin of a frame, and of the samples themselves.
+// Sums over samples, and over their tangent planes n x + d = 0 relative to the origin of a frame.
 struct alignas(64) Quadtrees::Sums {
-  Float4 squares{};   // of n, in the fourth of d
+  Float4 squares{};   // of n; the fourth, of d
   Float4 products{};  // n_x n_y, n_y n_z, n_z n_x
   Float4 offsets{};   // n d
   Float4 points{};    // the fourth is their number
@@ -43,7 +43,8 @@ struct alignas(64) Quadtrees::Sums {
     return {squares + other.squares, products + other.products, offsets + other.offsets, points + other.points};
   }
   float count() const { return points[3]; }
-  // The sum of the squared distances from the planes to the best point along the frame's normal at the centroid. `square`: of the extent.
+  // The sum of the squared distances from the planes to the best point on the line through the centroid along the
+  // frame's normal. `square`: the squared extent.
   float error(float square) const {
     const Float4 x = without_fourth(points / splat<3>(points));
     const Float4 yzx = __builtin_shufflevector(x, x, 1, 2, 0, 3), zxy = __builtin_shufflevector(x, x, 2, 0, 1, 3);
@@ -143,7 +144,7 @@ Quadtrees::Rest Quadtrees::fill(const Grid& grid, Sums& whole) {
   return rest;
 }
 
-// What lies at one place of the frame stays one part.
+// Samples at one place of the frame stay one part.
 Quadtrees::Rest Quadtrees::divide(const Grid& grid, std::span<const Sums> cells) const {
   Rest rest;
   std::vector<std::vector<Record>> records(cells.size());
@@ -170,7 +171,7 @@ Quadtrees::Rest Quadtrees::divide(const Grid& grid, std::span<const Sums> cells)
   return rest;
 }
 
-// Of two ways to pair the four the one with less error. The whole comes to be in the first cell.
+// Pairs the four cells in the way with the smaller error. The sum of all cells ends up in the first one.
 void Quadtrees::put_together(const Grid& grid, std::span<Sums> cells) {
   float a = std::ldexp(grid.frame.size[0] * grid.frame.size[0], -2 * static_cast<int>(grid.levels));
   float b = std::ldexp(grid.frame.size[1] * grid.frame.size[1], -2 * static_cast<int>(grid.levels));
@@ -267,12 +268,12 @@ std::uint32_t Quadtrees::cluster(std::size_t most, std::vector<std::uint32_t>& o
   return count;
 }
 
-// The first part has the cluster that the whole grid is in, or `none`.
+// On entry, the first part has the cluster of the whole grid, or `none`.
 void Quadtrees::cluster(const Grid& grid, float threshold, std::uint32_t& count,
                         std::vector<std::uint32_t>& of_part) const {
   std::uint32_t* const parts = &of_part[grid.first_part];
   for (unsigned level = 0; level < grid.levels; ++level) {
-    for (std::size_t i = cells_of(level); i-- > 0;) {  // the last first: four take the place of one
+    for (std::size_t i = cells_of(level); i-- > 0;) {  // backwards, because four cells replace one
       const Quad& quad = quads_[grid.first_quad + quads_of(level) + i];
       std::uint32_t whole = parts[i];
       if (whole == none && quad.filled != 0 && quad.error <= threshold) whole = count++;

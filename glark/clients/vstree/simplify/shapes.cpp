@@ -9,7 +9,7 @@
 namespace glark::vstree {
 namespace {
 
-// Without a quadric.
+// The shape of the records without its quadric.
 Shape extent_of(std::span<const Record> records) {
   Shape shape;
   for (const Record& record : records) shape.sum += record.point() + Float4{0, 0, 0, 1};
@@ -23,14 +23,14 @@ Shape extent_of(std::span<const Record> records) {
   return shape;
 }
 
-// A quadric about a centroid without what finding its best point does not need; a line of the cache.
+// The part of a quadric that its best point needs, relative to a centroid. It fills one cache line.
 struct alignas(64) Planes {
   Float4 centroid{};
   Float4 squares{};   // xx yy zz
   Float4 products{};  // xy yz zx
   Float4 offsets{};   // b
 
-  // The plane through `point`, with a normal as long as its weight.
+  // The plane through `point`. Its normal is as long as its weight.
   struct Plane {
     Float4 point, normal, unit_normal, squares, products;
     Plane(Float4 p, Float4 n, Float4 unit)
@@ -40,7 +40,8 @@ struct alignas(64) Planes {
           squares(n * unit),
           products(n * __builtin_shufflevector(unit, unit, 1, 2, 0, 3)) {}
   };
-  // The plane to three, which may be the same. Their distances are found together, with fewer instructions.
+  // Adds the plane to three quadrics, which may be the same. Computing the three distances together takes fewer
+  // instructions.
   static void add(const Plane& plane, Planes& a, Planes& b, Planes& c) {
     const Float4 at_a = plane.normal * (a.centroid - plane.point), at_b = plane.normal * (b.centroid - plane.point);
     const Float4 at_c = plane.normal * (c.centroid - plane.point);
@@ -70,7 +71,7 @@ struct alignas(64) Planes {
   }
 };
 
-// A point, its cluster as the bits of the fourth.
+// The cluster of a corner, which is stored in the bits of the fourth number.
 std::uint32_t cluster_at(const Float4& corner) { return std::bit_cast<std::uint32_t>(static_cast<float>(corner[3])); }
 
 struct alignas(64) Extent {
@@ -82,13 +83,14 @@ struct alignas(64) Extent {
   float radius() const { return 0.5F * std::sqrt(dot(high - low, high - low)); }
 };
 
-// Sums over clusters in the order of the samples or triangles, whoever adds: a thread has some clusters and passes over all samples.
+// Sums over clusters, in the order of the samples or triangles whatever the number of threads: each thread owns some
+// clusters and reads all samples.
 class Sums {
  public:
   Sums(const Surface& surface, std::span<const Float4> corners, std::span<Extent> extents, std::span<Planes> planes)
       : surface_(surface), corners_(corners), extents_(extents), planes_(planes) {}
 
-  // Of the clusters first .. last - 1. `is_all`: there are no others.
+  // Adds to the clusters first .. last - 1. `is_all`: these are all clusters.
   template <bool is_all>
   void add(std::uint32_t first, std::uint32_t last, Representative how) {
     const std::uint32_t size = last - first;
@@ -120,7 +122,7 @@ class Sums {
   void add_triangles(std::uint32_t first, std::uint32_t size) {
     constexpr std::size_t far = 96, near = 24;  // corners ahead
     const std::span<const std::uint32_t> triangles = surface_.triangles;
-    Planes others;  // of clusters that other threads have
+    Planes others;  // stands for clusters of other threads
     for (std::size_t t = 0; t < triangles.size(); t += 3) {
       for (std::size_t k = 0; k < 3 && t + far + 3 <= triangles.size(); ++k) {
         __builtin_prefetch(&corners_[triangles[t + far + k]]);

@@ -1,28 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the samples and triangles of a cluster or of a node say of the surface there.
+// The shape of the surface in a cluster or node, from its samples and triangles.
 #pragma once
 
 #include "glark/clients/vstree/simplify/clusters.h"
 
 namespace glark::vstree {
 
-constexpr float flat_share = 1e-6F;  // of the extent in an error, so that what is flat is divided evenly
+constexpr float flat_share = 1e-6F;  // share of the extent in an error, so that flat parts are divided evenly
 
-// Its quadric is about its centroid.
+// The quadric is relative to the centroid.
 struct Shape {
   Float4 sum{};      // of the points; the fourth is their number
-  float radius = 0;  // all points are so near to the centroid
+  float radius = 0;  // of a sphere about the centroid that holds all points
   Quadric quadric;
 
   Float4 centroid() const { return without_fourth(sum / sum[3]); }
-  // Of the best point: the sum of the squared distances from the planes, and a little of the extent.
+  // The error of the best point: the sum of the squared distances from the planes, plus a small share of the extent.
   float error() const {
     return quadric.error_at(best_step()) + flat_share * radius * radius * (quadric.weight() + 1e-12F * sum[3]);
   }
-  // From the centroid to the best point. Planes that are nearly one, or those of a cone, meet far away. But the error only falls on the
-  // way there: it ends within the cluster.
+  // The step from the centroid to the best point. Planes that are nearly parallel, or those of a cone, meet far away.
+  // The error falls all the way there, so the step may end within the cluster.
   Float4 best_step() const {
     const Float4 step = quadric.best_point();
     const float square = dot(step, step);
@@ -31,19 +31,19 @@ struct Shape {
   }
 };
 
-// Of samples, by their tangent planes.
+// The shape of samples, from their tangent planes.
 Shape shape_of(std::span<const Record> records);
-// Of all of some shapes.
+// The sum of shapes.
 Shape sum_of(std::span<const Shape> shapes);
 
-// Of each cluster.
+// The representatives of all clusters.
 struct Representatives {
   std::vector<Float4> points;   // in the unit cube
   std::vector<Float4> normals;  // the sums of the samples' unit normals
 };
 
-// By quadrics: nearest to the planes of a cluster's triangles, weighed by area, each at the clusters of its corners; or, without
-// triangles, to the tangent planes of the samples.
+// With quadrics, the point nearest to the planes of the cluster's triangles, weighted by area; a triangle belongs to
+// the clusters of all its corners. Without triangles, the point nearest to the tangent planes of the samples.
 Representatives representatives(const Surface& surface, const Clusters& clusters, Representative how,
                                 const Workers& workers);
 

@@ -26,7 +26,7 @@ std::vector<float> vertex_normals(const Surface& surface) {
   return normals;
 }
 
-// Of the samples of each vertex of the result: the mean normal, and what else they have.
+// Writes the mean normal of the samples of each vertex of the result, and their other attributes.
 void write_attributes(const Surface& surface, const Clusters& clusters, const Representatives& representatives,
                       std::span<const std::uint32_t> cluster_of, Simplified& result) {
   const PointSet& from = surface.points;
@@ -66,7 +66,7 @@ void write_attributes(const Surface& surface, const Clusters& clusters, const Re
   }
 }
 
-// Leaves out what no triangle uses. Returns of each vertex that stays which one it was.
+// Removes vertices without triangles and renumbers the others. Returns the old number of each vertex that stays.
 std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& triangles, std::size_t count) {
   std::vector<std::uint32_t> number(count, none), kept;
   for (const std::uint32_t i : triangles) number[i] = 0;

@@ -7,7 +7,7 @@
 namespace glark::vstree {
 namespace {
 
-constexpr std::size_t grain = 1 << 16;  // fewer records are not worth a thread
+constexpr std::size_t grain = 1 << 16;  // the least number of records for a thread
 
 std::vector<Cell> finest(std::span<const std::uint32_t> begins) {
   std::vector<Cell> cells;

@@ -16,11 +16,12 @@ namespace glark::vstree {
 struct Nodes {
   std::vector<Node> nodes;
   std::vector<LocalFrame> frames;
-  std::vector<std::uint32_t> frame_nodes;  // of each frame its transition node
+  std::vector<std::uint32_t> frame_nodes;  // the transition node of each frame
 };
 
-// The tree of points that are checked and have normals; `order` gets the samples in the tree's order, `sorted` if given their records.
-// ends_at_layer: transition nodes are leaves, and what is a leaf by the metric is none.
+// Builds the tree of checked points with normals. `order` receives the samples in the tree's order; `sorted`, if given,
+// their records. ends_at_layer: transition nodes are leaves, and a node is not made a transition node if the metric
+// makes it a leaf.
 Nodes construct(const PointSet& points, const Cube& cube, const Options& options, std::vector<std::uint32_t>& order,
                 const Workers& workers, Records* sorted = nullptr, bool ends_at_layer = false);
 

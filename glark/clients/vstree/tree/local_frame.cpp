@@ -7,8 +7,9 @@
 namespace glark::vstree {
 namespace {
 
-// The direction that the normals spread to most, of unit length in the plane of the mean normal.
-// Source: Boubekeur 2007, ch. 3.2.2. Of the two eigenvectors the one with the larger eigenvalue: the other is orthogonal to it.
+// The direction in which the normals vary most, as a unit vector in the plane of the mean normal. Source: Boubekeur
+// 2007, ch. 3.2.2. It is the eigenvector with the larger one of the two eigenvalues; the other eigenvector is
+// orthogonal to it.
 Float4 main_direction(std::span<const Record> records, Float4 normal) {
   Float4 rows[3] = {};
   for (const Record& record : records) {
@@ -22,7 +23,7 @@ Float4 main_direction(std::span<const Record> records, Float4 normal) {
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(scatter);
-  // Sorted by eigenvalue; the last is about the normal itself.
+  // Eigenvectors are sorted by eigenvalue. The last one is nearly the normal itself.
   for (const int which : {1, 0}) {
     const Eigen::Vector3f vector = solver.eigenvectors().col(which);
     const Float4 direction{vector[0], vector[1], vector[2], 0};

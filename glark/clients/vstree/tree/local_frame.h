@@ -28,7 +28,7 @@ struct LocalFrame {
   }
   Float4 inside(Float4 point) const { return turn(point - origin); }
 
-  // Of a position inside the frame, on the grid of the last level; clamped to the rectangle.
+  // The cell of a position inside the frame, on the last level; clamped to the rectangle.
   std::array<std::uint32_t, 2> cell(Float4 position) const {
     constexpr float end = (1U << quadtree_levels) - 1;
     constexpr Float4 last{end, end, 0, 0};
@@ -37,7 +37,7 @@ struct LocalFrame {
     return {static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(cell[1])};
   }
 
-  // Makes the rectangle as small as it can be for the records.
+  // Makes the rectangle the bounding rectangle of the records.
   void fit(std::span<const Record> records);
   Frame in_space(const Cube& cube, std::uint32_t node) const;
 };

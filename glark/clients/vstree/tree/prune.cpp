@@ -12,7 +12,7 @@ namespace {
 constexpr unsigned class_shift = 20;
 constexpr std::size_t classes = std::size_t{1} << (31 - class_shift);
 
-// Errors that begin with the same bits, which for positive numbers have their order.
+// Errors of one class begin with the same bits. The bits of positive numbers have the order of the numbers.
 std::size_t class_of(float error) { return (std::bit_cast<std::uint32_t>(error) & 0x7FFFFFFFU) >> class_shift; }
 
 }  // namespace
@@ -46,13 +46,13 @@ float LeafCounts::threshold_for(std::size_t leaves) const {
   std::size_t last = classes;
   while (last > 0 && count + more_leaves_[last - 1] <= leaves) count += more_leaves_[--last];
   if (last == 0) return -1;
-  std::vector<Division> some;  // among which the limit is
+  std::vector<Division> some;  // the class that has the limit
   for (const Division& division : divisions_) {
     if (class_of(division.error) == last - 1) some.push_back(division);
   }
   std::sort(some.begin(), some.end(), [](const Division& a, const Division& b) { return a.error > b.error; });
   for (std::size_t i = 0; i < some.size();) {
-    const float error = some[i].error;  // what has one error is divided together
+    const float error = some[i].error;  // nodes with equal errors are divided together
     for (; i < some.size() && some[i].error == error; ++i) count += some[i].leaves;
     if (count > leaves) return error;
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The tree behind its public face.
+// The class Tree of the public header.
 #include <algorithm>
 
 #include "glark/clients/vstree/tree/construction.h"
@@ -12,7 +12,7 @@
 namespace glark::vstree {
 namespace {
 
-// Divided so far that a leaf of the result has four parts, about.
+// Options that divide so far that a leaf of the result has about four parts.
 Options finely(Options options, std::size_t points) {
   options.threshold = 0;
   const std::size_t each = points / (std::size_t{4} * options.most_leaves);

@@ -17,15 +17,15 @@
 namespace glark::vstree {
 namespace {
 
-constexpr std::size_t samples_alone = 1 << 15;  // a sort of so many hands its tasks to other threads
+constexpr std::size_t samples_alone = 1 << 15;  // a larger sort hands its tasks to other threads
 constexpr std::size_t samples_a_part = 1 << 12;
 constexpr std::size_t samples_a_cube =
-    200;  // of the finest cells, aimed at: many cubes become transition nodes earlier
+    200;  // of the finest cells, to aim at: many cubes become transition nodes earlier
 constexpr std::size_t samples_a_rectangle = 4;
-constexpr unsigned most_cube_levels = 6;  // at a time: 2^18 counters
+constexpr unsigned most_cube_levels = 6;  // of one sort: 2^18 counters
 constexpr unsigned most_rectangle_levels = 8;
 
-// How many levels divide `count` samples of a surface, four children each, into runs of `aim`.
+// The number of levels that divide `count` samples of a surface into cells of `aim` samples; a cell has four children.
 unsigned levels_for(std::size_t count, std::size_t aim, unsigned most) {
   unsigned levels = 1;
   while (levels < most && (count >> (2 * levels)) > aim) ++levels;
@@ -142,9 +142,10 @@ Cells TreeBuilder::sort_rectangles(const Task& task) {
   return cells_of(to, begins, levels, Kind::surface);
 }
 
-// Some tasks at a time in nodes of their own, which follow one another as the tasks do, whichever thread takes some first.
+// Some tasks at a time write to nodes of their own. These are appended in the order of the tasks, so that the result
+// does not depend on the threads.
 void TreeBuilder::divide_all(Nodes& out, std::vector<Task>& tasks) {
-  std::vector<std::size_t> firsts{0};  // of the tasks of each part
+  std::vector<std::size_t> firsts{0};  // the first task of each part
   std::size_t samples = 0;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     samples += tasks[i].size();
@@ -173,10 +174,10 @@ void TreeBuilder::divide_all(Nodes& out, std::vector<Task>& tasks) {
   }
 }
 
-// The first nodes of a part are those of its tasks.
+// The first nodes of a part are the nodes of its tasks.
 void TreeBuilder::append(Nodes& out, const Nodes& part, std::span<const Task> tasks) {
   const auto roots = static_cast<std::uint32_t>(tasks.size());
-  const bool has_frames = !tasks[0].enters_surface && part.nodes[0].kind == Kind::surface;  // then all tasks have
+  const bool has_frames = !tasks[0].enters_surface && part.nodes[0].kind == Kind::surface;  // then all tasks have frames
   const auto frame_shift = static_cast<std::uint32_t>(out.frames.size());
   const auto shift = static_cast<std::uint32_t>(out.nodes.size() - roots);
   for (std::uint32_t i = 0; i < part.nodes.size(); ++i) {
@@ -194,7 +195,7 @@ void TreeBuilder::append(Nodes& out, const Nodes& part, std::span<const Task> ta
     out.frame_nodes.push_back(node < roots ? tasks[node].slot : node + shift);
 }
 
-// The records of all points, sorted into the first levels of the octree.
+// Sorts the records of all points into the first levels of the octree.
 std::vector<std::uint32_t> TreeBuilder::fill(unsigned levels) {
   const unsigned shift = octree_levels - levels;
   const std::span<Record> to = buffers_[0].all();

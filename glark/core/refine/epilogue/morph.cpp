@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Refined vertices that move between levels (docs/architecture.md, Geomorphing). Based on: H. Hoppe, Progressive Meshes, 1996,
+// Refined vertices that move between levels (docs/explanation/depths.md, Geomorphing). Based on: H. Hoppe, Progressive Meshes, 1996,
 // section 3.2 (geomorphs), over the lattice of a pattern.
 #include "glark/core/pattern/pieces.glsl.h"
 #include "glark/core/refine/epilogue/epilogue.h"

@@ -13,8 +13,8 @@ GLuint get_name(const gl::Dispatch& gl, GLenum binding) {
 
 }  // namespace
 
-// The generation of an object that GL names and that was attached at an unknown time. A name that was never deleted has only
-// one generation, the first. Any other name gets a number that no generation has.
+// The generation of an object that GL names and that was attached at an unknown time. A name that was never deleted has
+// only one generation, the first. Any other name gets a number that no generation has.
 std::uint64_t ArrayState::generation_of(GLuint name) {
   const std::uint64_t unique = of_.stamps.next();
   return of_.buffers.generation(name) == 0 ? 0 : unique;

@@ -36,7 +36,8 @@ class ArrayState {
 
   // The buffer bound to a target. Queries GL where that is not known.
   BoundBuffer bound_buffer(GLenum target);
-  // The source of an attribute of the bound vertex array, and the buffer of its indices. Query GL where they are not known.
+  // The source of an attribute of the bound vertex array, and the buffer of its indices. Query GL where they are not
+  // known.
   const AttributeSource& attribute_source(int slot);
   const BoundBuffer& element_buffer();
 

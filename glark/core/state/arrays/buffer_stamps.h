@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// When each buffer object of a share group was last written. Any thread may call these functions; there are no locks. After a write,
-// the writer leaves a new stamp. Before reading the buffer, a reader takes its stamps. Names that differ by a multiple of the
-// table's size share a stamp: a write to one counts as a write to the other, too. That costs a capture and is never wrong.
+// When each buffer object of a share group was last written. Any thread may call these functions; there are no locks.
+// After a write, the writer leaves a new stamp. Before reading the buffer, a reader takes its stamps. Names that differ
+// by a multiple of the table's size share a stamp: a write to one counts as a write to the other, too. That costs a
+// capture and is never wrong.
 #pragma once
 
 #include <array>

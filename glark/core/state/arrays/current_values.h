@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The current attribute values (glColor, glNormal, glVertexAttrib ...). A value is known by the call that set it: the same call with
-// the same arguments gives the same value, whatever GL converts. When something unseen may have changed values, a new era begins,
-// and older values are unknown.
+// The current attribute values (glColor, glNormal, glVertexAttrib ...). A value is known by the call that set it: the
+// same call with the same arguments gives the same value, whatever GL converts. When something unseen may have changed
+// values, a new era begins, and older values are unknown.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The state of the vertex array objects, as far as draws need it. It is read from GL when it is first needed. The hooks of the usual
-// calls then keep it up to date; any other call makes it unknown.
+// The state of the vertex array objects, as far as draws need it. It is read from GL when it is first needed. The hooks
+// of the usual calls then keep it up to date; any other call makes it unknown.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A display list that is cut into segments: runs of state changes, and draws. Each segment is a GL list of ours. The application's
-// list is compiled as calls of these lists, so that it works as before while GL_ARK is disabled. While GL_ARK is enabled, each draw
-// segment is captured and refined when the list is called.
+// A display list that is cut into segments: runs of state changes, and draws. Each segment is a GL list of ours. The
+// application's list is compiled as calls of these lists, so that it works as before while GL_ARK is disabled. While
+// GL_ARK is enabled, each draw segment is captured and refined when the list is called.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ struct SegmentEffects {
 struct ListSegment {
   enum class Kind { state, draw, call, call_offset };
   Kind kind = Kind::state;
-  GLuint list = 0;             // our list; for `call` the application's; for `call_offset` a number that is added to glListBase
+  GLuint list = 0;             // our list; call: the application's; call_offset: added to glListBase
   GLenum mode = GL_TRIANGLES;  // of a draw segment
   std::uint64_t vertices = 0;  // of a draw segment
   std::uint64_t triangles = 0;

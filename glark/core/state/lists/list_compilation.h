@@ -43,7 +43,8 @@ class ListCompilation {
   // A vertex after the first has more to it than those before.
   bool vertices_differ() const { return effects_.late; }
 
-  // What the whole list does. Nothing is added between glBegin and glEnd, where GL refuses these calls; false: not added.
+  // What the whole list does. Nothing is added between glBegin and glEnd, where GL refuses these calls; false: not
+  // added.
   bool add_stack_step(StackStep step);
   void add_loose_vertices(std::uint64_t vertices);
   // A call of another list: as a segment of its own, or between glBegin and glEnd.

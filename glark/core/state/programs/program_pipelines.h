@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Program pipeline objects of the application and ours. Ours have the same stages, but the derived program as the vertex stage.
+// Program pipeline objects of the application and ours. Ours have the same stages, but the derived program as the
+// vertex stage.
 #pragma once
 
 #include <array>
@@ -33,8 +34,8 @@ class ProgramPipelines {
   const PipelineObject& object(GLuint pipeline);
   void changed(GLuint pipeline) { objects_.erase(pipeline); }
 
-  // A pipeline of ours with the stages of `of`, but with `derived` for every stage that its vertex program gives. 0: GL refuses it.
-  // `epoch` changes when programs are linked or deleted: then all our pipelines are made again.
+  // A pipeline of ours with the stages of `of`, but with `derived` for every stage that its vertex program gives. 0: GL
+  // refuses it. `epoch` changes when programs are linked or deleted: then all our pipelines are made again.
   GLuint with_derived(const PipelineObject& of, GLuint derived, std::uint64_t epoch);
   void release();
 

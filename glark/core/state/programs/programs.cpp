@@ -25,7 +25,8 @@ std::shared_ptr<const std::string> read_source(const gl::Dispatch& gl, GLuint sh
   return std::make_shared<const std::string>(std::move(source));
 }
 
-// By the words that every store of a shader needs. A shader that is taken for a storing one by mistake only costs captures.
+// By the words that every store of a shader needs. A shader that is taken for a storing one by mistake only costs
+// captures.
 bool may_store(const std::vector<StageSource>& stages) {
   constexpr std::string_view words[] = {"buffer", "image", "atomic", "store"};
   return std::any_of(stages.begin(), stages.end(), [&](const StageSource& stage) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Compiling a display list: it is cut into segments of state changes and segments of one draw each (display_list.h). A list that is
-// compiled before refinement is on is not cut.
+// Compiling a display list: it is cut into segments of state changes and segments of one draw each (display_list.h). A
+// list that is compiled before refinement is on is not cut.
 #include <bit>
 #include <optional>
 #include <utility>
@@ -14,12 +14,12 @@
 namespace glark::core {
 namespace {
 
-// Mesa 22 joins the strips of a list between which there is a restart. It does so by triangles of no area: up to four vertices for
-// each restart.
+// Mesa 22 joins the strips of a list between which there is a restart. It does so by triangles of no area: up to four
+// vertices for each restart.
 constexpr std::uint64_t joined = 5;
 
-// A name far from those of applications that number their lists themselves. It is not one that glGenLists gave out meanwhile: Mesa
-// goes on from the highest name in use.
+// A name far from those of applications that number their lists themselves. It is not one that glGenLists gave out
+// meanwhile: Mesa goes on from the highest name in use.
 GLuint new_segment_name(Context& c) {
   const std::lock_guard lock(c.share().mutex);
   while (c.gl().IsList(c.share().next_list_name) != GL_FALSE) {

@@ -84,9 +84,9 @@ inline void bind_rough_heights() {
   }
 }
 
-class WeldDisplaced : public testing::Test {
+class DisplacedEdges : public testing::Test {
  protected:
-  WeldDisplaced() {
+  DisplacedEdges() {
     glARKinit(deepest);
     glARKParameteriARK(GL_WELD_ARK, GL_TRUE);
     glARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, 0);

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/common/mesh/reindex.h"
 
+#include "glark/clients/common/mesh/cut_sheets.h"
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
+#include <vector>
 
-#include "tests/vstree/shapes.h"
-
-namespace glark::vstree::test {
+namespace glark::common::test {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
@@ -75,4 +77,4 @@ TEST(Cut, OfIrregularVerticesIsThatOfAll) {
 }
 
 }  // namespace
-}  // namespace glark::vstree::test
+}  // namespace glark::common::test

@@ -12,10 +12,8 @@
 #include <thread>
 #include <vector>
 
-namespace glark::test {
+namespace glark::common::test {
 namespace {
-
-using common::Workers;
 
 template <typename Loop>
 void expect_each_once(const Loop& loop) {
@@ -76,4 +74,4 @@ TEST(Workers, BothAreDone) {
 }
 
 }  // namespace
-}  // namespace glark::test
+}  // namespace glark::common::test
