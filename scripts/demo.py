@@ -81,8 +81,8 @@ def programs(build: pathlib.Path, out: pathlib.Path) -> list:
     glmark2 = ["glmark2", "--data-path", str(out / "glmark2"), "--size", "640x480", "--benchmark"]
     found = [
         Program("glxgears", ["glxgears"], {"vblank_mode": "0"}),
-        Program("horse", [*glmark2, "build:model=horse:duration=2"], {"vblank_mode": "0"}, frame=2, ends=True),
-        Program("knot", [*glmark2, "build:model=knot:duration=2"], {"vblank_mode": "0"}, refine="pn", frame=2, ends=True),
+        Program("horse", [*glmark2, "build:model=horse:duration=2"], {"vblank_mode": "0"}, frame=1, ends=True),
+        Program("knot", [*glmark2, "build:model=knot:duration=2"], {"vblank_mode": "0"}, refine="pn", frame=1, ends=True),
         Program("osgshape", ["osgshape"], osg),
         Program("osgviewer", ["osgviewer", str(out / "knot.obj")], osg, refine="pn"),
         Program("ten_lines", [str(build / "bin" / "ten_lines")], needs_display=False, knows_glark=True),

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Plots what scripts/reproduce measured, and writes docs/reproduction.md."""
+"""Plots what scripts/reproduce measured, and writes docs/reference/reproduction.md."""
 import argparse
 import csv
 import json
@@ -110,7 +110,7 @@ def copy_pictures(figures: Figures, images: pathlib.Path) -> tuple:
     def convert(name: str) -> str:
         subprocess.run(["convert", str(figures.folder / f"{name}.png"), "-background", "white", "-flatten", "-resize", "1200x>",
                         "-quality", "88", str(images / f"{name}.jpg")], check=True)
-        return f"images/reproduction/{name}.jpg"
+        return f"../images/reproduction/{name}.jpg"
 
     gallery = "\n".join(f"![{mesh}]({convert('qas_' + mesh)})" for mesh in GALLERY)
     examples = "\n".join(f"`{name}`: {what}\n\n![{name}]({convert(name)})\n" for name, what in EXAMPLES.items())
@@ -131,20 +131,20 @@ Figures of Boubekeur 2007. Machine: {machine}. The thesis had a GeForce 8800 GTX
 PN triangles; the tags are those at which no segment is longer on the screen than the longest of the uniform level. The thesis found 2.5 to 4.6 times
 the frame rate.
 
-![adaptive](images/reproduction/fig7_13.png)
+![adaptive](../images/reproduction/fig7_13.png)
 
 {adaptive}
 ## 7.14: a million triangles from coarse meshes of different sizes
 Depth 0 is a mesh of a million triangles that is drawn as it is; deeper, the input shrinks to a quarter with each level. *Changes*: the coarse mesh is
 captured anew in every frame, as an animated one is.
 
-![input size](images/reproduction/fig7_14.png)
+![input size](../images/reproduction/fig7_14.png)
 
 {input_size}
 ## Every depth
 Four coarse triangles, to 2048 segments an edge.
 
-![sweep](images/reproduction/sweep.png)
+![sweep](../images/reproduction/sweep.png)
 
 {sweep}
 ## 9.4: QAS against curved PN triangles, and Loop's limit surface
@@ -155,7 +155,7 @@ Coarse mesh; curved PN triangles; QAS; the limit surface itself. PN and QAS are 
 Distances from Loop's limit surface, in percent of the bounding box's diagonal: at equal parameters (position), and to the nearest point (distance).
 *Splits 1* is QAS after one more step of the scheme.
 
-![errors](images/reproduction/qas_errors.png)
+![errors](../images/reproduction/qas_errors.png)
 
 {qas}
 ## Pictures of the examples

@@ -232,7 +232,7 @@ def write_pictures(programs: list, folder: pathlib.Path, library: pathlib.Path) 
 
 
 def write_table(name: str, text: str) -> None:
-    page = ROOT / "docs" / "traces.md"
+    page = ROOT / "docs" / "reference" / "traces.md"
     begin, end = (mark.format(name) for mark in MARKS)
     before, _, rest = page.read_text().partition(begin)
     after = rest.partition(end)[2]
@@ -250,7 +250,7 @@ def main() -> int:
     parser.add_argument("--record", action="store_true", help="record what is missing, without replaying")
     parser.add_argument("--glmark2", action="store_true", help="only glmark2 --validate")
     parser.add_argument("--pictures", action="store_true", help="only a contact sheet of what is recorded, before and after")
-    parser.add_argument("--write", action="store_true", help="put the tables into docs/traces.md")
+    parser.add_argument("--write", action="store_true", help="put the tables into docs/reference/traces.md")
     arguments = parser.parse_args()
     folder, library = arguments.folder.resolve(), arguments.library.resolve()
     folder.mkdir(parents=True, exist_ok=True)

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Implementations broken on purpose: builds each mutant of the *.toml files here and judges it with glark-conformance.
 
-    conformance/mutants/run.py [--build build/release] [--filter GLOB] [--table docs/conformance.md]
+    conformance/mutants/run.py [--build build/release] [--filter GLOB] [--table docs/reference/conformance.md]
 
 The sources are copied to BUILD/mutants/source, one mutant at a time is made there, and only the library is built. First comes
 the true implementation: a case that it fails catches nothing. A mutant is caught where a case fails; those that cite its

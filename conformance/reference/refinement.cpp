@@ -196,6 +196,19 @@ std::array<Vector, 3> tagged_normals(const Corners& corners) {
   return normals;
 }
 
+Vector phong_position(const Corners& corners, const ControlPoints& b, const Vec3& weights, double shape) {
+  const auto p = [&](std::size_t i) { return vector_of(corners[i].position); };
+  const auto q = [&](std::size_t i, std::size_t j) { return 3 * b[i][j] - 2 * p(i); };
+  const Vec3 used = collapsed(corners, weights);
+  const double w = used[0];
+  const double u = used[1];
+  const double v = used[2];
+  const Vector flat = w * p(0) + u * p(1) + v * p(2);
+  const Vector bent = w * w * p(0) + u * u * p(1) + v * v * p(2) + (w * u) * (q(0, 1) + q(1, 0)) +
+                      (u * v) * (q(1, 2) + q(2, 1)) + (v * w) * (q(2, 0) + q(0, 2));
+  return (1 - shape) * flat + shape * bent;
+}
+
 Surface curved_pn(const Corners& corners, const Vec3& weights) {
   return {patch_position(corners, curved_control_points(corners), weights),
           patch_normal(corners, {unit_normal(corners[0]), unit_normal(corners[1]), unit_normal(corners[2])}, weights)};
@@ -204,6 +217,12 @@ Surface curved_pn(const Corners& corners, const Vec3& weights) {
 Surface scalar_tagged_pn(const Corners& corners, const Vec3& weights) {
   return {patch_position(corners, tagged_control_points(corners), weights),
           patch_normal(corners, tagged_normals(corners), weights)};
+}
+
+Surface phong(const Corners& corners, const Vec3& weights, double shape) {
+  Vector normal;
+  for (std::size_t i = 0; i < 3; ++i) normal = normal + static_cast<double>(weights[i]) * vector_of(corners[i].normal);
+  return {phong_position(corners, curved_control_points(corners), weights, shape), normal};
 }
 
 }  // namespace glark::conformance::reference

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What sections 11.R.6, 11.R.7, 11.R.7a and 11.R.15 give for a refined vertex. Written from the text alone; the names are the
+// What sections 11.R.6, 11.R.7, 11.R.7a, 11.R.7c and 11.R.15 give for a refined vertex. Written from the text alone; the names are the
 // text's own.
 #pragma once
 
@@ -49,7 +49,11 @@ Vector patch_normal(const Corners& corners, const std::array<Vector, 3>& normals
 // N_i, N_i + s_i D_i or N_i - s_i D_i, as the triangle lies.
 std::array<Vector, 3> tagged_normals(const Corners& corners);
 
+// (11.R.10) with these control points; `shape` is PHONG_SHAPE_ARK.
+Vector phong_position(const Corners& corners, const ControlPoints& b, const Vec3& weights, double shape);
+
 Surface curved_pn(const Corners& corners, const Vec3& weights);
 Surface scalar_tagged_pn(const Corners& corners, const Vec3& weights);
+Surface phong(const Corners& corners, const Vec3& weights, double shape);
 
 }  // namespace glark::conformance::reference

@@ -17,6 +17,7 @@ struct ArkState {
   bool enabled = false;
   int pool_level = -1;  // -1 before glARKinit
   Refinement refinement = Refinement::linear_inputs;
+  ShapeNumbers shape_numbers = initial_shape_numbers();
   DepthSource depth_source = DepthSource::tag;
   GLuint uniform_level = 0;
   EdgeMeasure measure{.pixels = 8};
@@ -30,11 +31,11 @@ struct ArkState {
   bool geomorph = false;
   bool weld = false;
   bool tag_array = false;
-  // What glARKinit lowered the current tag to while a display list was compiled: set at the end of the list, not compiled.
+  // While a display list is compiled, glARKinit may lower the current tag to this value. It is set at the end of the list and not compiled.
   std::optional<GLuint> lowered_tag;
 };
 
-// What an application that knows of the extension says counts, and otherwise what the user says.
+// An application that uses the extension decides for itself; otherwise the user decides.
 inline bool splits_polygons(const ContextOptions& options, const ArkState& ark) {
   return options.transparent ? options.centroids : ark.polygon_split == PolygonSplit::centroid;
 }

@@ -16,8 +16,7 @@ Context::Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group
       share_(std::move(group)),
       options_(wanted),
       pending_error_(dispatch),
-      state_(dispatch, capabilities_, *share_, pending_error_, *this),
-      writes_(state_, share_->buffers) {}
+      state_(dispatch, capabilities_, *share_, pending_error_, *this) {}
 
 // Objects live on in the share group: another context deletes them.
 Context::~Context() {
@@ -51,7 +50,7 @@ void Context::start() {
     log(LogLevel::warning, "context " + version + " is below OpenGL 4.3 and OpenGL ES 3.2: its draws stay as they are");
     return;
   }
-  state_.read_client_state();
+  state_.arrays().read_client_state();
   supported_ = supported_functions(gl_, capabilities_);
   stages_ =
       std::make_unique<Stages>(Environment{supported_, capabilities_, options_, ark_, state_, pending_error_, *share_});
@@ -85,7 +84,7 @@ void Context::program_changed(Program& program, GLuint name) { stages_->programs
 
 void Context::update_refining() {
   refining_ = capabilities_.refinable &&
-              (options_.transparent || (ark_.enabled && ark_.pool_level >= 0) || state_.lists().cutting ||
+              (options_.transparent || (ark_.enabled && ark_.pool_level >= 0) || state_.lists().cutting() ||
                (stages_ != nullptr && stages_->feedback().watches_draws()));
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Everything that glark keeps for one OpenGL context: the options it was made with, the application's state, and the stages that
-// draw with it.
+// Everything that glark keeps for one OpenGL context: the options it was made with, the application's state, and the
+// stages that draw with it.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,11 @@
 #include "glark/core/objects/error_scope.h"
 #include "glark/core/refinement.h"
 #include "glark/core/state/arrays/buffer_writes.h"
+#include "glark/core/state/attribute_stack.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/gl_state.h"
 #include "glark/core/state/share_group.h"
+#include "glark/core/state/state_changes.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {
@@ -53,7 +55,11 @@ class Context : private ProgramWatcher {
   ShareGroup& share() const { return *share_; }
   GlState& state() { return state_; }
   const GlState& state() const { return state_; }
-  BufferWrites& writes() { return writes_; }
+  // To note writes of buffers, and calls that go straight to GL.
+  BufferWrites writes() { return {state_.arrays(), state_.stamps(), share_->buffers}; }
+  StateChanges changes() { return StateChanges(state_); }
+  // Saves GL_ARK.
+  AttributeStack& attribute_stack() { return attribute_stack_; }
   PendingError& pending_error() { return pending_error_; }
   // Records an error of ours for glGetError.
   void raise(GLenum error) { pending_error_.raise(error); }
@@ -84,9 +90,9 @@ class Context : private ProgramWatcher {
   ContextOptions options_;
   Capabilities capabilities_;
   ArkState ark_;
+  AttributeStack attribute_stack_;
   PendingError pending_error_;
   GlState state_;
-  BufferWrites writes_;
   bool refining_ = false;
   std::unique_ptr<Stages> stages_;
 };

@@ -1,26 +1,156 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The choices a user makes about refinement, shared by the settings, the API and the stages of a draw.
+// The refinements, and the choices a user makes about them. The settings, the API, the derivation of programs and the statistics
+// read the same rows.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "glark/gl/types.h"
+#include "include/GL/glark.h"
 
 namespace glark::core {
 
 inline constexpr unsigned max_supported_level = 11;
 
-enum class Refinement {
-  linear_inputs,  // interpolate the vertex attributes, run the vertex stage on every refined vertex (Boubekeur 2007, ch. 7.2.4)
-  linear_outputs,    // run the vertex stage on the corners, interpolate its results
-  pn,                // curved PN triangles (Vlachos et al. 2001)
-  scalar_tagged_pn,  // the same, shaped by tags of the vertices (Boubekeur 2007, ch. 8)
+// How refined vertices get their values. Each has a row in `refinements`.
+enum class Refinement { linear_inputs, linear_outputs, pn, scalar_tagged_pn, phong };
+
+// A number that shapes a refinement, the same for all vertices of a draw.
+struct ShapeNumber {
+  GLenum token = 0;                  // for glARKParameterfARK; 0: only the settings can set it
+  std::string_view token_name = {};  // in the extension's text, as the next two
+  std::string_view values = {};
+  std::string_view initial_text = {};
+  std::string_view key;            // in a configuration file; the option is "--" and this
+  const char* variable = nullptr;  // of the environment; null: the refinement has no such number
+  std::string_view placeholder;    // stands for the value in --help
+  std::string_view needed;         // completes "... is needed"
+  std::string_view help;
+  float least = 0;
+  float most = 0;
+  float initial = 0;
+
+  constexpr bool exists() const { return variable != nullptr; }
 };
 
-// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. The first three are left unless
-// the user says otherwise; docs/architecture.md has the rules in full.
+struct RefinementTraits {
+  Refinement refinement = Refinement::linear_inputs;
+  GLenum token = 0;             // value of GL_REFINEMENT_ARK
+  std::string_view token_name;  // as in the extension's text
+  std::string_view word;        // for users: --refine, names of dumped shaders; begins the names of its GLSL functions
+  std::string_view help;        // a few words, for --help
+  std::string_view details;     // a sentence, for the documents
+  bool interpolates_outputs = false;  // runs the vertex stage at the corners only
+  bool curves_positions = false;      // needs positions and normals; welded edges have control points in the record
+  bool curves_normals = false;        // otherwise normals are linear
+  bool takes_tags = false;            // of vertices: discontinuity and scalar tags
+  std::optional<Refinement> displaced_as = std::nullopt;  // evaluates the same surface where it is displaced
+  ShapeNumber number = {};
+};
+
+// To add a refinement: the token in glark.xml and GL/glark.h, an enumerator and a row here, and, if it curves positions,
+// refine/epilogue/WORD.glsl (pn.glsl says what it must define) in the list of refine/CMakeLists.txt.
+inline constexpr std::array refinements{
+    // Boubekeur 2007, ch. 7.2.4
+    RefinementTraits{.refinement = Refinement::linear_inputs,
+                     .token = GL_LINEAR_INPUTS_ARK,
+                     .token_name = "LINEAR_INPUTS_ARK",
+                     .word = "linear",
+                     .help = "the vertex stage runs on every refined vertex",
+                     .details = "linear runs the program's vertex stage on every refined vertex. "},
+    RefinementTraits{
+        .refinement = Refinement::linear_outputs,
+        .token = GL_LINEAR_OUTPUTS_ARK,
+        .token_name = "LINEAR_OUTPUTS_ARK",
+        .word = "outputs",
+        .help = "its results are interpolated",
+        .details = "outputs interpolates the results of the vertex stage, so that the picture stays the same. ",
+        .interpolates_outputs = true},
+    // Vlachos, Peters, Boyd, Mitchell, Curved PN Triangles, 2001
+    RefinementTraits{.refinement = Refinement::pn,
+                     .token = GL_CURVED_PN_ARK,
+                     .token_name = "CURVED_PN_ARK",
+                     .word = "pn",
+                     .help = "curved",
+                     .details = "pn makes curved PN triangles. ",
+                     .curves_positions = true,
+                     .curves_normals = true,
+                     .displaced_as = Refinement::scalar_tagged_pn},
+    // Boubekeur 2007, ch. 8
+    RefinementTraits{.refinement = Refinement::scalar_tagged_pn,
+                     .token = GL_SCALAR_TAGGED_PN_ARK,
+                     .token_name = "SCALAR_TAGGED_PN_ARK",
+                     .word = "stpn",
+                     .help = "curved, with --tension",
+                     .details = "stpn makes curved triangles that --tension shapes. ",
+                     .curves_positions = true,
+                     .curves_normals = true,
+                     .takes_tags = true,
+                     .number = {.initial_text = "0",
+                                .key = "tension",
+                                .variable = "GLARK_TENSION",
+                                .placeholder = "T",
+                                .needed = "a number from -1 to 1",
+                                .help = "Set how flat --refine stpn is: 1 is flat, 0 is pn, -1 is rounder than pn",
+                                .least = -1,
+                                .most = 1}},
+    // Boubekeur, Alexa, Phong Tessellation, 2008
+    RefinementTraits{.refinement = Refinement::phong,
+                     .token = GL_PHONG_ARK,
+                     .token_name = "PHONG_ARK",
+                     .word = "phong",
+                     .help = "curved, normals linear, with --phong-shape",
+                     .details = "phong bends triangles towards the tangent planes of their corners and keeps normals "
+                                "linear, which is cheaper "
+                                "than pn.",
+                     .curves_positions = true,
+                     .number = {.token = GL_PHONG_SHAPE_ARK,
+                                .token_name = "PHONG_SHAPE_ARK",
+                                .values = "0 to 1",
+                                .initial_text = "0.75",
+                                .key = "phong-shape",
+                                .variable = "GLARK_PHONG_SHAPE",
+                                .placeholder = "A",
+                                .needed = "a number from 0 to 1",
+                                .help = "Set how far --refine phong bends triangles: 0 is flat",
+                                .least = 0,
+                                .most = 1,
+                                .initial = 0.75F}},
+};
+
+constexpr const RefinementTraits& traits_of(Refinement refinement) {
+  return refinements[static_cast<std::size_t>(refinement)];
+}
+
+constexpr bool rows_are_in_order() {
+  for (std::size_t i = 0; i < refinements.size(); ++i) {
+    if (refinements[i].refinement != static_cast<Refinement>(i)) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(rows_are_in_order());
+
+// The shape number of each refinement.
+using ShapeNumbers = std::array<float, refinements.size()>;
+constexpr ShapeNumbers initial_shape_numbers() {
+  ShapeNumbers numbers{};
+  for (std::size_t i = 0; i < refinements.size(); ++i) {
+    numbers[i] = refinements[i].number.initial;
+  }
+  return numbers;
+}
+
+// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. man glark explains the rules.
 namespace left_draws {
 inline constexpr unsigned screen_quads = 1U << 0;  // depth neither read nor written, one or two triangles
 inline constexpr unsigned overlays = 1U << 1;      // depth neither read nor written, and blended
@@ -31,7 +161,7 @@ inline constexpr unsigned no_depth_writes = 1U << 5;  // GL_DEPTH_TEST off, or g
 inline constexpr unsigned by_default = screen_quads | overlays | orthographic;
 }  // namespace left_draws
 
-// Which vertex attribute is what, by its name in the vertex shader or by its location in digits; empty: guessed.
+// The name of each attribute in the vertex shader, or its location in digits. Empty: glark guesses it.
 struct AttributeRoles {
   std::string position;
   std::string normal;
@@ -39,11 +169,12 @@ struct AttributeRoles {
   bool operator==(const AttributeRoles&) const = default;
 };
 
-// How edge depths are measured where the application gives no tags. 0 turns a measure off; of two, an edge takes the lesser depth.
+// How edge depths are measured where the application gives no tags. 0 turns a measure off. With two measures, an edge takes the
+// lesser depth.
 struct EdgeMeasure {
   float pixels = 0;     // longest segment of an edge on the screen
   float degrees = 0;    // greatest angle between the normals at the ends of a segment
-  unsigned budget = 0;  // refined triangles a frame that the measures give way to
+  unsigned budget = 0;  // most refined triangles in a frame; 0: no limit
   bool on() const { return pixels > 0 || degrees > 0; }
   bool operator==(const EdgeMeasure&) const = default;
 };
@@ -66,22 +197,27 @@ struct Displacement {
   bool on() const { return unit >= 0; }
 };
 
-// What the host of the core wants of a context from its start.
+// What the host of the core wants from a context. Set once, when the context is created.
 struct ContextOptions {
   bool transparent = false;  // refine a program that does not know of the extension
   unsigned level = 2;        // uniform level of transparent refinement
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
-  ScalarTags scalar_tags = {};  // of all vertices
-  bool weld = true;             // curved triangles by position, where the program has split its vertices
-  EdgeMeasure measure = {};     // on: transparent refinement by measured depths up to max_level
-  bool geomorph = false;        // refined vertices move between the levels of measured depths
-  bool centroids = false;       // quads and polygons become fans about their centroids
+  ShapeNumbers shape_numbers = initial_shape_numbers();
+  bool weld = true;          // curved triangles by position, where the program has split its vertices
+  EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
+  bool geomorph = false;     // refined vertices move between the levels of measured depths
+  bool centroids = false;    // quads and polygons become fans about their centroids
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources
   AttributeRoles roles = {};
-  bool read_counts = false;  // for the statistics: read back, once a frame, what only the GPU has counted
+  bool read_counts = false;  // once a frame, reads back the numbers that only the GPU has counted, for the statistics
 };
+
+// Without tags of their own, all vertices have these.
+inline ScalarTags constant_tags(const ContextOptions& options) {
+  return {.tension = options.shape_numbers[static_cast<std::size_t>(Refinement::scalar_tagged_pn)]};
+}
 
 }  // namespace glark::core

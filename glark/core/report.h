@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the core tells its host: log lines and counters. The core never prints; the host installs a sink.
+// Log lines and counters of the core for its host. The core never prints; the host installs a sink.
 #pragma once
 
 #include <array>
@@ -96,11 +96,11 @@ void for_each_program(const std::function<void(std::uint64_t hash, const Program
 
 // A shader of the application, or one derived from it, for those who want to look.
 struct ShownShader {
-  std::uint64_t hash = 0;  // of the application's program
+  std::uint64_t hash = 0;  // names the application's program
   unsigned program = 0;    // its name in GL; 0: fixed function
   std::string_view stage;  // "vert", "frag" ...
   std::string_view kind;   // "original", "linear", "pn-tagged" ...
-  unsigned object = 0;     // of the shader objects of that stage
+  unsigned object = 0;     // number of the shader object in its stage
   std::string_view source;
 };
 using ShaderSink = void (*)(const ShownShader& shader);

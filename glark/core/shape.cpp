@@ -5,17 +5,11 @@
 #include <array>
 
 namespace glark::core {
+namespace {
 
-void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& key) {
-  if (options.transparent) {
-    return;
-  }
-  if (key.refinement == Refinement::scalar_tagged_pn) {
-    key.discontinuity_attribute = static_cast<int>(ark.discontinuity_attribute);
-    key.scalar_tag_attribute = static_cast<int>(ark.scalar_tag_attribute);
-  }
-  key.displaced = displaces(options, ark);
-  key.coordinate_attribute = key.displaced ? ark.displacement.coordinate : -1;
+float shape_number(const ContextOptions& options, const ArkState& ark) {
+  const Refinement refinement = options.transparent ? options.refinement : ark.refinement;
+  return (options.transparent ? options.shape_numbers : ark.shape_numbers)[static_cast<std::size_t>(refinement)];
 }
 
 void set_displacement(const gl::Dispatch& gl, const Displacement& displacement, const DerivedProgram& derived) {
@@ -24,6 +18,30 @@ void set_displacement(const gl::Dispatch& gl, const Displacement& displacement, 
   gl.ProgramUniform1i(derived.name, derived.height_map, displacement.unit);
   gl.ProgramUniform4fv(derived.name, derived.height_channel, 1, channel.data());
   gl.ProgramUniform2f(derived.name, derived.height_range, displacement.scale, displacement.bias);
+}
+
+}  // namespace
+
+void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& key) {
+  if (options.transparent) {
+    return;
+  }
+  if (traits_of(key.refinement).takes_tags) {
+    key.discontinuity_attribute = static_cast<int>(ark.discontinuity_attribute);
+    key.scalar_tag_attribute = static_cast<int>(ark.scalar_tag_attribute);
+  }
+  key.displaced = displaces(options, ark);
+  key.coordinate_attribute = key.displaced ? ark.displacement.coordinate : -1;
+}
+
+void set_shape(const gl::Dispatch& gl, const ContextOptions& options, const ArkState& ark,
+               const DerivedProgram& derived) {
+  if (derived.shape_number >= 0) {
+    gl.ProgramUniform1f(derived.name, derived.shape_number, shape_number(options, ark));
+  }
+  if (derived.height_map >= 0) {
+    set_displacement(gl, ark.displacement, derived);
+  }
 }
 
 }  // namespace glark::core

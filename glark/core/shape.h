@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a program of the extension's API asks for beside a surface: tags of the vertices, and displacement.
+// What shapes a surface besides the refinement: tags of the vertices, the refinement's number, displacement.
 #pragma once
 
 #include "glark/core/ark_state.h"
@@ -15,7 +15,8 @@ inline bool displaces(const ContextOptions& options, const ArkState& ark) {
 }
 
 void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& key);
-// Sets the uniforms of displacement.
-void set_displacement(const gl::Dispatch& gl, const Displacement& displacement, const DerivedProgram& derived);
+// Sets the uniforms of the refinement's number and of displacement, where the program has them.
+void set_shape(const gl::Dispatch& gl, const ContextOptions& options, const ArkState& ark,
+               const DerivedProgram& derived);
 
 }  // namespace glark::core

@@ -36,11 +36,11 @@ TOUCH_CALLS = {
     "gpu_may_write": ("writes().gpu_may_write", ["buffer"]),
     "external_target": ("writes().never_trust_target", ["target"]),
     "external_buffer": ("writes().never_trust_buffer", ["buffer"]),
-    "touch_vertex_array": ("state().vertex_arrays().forget_current", []),
-    "touch_fixed_function": ("state().touch_fixed_function", []),
-    "opaque": ("state().forget_in_list", []),
-    "touch_matrices": ("state().touch_matrices", []),
-    "touch_any_matrix": ("state().touch_any_matrix", []),
+    "touch_vertex_array": ("state().arrays().vertex_arrays().forget_current", []),
+    "touch_fixed_function": ("changes().touch_fixed_function", []),
+    "opaque": ("changes().forget_in_list", []),
+    "touch_matrices": ("changes().touch_matrices", []),
+    "touch_any_matrix": ("changes().touch_any_matrix", []),
 }
 # The current value that a function sets: by the start of its name.
 ATTRIBUTE_SLOTS = [
@@ -54,7 +54,7 @@ ATTRIBUTE_SLOTS = [
     ("glEdgeFlag", "edge_flag_slot"),
     ("glVertexAttrib", "generic_slot"),
 ]
-LOCALS = {"here", "mirror", "derived", "result", "Arguments", "arguments", "same", "gl_", "index_", "data_"}
+LOCALS = {"here", "state", "mirror", "derived", "result", "Arguments", "arguments", "same", "gl_", "index_", "data_"}
 
 
 def fail(message):
@@ -202,7 +202,7 @@ constexpr Member member_table[] = {{
 {table}
 }};
 
-// Of each member: the other names of the same function, each ended by a NUL.
+// For each member, the other names of the same function; each ends with a NUL.
 constexpr const char* alias_table[] = {{
 {aliases}
 }};
@@ -227,7 +227,7 @@ void load(Dispatch& dispatch, GetProc get_proc, void* user) {{
 
 def hooks_header(hooked, kinds):
     lines = [HEADER, "#pragma once\n\n#include \"glark/gl/types.h\"\n\nnamespace glark::core {\n\nclass Context;\n\n"
-             "// What glark does in place of a GL function. A hook calls the real function itself, through its context's dispatch.\n"
+             "// A hook replaces a GL function. It calls the real function itself, through its context's dispatch.\n"
              "namespace hook {\n"]
     titles = {"track": "State that a refined draw needs.", "draw": "Draws; called only while the context is refining.", "array": "Vertex arrays; only while the context is refining.",
               "api": "GL_ARK_adaptive_refinement."}
@@ -257,11 +257,11 @@ def wrapper_body(command, kind):
         return uniform_body(c, real)
     if kind == "array":
         return [f"if (here.context == nullptr || !here.context->refining()) {{", f"  {real};",
-                "  if (here.context != nullptr) here.context->state().vertex_arrays().forget_current();", "  return;", "}", f"{hook};"]
+                "  if (here.context != nullptr) here.context->state().arrays().vertex_arrays().forget_current();", "  return;", "}", f"{hook};"]
     if kind in ("count", "count_unseen"):
         first = c.parameters[0][1] if c.parameters else ""
         only = f" && {first} == 0" if first == "index" and c.name.startswith("glVertexAttrib") else ""
-        unseen = ["if (here.context != nullptr) here.context->state().forget_values();"] if kind == "count_unseen" else []
+        unseen = ["if (here.context != nullptr) here.context->changes().forget_values();"] if kind == "count_unseen" else []
         return unseen + [f"if (here.context != nullptr{only}) here.context->count_vertex({components(c)});", f"{real};"]
     if kind == "attribute":
         return attribute_body(c, real)
@@ -271,7 +271,7 @@ def wrapper_body(command, kind):
     if choices and not chosen:
         fail(f"{c.name} is classed {kind} but has no parameter named {' or '.join(choices)}")
     if kind == "touch_vertex_array" and "vaobj" in parameters:
-        call = "state().vertex_arrays().forget_all"  # of an array that need not be bound
+        call = "state().arrays().vertex_arrays().forget_all"  # of an array that need not be bound
     touch = f"if (here.context != nullptr) here.context->{call}({''.join(chosen)});"
     if c.is_void():
         return [f"{real};", touch]
@@ -309,7 +309,7 @@ def attribute_body(command, real):
         f"if (here.context == nullptr) {{ {real}; return; }}",
         f"struct Arguments {{ {' '.join(members)} }} arguments;",
         *copies,
-        f"here.context->state().set_current({f'glark::core::{slot}({index})' if indexed else f'glark::core::{slot}'},",
+        f"here.context->changes().set_current({f'glark::core::{slot}({index})' if indexed else f'glark::core::{slot}'},",
         "  [](const glark::gl::Dispatch& gl_, GLuint index_, const void* data_) {",
         "    Arguments same;",
         "    std::memcpy(&same, data_, sizeof same);",
@@ -327,15 +327,16 @@ def uniform_body(command, real):
     of_program = command.name.startswith("glProgramUniform")
     twin = command.canonical.member if of_program else f"Program{command.canonical.member}"
     values = ", ".join(names[2:] if of_program else names[1:])
-    mirrors = f"here.context->state().uniform_mirrors({names[0] if of_program else ''})"
+    mirrors = f"state.programs().mirrors(state.bindings(){', ' + names[0] if of_program else ''})"
     # What is rare stands in a function of its own, so that the usual call is a jump.
     return [
-        f"if (here.context == nullptr || (!here.context->state().programs().mirroring() && !here.context->state().lists().compiling && location < glark::core::virtual_location_base)) "
+        f"if (here.context == nullptr || (!here.context->state().programs().mirroring() && !here.context->state().lists().compiling() && location < glark::core::virtual_location_base)) "
         f"{{ {real}; return; }}",
         "[=, &here]() __attribute__((noinline, cold)) {",
         f"  if (location < glark::core::virtual_location_base) {real};",
-        "  if (here.context->state().lists().compiling) { here.context->state().lists().changes_uniforms = true; return; }",
-        "  if (!here.context->state().programs().mirroring()) return;",
+        "  glark::core::GlState& state = here.context->state();",
+        "  if (state.lists().compiling()) { state.lists().note_uniforms(); return; }",
+        "  if (!state.programs().mirroring()) return;",
         f"  for (const glark::core::UniformMirror& mirror : {mirrors})",
         "    if (const GLint derived = mirror.location(location); derived >= 0)",
         f"      here.gl->{twin}(mirror.program, derived, {values});",

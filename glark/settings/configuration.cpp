@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/settings/configuration.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -9,10 +11,10 @@
 #include <exception>
 #include <utility>
 
-#define TOML_EXCEPTIONS 0  // of a program that we are a guest of, none may be thrown through
+#define TOML_EXCEPTIONS 0  // an exception must not pass through the host program
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/impl/preprocessor.h>
-// toml++ 3.3 calls unreachable what letters of Latin and Cyrillic outside texts reach.
+// toml++ 3.3 marks code as unreachable that Latin and Cyrillic letters outside of strings reach.
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false
@@ -25,14 +27,14 @@
 namespace glark::settings {
 namespace {
 
-// A dotted key nests tables, which are destroyed recursively; no key of ours has more than two dots.
+// A dotted key nests tables, which are destroyed recursively. Our keys have at most two dots.
 constexpr std::ptrdiff_t most_dots = 200;
 constexpr int most_syntax_errors = 16;
 
-// Lines of the file that were parsed by themselves.
+// Some lines of the file, parsed separately.
 struct Part {
   toml::table table;
-  std::size_t first_line = 0;  // of the file, counted from 0
+  std::size_t first_line = 0;  // in the file, counted from 0
 };
 
 class Reader {
@@ -47,7 +49,7 @@ class Reader {
   using Position = toml::source_position;
 
   void complain(std::size_t line, std::size_t column, const std::string& what) {
-    problems_.push_back(file_ + ":" + std::to_string(line) + ":" + std::to_string(column) + ": " + what);
+    problems_.push_back(fmt::format("{}:{}:{}: {}", file_, line, column, what));
   }
   void complain(const Part& part, const toml::node& node, const std::string& what) {
     complain(part.first_line + node.source().begin.line, node.source().begin.column, what);
@@ -78,7 +80,7 @@ bool is_header(std::string_view line) {
   return first != std::string_view::npos && line[first] == '[';
 }
 
-// What the text of a variable would be; nothing for what no setting takes (dates, tables).
+// Returns the value as the text of a variable, or nothing for a date or a table, which no setting takes.
 std::optional<std::string> text_of(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
   if (const auto* number = node.as_integer()) return std::to_string(number->get());
@@ -110,7 +112,7 @@ bool Reader::refuse_deep_keys(std::string_view text) {
   std::size_t line = 1;
   for (const std::string_view content : lines_of(text)) {
     if (std::count(content.begin(), content.end(), '.') > most_dots) {
-      complain(line, 1, "the line has more than " + std::to_string(most_dots) + " dots; the file is not used");
+      complain(line, 1, fmt::format("the line has more than {} dots; the file is not used", most_dots));
       return true;
     }
     ++line;
@@ -124,8 +126,8 @@ void Reader::parse(std::string_view text) {
     parts_.push_back({std::move(whole).table(), 0});
     return;
   }
-  // Table by table, so that the others count. This cuts a list of lists or a text of several lines too: only where the file is
-  // wrong somewhere.
+  // The file has an error: parse it table by table, so that the other tables count. This also cuts lists of lists and texts of
+  // several lines, so a correct file is never parsed this way.
   const std::vector<std::string_view> lines = lines_of(text);
   for (std::size_t first = 0; first < lines.size();) {
     std::size_t end = first + 1;
@@ -136,7 +138,7 @@ void Reader::parse(std::string_view text) {
   }
 }
 
-// Without the lines that are wrong. Of a table whose header is wrong nothing can be used.
+// Parses the lines and drops those with errors. A table whose header has an error is dropped as a whole.
 void Reader::parse_lines(std::vector<std::string_view> lines, std::size_t first_line) {
   for (int errors = 0; errors < most_syntax_errors && problems_.size() < 4 * most_syntax_errors; ++errors) {
     std::string text;
@@ -175,7 +177,7 @@ void Reader::apply_table(const Part& part, const toml::table& table, bool all_pr
     }
     const Setting* setting = find_setting(name);
     if (setting == nullptr || !setting->in_file) {
-      complain(part, node, "there is no key \"" + std::string(name) + "\"; the keys are " + known_keys());
+      complain(part, node, fmt::format("there is no key \"{}\"; the keys are {}", name, known_keys()));
       continue;
     }
     apply_value(part, *setting, node);
@@ -184,11 +186,10 @@ void Reader::apply_table(const Part& part, const toml::table& table, bool all_pr
 
 void Reader::apply_value(const Part& part, const Setting& setting, const toml::node& node) {
   const std::optional<std::string> text = text_of(node);
-  const std::string needed = std::string(setting.needed) + " is needed";
   if (!text)
-    complain(part, node, std::string(setting.key) + " has a value of another kind; " + needed);
+    complain(part, node, fmt::format("{} has a value of another kind; {} is needed", setting.key, setting.needed));
   else if (!setting.read(settings_, *text))
-    complain(part, node, std::string(setting.key) + " is \"" + *text + "\"; " + needed);
+    complain(part, node, fmt::format("{} is \"{}\"; {} is needed", setting.key, *text, setting.needed));
 }
 
 }  // namespace
@@ -199,8 +200,8 @@ void apply_configuration(std::string_view text, const std::string& file, std::sp
     Reader reader(file, settings, problems);
     reader.parse(text);
     reader.apply(names);
-  } catch (const std::exception& error) {  // no memory
-    problems.push_back(file + ": cannot be read: " + error.what());
+  } catch (const std::exception& error) {  // out of memory
+    problems.push_back(fmt::format("{}: cannot be read: {}", file, error.what()));
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Where the configuration lies: XDG Base Directory Specification 0.8.
+// Finds and reads the configuration file: XDG Base Directory Specification 0.8.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr char name_in_folder[] = "/glark/glark.toml";
 
-// Relative folders are to be ignored, says the specification.
+// The specification says that relative folders are ignored.
 std::string in_folder(std::string_view folder) {
   if (!folder.starts_with('/')) return {};
   std::string file = std::string(folder) + name_in_folder;
@@ -46,7 +47,7 @@ std::optional<std::string> read_open_file(int file, std::string& reason) {
       return std::nullopt;
     }
     if (text.size() > longest_configuration) {
-      reason = "it is longer than " + std::to_string(longest_configuration) + " bytes";
+      reason = fmt::format("it is longer than {} bytes", longest_configuration);
       return std::nullopt;
     }
   }
@@ -69,7 +70,7 @@ std::string find_configuration(const char* const* environment) {
 }
 
 std::optional<std::string> read_configuration(const std::string& file, std::string& problem) {
-  // A pipe that nobody writes to must not stop the program.
+  // O_NONBLOCK: a pipe without a writer must not block the program.
   const int opened = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   std::string reason = opened < 0 ? std::strerror(errno) : "";
   std::optional<std::string> text;
@@ -77,7 +78,7 @@ std::optional<std::string> read_configuration(const std::string& file, std::stri
     text = read_open_file(opened, reason);
     close(opened);
   }
-  if (!text) problem = "the configuration file " + file + " cannot be read: " + reason + "; it is not used";
+  if (!text) problem = fmt::format("the configuration file {} cannot be read: {}; it is not used", file, reason);
   return text;
 }
 

@@ -9,10 +9,10 @@
 namespace glark::settings {
 namespace {
 
-// Windows programs under Wine have paths of their own kind.
+// Windows programs under Wine have paths with backslashes.
 std::string base_name(std::string_view path) { return std::string(path.substr(path.find_last_of("/\\") + 1)); }
 
-// python3, python3.11, wine64-preloader, perl5.36 ...: the letters that the name begins with are those of an interpreter.
+// python3, python3.11, wine64-preloader, perl5.36 ...: the leading letters name the interpreter.
 bool is_interpreter(const std::string& name) {
   constexpr std::array<std::string_view, 10> known{"python", "pypy", "wine", "java", "perl",
                                                    "ruby",   "bash", "sh",   "node", "mono"};
@@ -45,7 +45,7 @@ std::vector<std::string> program_names(const std::string& executable, std::span<
   if (!arguments.empty()) add_with_and_without_ending(names, arguments[0]);
   const bool interprets = std::any_of(names.begin(), names.end(), is_interpreter);
   if (!interprets || arguments.size() < 2) return names;
-  // Options of the interpreter come first; `-m module` names what is run, `-c` none.
+  // The options of the interpreter come first. `-m module` names a program, `-c` does not.
   for (std::size_t i = 1; i < arguments.size() && arguments[i] != "-c"; ++i) {
     if (arguments[i] == "-m" || arguments[i] == "-jar" || arguments[i] == "-X" || arguments[i] == "-W") {
       if (arguments[i] == "-X" || arguments[i] == "-W") ++i;

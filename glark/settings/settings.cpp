@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/settings/settings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "glark/settings/configuration.h"
@@ -20,33 +22,49 @@ void read_configuration_file(const char* const* environment, std::span<const std
     parsed.problems.push_back(problem);
 }
 
-// The conformance suite judges the extension in its initial state: `glark run` must not set it up before.
+// The conformance suite judges the extension from its initial state, which `glark run` must not change.
 bool makes_its_own_calls(std::span<const std::string> names) {
   return std::find(names.begin(), names.end(), "glark-conformance") != names.end();
 }
 
-// An empty variable leaves its setting alone.
+std::string wrong_value(std::string_view name, std::string_view text, std::string_view needed) {
+  return fmt::format("{} is \"{}\"; {} is needed", name, text, needed);
+}
+
+// An empty variable counts as unset.
 void read_variables(const char* const* environment, Parsed& parsed) {
   for (const Setting& setting : table()) {
     const std::optional<std::string_view> text = find_variable(environment, setting.variable);
     if (text && !text->empty() && !setting.read(parsed.settings, *text))
-      parsed.problems.push_back(std::string(setting.variable) + " is \"" + std::string(*text) + "\"; " +
-                                std::string(setting.needed) + " is needed");
+      parsed.problems.push_back(wrong_value(setting.variable, *text, setting.needed));
   }
 }
 
-// A level that was asked for is reached: only a limit that was asked for as well holds it back.
+// A level above the default limit raises the limit. A limit that the user set lowers the level.
 void limit_level(Parsed& parsed) {
   core::ContextOptions& context = parsed.settings.context;
   if (context.level <= context.max_level) return;
   if (parsed.settings.max_level_set) {
-    parsed.problems.push_back("the level is " + std::to_string(context.level) +
-                              ", more than the greatest level; it is " + std::to_string(context.max_level) +
-                              " now; raise GLARK_MAX_LEVEL or max-level");
+    parsed.problems.push_back(
+        fmt::format("the level {0} exceeds the limit {1}; {1} is used; raise GLARK_MAX_LEVEL or max-level",
+                    context.level, context.max_level));
     context.level = context.max_level;
   } else {
     context.max_level = context.level;
   }
+}
+
+void warn_of_unused(Parsed& parsed) {
+  const core::ContextOptions& context = parsed.settings.context;
+  if (context.measure.budget > 0 && !context.measure.on())
+    parsed.problems.emplace_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
+  for (const core::RefinementTraits& row : core::refinements) {
+    const float number = context.shape_numbers.at(static_cast<std::size_t>(row.refinement));
+    if (number != row.number.initial && context.refinement != row.refinement)
+      parsed.problems.push_back(fmt::format("{} has no effect without GLARK_REFINE={}", row.number.variable, row.word));
+  }
+  if (context.geomorph && !context.measure.on())
+    parsed.problems.emplace_back("GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
 }
 
 }  // namespace
@@ -63,23 +81,18 @@ std::optional<std::string_view> find_variable(const char* const* environment, st
 Parsed parse(const char* const* environment, std::span<const std::string> names) {
   Parsed parsed;
   Settings& settings = parsed.settings;
+  apply_defaults(settings);
   settings.leave_alone = makes_its_own_calls(names);
   read_configuration_file(environment, names, parsed);
   if (const auto enable = find_variable(environment, variable::enable); enable && !enable->empty()) {
     if (const std::optional<bool> wanted = parse_switch(*enable))
       settings.context.transparent = *wanted;
     else
-      parsed.problems.push_back(std::string(variable::enable) + " is \"" + std::string(*enable) +
-                                "\"; 0 or 1 is needed");
+      parsed.problems.push_back(wrong_value(variable::enable, *enable, "0 or 1"));
   }
   read_variables(environment, parsed);
   limit_level(parsed);
-  if (settings.context.measure.budget > 0 && !settings.context.measure.on())
-    parsed.problems.emplace_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
-  if (settings.context.scalar_tags.tension != 0 && settings.context.refinement != core::Refinement::scalar_tagged_pn)
-    parsed.problems.emplace_back("GLARK_TENSION has no effect without GLARK_REFINE=stpn");
-  if (settings.context.geomorph && !settings.context.measure.on())
-    parsed.problems.emplace_back("GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
+  warn_of_unused(parsed);
   settings.context.transparent = settings.context.transparent && !settings.leave_alone;
   settings.context.read_counts = !settings.statistics_file.empty();
   if (settings.everything) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a user may ask of glark, through environment variables (the launcher sets them, the shim reads them) or a
-// configuration file. All of it is listed in table.h. No GL here.
+// The settings of a user: environment variables (the launcher sets them, the shim reads them) and a configuration file.
+// table.h lists them. Nothing here calls GL.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@
 namespace glark::settings {
 
 namespace variable {
-inline constexpr char enable[] = "GLARK_ENABLE";  // 1: refine a program that does not know of glark
-inline constexpr char config[] = "GLARK_CONFIG";  // FILE: the configuration file, instead of those of the XDG folders
+inline constexpr char enable[] = "GLARK_ENABLE";  // 1: refine a program that does not call the extension
+inline constexpr char config[] = "GLARK_CONFIG";  // FILE: replaces the configuration file of the XDG folders
 }  // namespace variable
 
 struct CaptureRequest {
@@ -29,43 +29,43 @@ struct CaptureRequest {
 };
 
 struct Settings {
-  core::ContextOptions context;  // transparent only with GLARK_ENABLE
+  core::ContextOptions context;  // `transparent` needs GLARK_ENABLE
   core::LogLevel log_level = core::LogLevel::warning;
   std::vector<CaptureRequest> captures;
   std::string statistics_file;  // empty: none
-  std::string dump_folder;      // of the sources of derived programs; empty: none
-  bool everything = false;      // no draw and no shader is left alone
-  bool leave_alone = false;     // this program is not refined
-  bool max_level_set = false;   // by the user
+  std::string dump_folder;      // for the sources of shaders; empty: none
+  bool everything = false;      // refine every draw and shader
+  bool leave_alone = false;     // refine nothing in this program
+  bool max_level_set = false;   // whether the user set max_level
 };
 
-// A value that is not understood leaves its setting at the default and adds a sentence to `problems`.
+// An invalid value leaves its setting unchanged and adds a sentence to `problems`.
 struct Parsed {
   Settings settings;
   std::vector<std::string> problems;
 };
 
-// `environment`: as `environ`, "NAME=value" strings up to a null pointer; may be null. Of the configuration file, the tables of
-// the programs `names` count; what the environment says wins over it.
+// Reads the configuration file, then the environment, which wins. `environment` is like `environ`: "NAME=value" strings up to
+// a null pointer; it may be null. In the file, only the tables of the programs `names` count.
 Parsed parse(const char* const* environment, std::span<const std::string> names = {});
 
-// The value of a variable; nothing if it is not there.
+// Returns the value of a variable, or nothing if the variable is unset.
 std::optional<std::string_view> find_variable(const char* const* environment, std::string_view name);
 
-// Of single values; nothing if the text is not one. What would be one, in words, is in needed_*().
+// Parse single values; return nothing if the text is invalid. Setting::needed says in words which texts are valid.
 std::optional<unsigned> parse_level(std::string_view text);
 std::optional<core::Refinement> parse_refinement(std::string_view text);
-std::optional<float> parse_tension(std::string_view text);
+std::optional<float> parse_shape_number(const core::ShapeNumber& number, std::string_view text);
 std::optional<float> parse_edge_pixels(std::string_view text);
 std::optional<float> parse_curvature(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);
-std::optional<bool> parse_polygons(std::string_view text);  // whether at their centroids
+std::optional<bool> parse_polygons(std::string_view text);  // true: at their centroids
 std::optional<core::LogLevel> parse_log_level(std::string_view text);
 std::optional<bool> parse_switch(std::string_view text);
-// A comma separates requests only where a frame number follows it.
+// A comma separates requests only if a frame number follows it.
 std::optional<std::vector<CaptureRequest>> parse_captures(std::string_view text);
 
-// A list with commas.
+// Lists, separated by commas.
 std::optional<unsigned> parse_left_draws(std::string_view text);
 std::optional<std::vector<std::uint64_t>> parse_hashes(std::string_view text);  // 16 hexadecimal digits each
 std::optional<std::string> parse_attribute(std::string_view text);              // a GLSL name or a location

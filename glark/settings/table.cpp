@@ -29,89 +29,197 @@ bool read_max_level(Settings& s, std::string_view text) {
   return valid;
 }
 
+bool read_no_weld(Settings& s, std::string_view text) {
+  bool off = false;
+  const bool valid = assign(parse_switch(text), off);
+  if (valid) s.context.weld = !off;
+  return valid;
+}
+
 constexpr char level_needed[] = "an integer from 0 to 11";
 constexpr char switch_needed[] = "0 or 1";
 constexpr char file_needed[] = "the name of a file";
 constexpr char attribute_needed[] = "the name of a vertex attribute or its location";
 
+constexpr char depth[] = "How fine";
+constexpr char shape[] = "Which shape";
+constexpr char draws[] = "Which draws stay unrefined";
+constexpr char attributes[] = "Vertex attributes";
+constexpr char output[] = "Pictures, statistics and messages";
+constexpr char files[] = "Configuration file";
+
+// The words of all refinements, and with them what each does, made at compile time from their rows.
+template <std::size_t size>
+struct Text {
+  std::array<char, size> letters{};
+  constexpr std::string_view view() const { return {letters.data(), size}; }
+};
+
+enum class RefinementText { words, help, details };
+
+// Calls `add` with the parts of "a, b or c", or with the sentences.
+constexpr void list_refinements(RefinementText wanted, auto&& add) {
+  for (std::size_t i = 0; i < core::refinements.size(); ++i) {
+    if (wanted == RefinementText::details) {
+      add(core::refinements[i].details);
+      continue;
+    }
+    add(i == 0 ? "" : i + 1 < core::refinements.size() ? ", " : " or ");
+    add(core::refinements[i].word);
+    if (wanted == RefinementText::words) continue;
+    add(" (");
+    add(core::refinements[i].help);
+    add(")");
+  }
+}
+
+template <RefinementText wanted>
+constexpr auto refinements_text() {
+  constexpr std::size_t size = [] {
+    std::size_t letters = 0;
+    list_refinements(wanted, [&](std::string_view part) { letters += part.size(); });
+    return letters;
+  }();
+  Text<size> text;
+  list_refinements(wanted, [&, end = std::size_t{0}](std::string_view part) mutable {
+    for (const char letter : part) text.letters[end++] = letter;
+  });
+  return text;
+}
+constexpr auto refinement_words = refinements_text<RefinementText::words>();
+constexpr auto refinement_help = refinements_text<RefinementText::help>();
+constexpr auto refinement_details = refinements_text<RefinementText::details>();
+
+template <std::size_t refinement>
+bool read_shape_number(Settings& s, std::string_view text) {
+  return assign(parse_shape_number(core::refinements[refinement].number, text), s.context.shape_numbers[refinement]);
+}
+
+constexpr std::size_t shape_number_count = [] {
+  std::size_t count = 0;
+  for (const core::RefinementTraits& row : core::refinements) count += row.number.exists() ? 1 : 0;
+  return count;
+}();
+
+// Makes a row for each refinement that has a number.
+template <std::size_t... refinement>
+constexpr auto settings_of_shape_numbers(std::index_sequence<refinement...> /*all*/) {
+  std::array<Setting, shape_number_count> rows{};
+  std::size_t next = 0;
+  const auto add = [&](const core::ShapeNumber& number, bool (*read)(Settings&, std::string_view)) {
+    if (number.exists())
+      rows[next++] = {shape,
+                      number.key,
+                      number.variable,
+                      Kind::value,
+                      number.placeholder,
+                      number.needed,
+                      number.initial_text,
+                      "",
+                      number.help,
+                      "",
+                      read};
+  };
+  (add(core::refinements[refinement].number, read_shape_number<refinement>), ...);
+  return rows;
+}
+
+// Columns: group, key, variable, kind, value, limits, default, default in words, help, details, reader.
 // clang-format off
-constexpr std::array settings_table{
-    Setting{"level", "GLARK_LEVEL", Kind::value, "N", level_needed,
-            "Uniform level of refinement, 0 to 11: every triangle becomes 4^N; 2 if not given",
+constexpr std::array first_settings{
+    Setting{depth, "level", "GLARK_LEVEL", Kind::value, "N", level_needed, "2", "",
+            "Replace every triangle by 4^N triangles", "",
             [](Settings& s, std::string_view text) { return assign(parse_level(text), s.context.level); }},
-    Setting{"max-level", "GLARK_MAX_LEVEL", Kind::value, "N", level_needed,
-            "Deepest level that patterns are made for, 0 to 11; 6 if not given", read_max_level},
-    Setting{"refine", "GLARK_REFINE", Kind::value, "KIND", "linear, outputs, pn or stpn",
-            "linear (vertex stage on every refined vertex), outputs (interpolate its results), pn (curved) or stpn (curved, with --tension)",
-            [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
-    Setting{"tension", "GLARK_TENSION", Kind::value, "T", "a number from -1 to 1",
-            "Of --refine stpn: how tightly curved triangles are drawn to the coarse ones: 1 flat, 0 as pn, -1 rounder than pn",
-            [](Settings& s, std::string_view text) { return assign(parse_tension(text), s.context.scalar_tags.tension); }},
-    Setting{"no-weld", "GLARK_NO_WELD", Kind::toggle, "", switch_needed,
-            "Curve each triangle by its own normals alone: where they jump from one to the next, pn may crack there",
-            [](Settings& s, std::string_view text) {
-              bool off = false;
-              const bool valid = assign(parse_switch(text), off);
-              s.context.weld = !off;
-              return valid;
-            }},
-    Setting{"edge-pixels", "GLARK_EDGE_PIXELS", Kind::value, "P", "a number from 0.5 to 10000, or 0 for none,",
-            "Each edge as deep as its length on the screen wants: the longest segment, in pixels; instead of --level",
+    Setting{depth, "max-level", "GLARK_MAX_LEVEL", Kind::value, "N", level_needed, "6", "",
+            "Prepare patterns up to level N", "A higher --level raises this limit unless the limit was set too.", read_max_level},
+    Setting{depth, "edge-pixels", "GLARK_EDGE_PIXELS", Kind::value, "P", "a number from 0.5 to 10000, or 0 for none,", "0", "off",
+            "Refine each edge by its length on the screen, into segments of at most P pixels", "Replaces --level.",
             [](Settings& s, std::string_view text) { return assign(parse_edge_pixels(text), s.context.measure.pixels); }},
-    Setting{"curvature", "GLARK_CURVATURE", Kind::value, "DEGREES", "degrees from 0.5 to 180, or 0 for none,",
-            "Each edge as deep as the normals at its ends differ: the greatest turn of a segment, in degrees",
+    Setting{depth, "curvature", "GLARK_CURVATURE", Kind::value, "DEGREES", "degrees from 0.5 to 180, or 0 for none,", "0", "off",
+            "Refine each edge by the angle between the normals at its ends, into segments that turn by at most DEGREES",
+            "Replaces --level. With --edge-pixels too, an edge gets the lesser of both depths.",
             [](Settings& s, std::string_view text) { return assign(parse_curvature(text), s.context.measure.degrees); }},
-    Setting{"budget", "GLARK_BUDGET", Kind::value, "N", "a number of triangles up to 1000000000, or 0 for none,",
-            "Refined triangles a frame that --edge-pixels and --curvature give way to",
+    Setting{depth, "budget", "GLARK_BUDGET", Kind::value, "N", "a number of triangles up to 1000000000, or 0 for none,", "0", "none",
+            "Coarsen --edge-pixels and --curvature when a frame has more than N refined triangles", "",
             [](Settings& s, std::string_view text) { return assign(parse_budget(text), s.context.measure.budget); }},
-    Setting{"geomorph", "GLARK_GEOMORPH", Kind::toggle, "", switch_needed,
-            "Move vertices between the levels of --edge-pixels and --curvature, so that none pops up",
+    Setting{depth, "geomorph", "GLARK_GEOMORPH", Kind::toggle, "", switch_needed, "0", "off",
+            "Move vertices smoothly between the levels of --edge-pixels and --curvature, so that no vertex pops up",
+            "With a --budget, depths change slowly, so that some frames may exceed the budget.",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.geomorph); }},
-    Setting{"polygons", "GLARK_POLYGONS", Kind::value, "SPLIT", "triangles or centroid",
-            "triangles (quads and polygons as OpenGL cuts them) or centroid (a fan about the centre of each)",
+
+    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words.view(), "linear", "",
+            refinement_help.view(), refinement_details.view(),
+            [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
+};
+
+constexpr std::array other_settings{
+    Setting{shape, "no-weld", "GLARK_NO_WELD", Kind::toggle, "", switch_needed, "0", "off",
+            "Curve each triangle by its own normals alone; curved ones then crack open where normals differ",
+            "Otherwise the edges of a draw are welded by position.", read_no_weld},
+    Setting{shape, "polygons", "GLARK_POLYGONS", Kind::value, "SPLIT", "triangles or centroid", "triangles", "",
+            "Split quads and polygons into triangles as OpenGL does (triangles), or into a fan about their centre (centroid)", "",
             [](Settings& s, std::string_view text) { return assign(parse_polygons(text), s.context.centroids); }},
-    Setting{"wireframe", "GLARK_WIREFRAME", Kind::toggle, "", switch_needed, "Draw the refined triangles as lines",
+    Setting{shape, "wireframe", "GLARK_WIREFRAME", Kind::toggle, "", switch_needed, "0", "off",
+            "Draw the refined triangles as lines (not in OpenGL ES)", "",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.wireframe); }},
-    Setting{"position", "GLARK_POSITION", Kind::value, "ATTRIBUTE", attribute_needed,
-            "Vertex attribute that is the position, by name or location, where it is not guessed right",
-            [](Settings& s, std::string_view text) { return assign(parse_attribute(text), s.context.roles.position); }},
-    Setting{"normal", "GLARK_NORMAL", Kind::value, "ATTRIBUTE", attribute_needed,
-            "Vertex attribute that is the normal",
-            [](Settings& s, std::string_view text) { return assign(parse_attribute(text), s.context.roles.normal); }},
-    Setting{"texture-coordinate", "GLARK_TEXTURE_COORDINATE", Kind::value, "ATTRIBUTE", attribute_needed,
-            "Vertex attribute that is the texture coordinate",
-            [](Settings& s, std::string_view text) { return assign(parse_attribute(text), s.context.roles.texture_coordinate); }},
-    Setting{"leave-draws", "GLARK_LEAVE_DRAWS", Kind::value, "RULES",
+
+    Setting{draws, "leave-draws", "GLARK_LEAVE_DRAWS", Kind::value, "RULES",
             "a list of screen-quads, overlays, orthographic, blended, no-depth-test, no-depth-writes, or none",
-            "Draws to leave as they are, with commas: screen-quads,overlays,orthographic if not given; "
-            "also blended, no-depth-test, no-depth-writes; none for no such rule",
+            "screen-quads,overlays,orthographic", "",
+            "Leave the draws unrefined that match one of these rules, separated by commas; none: refine them too",
+            "The rules are screen-quads, overlays, orthographic, blended, no-depth-test and no-depth-writes.",
             [](Settings& s, std::string_view text) { return assign(parse_left_draws(text), s.context.left_draws); }},
-    Setting{"leave-shaders", "GLARK_LEAVE_SHADERS", Kind::value, "HASHES", "a list of hashes of 16 hexadecimal digits",
-            "Shader programs to leave as they are, by their hashes in --stats and --dump-shaders, with commas",
+    Setting{draws, "leave-shaders", "GLARK_LEAVE_SHADERS", Kind::value, "HASHES", "a list of hashes of 16 hexadecimal digits", "", "none",
+            "Leave these shader programs unrefined, named by their hashes, separated by commas",
+            "--stats, --dump-shaders and --log info show the hashes.",
             [](Settings& s, std::string_view text) { return assign(parse_hashes(text), s.context.left_shaders); }},
-    Setting{"leave-alone", "GLARK_LEAVE_ALONE", Kind::toggle, "", switch_needed,
-            "Leave every draw of the program as it is",
+    Setting{draws, "leave-alone", "GLARK_LEAVE_ALONE", Kind::toggle, "", switch_needed, "0", "off",
+            "Leave every draw of the program unrefined", "",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.leave_alone); }},
-    Setting{"everything", "GLARK_EVERYTHING", Kind::toggle, "", switch_needed,
-            "Leave no draw and no shader as it is, whatever the other settings say",
+    Setting{draws, "everything", "GLARK_EVERYTHING", Kind::toggle, "", switch_needed, "0", "off",
+            "Refine every draw, whatever --leave-draws and --leave-shaders say", "",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.everything); }},
-    Setting{"capture", "GLARK_CAPTURE", Kind::captures, "FRAME:FILE.png", "FRAME:FILE.png, with frames counted from 1,",
-            "Write that frame, counted from 1, as an image; may be repeated",
+
+    Setting{attributes, "position", "GLARK_POSITION", Kind::value, "ATTRIBUTE", attribute_needed, "", "guessed",
+            "The vertex attribute that is the position, by name or location", "",
+            [](Settings& s, std::string_view text) { return assign(parse_attribute(text), s.context.roles.position); }},
+    Setting{attributes, "normal", "GLARK_NORMAL", Kind::value, "ATTRIBUTE", attribute_needed, "", "guessed",
+            "The vertex attribute that is the normal, by name or location", "",
+            [](Settings& s, std::string_view text) { return assign(parse_attribute(text), s.context.roles.normal); }},
+    Setting{attributes, "texture-coordinate", "GLARK_TEXTURE_COORDINATE", Kind::value, "ATTRIBUTE", attribute_needed, "", "guessed",
+            "The vertex attribute that is the texture coordinate, by name or location", "",
+            [](Settings& s, std::string_view text) { return assign(parse_attribute(text), s.context.roles.texture_coordinate); }},
+
+    Setting{output, "capture", "GLARK_CAPTURE", Kind::captures, "FRAME:FILE.png", "FRAME:FILE.png, with frames counted from 1,", "", "none",
+            "Write frame FRAME, counted from 1, as an image; may be repeated", "The variable takes several, separated by commas.",
             [](Settings& s, std::string_view text) { return assign(parse_captures(text), s.captures); }},
-    Setting{"stats", "GLARK_STATS", Kind::output_file, "FILE.json", file_needed, "Write statistics of the run",
+    Setting{output, "stats", "GLARK_STATS", Kind::output_file, "FILE.json", file_needed, "", "none",
+            "Write statistics: the number of draws seen, refined and left unrefined (by cause), and frame times", "",
             [](Settings& s, std::string_view text) { return assign(parse_file(text), s.statistics_file); }},
-    Setting{"dump-shaders", "GLARK_DUMP_SHADERS", Kind::output_folder, "DIR", "the name of a folder",
-            "Write the sources of the program's shaders and of those derived from them",
+    Setting{output, "dump-shaders", "GLARK_DUMP_SHADERS", Kind::output_folder, "DIR", "the name of a folder", "", "none",
+            "Write the sources of the program's shaders and of the shaders derived from them",
+            "The files of one program share its hash: programN-HASH.original.vert, programN-HASH.pn.vert and so on. "
+            "fixed-HASH are the stages that were generated for the fixed function.",
             [](Settings& s, std::string_view text) { return assign(parse_file(text), s.dump_folder); }},
-    Setting{"log", "GLARK_LOG", Kind::value, "LEVEL", "error, warning, info or debug",
-            "Most verbose messages wanted: error, warning, info or debug",
+    Setting{output, "log", "GLARK_LOG", Kind::value, "LEVEL", "error, warning, info or debug", "warning", "",
+            "Print messages up to this level: error, warning, info or debug", "",
             [](Settings& s, std::string_view text) { return assign(parse_log_level(text), s.log_level); }},
-    // Looked for before all others are read.
-    Setting{"config", variable::config, Kind::input_file, "FILE", file_needed,
-            "Configuration file, instead of glark/glark.toml in the XDG folders",
+
+    // Read before every other setting, so the reader has nothing to do.
+    Setting{files, "config", variable::config, Kind::input_file, "FILE", file_needed, "", "glark/glark.toml in the XDG folders",
+            "Read this configuration file", "/dev/null for no file at all.",
             [](Settings&, std::string_view) { return true; }, false},
 };
 // clang-format on
+
+constexpr auto settings_table = [] {
+  constexpr auto numbers = settings_of_shape_numbers(std::make_index_sequence<core::refinements.size()>());
+  std::array<Setting, first_settings.size() + numbers.size() + other_settings.size()> all{};
+  auto* const after_first = std::copy(first_settings.begin(), first_settings.end(), all.begin());
+  auto* const after_numbers = std::copy(numbers.begin(), numbers.end(), after_first);
+  std::copy(other_settings.begin(), other_settings.end(), after_numbers);
+  return all;
+}();
 
 }  // namespace
 
@@ -121,6 +229,16 @@ const Setting* find_setting(std::string_view key) {
   const auto* const found = std::find_if(settings_table.begin(), settings_table.end(),
                                          [&](const Setting& setting) { return setting.key == key; });
   return found != settings_table.end() ? found : nullptr;
+}
+
+std::string_view shown_default(const Setting& setting) {
+  return setting.shown.empty() ? setting.initial : setting.shown;
+}
+
+void apply_defaults(Settings& settings) {
+  for (const Setting& setting : settings_table)
+    if (!setting.initial.empty()) setting.read(settings, setting.initial);
+  settings.max_level_set = false;
 }
 
 }  // namespace glark::settings

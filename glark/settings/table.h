@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Every setting once: its key in a configuration file, its option of `glark run`, its variable, its value and what it does.
+// The table of settings, one row each. `glark run --help`, docs/reference/options.md and the manual page are printed from it,
+// and the defaults of Settings come from it.
 #pragma once
 
 #include <span>
@@ -11,28 +12,37 @@
 
 namespace glark::settings {
 
-// What the launcher does with the value of an option before it goes to the environment.
+// The launcher treats the value of an option by its kind before it puts the value into the environment.
 enum class Kind {
   value,
   toggle,         // an option without a value
-  output_file,    // made absolute, and refused if it cannot be written
-  output_folder,  // made
-  input_file,     // made absolute, and refused if it cannot be read
+  output_file,    // made absolute, refused if it cannot be written
+  output_folder,  // created
+  input_file,     // made absolute, refused if it cannot be read
   captures,       // FRAME:FILE.png, may be repeated
 };
 
 struct Setting {
-  std::string_view key;  // in a configuration file; the option is "--" and this
-  const char* variable;  // null: configuration files only
+  std::string_view group;  // the heading in the help and in the documents
+  std::string_view key;    // the key in a configuration file; the option is "--" and the key
+  const char* variable;
   Kind kind;
-  std::string_view value;   // what stands for it in --help and the manual; empty: a switch
-  std::string_view needed;  // completes "... is needed"
-  std::string_view help;
-  bool (*read)(Settings& settings, std::string_view text);  // false, and nothing changed: `text` is no value of it
-  bool in_file = true;                                      // a configuration file may have it
+  std::string_view value;   // the placeholder of the value in the help; empty for a toggle
+  std::string_view needed;  // the limits of the value: completes "... is needed"
+  std::string_view
+      initial;             // the default, as a text that `read` accepts; empty: Settings is right as it is constructed
+  std::string_view shown;  // the default in words, if `initial` does not say it
+  std::string_view help;   // one sentence
+  std::string_view details;                                 // further sentences for the documents; may be empty
+  bool (*read)(Settings& settings, std::string_view text);  // returns false and changes nothing if `text` is no value
+  bool in_file = true;                                      // whether a configuration file may have the key
 };
 
 std::span<const Setting> table();
 const Setting* find_setting(std::string_view key);
+std::string_view shown_default(const Setting& setting);
+
+// Sets every setting to its default.
+void apply_defaults(Settings& settings);
 
 }  // namespace glark::settings

@@ -24,7 +24,7 @@ std::optional<float> parse_decimal(std::string_view text, float least, float mos
   return whole && value >= least && value <= most ? std::optional<float>(value) : std::nullopt;
 }
 
-// The end of the file name that starts at `text`: its length.
+// Returns the length of the file name that `text` begins with.
 std::size_t file_name_length(std::string_view text) {
   for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
     const std::size_t after = text.find_first_not_of("0123456789", comma + 1);
@@ -42,7 +42,8 @@ std::optional<CaptureRequest> parse_capture(std::string_view text) {
   return CaptureRequest{*frame, std::string(file)};
 }
 
-// Calls `take` with each word of a list with commas, blanks around it removed. False: it was false of one, or one is empty.
+// Calls `take` with each word of a comma-separated list, without blanks around it. Returns false if `take` did for a word, or if
+// a word is empty.
 template <class Take>
 bool for_each_word(std::string_view text, const Take& take) {
   if (text.find_first_not_of(' ') == std::string_view::npos) return true;  // the empty list
@@ -80,14 +81,15 @@ std::optional<unsigned> parse_level(std::string_view text) {
 }
 
 std::optional<core::Refinement> parse_refinement(std::string_view text) {
-  if (text == "linear") return core::Refinement::linear_inputs;
-  if (text == "outputs") return core::Refinement::linear_outputs;
-  if (text == "pn") return core::Refinement::pn;
-  if (text == "stpn") return core::Refinement::scalar_tagged_pn;
-  return std::nullopt;
+  const auto* const row =
+      std::find_if(core::refinements.begin(), core::refinements.end(),
+                   [&](const core::RefinementTraits& refinement) { return refinement.word == text; });
+  return row != core::refinements.end() ? std::optional(row->refinement) : std::nullopt;
 }
 
-std::optional<float> parse_tension(std::string_view text) { return parse_decimal(text, -1, 1); }
+std::optional<float> parse_shape_number(const core::ShapeNumber& number, std::string_view text) {
+  return parse_decimal(text, number.least, number.most);
+}
 
 std::optional<float> parse_edge_pixels(std::string_view text) {
   return text == "0" ? std::optional<float>(0) : parse_decimal(text, 0.5F, 10000);

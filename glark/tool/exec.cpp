@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* scan = "glark-scan";
-// `glark info` without a file is the launcher's.
+// `glark info` with a file is glark-scan; without, the launcher itself.
 constexpr std::string_view info = "info";
 const std::vector<OtherCommand> commands {
 #if GLARK_HAS_VSTREE

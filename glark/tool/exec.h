@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Commands that are programs of their own: what they link to would make `glark run` slow to start.
+// Commands that are separate programs, because their libraries would make `glark run` slow to start.
 #pragma once
 
 #include <optional>
@@ -18,13 +18,13 @@ struct OtherCommand {
 
 std::span<const OtherCommand> other_commands();
 
-// Beside the launcher, or where it is installed to; nothing where it was not built.
+// Looks for the program beside the launcher and where it is installed. Returns nothing if it was not built.
 std::optional<std::string> find_program(const std::string& program);
 
-// The program for these words behind "glark"; nothing for the launcher's own commands.
+// Returns the program for the words after "glark", or null for a command of the launcher itself.
 const char* program_of(std::span<char* const> words);
 
-// Becomes it. Returns only if that fails: an exit status, after a message on standard error.
+// Becomes the program. Returns only on failure: an exit status, after a message on standard error.
 int become(const std::string& program, char** argv);
 
 }  // namespace glark::tool

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "glark/settings/table.h"
+
 namespace glark::tool {
 namespace {
 
@@ -24,7 +26,7 @@ using GetProc = void* (*)(const char* name);
 
 enum class Api { desktop, es };
 
-// Statuses of a child; anything else is a crash.
+// Exit statuses of a child; any other status is a crash.
 constexpr int can_refine = 0;
 constexpr int cannot_refine = 1;
 constexpr int no_context = 2;
@@ -32,7 +34,7 @@ constexpr int no_context = 2;
 struct Limit {
   const char* name;
   GLenum value;
-  GLint needed;  // the minimum of OpenGL 4.3 and OpenGL ES 3.2 is enough where 0
+  GLint needed;  // 0: the minimum of OpenGL 4.3 and OpenGL ES 3.2 is enough
 };
 constexpr std::array limits{
     Limit{"GL_MAX_VERTEX_ATTRIBS", GL_MAX_VERTEX_ATTRIBS, 16},
@@ -89,10 +91,11 @@ class Report {
     return lacks;
   }
 
-  // What a program gets here.
+  // Prints what a program can use here.
   void print_offer() const {
     std::printf("  levels     0 to 11 (2048 segments an edge)\n");
-    std::printf("  refinement of unmodified programs: linear, outputs, pn, stpn\n");
+    const std::string refinements(settings::find_setting("refine")->needed);
+    std::printf("  refinement of unmodified programs: %s\n", refinements.c_str());
     std::printf(
         "  commands   glARKinit glDepthTag1i glDepthTagPointerARK glDrawARP glDrawARPElementsARK\n"
         "             glARKParameteriARK glARKParameterfARK glRefinementShaderSourceARK glGetRefinementivARK "
@@ -153,7 +156,7 @@ int try_egl(const char* way, Api api) {
   return Report(way, api, [](const char* name) { return reinterpret_cast<void*>(egl_get_proc(name)); }).print();
 }
 
-// The child leaves by _exit: a driver's destructors are not worth a crash.
+// The child leaves by _exit, because destructors of drivers may crash.
 int in_child(const char* way, int (*attempt)(const char* way)) {
   std::fflush(stdout);
   const pid_t child = fork();

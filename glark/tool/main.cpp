@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark run [options] [--] PROGRAM ARGUMENTS: runs an unmodified program with refinement.
-// glark info: says what refinement finds on this machine.
-// Commands for files are programs of their own.
+// glark run [OPTIONS] [--] PROGRAM [ARGUMENTS]: runs an unmodified program with refinement.
+// glark info: describes the OpenGL of this machine.
+// The commands for files are separate programs.
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <span>
 #include <string>
@@ -13,19 +15,19 @@
 #include "glark/tool/exec.h"
 #include "glark/tool/info.h"
 #include "glark/tool/run.h"
+#include "glark/tool/settings_pages.h"
 
 namespace {
 
 using glark::tool::exit_usage;
 
-// CLI11's own check type: an error text, empty when the value is good.
+// A check of CLI11 returns an error text, which is empty if the value is valid.
 CLI::Validator checked(const glark::settings::Setting& setting) {
   return CLI::Validator(
       [&](std::string& text) {
         glark::settings::Settings scratch;
-        return setting.read(scratch, text)
-                   ? std::string()
-                   : '"' + text + "\" is not valid; " + std::string(setting.needed) + " is needed";
+        return setting.read(scratch, text) ? std::string()
+                                           : fmt::format("\"{}\" is not valid; {} is needed", text, setting.needed);
       },
       std::string());
 }
@@ -33,29 +35,28 @@ CLI::Validator checked(const glark::settings::Setting& setting) {
 void describe_run(CLI::App& run, glark::tool::RunOptions& options) {
   using glark::settings::Kind;
   for (const glark::settings::Setting& setting : glark::settings::table()) {
-    const std::string name = "--" + std::string(setting.key);
+    const std::string name = fmt::format("--{}", setting.key);
+    const std::string help = fmt::format("{} (default: {})", setting.help, glark::settings::shown_default(setting));
     const auto keep = [&options, &setting](const std::vector<std::string>& values) {
       options[setting.key] = values;
       return true;
     };
     if (setting.kind == Kind::toggle) {
       run.add_flag_callback(
-          name, [keep] { keep({"1"}); }, std::string(setting.help));
+             name, [keep] { keep({"1"}); }, help)
+          ->group(std::string(setting.group));
       continue;
     }
-    CLI::Option* option = run.add_option(name, keep, std::string(setting.help));
-    option->check(checked(setting))->type_name(std::string(setting.value))->allow_extra_args(false);
-    if (setting.kind == Kind::captures)
-      option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    else
-      option->expected(1);
+    CLI::Option* option = run.add_option(name, keep, help)->group(std::string(setting.group));
+    option->check(checked(setting))->type_name(std::string(setting.value))->allow_extra_args(false)->expected(1);
+    if (setting.kind == Kind::captures) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   run.footer(
-      "PROGRAM and all that follows it are run as they are. Write -- before a program whose name begins with a dash.");
+      "PROGRAM and everything after it are run as they are. Write -- before a program whose name begins with a dash.");
 }
 
-// The program of `glark run` begins at "--" or at the first word that is neither an option nor its value; what follows is not
-// for us to parse. Leaves the words before it in `words`.
+// Takes the program and its arguments off the end of `words` and returns them. The program begins after "--", or at the first
+// word that is neither an option nor the value of one.
 std::vector<std::string> take_program(const CLI::App& run, std::vector<std::string>& words) {
   auto word = words.begin() + 1;  // past "run"
   for (; word != words.end() && word->starts_with("-") && *word != "--"; ++word) {
@@ -75,35 +76,56 @@ int complain(const std::string& problem) {
   return exit_usage;
 }
 
+struct Commands {
+  CLI::App app{"glark refines the triangles of unmodified OpenGL programs.", "glark"};
+  CLI::App* run = nullptr;
+  CLI::App* info = nullptr;
+  CLI::App* settings = nullptr;
+  glark::tool::RunOptions options;
+  std::string page;
+};
+
+void describe(Commands& commands) {
+  CLI::App& app = commands.app;
+  app.set_version_flag("--version", "glark " GLARK_VERSION);
+  commands.run =
+      app.add_subcommand("run", "Run a program with refinement: glark run [OPTIONS] [--] PROGRAM [ARGUMENTS]");
+  describe_run(*commands.run, commands.options);
+  commands.info = app.add_subcommand(
+      "info",
+      "Describe the OpenGL of this machine and whether glark can refine with it; with a FILE, describe the file");
+  commands.settings = app.add_subcommand("settings", "Print the table of settings")->group("");
+  commands.settings->add_option("--as", commands.page)->required()->check(CLI::IsMember({"markdown", "man"}));
+  for (const glark::tool::OtherCommand& command : glark::tool::other_commands())
+    if (glark::tool::find_program(command.program)) app.add_subcommand(command.name, command.help);
+}
+
+int print_settings(const std::string& page) {
+  using namespace glark::tool;
+  std::fputs((page == "man" ? settings_as_manual() : settings_as_markdown()).c_str(), stdout);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (const char* program = glark::tool::program_of(std::span(argv + 1, argv + argc)))
     return glark::tool::become(program, argv);
-  CLI::App app("glark refines the triangles of unmodified OpenGL programs.", "glark");
-  app.set_version_flag("--version", "glark " GLARK_VERSION);
-  glark::tool::RunOptions options;
-  CLI::App* run =
-      app.add_subcommand("run", "Run a program with refinement: glark run [options] [--] PROGRAM [ARGUMENTS]");
-  describe_run(*run, options);
-  CLI::App* info = app.add_subcommand(
-      "info",
-      "Say what OpenGL is here and whether glark can refine with it; with a FILE, what points and triangles it has");
-  for (const glark::tool::OtherCommand& command : glark::tool::other_commands())
-    if (glark::tool::find_program(command.program)) app.add_subcommand(command.name, command.help);
-
+  Commands commands;
+  describe(commands);
   std::vector<std::string> words(argv + 1, argv + argc);
   std::vector<std::string> program;
-  if (!words.empty() && words.front() == "run") program = take_program(*run, words);
+  if (!words.empty() && words.front() == "run") program = take_program(*commands.run, words);
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    commands.app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::Success& wanted) {  // --help, --version
-    return app.exit(wanted);
+    return commands.app.exit(wanted);
   } catch (const CLI::ParseError& error) {
     return complain(error.what());
   }
-  if (info->parsed()) return glark::tool::info();
-  if (!run->parsed()) return complain("no command is given");
-  if (program.empty()) return complain("no program to run is given; write: glark run [options] PROGRAM [ARGUMENTS]");
-  return glark::tool::run(options, program);
+  if (commands.info->parsed()) return glark::tool::info();
+  if (commands.settings->parsed()) return print_settings(commands.page);
+  if (!commands.run->parsed()) return complain("no command is given");
+  if (program.empty()) return complain("no program to run is given; write: glark run [OPTIONS] PROGRAM [ARGUMENTS]");
+  return glark::tool::run(commands.options, program);
 }

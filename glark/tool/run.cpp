@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/tool/run.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -25,23 +26,25 @@ void say(const std::string& message) { std::fprintf(stderr, "glark: %s\n", messa
 std::optional<fs::path> find_library() {
   if (const char* wanted = std::getenv(library_variable); wanted != nullptr && *wanted != '\0') {
     if (fs::exists(wanted)) return fs::absolute(wanted);
-    say(std::string(library_variable) + " names " + wanted + ", which does not exist; correct it or unset it");
+    say(fmt::format("{} names {}, which does not exist; correct it or unset it", library_variable, wanted));
     return std::nullopt;
   }
   std::error_code error;
   const fs::path prefix = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
   for (const fs::path folder : {"lib", "lib/glark", GLARK_LIBRARY_FOLDER, GLARK_LIBRARY_FOLDER "/glark"})
     if (const fs::path file = prefix / folder / library_name; fs::exists(file)) return file;
-  say(std::string(library_name) + " is not in " + (prefix / "lib").string() + "; install glark completely or set " +
-      library_variable + " to the file");
+  say(fmt::format("{} is not in {}; install glark completely or set {} to the file", library_name,
+                  (prefix / "lib").string(), library_variable));
   return std::nullopt;
 }
 
-// Preloads that the user already has stay, after ours.
+// Puts the library before the preloads that the user already has.
 bool preload(const fs::path& library) {
   if (library.string().find_first_of(": ") != std::string::npos) {
-    say("the path " + library.string() +
-        " contains a colon or a space, which LD_PRELOAD cannot express; move glark or link to it from another folder");
+    say(fmt::format(
+        "the path {} contains a colon or a space, which LD_PRELOAD cannot express; move glark or link to it from "
+        "another folder",
+        library.string()));
     return false;
   }
   const char* others = std::getenv("LD_PRELOAD");
@@ -50,22 +53,22 @@ bool preload(const fs::path& library) {
   return true;
 }
 
-// The program may change its folder: names of files are made absolute here. Whether they can be written is found out now,
-// not when the program has run for an hour.
+// File names become absolute, because the program may change its folder. Unwritable files are refused now, not after the
+// program has run for an hour.
 std::optional<std::string> writable(const std::string& option, const std::string& file) {
   const fs::path path = fs::absolute(file);
   const fs::path folder = path.parent_path();
   if (fs::is_directory(path)) {
-    say(option + ": " + path.string() + " is a folder; name a file in it");
+    say(fmt::format("{}: {} is a folder; name a file in it", option, path.string()));
     return std::nullopt;
   }
   const bool exists = fs::exists(path);
   if (access((exists ? path : folder).c_str(), W_OK) == 0) return path.string();
   if (exists)
-    say(option + ": " + path.string() + " cannot be written: " + std::strerror(errno) + "; name another file");
+    say(fmt::format("{}: {} cannot be written: {}; name another file", option, path.string(), std::strerror(errno)));
   else
-    say(option + ": the folder " + folder.string() + " cannot be written: " + std::strerror(errno) +
-        "; make it or name another");
+    say(fmt::format("{}: the folder {} cannot be written: {}; make it or name another", option, folder.string(),
+                    std::strerror(errno)));
   return std::nullopt;
 }
 
@@ -77,7 +80,7 @@ std::optional<std::string> captures_value(const std::vector<std::string>& wanted
       const std::optional<std::string> file = writable("--capture", request.file);
       if (!file) return std::nullopt;
       if (!value.empty()) value += ',';
-      value.append(std::to_string(request.frame)).append(":").append(*file);
+      value += fmt::format("{}:{}", request.frame, *file);
     }
   return value;
 }
@@ -87,22 +90,22 @@ std::optional<std::string> made_folder(const std::string& option, const std::str
   std::error_code error;
   fs::create_directories(path, error);
   if (!error && fs::is_directory(path) && access(path.c_str(), W_OK | X_OK) == 0) return path.string();
-  say(option + ": the folder " + path.string() + " cannot be written: " +
-      (error ? error.message() : std::strerror(fs::is_directory(path) ? errno : ENOTDIR)) + "; name another");
+  const std::string reason = error ? error.message() : std::strerror(fs::is_directory(path) ? errno : ENOTDIR);
+  say(fmt::format("{}: the folder {} cannot be written: {}; name another", option, path.string(), reason));
   return std::nullopt;
 }
 
 std::optional<std::string> readable(const std::string& option, const std::string& file) {
   const fs::path path = fs::absolute(file);
   if (access(path.c_str(), R_OK) == 0 && !fs::is_directory(path)) return path.string();
-  say(option + ": " + path.string() + " cannot be read: " + std::strerror(fs::is_directory(path) ? EISDIR : errno) +
-      "; name another file");
+  say(fmt::format("{}: {} cannot be read: {}; name another file", option, path.string(),
+                  std::strerror(fs::is_directory(path) ? EISDIR : errno)));
   return std::nullopt;
 }
 
-// As it goes to the environment; nothing, after a message, if it is of no use.
+// Returns the value for the environment, or nothing, after a message, if the value is unusable.
 std::optional<std::string> value_of(const settings::Setting& setting, const std::vector<std::string>& given) {
-  const std::string option = "--" + std::string(setting.key);
+  const std::string option = fmt::format("--{}", setting.key);
   switch (setting.kind) {
     case settings::Kind::captures: return captures_value(given);
     case settings::Kind::output_file: return writable(option, given.back());
@@ -138,10 +141,10 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   execvp(arguments[0], arguments.data());
   const int error = errno;
   if (error == ENOENT) {
-    say("the program " + command[0] + " is not found; check its name or give its path");
+    say(fmt::format("the program {} is not found; check its name or give its path", command[0]));
     return exit_not_found;
   }
-  say("the program " + command[0] + " cannot be run: " + std::strerror(error));
+  say(fmt::format("the program {} cannot be run: {}", command[0], std::strerror(error)));
   return exit_not_executable;
 }
 

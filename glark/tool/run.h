@@ -11,15 +11,15 @@
 
 namespace glark::tool {
 
-// As shells have them.
+// The exit statuses of shells.
 inline constexpr int exit_usage = 2;
 inline constexpr int exit_not_executable = 126;
 inline constexpr int exit_not_found = 127;
 
-// By the key of the setting: the values that were given on the command line, already checked.
+// The values on the command line by the key of their setting; they are already checked.
 using RunOptions = std::map<std::string_view, std::vector<std::string>>;
 
-// Becomes the program. Returns only if that fails: an exit status, after a message on standard error.
+// Becomes the program. Returns only on failure: an exit status, after a message on standard error.
 int run(const RunOptions& options, const std::vector<std::string>& command);
 
 }  // namespace glark::tool

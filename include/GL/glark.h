@@ -49,7 +49,6 @@ extern "C" {
 
 /* Capability: glEnable, glDisable, glIsEnabled. */
 #define GL_ARK                                   0x6F00
-
 /* Read-only: glGetIntegerv and its kin. */
 #define GL_MAX_DEPTH_ARK                         0x6F01 /* greatest maxLevel of glARKinit */
 #define GL_POOL_LEVEL_ARK                        0x6F02 /* maxLevel of the last successful glARKinit; -1 before */
@@ -69,6 +68,7 @@ extern "C" {
 #define GL_LINEAR_OUTPUTS_ARK                    0x6F12
 #define GL_CURVED_PN_ARK                         0x6F13
 #define GL_SCALAR_TAGGED_PN_ARK                  0x6F30
+#define GL_PHONG_ARK                             0x6F38
 #define GL_DEPTH_SOURCE_ARK                      0x6F14
 #define GL_DEPTH_TAG_ARK                         0x6F15
 #define GL_UNIFORM_DEPTH_ARK                     0x6F16
@@ -85,7 +85,7 @@ extern "C" {
 #define GL_PATTERN_INTERIOR_ARK                  0x6F1B
 #define GL_MINIMUM_INTERIOR_ARK                  0x6F1C
 #define GL_SMOOTH_INTERIOR_ARK                   0x6F1D
-
+#define GL_PHONG_SHAPE_ARK                       0x6F39 /* of GL_PHONG_ARK, 0 to 1, glARKParameterfARK; 0.75 */
 #define GL_DISCONTINUITY_ATTRIBUTE_ARK           0x6F31 /* Delta and crease, of each vertex; GL_MAX_VERTEX_ATTRIBS - 2 */
 #define GL_SCALAR_TAG_ATTRIBUTE_ARK              0x6F32 /* sharpness, tension, bias; GL_MAX_VERTEX_ATTRIBS - 3 */
 #define GL_DISPLACEMENT_UNIT_ARK                 0x6F33 /* a texture image unit, -1: no displacement; -1 */
@@ -109,7 +109,6 @@ typedef void (GLARK_APIENTRY *PFNGLDRAWARPELEMENTSARKPROC)(GLenum mode, GLsizei 
 typedef void (GLARK_APIENTRY *PFNGLREFINEMENTSHADERSOURCEARKPROC)(GLuint program, GLsizei count, const GLchar *const*string, const GLint *length);
 typedef void (GLARK_APIENTRY *PFNGLGETREFINEMENTIVARKPROC)(GLuint program, GLenum pname, GLint *params);
 typedef void (GLARK_APIENTRY *PFNGLGETREFINEMENTINFOLOGARKPROC)(GLuint program, GLsizei bufSize, GLsizei *length, GLchar *infoLog);
-
 #ifndef GLARK_NO_PROTOTYPES
 
 /*
@@ -122,7 +121,7 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
 
 /*
  * Sets a parameter of refinement; names and values are listed above.
- *   GL_REFINEMENT_ARK: interpolate the vertex stage's inputs, or its outputs, or curve its inputs as PN triangles, plain or scalar-tagged.
+ *   GL_REFINEMENT_ARK: interpolate the vertex stage's inputs, or its outputs, or curve its inputs (PN, scalar-tagged PN, Phong).
  *   GL_DEPTH_SOURCE_ARK: depths from the tags of the vertices, or GL_UNIFORM_DEPTH_LEVEL_ARK for every edge, or measured.
  *   GL_EDGE_PIXELS_ARK, GL_EDGE_DEGREES_ARK: the measured depth of an edge is the least whose segments are at most as long on
  *     the screen, or turn the normal by at most as much; of both, the lesser.
@@ -138,7 +137,8 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
  */
 GLARK_API void GLARK_APIENTRY glARKParameteriARK(GLenum pname, GLint param);
 
-/* As it, for GL_DISPLACEMENT_SCALE_ARK and _BIAS_ARK. Errors: GL_INVALID_ENUM for another name; GL_INVALID_VALUE if not finite. */
+/* The same for GL_DISPLACEMENT_SCALE_ARK, GL_DISPLACEMENT_BIAS_ARK and GL_PHONG_SHAPE_ARK. Errors: GL_INVALID_ENUM for another name;
+ * GL_INVALID_VALUE if the number is not finite, or out of range. */
 GLARK_API void GLARK_APIENTRY glARKParameterfARK(GLenum pname, GLfloat param);
 
 /*

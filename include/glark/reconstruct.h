@@ -15,7 +15,7 @@
 // samples in a plane an open sheet. Samples with a zero normal are ignored. If all normals are missing,
 // vstree::estimate_normals() finds them first.
 //
-// Source: Boubekeur 2007, ch. 3.4. docs/points.md lists the differences.
+// Source: Boubekeur 2007, ch. 3.4. docs/reference/points.md lists the differences.
 #ifndef GLARK_RECONSTRUCT_H
 #define GLARK_RECONSTRUCT_H
 

@@ -1,25 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Surfel stripping: draws a point cloud as triangle strips that interpolate it, without reconstructing a surface. No
-// point is moved, added or filtered: strips are indices of the caller's points, and so all their attributes can be
-// drawn. Link to glark-surfel.
+// Surfel stripping: draws a cloud of points as triangle strips that interpolate it, without reconstructing a surface.
+// No point is moved, added or filtered. Strips are indices of the caller's points, so that all attributes of the points
+// can be drawn. Link to glark-surfel.
 //
-//   glark::surfel::Strips strips({positions, normals});              // once; indices() go to a GL_ELEMENT_ARRAY_BUFFER
+//   glark::surfel::Strips strips({positions, normals});   // once; indices() go to a GL_ELEMENT_ARRAY_BUFFER
 //   glark::surfel::Frame frame;
-//   strips.select({.clip_from_object = matrix, .width = 1920, .height = 1080}, frame);          // every frame
+//   strips.select({.clip_from_object = matrix, .width = 1920, .height = 1080}, frame);  // every frame
 //   glMultiDrawElements(GL_TRIANGLE_STRIP, frame.counts.data(), GL_UNSIGNED_INT, frame.offsets.data(), frame.draws());
-//   glDrawElements(GL_POINTS, frame.points.size(), GL_UNSIGNED_INT, frame.points.data());       // what is a pixel small
+//   glDrawElements(GL_POINTS, frame.points.size(), GL_UNSIGNED_INT, frame.points.data());  // parts as small as a pixel
 //
-// The library makes no GL calls. Space and units are those of the positions. Triangles are counter-clockwise seen from where the normals
-// point; strips contain triangles without area, which join their parts.
+// The library makes no GL calls. Space and units are those of the positions. Triangles are counter-clockwise when seen
+// from the side that the normals point to. Strips contain degenerate triangles, which join their parts.
 //
-// Clouds of any kind are possible: with few points or none, on a line, with repeated points. Of points at one place,
-// the one with the lowest index is drawn. Points without neighbours within reach have no triangles. Zero normals are
-// ignored. Without normals, the planes of leaves are fitted to the positions; then strips have no common orientation,
-// and no back faces are culled.
+// All clouds are accepted: empty ones, few points, points on a line, duplicates. Only the first of several points at
+// one position is drawn. Points without neighbours within reach have no triangles. Zero normals are ignored. If there
+// are no normals at all, planes are fitted to the positions; then strips have no common orientation, and back faces are
+// not culled.
 //
-// The result is the same for any number of threads. Source: Boubekeur 2007, ch. 5.
+// The result does not depend on the number of threads.
+// Based on: Boubekeur 2007, ch. 5.
 #ifndef GLARK_SURFEL_H
 #define GLARK_SURFEL_H
 
@@ -39,73 +40,74 @@ inline constexpr std::uint32_t none = 0xFFFFFFFFU;
 
 enum class Element { cloud, point, normal, option, view };
 
-// An error in an argument, and the element that has it.
+// Names the wrong element of an argument, and what is wrong.
 class Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
 };
 
-// The caller owns the arrays; they are read only during the call.
+// The caller owns the arrays. They are read during the call only.
 struct Cloud {
   std::span<const float> positions = {};  // [3 * points], x y z
-  std::span<const float> normals = {};    // [3 * points], of any length; or none
+  std::span<const float> normals = {};    // [3 * points], of any length; or empty
 };
 
 struct Options {
-  // The most points of a leaf of the stripping tree, 8 to 1024. The thesis has 20 to 40. With more, fewer points belong
-  // to several leaves, and strips are longer: they are built faster and have fewer indices, but culling is coarser.
+  // The most points in a leaf of the stripping tree, 8 to 1024. The thesis has 20 to 40. Larger leaves share fewer
+  // points with their neighbours and have longer strips: building is faster and strips have fewer indices, but culling
+  // is coarser.
   unsigned leaf_points = 192;
-  // The height-field indicator of chapter 3.2.2, by which leaves are split: the least cosine between a point's normal and the leaf's,
-  // and the greatest distance of a point from the leaf's plane, in radii of the leaf.
+  // The height-field indicator of chapter 3.2.2. Leaves are split if the cosine between a point's normal and the leaf's
+  // normal is less than delta_a, or if a point is farther from the leaf's plane than delta_d, in radii of the leaf.
   float delta_a = 0.0F;
   float delta_d = 0.6F;
-  float inflation = 1.6F;  // how far a leaf takes in points of others, in its mean distance of points; 0.5 to 8
-  // The longest edge of a triangle, in the distance to neighbours of that of its points whose distance is neither least nor greatest; 1 to
-  // 100. Isolated points have no triangles.
+  // How far a leaf takes in points of its neighbours, in mean spacings of its own points, 0.5 to 8.
+  float inflation = 1.6F;
+  // The longest edge of a triangle, 1 to 100, in spacings: the distances of its three points to their neighbours, of
+  // which the median counts. Isolated points have no triangles.
   float reach = 5.0F;
-  // Whether edges within a leaf may be flipped to the other diagonal of their two triangles. They are flipped where
-  // that saves indices, the triangles are flat (their normals differ by less than 26 degrees), and their shape is good
-  // enough (angles opposite to the edge are less than 130 degrees on average).
+  // Whether edges within a leaf may be flipped where that saves indices. The triangles must be flat (normals differ by
+  // less than 26 degrees), and the angles opposite to the new edge must be less than 130 degrees on average.
   bool turn_edges = true;
-  unsigned levels = 1;   // of detail, 1 to 16; each level has about a quarter of the points of the one before
-  unsigned threads = 0;  // the most threads; 0: as many as the machine has, 1: only the caller's
+  unsigned levels = 1;   // levels of detail, 1 to 16; each has about a quarter of the points of the previous one
+  unsigned threads = 0;  // the most threads; 0: as many as the machine has, 1: the caller's only
 };
 
-// A node of the stripping tree, or of the tree of a coarser level of detail.
+// A node of the stripping tree of one level of detail.
 struct Node {
   std::array<float, 3> low, high;  // the box of all triangles below; low > high where there are none
   std::array<float, 3> cone_axis;  // of unit length; the triangles' normals lie within the cone about it
-  // A point behind the planes of all triangles. From an eye e with dot(apex - e, axis) > sine * |apex - e| only backs
-  // are seen.
+  // A point behind the planes of all triangles. An eye at e with dot(apex - e, axis) > sine * |apex - e| sees only
+  // backs.
   std::array<float, 3> cone_apex;
-  float cone_sine;               // of its half-angle; 2 where it has 90 degrees or more
-  std::uint32_t left, right;     // nodes; `none` for a leaf
+  float cone_sine;               // sine of the cone's half-angle; 2 for 90 degrees or more
+  std::uint32_t left, right;     // child nodes; `none` for a leaf
   std::uint32_t first, count;    // a leaf's strip, in indices()
-  std::uint32_t representative;  // the point nearest to the mean of those below; `none` where there are none
+  std::uint32_t representative;  // the point nearest to the mean of the points below; `none` if there are none
 };
 
-// The numbers of triangles in the leaves' triangulations, by the classes of chapter 5.2.2. `dual`: leaves disagree, and
-// others are drawn instead; `valid`: drawn.
+// How many triangles the leaves' triangulations have of each class of chapter 5.2.2. `dual` triangles are replaced,
+// because leaves disagree on them; `valid` triangles are drawn.
 struct Counts {
   std::size_t outer = 0, redundant = 0, dual = 0, valid = 0;
-  std::size_t out_of_reach = 0;  // with an edge longer than Options::reach allows
-  std::size_t turned = 0;        // flipped edges, by Options::turn_edges
+  std::size_t out_of_reach = 0;  // triangles with an edge that is longer than Options::reach allows
+  std::size_t turned = 0;        // edges that were flipped, see Options::turn_edges
   std::size_t strips = 0;        // leaves that have triangles
   std::size_t indices = 0;       // of all strips
 };
 
 struct View {
   std::array<float, 16>
-      clip_from_object{};          // projection times model-view, column-major as GL has it; w > 0 before the eye
+      clip_from_object{};          // projection times model-view, column-major as in GL; w > 0 in front of the eye
   unsigned width = 0, height = 0;  // of the viewport, in pixels
   bool cull_frustum = true;
-  bool cull_back_faces = true;  // with GL_CULL_FACE the picture is the same with and without
-  float point_pixels = 1.0F;    // nodes of at most this size are drawn as a point; 0: no node is
-  // The coarsest level of detail whose points are at most so many pixels apart is drawn; 0: the finest.
+  bool cull_back_faces = true;  // does not change the picture where GL_CULL_FACE is enabled
+  float point_pixels = 1.0F;    // nodes of at most this size are drawn as points; 0: never
+  // The coarsest level of detail is drawn whose points are at most this many pixels apart; 0: the finest level.
   float level_pixels = 1.0F;
 };
 
-// The list of what to draw. A frame that is reused allocates nothing.
+// What to draw. A frame that is used again needs no new memory.
 struct Frame {
   std::vector<std::int32_t> counts;  // for glMultiDrawElements(GL_TRIANGLE_STRIP, ...)
   std::vector<const void*> offsets;  // in bytes from the beginning of indices()
@@ -117,39 +119,39 @@ struct Frame {
   std::int32_t draws() const { return static_cast<std::int32_t>(counts.size()); }
 };
 
-// A range of indices() that must be uploaded again.
+// A part of indices() that must be uploaded again.
 struct Range {
   std::size_t first, count;
 };
 
-// Only one thread at a time may call update(); the const functions are safe from several threads.
+// Only one thread at a time may call update(). All other functions are const; threads may call them together while none
+// calls update().
 class Strips {
  public:
-  // Errors: Error for an array that is not made of whole points, a normal array of another size, a coordinate that is not finite
-  // or above 1e18, 2^32 - 1 points or more, an option out of its range.
+  // Errors: Error for arrays that are not three coordinates for each point, coordinates that are not finite or above
+  // 1e18, 2^32 - 1 points or more, options out of range.
   explicit Strips(const Cloud& cloud, const Options& options = {});
   ~Strips();
   Strips(Strips&& other) noexcept;
   Strips& operator=(Strips&& other) noexcept;
 
   std::size_t point_count() const;
-  // The strips of all levels; indices are points of the cloud. Updates leave unused ranges between strips.
+  // The strips of all levels, as points of the cloud. After updates there are unused indices between strips.
   std::span<const std::uint32_t> indices() const;
   unsigned level_count() const;
-  // The root is the first node, and there is at least one. Errors: Error for a level that does not exist.
+  // The root is the first; there is at least one node. Errors: Error for a level that does not exist.
   std::span<const Node> nodes(unsigned level = 0) const;
   Counts counts(unsigned level = 0) const;
 
-  // Traverses the stripping tree from top to bottom: culls by boxes and cones, and draws small nodes as points and the
-  // others as strips. Each strip is one draw of the multi-draw. Errors: Error for a view without size, or a matrix that
-  // is not finite.
+  // Walks the stripping tree from the root. Culls nodes by boxes and cones, draws small nodes as points, and draws the
+  // strips of the other leaves. Errors: Error for a view without size, or a matrix that is not finite.
   void select(const View& view, Frame& frame) const;
 
-  // Updates points that moved or whose normals changed. `moved` has their indices. `cloud` has all points, and possibly
-  // new ones at the end; only moved and new points are read. Only the leaves that these points touch are built again;
-  // the tree grows where points moved to. Returns the changed ranges of indices(), sorted. indices() may have grown
-  // beyond the size of its buffer. A level of detail keeps its points. Errors: as the constructor, and Error for fewer
-  // points than before or an index that is no point. Then nothing has changed.
+  // Updates strips after points moved or their normals changed. `moved` are the indices of these points. `cloud` has
+  // the same points otherwise; points beyond the old ones are new. Only moved and new points are read. Only leaves
+  // around these points are processed again. Levels of detail keep their points. Returns the sorted ranges of indices()
+  // that changed; indices() may have grown beyond the size of its buffer. Errors: as for the constructor, and for fewer
+  // points than before or an index beyond the points. After an error nothing has changed.
   std::vector<Range> update(const Cloud& cloud, std::span<const std::uint32_t> moved);
 
  private:

@@ -13,10 +13,10 @@
 
 #include "glark/core/context.h"
 #include "glark/core/report.h"
-#include "shim/report/options.h"
-#include "shim/report/statistics.h"
 #include "shim/contexts/surface_size.h"
 #include "shim/contexts/thread.h"
+#include "shim/report/options.h"
+#include "shim/report/statistics.h"
 
 namespace glark::shim {
 namespace {
@@ -25,19 +25,19 @@ struct Record {
   Provider provider;
   void* native;
   std::shared_ptr<core::ShareGroup> share;
-  std::unique_ptr<core::Context> context;  // made when the context is first current
+  std::unique_ptr<core::Context> context;  // created when the context is first made current
   bool tried = false;
-  bool destroyed = false;  // by the program; GL keeps the context while it is current
-  int users = 0;           // threads in which it is current: 0 or 1, but for a thread that ended without releasing it
+  bool destroyed = false;  // the program destroyed it; GL keeps it while it is current
+  int users = 0;           // threads in which it is current: 0 or 1, more if a thread ended without releasing it
 };
 
 struct Registry {
   std::mutex mutex;
   std::map<std::pair<Provider, void*>, std::unique_ptr<Record>> records;
-  std::vector<std::unique_ptr<Record>> replaced;  // current in a thread although GL has given their address away again
+  std::vector<std::unique_ptr<Record>> replaced;  // still current in a thread, although GL has reused their address
 };
 
-// Never destroyed: drivers and programs call GL from their own destructors at exit.
+// The registry is never destroyed, because drivers and programs call GL from their destructors at exit.
 Registry& registry() {
   static Registry& instance = *new Registry;
   return instance;
@@ -57,7 +57,7 @@ Record& record_of(Registry& all, Provider provider, void* native) {
   return *record;
 }
 
-// Removes the record if nobody can use it any more. Its context is handed back, to be destroyed without the lock.
+// Removes a record that nobody can use any more. Returns it, so that its context is destroyed outside of the lock.
 std::unique_ptr<Record> take_if_unused(Registry& all, Record& record) {
   if (!record.destroyed || record.users > 0) return nullptr;
   std::unique_ptr<Record> taken;
@@ -120,7 +120,7 @@ void context_created(Provider provider, void* native, void* share) {
   Registry& all = registry();
   std::unique_ptr<Record> stale;
   const std::lock_guard lock(all.mutex);
-  // The same address again: the old context went without our seeing it (eglTerminate), or while a thread had it (OSMesa).
+  // The address is known: the old context vanished unseen (eglTerminate), or while a thread used it (OSMesa).
   if (const auto found = all.records.find({provider, native}); found != all.records.end()) {
     found->second->destroyed = true;
     stale = std::move(found->second);
@@ -158,7 +158,7 @@ void make_current_begins(Provider provider, void* native) {
 
 void make_current_done(Provider provider, void* native, const Surface& surface) {
   if (native == nullptr) {
-    // Releasing a context of GLX does not release one of OSMesa.
+    // Releasing a context of GLX does not release a context of OSMesa.
     if (current.record != nullptr && current.record->provider == provider) leave_current();
     return;
   }

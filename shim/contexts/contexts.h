@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which contexts exist, which share objects, and which is current on the calling thread.
+// Knows which contexts exist, which contexts share objects, and which context is current in the calling thread.
 #pragma once
 
 #include "shim/contexts/surface.h"
@@ -11,19 +11,19 @@ namespace glark::shim {
 // `native` is the GLXContext, EGLContext or OSMesaContext; null means none.
 void context_created(Provider provider, void* native, void* share);
 void context_destroyed(Provider provider, void* native);
-// State was copied into a context that is current nowhere.
+// The program copied state into a context, which is current in no thread.
 void context_copied(Provider provider, void* native);
-// Before the real MakeCurrent: last chance to free the objects of ours in a context that the program has destroyed.
+// Call it before the real MakeCurrent: it is the last chance to free our objects in a context that the program destroyed.
 void make_current_begins(Provider provider, void* native);
-// After it has succeeded.
+// Call it after a successful MakeCurrent.
 void make_current_done(Provider provider, void* native, const Surface& surface);
 
-// Of the calling thread; all are null or zero without a context.
+// These describe the current context of the calling thread. Without a context they are null or zero.
 Provider current_provider();
 void* current_native();
 Surface current_surface();
 Size current_size();
-// No window: a frame ends at glFinish or glFlush.
+// True without a window: a frame then ends at glFinish or glFlush.
 bool current_is_offscreen();
 
 }  // namespace glark::shim

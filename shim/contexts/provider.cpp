@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "shim/contexts/provider.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <atomic>
 #include <cstring>
@@ -17,18 +19,23 @@
 namespace glark::shim {
 namespace {
 
-// Stands in for a function that the driver lacks. One for each member, so that the log can name it; every GL function may
-// be called through it, because the caller cleans the stack and the result is in a register.
-template <std::size_t index>
-std::uintptr_t missing_function() {
-  static std::atomic<bool> said{false};
-  if (!said.exchange(true))
-    core::log(core::LogLevel::warning, std::string(gl::members()[index].name) +
-                                           " was called, but the OpenGL driver does not have it; the call is ignored");
-  return 0;
+constexpr std::size_t member_count = sizeof(gl::Dispatch) / sizeof(void*);
+
+void log_missing_once(std::size_t index) {
+  static std::array<std::atomic<bool>, member_count> said{};
+  if (said[index].exchange(true)) return;
+  core::log(core::LogLevel::warning,
+            fmt::format("{} was called, but the OpenGL driver does not have it; the call is ignored",
+                        gl::members()[index].name));
 }
 
-constexpr std::size_t member_count = sizeof(gl::Dispatch) / sizeof(void*);
+// Replaces a function that the driver lacks. There is one for each member, so that the log can name the function. Any GL function
+// may be called through it, because the caller cleans the stack and the result is in a register.
+template <std::size_t index>
+std::uintptr_t missing_function() {
+  log_missing_once(index);
+  return 0;
+}
 
 template <std::size_t... indices>
 constexpr std::array<std::uintptr_t (*)(), member_count> make_missing_functions(std::index_sequence<indices...>) {
@@ -48,12 +55,12 @@ void* ask(const Provider* provider, const char* name) {
   return nullptr;
 }
 
-// `user`: the provider, or nullptr for none.
+// `user` is the provider, or nullptr.
 void* get_proc(void* user, const char* name) {
   const Name* entry = find_name(name);
   const void* wrapper = entry == nullptr ? nullptr : entry->wrapper;
   void* function = ask(static_cast<const Provider*>(user), name);
-  // A library may hand out an address that the dynamic linker bound to us.
+  // A library may return an address that the dynamic linker has bound to our wrapper.
   if (function == nullptr || function == wrapper) function = find_symbol(name);
   return function == wrapper ? nullptr : function;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The three ways to an OpenGL context, and the real GL functions of each.
+// The three window systems that give OpenGL contexts, and the real GL functions of each.
 #pragma once
 
 #include "glark/gl/dispatch.h"
@@ -11,11 +11,11 @@ namespace glark::shim {
 enum class Provider { glx, egl, osmesa };
 inline constexpr int provider_count = 3;
 
-// The functions that the provider's own GetProcAddress gives, loaded at the first call. No member is null: one that the
-// driver lacks does nothing, returns 0 and says so once in the log.
+// Returns the functions from the provider's own GetProcAddress; the first call loads them. No member is null: a function that
+// the driver lacks does nothing, returns 0 and logs that once.
 const gl::Dispatch& dispatch_of(Provider provider);
 
-// For a thread without a context: whatever GL is loaded.
+// Returns the functions for a thread without a context, from the GL library that is loaded.
 const gl::Dispatch& dispatch_without_context();
 
 }  // namespace glark::shim

@@ -6,7 +6,7 @@
 
 namespace glark::shim {
 
-// Where a context draws to; the size is asked for when it is needed.
+// The target of a context's drawing. surface_size() asks for its size when it is needed.
 struct Surface {
   void* display = nullptr;
   void* drawable = nullptr;  // an XID, an EGLSurface; null for OSMesa and for a context without a surface

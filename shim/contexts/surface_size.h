@@ -6,7 +6,7 @@
 
 namespace glark::shim {
 
-// In pixels, of what the calling thread's context draws to. A context without a surface has the size of its viewport.
+// Returns the size in pixels of the target of the calling thread's context. Without a surface it is the size of the viewport.
 Size surface_size(Provider provider, const Surface& surface, const gl::Dispatch& gl);
 
 }  // namespace glark::shim

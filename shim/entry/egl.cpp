@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include "shim/contexts/contexts.h"
-#include "shim/linker/dynamic_linker.h"
-#include "shim/frames/frame.h"
 #include "shim/contexts/thread.h"
+#include "shim/frames/frame.h"
+#include "shim/linker/dynamic_linker.h"
 #include "shim/names/real_functions.h"
 
 using namespace glark::shim;
@@ -38,7 +38,7 @@ GLARK_EXPORT void* eglCreateContext(void* display, void* config, void* share, co
 }
 
 GLARK_EXPORT EglBoolean eglDestroyContext(void* display, void* context) {
-  context_destroyed(Provider::egl, context);  // before another thread may be given its address
+  context_destroyed(Provider::egl, context);  // first, because another thread may get its address
   return GLARK_REAL(eglDestroyContext)(display, context);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include "shim/contexts/contexts.h"
-#include "shim/frames/frame.h"
 #include "shim/contexts/thread.h"
+#include "shim/frames/frame.h"
 #include "shim/names/real_functions.h"
 
 using namespace glark::shim;
@@ -21,7 +21,7 @@ int switched(int succeeded, void* display, GlxDrawable draw, void* context) {
   return succeeded;
 }
 
-// A program may swap a window that its context does not draw to; that is no frame of ours.
+// A program may swap a window that its context does not draw to; that ends no frame.
 void end_frame_of(GlxDrawable drawable) {
   if (current_native() != nullptr && current_surface().drawable == reinterpret_cast<void*>(drawable)) frame_ended();
 }
@@ -60,7 +60,7 @@ GLARK_EXPORT void glXDestroyContext(void* display, void* context) {
   GLARK_REAL(glXDestroyContext)(display, context);
 }
 
-// Of a context of another process, imported: that context lives on.
+// Frees an imported context of another process. That context lives on.
 GLARK_EXPORT void glXFreeContextEXT(void* display, void* context) {
   context_destroyed(Provider::glx, context);
   GLARK_REAL(glXFreeContextEXT)(display, context);

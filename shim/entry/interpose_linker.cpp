@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// dlsym, dlvsym and dlopen as the program sees them. RTLD_NEXT, RTLD_DEFAULT and RUNPATH depend on who calls, which the
-// dynamic linker reads off the return address: so the real function is jumped to, never called, with the program's
-// return address and arguments in place.
+// dlsym, dlvsym and dlopen for the program. RTLD_NEXT, RTLD_DEFAULT and RUNPATH depend on the caller, which the dynamic linker
+// finds by the return address. So we jump to the real function with the program's return address and arguments in place, and
+// never call it.
 #include <dlfcn.h>
 
 #include "shim/linker/dynamic_linker.h"
@@ -13,7 +13,7 @@
 namespace glark::shim {
 namespace {
 
-// In two registers: the answer, or that the real function shall give it.
+// Returned in two registers: the answer, or `decided` 0 if the real function shall answer.
 struct Decision {
   void* address = nullptr;
   long decided = 0;
@@ -24,7 +24,7 @@ void* look_up(void* handle, const char* name, const char* version) {
   return version == nullptr ? linker.dlsym(handle, name) : linker.dlvsym(handle, name, version);
 }
 
-// Whether the program would find this name without us.
+// Returns whether the program would find this name without us.
 bool exists_without_us(const Name& entry) {
   if (entry.kind == NameKind::ours) return gl_is_loaded();
   if (void* symbol = next_symbol(entry.name); symbol != nullptr && symbol != entry.wrapper) return true;
@@ -36,11 +36,11 @@ bool in_other_namespace(void* handle) {
   return dlinfo(handle, RTLD_DI_LMID, &id) == 0 && id != LM_ID_BASE;
 }
 
-// In the scope of the whole program our own export comes first, or a definition by the program itself, which it means.
+// In the global scope, our export comes first, or a definition by the program itself; the program then means its own.
 Decision decide_in_scope_with_us(const Name& entry) {
   if (look_up(RTLD_DEFAULT, entry.name, nullptr) != entry.wrapper) return {};
   if (entry.kind == NameKind::ours || exists_without_us(entry)) return {};
-  next_symbol(entry.name);  // fails, and leaves the error that the program expects but for the name of the object
+  next_symbol(entry.name);  // fails, and sets the error that the program expects, except for the object's name
   return {nullptr, 1};
 }
 
@@ -78,7 +78,7 @@ GLARK_HIDDEN void glark_find_real_linker() {
   glark_real_dlopen = reinterpret_cast<void*>(linker.dlopen);
 }
 
-// C++ functions under plain names: what they return is no C type.
+// C++ functions with C names, because their return type is not a C type.
 __attribute__((visibility("hidden"), used)) glark::shim::Decision glark_decide_dlsym(
     void* handle, const char* name) __asm__("glark_decide_dlsym");
 __attribute__((visibility("hidden"), used)) glark::shim::Decision glark_decide_dlvsym(
@@ -96,7 +96,7 @@ glark::shim::Decision glark_decide_dlvsym(void* handle, const char* name, const 
 
 #if defined(__x86_64__)
 
-// %rdi, %rsi, %rdx: the arguments; %rax, %rdx: the decision. Three pushes keep the stack aligned at the call.
+// %rdi, %rsi, %rdx hold the arguments, %rax and %rdx the decision. Three pushes keep the stack aligned at the call.
 asm(R"(
 .macro GLARK_SAVE_ARGUMENTS
   pushq %rdi
@@ -157,7 +157,7 @@ static_assert(RTLD_DEEPBIND == 8);
 
 #else
 
-// Compilers make the last call of these a jump when they optimise.
+// An optimising compiler turns the last call of these functions into a jump.
 #define GLARK_EXPORT extern "C" __attribute__((visibility("default")))
 
 GLARK_EXPORT void* dlsym(void* handle, const char* name) noexcept {

@@ -33,7 +33,7 @@ GLARK_EXPORT void* OSMesaCreateContextAttribs(const int* attributes, void* share
   return created(GLARK_REAL(OSMesaCreateContextAttribs)(attributes, share), share);
 }
 
-// Mesa does not keep a destroyed context while it is current: free what is ours first, then look away.
+// Mesa destroys a context even while it is current. So free our objects first, then treat the context as released.
 GLARK_EXPORT void OSMesaDestroyContext(void* context) {
   context_destroyed(Provider::osmesa, context);
   if (context != nullptr && context == current_native() && current_provider() == Provider::osmesa) {

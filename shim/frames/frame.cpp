@@ -4,9 +4,9 @@
 
 #include "glark/core/context.h"
 #include "shim/contexts/contexts.h"
+#include "shim/contexts/thread.h"
 #include "shim/frames/frame_capture.h"
 #include "shim/report/statistics.h"
-#include "shim/contexts/thread.h"
 
 namespace glark::shim {
 
@@ -20,7 +20,7 @@ void frame_ended() {
 
 }  // namespace glark::shim
 
-// What is drawn without a window is seen when the program waits for it.
+// Without a window, a frame ends when the program waits for it.
 
 GLARK_EXPORT void glFinish() {
   using namespace glark::shim;

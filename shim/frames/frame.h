@@ -4,7 +4,7 @@
 
 namespace glark::shim {
 
-// The calling thread's context has drawn a frame; called before the buffers are swapped.
+// Ends a frame of the calling thread's context. Call it before the buffers are swapped.
 void frame_ended();
 
 }  // namespace glark::shim

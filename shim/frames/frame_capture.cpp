@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "shim/frames/frame_capture.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,7 +27,7 @@
 namespace glark::shim {
 namespace {
 
-// Everything that decides how glReadPixels lays out what it reads: name, value while we read, first version (ES / desktop).
+// The parameters that control the layout of glReadPixels: name, value while we read, whether OpenGL ES has it.
 struct PackParameter {
   GLenum name;
   GLint value;
@@ -37,7 +40,7 @@ constexpr std::array pack_parameters{
     PackParameter{GL_PACK_IMAGE_HEIGHT, 0, false}, PackParameter{GL_PACK_SKIP_IMAGES, 0, false},
 };
 
-// Colours on their way to memory, of the compatibility profile only.
+// The pixel transfer of colours, which only the compatibility profile has.
 struct TransferParameter {
   GLenum name;
   GLfloat value;
@@ -48,7 +51,7 @@ constexpr std::array transfer_parameters{
     TransferParameter{GL_GREEN_BIAS, 0}, TransferParameter{GL_BLUE_BIAS, 0},   TransferParameter{GL_ALPHA_BIAS, 0},
 };
 
-// Sets the state that reading depends on for its lifetime.
+// During its lifetime, the state that glReadPixels depends on has the values that we need.
 class ReadState {
  public:
   explicit ReadState(core::Context& context)
@@ -95,7 +98,7 @@ class ReadState {
     }
   }
 
-  // A context without a surface has no default framebuffer: there the framebuffer that the program reads from is the picture.
+  // A context without a surface has no default framebuffer; there the picture is the framebuffer that the program reads from.
   void select_default_framebuffer(bool es) {
     if (separate_read_) {
       gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer_);
@@ -122,7 +125,7 @@ class ReadState {
   std::array<GLfloat, transfer_parameters.size()> transfer_{};
 };
 
-// Rows from the top, red, green and blue: the alpha of a window means nothing.
+// Returns the rows from the top, red, green and blue. The alpha of a window has no meaning.
 std::vector<unsigned char> read_colors(core::Context& context, Size size) {
   const auto width = static_cast<std::size_t>(size.width);
   const auto height = static_cast<std::size_t>(size.height);
@@ -144,16 +147,19 @@ std::vector<unsigned char> read_colors(core::Context& context, Size size) {
 
 void write_png(core::Context& context, const settings::CaptureRequest& request) {
   const Size size = current_size();
-  const std::string what = "frame " + std::to_string(request.frame) + " cannot be written to " + request.file + ": ";
+  const auto complain = [&](std::string_view reason) {
+    core::log(core::LogLevel::error,
+              fmt::format("frame {} cannot be written to {}: {}", request.frame, request.file, reason));
+  };
   if (size.width <= 0 || size.height <= 0) {
-    core::log(core::LogLevel::error, what + "the size of the window is unknown");
+    complain("the size of the window is unknown");
     return;
   }
   const std::vector<unsigned char> colors = read_colors(context, size);
   errno = 0;
   if (stbi_write_png(request.file.c_str(), size.width, size.height, 3, colors.data(), 0) == 0)
-    core::log(core::LogLevel::error, what + (errno != 0 ? std::strerror(errno) : "writing failed") +
-                                         "; name a file in a folder that exists and can be written with GLARK_CAPTURE");
+    complain(fmt::format("{}; name a file in a folder that exists and can be written with GLARK_CAPTURE",
+                         errno != 0 ? std::strerror(errno) : "writing failed"));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace glark::shim {
 namespace {
 
-// An address of the dynamic section; glibc has already relocated it on most machines, but not on all (MIPS, RISC-V).
+// Returns an address of the dynamic section. glibc has already relocated it on most machines, but not on MIPS and RISC-V.
 template <class T>
 const T* dynamic_address(const link_map& object, ElfW(Addr) value) {
   return reinterpret_cast<const T*>(value >= object.l_addr ? value : value + object.l_addr);
@@ -36,7 +36,7 @@ SymbolTable symbol_table(const link_map& object) {
   return table;
 }
 
-// The layout of DT_GNU_HASH: bucket count, index of the first hashed symbol, words of the Bloom filter, its shift, the
+// DT_GNU_HASH holds: bucket count, index of the first hashed symbol, words of the Bloom filter, its shift, the
 // filter, the buckets, the chains (whose last entry has bit 0 set).
 const ElfW(Sym) * find_defined(const SymbolTable& table, std::string_view name) {
   if (table.symbols == nullptr || table.strings == nullptr || table.gnu_hash == nullptr) return nullptr;
@@ -62,9 +62,9 @@ bool may_define_dlvsym(std::string_view path) {
          file.starts_with("libdl-");
 }
 
-// dlvsym itself cannot be asked for by name: that name is ours. glibc has it in libc.so.6, before 2.34 in libdl.so.2. Neither
-// can dl_iterate_phdr be called: ThreadSanitizer interposes it, and asks us for functions before its own work. The list that
-// debuggers read has libc near its head and grows at its end, so that no lock is needed.
+// We cannot look up dlvsym by name, because that name is ours. glibc has it in libc.so.6, before 2.34 in libdl.so.2. We cannot
+// call dl_iterate_phdr either: ThreadSanitizer interposes it and asks us for functions first. The list for debuggers
+// has libc near its head and grows at its end, so reading it needs no lock.
 void* address_of_dlvsym() {
   for (const link_map* object = _r_debug.r_map; object != nullptr; object = object->l_next) {
     if (object->l_name == nullptr || !may_define_dlvsym(object->l_name)) continue;
@@ -78,7 +78,7 @@ DynamicLinker find_linker() {
   DynamicLinker linker;
   linker.dlvsym = reinterpret_cast<decltype(linker.dlvsym)>(address_of_dlvsym());
   if (linker.dlvsym == nullptr) return linker;
-  // The version of glibc 2.34, of x86-64 before that, of AArch64 before that.
+  // The versions of glibc 2.34, of older glibc on x86-64, and of older glibc on AArch64.
   const auto find = [&](const char* name) {
     void* function = nullptr;
     for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17"})
@@ -103,7 +103,7 @@ int collect_gl_library(dl_phdr_info* object, std::size_t, void* paths) {
   return 0;
 }
 
-// Only names that are loaded are asked for, so that nothing here fails and disturbs dlerror().
+// Only the names of loaded libraries are returned, so that no lookup fails and disturbs dlerror().
 std::vector<std::string> loaded_gl_libraries() {
   std::vector<std::string> paths;
   dl_iterate_phdr(collect_gl_library, &paths);
@@ -112,7 +112,7 @@ std::vector<std::string> loaded_gl_libraries() {
 
 }  // namespace
 
-// Without the guard of a static variable, which sanitizers interpose, too. Threads that come here at once find the same.
+// There is no static initialisation guard, because sanitizers interpose it. Threads that race here find the same functions.
 const DynamicLinker& real_linker() {
   static constinit DynamicLinker linker;
   static constinit std::atomic<bool> found{false};
@@ -128,7 +128,7 @@ const DynamicLinker& real_linker() {
 
 void* next_symbol(const char* name) {
   void* symbol = real_linker().dlsym(RTLD_NEXT, name);
-  asm volatile("" : "+r"(symbol));  // no tail call: RTLD_NEXT looks at who calls
+  asm volatile("" : "+r"(symbol));  // prevents a tail call: RTLD_NEXT depends on the caller
   return symbol;
 }
 

@@ -8,13 +8,13 @@
 #include <iterator>
 
 #include "glark/gl/types.h"
-#include "shim/names/wrappers.h"
 #include "shim/names/window_functions.h"
+#include "shim/names/wrappers.h"
 
 namespace glark::shim {
 namespace {
 
-// Sorted.
+// Sorted by name.
 const Name gl_names[] = {
 #include "shim/names/names.inc"
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Every function that this library stands in for, by name.
+// Every function that this library wraps, by name.
 #pragma once
 
 #include <string_view>
@@ -21,7 +21,7 @@ struct Name {
   NameKind kind;
 };
 
-// nullptr for a name that is none of our business.
+// Returns nullptr for a function that is not wrapped.
 const Name* find_name(std::string_view name);
 
 }  // namespace glark::shim

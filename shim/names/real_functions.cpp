@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "shim/names/real_functions.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <atomic>
-#include <string>
 #include <string_view>
 
 #include "glark/core/report.h"
@@ -26,7 +27,7 @@ std::array<std::atomic<void*>, function_count> real_functions{};
 
 std::uintptr_t missing_function() { return 0; }
 
-// An extension that a library does not export is found through the library's own GetProcAddress.
+// Looks for a function of an extension, which a library need not export, by the library's own GetProcAddress.
 void* ask_provider(std::string_view name) {
   if (name.find("GetProcAddress") != std::string_view::npos) return nullptr;
   if (name.starts_with("glX"))
@@ -52,7 +53,7 @@ void* real_window_function(WindowFunction function) {
   real = find_real(names[index]);
   if (real == nullptr) {
     core::log(core::LogLevel::debug,
-              std::string(names[index]) + " was called or looked for, but no library here has it");
+              fmt::format("{} was called or looked for, but no library of this process has it", names[index]));
     return reinterpret_cast<void*>(&missing_function);
   }
   real_functions[index].store(real, std::memory_order_release);

@@ -6,7 +6,7 @@
 
 namespace glark::shim {
 
-// From now on the core's messages of this level and more serious ones go to standard error, one "glark: ..." line each.
+// From now on, the core's messages of this level or a more serious one go to standard error, one line "glark: ..." each.
 void install_log(core::LogLevel level);
 
 }  // namespace glark::shim

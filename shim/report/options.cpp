@@ -29,7 +29,7 @@ std::vector<std::string> names_of_this_program() {
 
 const settings::Settings& options() {
   static const settings::Settings& instance = *[] {
-    // `environ`, not getenv: programs define a getenv of their own.
+    // Reads `environ`, because programs may define a getenv of their own.
     settings::Parsed parsed = settings::parse(environ, names_of_this_program());
     install_log(parsed.settings.log_level);
     for (const std::string& problem : parsed.problems) core::log(core::LogLevel::warning, problem);

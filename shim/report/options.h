@@ -6,7 +6,7 @@
 
 namespace glark::shim {
 
-// The settings of this process, read from its environment at the first call. What was wrong with them is logged then.
+// Returns the settings of this process. The first call reads them from the environment and logs their errors.
 const settings::Settings& options();
 
 }  // namespace glark::shim

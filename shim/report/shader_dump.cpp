@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "shim/report/shader_dump.h"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -15,22 +17,24 @@
 namespace glark::shim {
 namespace {
 
-// Never destroyed: drivers may draw from their own exit handlers.
+// Never destroyed, because drivers may draw from their exit handlers.
 const std::string* dump_folder = nullptr;
 std::atomic<bool> complained{false};
 
 void complain(const std::string& file, const char* reason) {
-  if (complained.exchange(true)) return;  // one line, not one for each shader
-  core::log(core::LogLevel::error, "shaders cannot be written to " + file + ": " + reason +
-                                       "; name a folder that can be written with GLARK_DUMP_SHADERS");
+  if (complained.exchange(true)) return;  // one line in all, not one for each shader
+  core::log(
+      core::LogLevel::error,
+      fmt::format("shaders cannot be written to {}: {}; name a folder that can be written with GLARK_DUMP_SHADERS",
+                  file, reason));
 }
 
-// program12-0123456789abcdef.original.vert, fixed-0123456789abcdef.pn.vert; further shader objects of a stage are .1.vert ...
+// For example program12-0123456789abcdef.original.vert or fixed-0123456789abcdef.pn.vert. Further shader objects of a stage end
+// with .1.vert and so on.
 std::string file_name(const core::ShownShader& shader) {
-  std::string name = shader.program == 0 ? std::string("fixed") : "program" + std::to_string(shader.program);
-  name += "-" + core::hash_text(shader.hash) + "." + std::string(shader.kind);
-  if (shader.object > 0) name += "." + std::to_string(shader.object);
-  return name + "." + std::string(shader.stage);
+  const std::string program = shader.program == 0 ? "fixed" : fmt::format("program{}", shader.program);
+  const std::string object = shader.object > 0 ? fmt::format(".{}", shader.object) : "";
+  return fmt::format("{}-{}.{}{}.{}", program, core::hash_text(shader.hash), shader.kind, object, shader.stage);
 }
 
 void write_shader(const core::ShownShader& shader) {

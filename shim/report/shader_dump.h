@@ -6,7 +6,7 @@
 
 namespace glark::shim {
 
-// From now on shaders are written to this folder (GLARK_DUMP_SHADERS), original and derived ones side by side.
+// From now on, writes original and derived shaders to this folder (GLARK_DUMP_SHADERS).
 void install_shader_dump(const std::string& folder);
 
 }  // namespace glark::shim

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "shim/report/statistics.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -28,18 +29,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A program that is killed leaves statistics of at most this age, or those of its first frame.
+// A killed program leaves statistics that are at most this old, or those of its first frame.
 constexpr auto write_interval = std::chrono::milliseconds(250);
 
-// The latest frames only: enough for a mean and a median, whatever the program's run time.
+// Only the latest frames are kept: enough for a mean and a median.
 constexpr std::size_t kept_frames = 8192;
 
-// Of all contexts of the process.
+// Counts the frames of all contexts of the process.
 std::atomic<unsigned long> frames{0};
 
 struct Times {
   std::mutex mutex;
-  std::atomic<pid_t> process{0};  // that made a context
+  std::atomic<pid_t> process{0};  // the process that made a context
   Clock::time_point start;
   Clock::time_point last_frame;
   std::vector<double> frame_ms;
@@ -47,7 +48,7 @@ struct Times {
   Clock::time_point last_write;
 };
 
-// Never destroyed: it is read from a destructor of this library.
+// Never destroyed, because a destructor of this library reads it.
 Times& times() {
   static Times& instance = *new Times;
   return instance;
@@ -70,7 +71,7 @@ nlohmann::json passed_through(const core::Statistics& counters) {
   return causes;
 }
 
-// By the hash of its sources: how often each shader program was drawn with.
+// How often each shader program was used, by the hash of its sources.
 nlohmann::json shaders() {
   nlohmann::json all = nlohmann::json::object();
   core::for_each_program([&](std::uint64_t hash, const core::ProgramCounters& counters) {
@@ -99,20 +100,23 @@ nlohmann::json report(Times& all) {
   };
 }
 
-// Complete or not at all: written aside and renamed.
+// Writes another file and renames it, so that a reader never sees half a file.
 void write_file(const std::string& file, const std::string& text) {
-  const std::string aside = file + "." + std::to_string(getpid());
+  const std::string aside = fmt::format("{}.{}", file, getpid());
   {
     std::ofstream out(aside);
     out << text << '\n';
     if (!out.flush()) {
-      core::log(core::LogLevel::error, "the statistics cannot be written to " + aside + ": " + std::strerror(errno) +
-                                           "; name a file in a folder that can be written with GLARK_STATS");
+      core::log(core::LogLevel::error,
+                fmt::format("the statistics cannot be written to {}: {}; name a file in a folder that "
+                            "can be written with GLARK_STATS",
+                            aside, std::strerror(errno)));
       return;
     }
   }
   if (std::rename(aside.c_str(), file.c_str()) != 0)
-    core::log(core::LogLevel::error, "the statistics cannot be renamed to " + file + ": " + std::strerror(errno));
+    core::log(core::LogLevel::error,
+              fmt::format("the statistics cannot be renamed to {}: {}", file, std::strerror(errno)));
 }
 
 __attribute__((destructor)) void write_at_exit() { write_statistics(); }
@@ -152,7 +156,7 @@ void write_statistics() {
     const std::lock_guard lock(all.mutex);
     write_file(options().statistics_file, report(all).dump(2));
   } catch (const std::exception& error) {
-    core::log(core::LogLevel::error, std::string("the statistics cannot be written: ") + error.what());
+    core::log(core::LogLevel::error, fmt::format("the statistics cannot be written: {}", error.what()));
   }
 }
 

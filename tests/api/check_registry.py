@@ -15,13 +15,13 @@ SPECIFICATION = f"docs/spec/{EXTENSION}.txt"
 
 
 def normal(declaration):
-    """One spelling for every way to space a C declaration."""
+    """Normalises the spaces of a C declaration."""
     declaration = re.sub(r"\s+", " ", declaration)
     return re.sub(r" ?([*(),]) ?", r"\1", declaration).strip()
 
 
 def header_api(text):
-    """Tokens {name: value}, prototypes and function pointer types {name: declaration} of glark.h."""
+    """Reads glark.h: tokens {name: value}, prototypes and function pointer types {name: declaration}."""
     tokens = {name: int(value, 16) for name, value in re.findall(r"^#define (GL_\w+)\s+(0x[0-9A-F]{4})\b", text, re.M)}
     prototypes = {
         name: normal(f"{result} {name}({parameters})")
@@ -35,7 +35,7 @@ def header_api(text):
 
 
 def registry_api(root):
-    """The same of a registry fragment, and what its extension requires."""
+    """Reads the same from a registry fragment, and the requirements of its extension."""
     tokens = {enum.get("name"): int(enum.get("value"), 16) for enum in root.iterfind("enums/enum")}
     prototypes = {}
     for command in root.iterfind("commands/command"):
@@ -48,7 +48,7 @@ def registry_api(root):
 
 
 def section(text, title):
-    """The body of one top-level section of the specification: its title stands at the left margin."""
+    """Returns the body of a top-level section of the specification. Its title stands at the left margin."""
     found = re.search(rf"^{re.escape(title)}\n(.*?)(?=^\S|\Z)", text, re.M | re.S)
     return found.group(1) if found else ""
 
@@ -104,7 +104,7 @@ def covers(element, first, last):
 
 
 def clashes(registry_root, khronos_root):
-    """Names or values that a merged registry would hold twice."""
+    """Returns the names and values that a merged registry would hold twice."""
     tokens, prototypes, _, _ = registry_api(registry_root)
     block = registry_root.find("enums")
     first, last = int(block.get("start"), 16), int(block.get("end"), 16)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""check_registry.py must notice every kind of disagreement: each case here is one mistake, planted in a small sound example."""
+"""check_registry.py must notice every kind of disagreement. Each case plants one mistake in a small correct example."""
 import unittest
 import xml.etree.ElementTree as ElementTree
 

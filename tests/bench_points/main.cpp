@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark-bench-points compares the client libraries for points with other libraries. docs/points.md has the figures.
-//   glark-bench-points [--only GROUP] [--data FOLDER] [--samples N,N,...] [--rounds N] [--json FILE] [--update docs/points.md]
+// glark-bench-points compares the client libraries for points with other libraries. docs/reference/points.md has the figures.
+//   glark-bench-points [--only GROUP] [--data FOLDER] [--samples N,N,...] [--rounds N] [--json FILE] [--update docs/reference/points.md]
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""The judge finds what it is there to find."""
+"""The judge finds the faults that it is made for."""
 import unittest
 
 import judge

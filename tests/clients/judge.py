@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""What makes a run right: pictures and statistics in, complaints out."""
+"""Judges a run: takes pictures and statistics, returns complaints."""
 import pathlib
 
 VISIBLE_LEVELS = 2          # a channel that differs by more has changed
@@ -17,7 +17,7 @@ def read_ppm(path: pathlib.Path) -> tuple:
 
 
 def changed_pixels(first: tuple, second: tuple) -> int:
-    """Pixels of which a channel differs by more than VISIBLE_LEVELS."""
+    """Counts the pixels with a channel that differs by more than VISIBLE_LEVELS."""
     a, b = first[2], second[2]
     return sum(1 for i in range(0, len(a), 3)
                if a[i:i + 3] != b[i:i + 3] and max(abs(a[i + k] - b[i + k]) for k in range(3)) > VISIBLE_LEVELS)
@@ -62,7 +62,7 @@ def life_complaints(statistics: dict, level: int) -> list:
 
 
 def measured_complaints(statistics: dict) -> list:
-    """Depths that nobody chose: more triangles than there were."""
+    """Measured depths must give more triangles than the coarse ones."""
     coarse, refined = statistics["coarse_triangles"], statistics["refined_triangles"]
     if coarse == 0 or refined <= coarse:
         return [f"{refined} refined triangles of {coarse} coarse ones; draws: {statistics['draws']}"]

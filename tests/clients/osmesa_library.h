@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What osmesa_library offers.
+// The function of osmesa_library.
 #pragma once
 
 // Draws the scene `frames` times and writes the last one to `path`; 0 when that worked.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What every client program does with its arguments and its last frame.
+// Every client program reads its arguments and writes its last frame in this way.
 #pragma once
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Runs one program with and without the library and says whether that was right.
+"""Runs one program with and without the library and judges the results.
 
   passthrough  without the library, and with it but off: the pictures have the same bytes
   refined      without the library, and refined to level 2 by linear outputs: triangles were refined, the picture stays
@@ -38,7 +38,7 @@ class Runner:
         self.arguments_, self.folder_ = arguments, folder
 
     def picture(self, name: str, library: dict) -> tuple:
-        """Runs the program to an end that it or the screen gives; returns its picture and, with the library, the statistics."""
+        """Runs the program until it ends or its screen settles. Returns the picture and, with the library, the statistics."""
         file = self.folder_ / f"{name}.ppm"
         if self.arguments_.screen:
             display = ["--settled", "--seconds", str(SECONDS), "--screenshot", str(file)]
@@ -50,7 +50,7 @@ class Runner:
         return judge.read_ppm(file), statistics
 
     def statistics(self, library: dict) -> dict:
-        """Runs the program to its own end, or until the library has captured a frame; returns the statistics."""
+        """Runs the program until it ends or the library has captured a frame. Returns the statistics."""
         if not self.arguments_.screen:
             return self.run_("refined", [], [], library)
         file = self.folder_ / "refined.png"
@@ -88,7 +88,7 @@ class Runner:
 
 
 def environment() -> dict:
-    """Ours, without settings of glark, on Mesa's software renderer, at full speed, and for OpenSceneGraph in one small window."""
+    """Returns our environment without settings of glark: Mesa's software renderer, full speed, OpenSceneGraph in one small window."""
     kept = {key: value for key, value in os.environ.items() if not key.startswith("GLARK_") and key != "LD_PRELOAD"}
     return dict(kept, LIBGL_ALWAYS_SOFTWARE="1", GLARK_CONFIG="/dev/null", vblank_mode="0", OSG_WINDOW="0 0 400 400", OSG_THREADING="SingleThreaded")
 

@@ -137,7 +137,7 @@ static void draw(GLuint program, const GLuint buffers[2]) {
   glUseProgram(0);
 }
 
-// What the first context made for all that share with it.
+// The objects that the first context made for all contexts that share with it.
 static Context first;
 static GLuint common_program, common_buffers[2];
 static int frames;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Whatever a configuration file holds: no crash, no hang, and every setting stays a valid one.
+// Any text as a configuration file: no crash, no hang, and every setting keeps a valid value.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Whatever is called a PLY file: geometry whose triangles have points, or an Error.
+// Any bytes as a PLY file: geometry whose triangles have points, or an Error.
 #include <cstdlib>
 
 #include "glark/clients/geometry/read/input.h"

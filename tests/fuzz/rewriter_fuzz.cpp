@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Whatever a vertex stage holds: no crash, no hang, and what is derived has as many shaders as came in. The first byte chooses
+// Any text as a vertex stage: no crash, no hang, and as many derived shaders as there were shaders. The first byte chooses
 // among the requests, a NUL ends a shader.
 #include <cstddef>
 #include <cstdint>
@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/refine/geometry_shader.h"
-#include "glark/core/refine/glsl_types.h"
-#include "glark/core/refine/rewrite.h"
+#include "glark/core/refine/glsl/geometry_shader.h"
+#include "glark/core/refine/glsl/rewrite.h"
+#include "glark/core/refine/glsl/types.h"
 
 namespace {
 
@@ -30,7 +30,7 @@ std::vector<std::string> split(const std::string& text) {
   return shaders;
 }
 
-// The record as GL would report the inputs: numbers only, arrays of a few elements, in the order of the declarations.
+// Returns the record from the inputs as GL would report them: numbers only, arrays of a few elements, in the order of declaration.
 capture::Layout layout_of(const std::vector<std::string>& shaders, bool es, const refine::VertexStageTraits& traits) {
   std::vector<refine::VertexUnit> units;
   std::string error;

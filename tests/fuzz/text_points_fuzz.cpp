@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Whatever is called a file of points as text: points, or an Error.
+// Any bytes as a text file of points: points, or an Error.
 #include <cstdlib>
 
 #include "glark/clients/geometry/read/input.h"

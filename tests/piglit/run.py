@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Has piglit judge the library: what passes on the plain driver must pass with the library off, and refined in a linear way.
+"""Judges the library by piglit: a test that passes on the plain driver must pass with the library off, and refined linearly.
 
 Every mode's outcomes are kept, a line of JSON a test, in RESULTS/MODE.jsonl; a test that is there is not run again.
 """
@@ -24,7 +24,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 PLAIN_LIMIT = 30  # seconds; a test that is slower without us is left out
 LIMIT = 120       # seconds with us: a hang
 
-# Mode -> environment beside the library. Nothing is exempt: an exempt draw would prove nothing.
+# Mode -> further environment. No draw is exempt, because an exempt draw proves nothing.
 REFINED = {"GLARK_ENABLE": "1", "GLARK_EVERYTHING": "1"}
 MODES = {
     "plain": None,
@@ -40,7 +40,7 @@ TARGET = {"off": 1.0, "outputs-2": 0.999, "outputs-3": 0.999, "edge-8": 0.999, "
 
 
 class Displays:
-    """An X server for every worker, so that windows of tests that run side by side do not cover each other."""
+    """An X server for each worker, so that windows of parallel tests do not cover each other."""
 
     def __init__(self, count: int) -> None:
         self.servers_, self.local_, self.lock_ = [], threading.local(), threading.Lock()
@@ -148,7 +148,7 @@ def refined_draws(outcome: suite.Outcome) -> int:
 
 
 def judge(outcomes: dict, modes: list, names: list) -> bool:
-    """Prints the table and what changed. Whether every target is met and every difference is known."""
+    """Prints the table and the changes. Returns whether every target is met and every difference is known."""
     plain, known, good, lines = outcomes["plain"], known_differences(), True, []
     print(f"\n{len(names)} tests pass stably on the plain driver\n")
     print("| mode | same | of | % | target % | crashes | hangs | contexts seen | tests that refine | refined draws |")

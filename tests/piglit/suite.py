@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Debian's piglit: which tests it has, and how one is run in a process of its own."""
+"""Debian's piglit: lists its tests, and runs one in a separate process."""
 import collections
 import dataclasses
 import json
@@ -44,7 +44,7 @@ def family(name: str) -> str:
 
 
 def tests(variants: int) -> list:
-    """Every test of OpenGL and GLSL that runs something, of each family evenly spread up to `variants`."""
+    """Returns up to `variants` tests of each family of OpenGL and GLSL tests that run something, evenly spread."""
     families = collections.defaultdict(list)
     for profile in PROFILES:
         listing = subprocess.run(["piglit", "print-cmd", profile], check=True, capture_output=True, text=True, cwd="/")
@@ -64,7 +64,7 @@ def tests(variants: int) -> list:
 
 
 def read_results(output: str) -> tuple:
-    """The result and the subtests' results of what a test printed."""
+    """Reads the result and the results of the subtests from a test's output."""
     result, subtests = None, {}
     for line in output.splitlines():
         if not line.startswith("PIGLIT: "):
@@ -81,7 +81,7 @@ def read_results(output: str) -> tuple:
 
 
 def run(test: Test, environment: dict, statistics_file: pathlib.Path, limit: float) -> Outcome:
-    """Runs a test on the display of `environment`. Its whole process group is killed after `limit` seconds."""
+    """Runs a test on the display of `environment`. Kills its whole process group after `limit` seconds."""
     statistics_file.unlink(missing_ok=True)
     start = time.monotonic()
     process = subprocess.Popen(test.command, cwd=PIGLIT, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,

@@ -3,7 +3,7 @@
 //
 // Scalar tags together with many other attributes: the coarse record is read from a storage block, or does not fit at
 // all.
-#include "tests/core/osmesa_context.h"
+#include "tests/core/support/osmesa_context.h"
 #include "tests/pn/tagged_program.h"
 
 namespace glark::pn::test {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "glark/pn.h"
-#include "tests/core/refined_capture.h"
+#include "tests/core/support/refined_capture.h"
 
 namespace glark::pn::test {
 

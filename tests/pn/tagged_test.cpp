@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
-#include "tests/core/closed_mesh.h"
-#include "tests/core/osmesa_context.h"
+#include "tests/core/support/meshes/closed_mesh.h"
+#include "tests/core/support/osmesa_context.h"
 #include "tests/pn/tagged_program.h"
 
 namespace glark::pn::test {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-#include "tests/core/closed_mesh.h"
-#include "tests/core/osmesa_context.h"
+#include "tests/core/support/meshes/closed_mesh.h"
+#include "tests/core/support/osmesa_context.h"
 #include "tests/qas/meshes.h"
 
 namespace glark::qas::test {

@@ -188,6 +188,9 @@ Refined run(const Experiment& experiment) {
   const GLuint program = link(derivation.vertex_sources, experiment.varyings, request.es, refined.error);
   if (!refined.error.empty()) return refined;
   set_attributes(program, experiment);
+  GLARK_GL(glGetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC);
+  GLARK_GL(glProgramUniform1f, PFNGLPROGRAMUNIFORM1FPROC);
+  glProgramUniform1f(program, glGetUniformLocation(program, shape_number_uniform), experiment.shape_number);
   const auto width = static_cast<std::size_t>(experiment.captured_words);
   const std::vector<float> values = draw(program, experiment.lattice.size(), width);
   if (values.empty() || glGetError() != GL_NO_ERROR) return {"the draw raised a GL error", {}};

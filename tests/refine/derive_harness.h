@@ -51,6 +51,7 @@ struct Experiment {
   int captured_words = 4;  // per refined vertex
   std::vector<std::array<float, 2>> lattice = {{0, 0}, {1, 0}, {0, 1}, {0.5F, 0.25F}};
   std::array<float, 4> patch = {0, 0, 1, 0};
+  float shape_number = 0;  // value of the uniform
 };
 Refined run(const Experiment& experiment);
 

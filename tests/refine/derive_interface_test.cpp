@@ -4,8 +4,8 @@
 // The tokenizer and the reader of global declarations.
 #include <gtest/gtest.h>
 
-#include "glark/core/refine/glsl_interface.h"
-#include "glark/core/refine/glsl_tokens.h"
+#include "glark/core/refine/glsl/interface.h"
+#include "glark/core/refine/glsl/tokens.h"
 
 namespace glark::refine {
 namespace {

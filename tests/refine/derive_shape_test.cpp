@@ -39,10 +39,6 @@ std::string source_for(const Version& version) {
          " vec4 passed;\nvoid main() { passed = vec4(normal, texcoord.x); gl_Position = vec4(position, 1.0); }\n";
 }
 
-constexpr std::array<core::Refinement, 4> refinements = {core::Refinement::linear_inputs, core::Refinement::pn,
-                                                         core::Refinement::scalar_tagged_pn,
-                                                         core::Refinement::linear_outputs};
-
 // Three corners of a bent triangle, with tags and a texture coordinate.
 Record record() {
   return make_record({{"position", GL_FLOAT_VEC3, {{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}}, capture::Role::position},
@@ -72,10 +68,10 @@ TEST(DeriveShape, EveryVersionLinksAndRuns) {
   for (const Version& version : versions) {
     if (!make_current(version.api)) continue;
     ++contexts;
-    for (const core::Refinement refinement : refinements) {
+    for (const core::RefinementTraits& row : core::refinements) {
       for (const bool displaced : {false, true}) {
-        const Refined refined = run(experiment(version, refinement, displaced));
-        ASSERT_EQ(refined.error, "") << version.line << static_cast<int>(refinement);
+        const Refined refined = run(experiment(version, row.refinement, displaced));
+        ASSERT_EQ(refined.error, "") << version.line << row.word;
         EXPECT_EQ(refined.values[1][0], 8.0F) << "no texture, no height";
         EXPECT_EQ(refined.values[1][3], 1.0F);
       }
@@ -93,6 +89,23 @@ TEST(DeriveShape, ATagReachesItsOwnCornerOnly) {
     // Corner 1 alone is tense: the other control point of the edge lifts its middle by 3/8 of a third of 4.
     EXPECT_NEAR(plain.values[2][2], 3.0F / 8 * 2 * 4 / 3, 1e-5F);
     EXPECT_NEAR(tagged.values[2][2], 3.0F / 8 * 4 / 3, 1e-5F);
+  }
+}
+
+// With corners' tangent planes of 45 degrees, the middle of edge 0 rises by a quarter of the shape times 4 + 4.
+TEST(DeriveShape, PhongBendsByItsNumber) {
+  for (const Version& version : versions) {
+    if (!make_current(version.api)) continue;
+    for (const float shape : {0.0F, 0.75F, 1.0F}) {
+      Experiment e = experiment(version, core::Refinement::phong, false);
+      e.shape_number = shape;
+      const Refined refined = run(e);
+      ASSERT_EQ(refined.error, "");
+      EXPECT_NEAR(refined.values[2][0], 4.0F, 1e-5F);
+      EXPECT_NEAR(refined.values[2][2], shape * 2, 1e-5F);
+      EXPECT_EQ(refined.values[2][4], 0.0F) << "the normal is linear";
+      EXPECT_EQ(refined.values[2][6], 1.0F);
+    }
   }
 }
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/refine/glsl_tokens.h"
+#include "glark/core/refine/glsl/tokens.h"
 
 namespace glark::refine {
 namespace {

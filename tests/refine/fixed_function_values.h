@@ -9,7 +9,7 @@
 
 #include "tests/refine/fixed_function_scene.h"
 // The scene comes first, because it asks the GL headers for prototypes.
-#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refine/fixed_function/fixed_function.h"
 
 namespace glark::refine::test {
 

@@ -53,7 +53,9 @@ TEST(Launcher, NoProgramIs2) { expect_refused("run --level 2", 2, "no program");
 TEST(Launcher, ALevelBeyondTheLimitIs2) {
   expect_refused("run --level 12 true", 2, "\"12\" is not valid; an integer from 0 to 11 is needed");
 }
-TEST(Launcher, AnUnknownRefinementIs2) { expect_refused("run --refine cubic true", 2, "linear, outputs, pn or stpn"); }
+TEST(Launcher, AnUnknownRefinementIs2) {
+  expect_refused("run --refine cubic true", 2, "linear, outputs, pn, stpn or phong");
+}
 TEST(Launcher, ACaptureWithoutAFrameIs2) { expect_refused("run --capture a.png true", 2, "FRAME:FILE.png"); }
 TEST(Launcher, ACaptureFolderThatIsMissingIs2) {
   expect_refused("run --capture 1:/nowhere/a.png true", 2, "/nowhere cannot be written");

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "glark/settings/table.h"
+
 namespace glark::settings {
 namespace {
 
@@ -28,6 +30,25 @@ TEST(Settings, AnEmptyEnvironmentGivesTheDefaults) {
   EXPECT_EQ(parsed.settings.context.level, 2u);
   EXPECT_EQ(parsed.settings.log_level, core::LogLevel::warning);
   EXPECT_TRUE(parsed.settings.captures.empty());
+}
+
+TEST(Settings, DefaultsOfTheTableAreThoseOfTheCore) {
+  const Settings parsed = parse(nullptr).settings;
+  const Settings constructed;
+  EXPECT_EQ(parsed.context.max_level, constructed.context.max_level);
+  EXPECT_EQ(parsed.context.refinement, constructed.context.refinement);
+  EXPECT_EQ(parsed.context.left_draws, constructed.context.left_draws);
+  EXPECT_EQ(parsed.context.weld, constructed.context.weld);
+  EXPECT_EQ(parsed.context.measure.on(), constructed.context.measure.on());
+  EXPECT_FALSE(parsed.max_level_set);
+}
+
+TEST(Settings, EveryDefaultIsAValidValue) {
+  for (const Setting& setting : table()) {
+    Settings settings;
+    EXPECT_FALSE(shown_default(setting).empty()) << setting.key;
+    EXPECT_TRUE(setting.initial.empty() || setting.read(settings, setting.initial)) << setting.key;
+  }
 }
 
 TEST(Settings, TheConformanceSuiteMakesItsOwnCalls) {
@@ -60,7 +81,8 @@ TEST(Settings, ANameIsNotTakenForALongerOne) {
 TEST(Settings, AProblemNamesVariableValueAndLimit) {
   EXPECT_EQ(only_problem("GLARK_LEVEL=x"), "GLARK_LEVEL is \"x\"; an integer from 0 to 11 is needed");
   EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=12"), "GLARK_MAX_LEVEL is \"12\"; an integer from 0 to 11 is needed");
-  EXPECT_EQ(only_problem("GLARK_REFINE=cubic"), "GLARK_REFINE is \"cubic\"; linear, outputs, pn or stpn is needed");
+  EXPECT_EQ(only_problem("GLARK_REFINE=cubic"),
+            "GLARK_REFINE is \"cubic\"; linear, outputs, pn, stpn or phong is needed");
   EXPECT_EQ(only_problem("GLARK_ENABLE=maybe"), "GLARK_ENABLE is \"maybe\"; 0 or 1 is needed");
   EXPECT_EQ(only_problem("GLARK_LOG=loud"), "GLARK_LOG is \"loud\"; error, warning, info or debug is needed");
   EXPECT_EQ(only_problem("GLARK_CAPTURE=a.png"),
@@ -80,8 +102,7 @@ TEST(Settings, ALimitThatIsSetHoldsTheLevelBack) {
   const Parsed parsed = parse_all({"GLARK_LEVEL=8", "GLARK_MAX_LEVEL=3"});
   EXPECT_EQ(parsed.settings.context.level, 3u);
   ASSERT_EQ(parsed.problems.size(), 1u);
-  EXPECT_EQ(parsed.problems[0],
-            "the level is 8, more than the greatest level; it is 3 now; raise GLARK_MAX_LEVEL or max-level");
+  EXPECT_EQ(parsed.problems[0], "the level 8 exceeds the limit 3; 3 is used; raise GLARK_MAX_LEVEL or max-level");
 }
 
 TEST(Settings, Measures) {
@@ -101,10 +122,11 @@ TEST(Settings, ABudgetNeedsAMeasure) {
 TEST(Settings, Tension) {
   const Parsed parsed = parse_all({"GLARK_REFINE=stpn", "GLARK_TENSION=-0.5"});
   EXPECT_EQ(parsed.settings.context.refinement, core::Refinement::scalar_tagged_pn);
-  EXPECT_EQ(parsed.settings.context.scalar_tags.tension, -0.5F);
+  EXPECT_EQ(parsed.settings.context.shape_numbers[static_cast<std::size_t>(core::Refinement::scalar_tagged_pn)], -0.5F);
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_EQ(only_problem("GLARK_TENSION=1.5"), "GLARK_TENSION is \"1.5\"; a number from -1 to 1 is needed");
   EXPECT_EQ(only_problem("GLARK_TENSION=1"), "GLARK_TENSION has no effect without GLARK_REFINE=stpn");
+  EXPECT_EQ(only_problem("GLARK_PHONG_SHAPE=1"), "GLARK_PHONG_SHAPE has no effect without GLARK_REFINE=phong");
 }
 
 TEST(Settings, GeomorphingNeedsAMeasure) {

@@ -53,7 +53,8 @@ class SurfelRendering : public testing::Test {
     return read();
   }
 
-  // Draws points: white if they face the eye, black like the background if not. Behind a real hole lie points that face away.
+  // Draws points: white if they face the eye, black like the background if not. Behind a real hole lie points that face
+  // away.
   std::vector<GLuint> draw_splats(const Points& points, const View& view, float pixels) {
     begin(points, view);
     std::vector<GLuint> colours;
@@ -122,8 +123,9 @@ std::vector<View> views(const Points& points) {
   return all;
 }
 
-// Counts pixels where strips are seen from behind: through a hole, or because a triangle has the wrong orientation. Only pixels well inside
-// the area of front-facing splats count. Where nothing is drawn at all, splats cover a real gap.
+// Counts pixels where strips are seen from behind: through a hole, or because a triangle has the wrong orientation.
+// Only pixels well inside the area of front-facing splats count. Where nothing is drawn at all, splats cover a real
+// gap.
 int holes(const std::vector<GLuint>& splats, const std::vector<GLuint>& strips, const std::vector<GLuint>& both_sides,
           int margin) {
   int count = 0;

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""The manual page is well formed and has every option of `glark run --help`, every variable and every configuration key.
+"""The manual pages are well formed, and the options in the manual and in docs/reference/options.md are those of the launcher.
 
 check_manual.py GLARK: the launcher that was built.
 """
@@ -36,11 +36,11 @@ def missing(wanted: set, page: str) -> list:
 
 class Manual(unittest.TestCase):
     def setUp(self):
-        self.page = plain(text_of(PAGE))
+        self.page = plain(re.sub(r'^\.\\".*\n', "", text_of(PAGE), flags=re.MULTILINE))
         self.help = subprocess.run([GLARK, "run", "--help"], check=True, capture_output=True, text=True).stdout
 
     def test_commands_for_files(self):
-        """Those of them that were built."""
+        """Every command that was built has its options in the manual page."""
         listed = subprocess.run([GLARK, "--help"], check=True, capture_output=True, text=True).stdout
         page = plain(text_of(SCAN_PAGE))
         for command in ("simplify", "strip", "reconstruct", "view"):
@@ -55,9 +55,9 @@ class Manual(unittest.TestCase):
         self.assertGreater(len(options), 5)
         self.assertEqual([], missing(options, self.page))
 
-    def test_every_key(self):
-        keys = self.page[self.page.index("The keys:"):self.page.index("A switch is")]
-        self.assertEqual([], missing({option[2:] for option in options_of(self.help)} - {"help", "config"}, keys))
+    def test_pages_are_those_of_the_table(self):
+        done = subprocess.run([ROOT / "scripts" / "options", "--check", "--glark", GLARK], capture_output=True, text=True)
+        self.assertEqual((0, ""), (done.returncode, done.stderr))
 
     def test_every_variable(self):
         names = [name for name in tracked_files() if name.startswith(("glark/settings/", "glark/tool/", "shim/"))]
@@ -71,7 +71,7 @@ class Manual(unittest.TestCase):
 
     def test_well_formed(self):
         if not shutil.which("man"):
-            self.assertNotEqual("true", os.environ.get("CI"), "man is not installed; run scripts/install_packages")
+            self.assertNotEqual("true", os.environ.get("CI"), "man is not installed; run scripts/install_packages --lint")
             self.skipTest("man is not installed")
         environment = dict(os.environ, MANROFFSEQ="", MANWIDTH="80", LC_ALL="C.UTF-8")
         for page in (PAGE, SCAN_PAGE):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 """What every file of the tree has to keep: licence header, length, no path of one machine, explicit source lists, READMEs."""
+import posixpath
 import re
 import unittest
 
@@ -70,12 +71,16 @@ class Sources(unittest.TestCase):
         folders = {name.split("/")[0] for name in names if "/" in name and not name.startswith(".")} - FOLDERS_WITHOUT_README
         self.assertEqual([], sorted(folder for folder in folders if f"{folder}/README.md" not in names))
 
+    def test_readme_is_short(self):
+        text = text_of("README.md")
+        self.assertLessEqual(text.count("\n"), 120)
+        self.assertLessEqual(len(text.split()), 900)
+
     def test_readme_links_lead_somewhere(self):
         names = tracked_files()
         for name in (name for name in names if name.endswith(".md")):
             for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", text_of(name)):
-                folder = name.rpartition("/")[0]
-                path = re.sub(r"[^/]+/\.\./", "", (folder + "/" if folder else "") + target).rstrip("/")
+                path = posixpath.normpath(posixpath.join(posixpath.dirname(name), target))
                 with self.subTest(file=name, link=target):
                     self.assertTrue(path in names or any(other.startswith(path + "/") for other in names))
 

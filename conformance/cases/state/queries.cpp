@@ -33,6 +33,7 @@ double value_set(GLenum name, const EverythingSet& objects) {
     case GL_DISPLACEMENT_COORDINATE_ARK: return 4;
     case GL_DISPLACEMENT_SCALE_ARK: return 2.625;
     case GL_DISPLACEMENT_BIAS_ARK: return -0.75;
+    case GL_PHONG_SHAPE_ARK: return 0.25;
     case GL_DEPTH_TAG_ARRAY_TYPE_ARK: return GL_UNSIGNED_SHORT;
     case GL_DEPTH_TAG_ARRAY_STRIDE_ARK: return 6;
     case GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK: return objects.buffer;
@@ -83,7 +84,8 @@ const char* group_of(GLenum name) {
     case GL_DEPTH_TAG_ARRAY_STRIDE_ARK:
     case GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK: return "tokens-3";
     case GL_DISPLACEMENT_SCALE_ARK:
-    case GL_DISPLACEMENT_BIAS_ARK: return "tokens-29";
+    case GL_DISPLACEMENT_BIAS_ARK:
+    case GL_PHONG_SHAPE_ARK: return "tokens-29";
     default: return "tokens-14";
   }
 }
@@ -180,7 +182,7 @@ Case value_case(const TokenValue& token) {
 void check_names(Test& t) {
   constexpr GLenum values[] = {0x6F00, 0x6F01, 0x6F02, 0x6F03, 0x6F09, 0x6F10, 0x6F14, 0x6F17, 0x6F18,
                                0x6F1B, 0x6F24, 0x6F25, 0x6F26, 0x6F31, 0x6F32, 0x6F33, 0x6F34, 0x6F35,
-                               0x6F36, 0x6F37, 0x6F2F, 0x6F3C, 0x6F04, 0x6F05, 0x6F06, 0x6F08};
+                               0x6F36, 0x6F37, 0x6F2F, 0x6F3C, 0x6F39, 0x6F04, 0x6F05, 0x6F06, 0x6F08};
   const EverythingSet objects = set_everything(t);
   for (std::size_t i = 0; i < std::size(values); ++i) {
     const StateName& state = extension_state()[i];

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/surfel/input_validation.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 #include <string>
@@ -33,9 +34,7 @@ std::optional<std::size_t> number_of(Element element, std::size_t index) {
 
 void check_range(const char* name, float value, float low, float high) {
   if (value >= low && value <= high) return;
-  throw Error(Element::option, 0,
-              std::string(name) + " is " + std::to_string(value) + "; it must be from " + std::to_string(low) + " to " +
-                  std::to_string(high));
+  throw Error(Element::option, 0, fmt::format("{} is {}; it must be from {} to {}", name, value, low, high));
 }
 
 }  // namespace
@@ -54,35 +53,70 @@ void check_options(const Options& options) {
 }
 
 void check_array_sizes(const Cloud& cloud) {
-  if (cloud.positions.size() % 3 != 0) {
-    throw Error(Element::cloud, 0,
-                "has " + std::to_string(cloud.positions.size()) + " coordinates; give three, x y z, for each point");
+  const std::size_t coordinates = cloud.positions.size(), points = coordinates / 3;
+  if (coordinates % 3 != 0) {
+    throw Error(Element::cloud, 0, fmt::format("has {} coordinates; give three, x y z, for each point", coordinates));
   }
-  if (cloud.positions.size() / 3 >= none) {
+  if (points >= none) {
     throw Error(Element::cloud, 0,
-                "has " + std::to_string(cloud.positions.size() / 3) +
-                    " points; indices have 32 bits: split it into clouds of less than 4294967295");
+                fmt::format("has {} points; indices have 32 bits: split it into clouds of less than {}", points, none));
   }
-  if (!cloud.normals.empty() && cloud.normals.size() != cloud.positions.size()) {
+  if (!cloud.normals.empty() && cloud.normals.size() != coordinates) {
     throw Error(Element::cloud, 0,
-                "has " + std::to_string(cloud.normals.size()) + " coordinates of normals for " +
-                    std::to_string(cloud.positions.size() / 3) + " points; give three for each point, or no normals");
+                fmt::format("has {} coordinates of normals for {} points; give three for each point, or no normals",
+                            cloud.normals.size(), points));
   }
 }
 
 void check_point(const Cloud& cloud, std::size_t point) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const float value = cloud.positions[3 * point + k];
-    if (!(std::fabs(value) <= greatest_coordinate)) {
+    const float position = cloud.positions[3 * point + k];
+    if (!(std::fabs(position) <= greatest_coordinate)) {
       throw Error(Element::point, point,
-                  std::string("has the ") + "xyz"[k] + " coordinate " + std::to_string(value) +
-                      "; it must be finite and at most 1e18: leave the point out, or scale the cloud");
+                  fmt::format("has the {} coordinate {}; it must be finite and at most {}: leave the point out, or "
+                              "scale the cloud",
+                              "xyz"[k], position, greatest_coordinate));
     }
     if (!cloud.normals.empty() && !std::isfinite(cloud.normals[3 * point + k])) {
       throw Error(Element::normal, point,
-                  std::string("has the ") + "xyz"[k] + " coordinate " + std::to_string(cloud.normals[3 * point + k]) +
-                      "; it must be finite: 0 0 0 where it is not known");
+                  fmt::format("has the {} coordinate {}; it must be finite: give 0 0 0 if the normal is not known",
+                              "xyz"[k], cloud.normals[3 * point + k]));
     }
+  }
+}
+
+void check_update(const Cloud& cloud, std::span<const std::uint32_t> moved, std::size_t had_points, bool had_normals) {
+  check_array_sizes(cloud);
+  const std::size_t points = cloud.positions.size() / 3;
+  if (points < had_points || (had_points > 0 && cloud.normals.empty() == had_normals)) {
+    throw Error(
+        Element::cloud, 0,
+        fmt::format("has {} points {} normals; before, it had {} points {} normals. Updates cannot remove "
+                    "points, nor add or remove normals: make new strips",
+                    points, cloud.normals.empty() ? "without" : "with", had_points, had_normals ? "with" : "without"));
+  }
+  for (const std::uint32_t point : moved) {
+    if (point < points) continue;
+    throw Error(Element::point, point, fmt::format("has moved, but there are {} points: name one of these", points));
+  }
+}
+
+void check_level(unsigned level, unsigned level_count) {
+  if (level < level_count) return;
+  throw Error(Element::option, level,
+              fmt::format("level is {}; there are {}: ask for more by Options::levels", level, level_count));
+}
+
+void check_view(const View& view) {
+  if (view.width == 0 || view.height == 0) {
+    throw Error(
+        Element::view, 0,
+        fmt::format("has {} x {} pixels; set width and height to those of the viewport", view.width, view.height));
+  }
+  for (std::size_t i = 0; i < 16; ++i) {
+    if (std::isfinite(view.clip_from_object[i])) continue;
+    throw Error(Element::view, 0,
+                fmt::format("has a matrix whose element {} is {}; it must be finite", i, view.clip_from_object[i]));
   }
 }
 

@@ -7,11 +7,17 @@
 #include <glark/surfel.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace glark::surfel {
 
 void check_options(const Options& options);
 void check_array_sizes(const Cloud& cloud);
 void check_point(const Cloud& cloud, std::size_t point);
+// had_points, had_normals: the cloud before the update.
+void check_update(const Cloud& cloud, std::span<const std::uint32_t> moved, std::size_t had_points, bool had_normals);
+void check_level(unsigned level, unsigned level_count);
+void check_view(const View& view);
 
 }  // namespace glark::surfel

@@ -4,7 +4,6 @@
 // The public entry.
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "glark/clients/surfel/cull/camera.h"
@@ -40,17 +39,13 @@ std::span<const std::uint32_t> Strips::indices() const { return state_->indices;
 unsigned Strips::level_count() const { return static_cast<unsigned>(state_->levels.size()); }
 
 std::span<const Node> Strips::nodes(unsigned level) const {
-  if (level >= level_count()) {
-    throw Error(Element::option, level,
-                "level is " + std::to_string(level) + "; there are " + std::to_string(level_count()) +
-                    ": ask for more by Options::levels");
-  }
+  check_level(level, level_count());
   return state_->levels[level].nodes;
 }
 
 Counts Strips::counts(unsigned level) const {
   Counts counts;
-  static_cast<void>(nodes(level));
+  check_level(level, level_count());
   for (const Patch& patch : state_->levels[level].patches) {
     counts.outer += patch.outer;
     counts.redundant += patch.redundant;
@@ -66,21 +61,9 @@ Counts Strips::counts(unsigned level) const {
 
 std::vector<Range> Strips::update(const Cloud& cloud, std::span<const std::uint32_t> moved) {
   State& state = *state_;
-  check_array_sizes(cloud);
+  check_update(cloud, moved, state.points, state.level_options.has_normals);
   const std::size_t count = cloud.positions.size() / 3;
-  if (count < state.points || (state.points > 0 && cloud.normals.empty() == state.level_options.has_normals)) {
-    throw Error(Element::cloud, 0,
-                "of " + std::to_string(count) + " points, " + (cloud.normals.empty() ? "without" : "with") +
-                    " normals, does not go on from one of " + std::to_string(state.points) +
-                    "; points cannot be taken out, nor normals come or go: make new strips");
-  }
   std::vector<std::uint32_t> points(moved.begin(), moved.end());
-  for (const std::uint32_t point : points) {
-    if (point >= count) {
-      throw Error(Element::point, point,
-                  "has moved, but there are " + std::to_string(count) + " points: name one of these");
-    }
-  }
   for (std::size_t point = state.points; point < count; ++point) points.push_back(static_cast<std::uint32_t>(point));
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -89,6 +72,7 @@ std::vector<Range> Strips::update(const Cloud& cloud, std::span<const std::uint3
 }
 
 void Strips::select(const View& view, Frame& frame) const {
+  check_view(view);
   const Camera camera(view);
   frame.counts.clear();
   frame.offsets.clear();

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Based on: the design's capture by transform feedback. The thesis (Boubekeur 2007, ch. 7.2.3) sends the attributes of
-// each coarse triangle as uniforms; here GL's own vertex processing front end delivers them, whatever the draw call.
+// The thesis (Boubekeur 2007, ch. 7.2.3) sends the attributes of each coarse triangle as uniforms. Here transform feedback captures
+// them: GL itself then handles every draw call, mode and index type.
 #include "glark/core/capture/capture.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "glark/core/shader.h"
+#include "glark/core/objects/shader.h"
 
 namespace glark::capture {
 namespace {
@@ -80,29 +80,29 @@ bool CaptureStage::reserve(const Layout& layout, std::uint64_t triangles) {
 
 void CaptureStage::bind_target(GLuint buffer, GLintptr offset, GLsizeiptr size, const core::Bindings& bindings) const {
   gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, offset, size);
-  // Only the generic point: the object keeps its own.
+  // Restores the generic binding point only: the indexed one belongs to the transform feedback object.
   gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);
 }
 
 void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count count, core::GpuBuffer* own_buffer) {
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   if (own_buffer != nullptr) {
-    target_ = own_buffer->name();
-    target_offset_ = 0;
-    bind_target(target_, 0, own_buffer->size(), bindings);
+    current_.buffer = own_buffer->name();
+    current_.offset = 0;
+    bind_target(current_.buffer, 0, own_buffer->size(), bindings);
   } else {
-    target_ = ring_.name();
-    target_offset_ = cursor_;
-    bind_target(target_, cursor_, ring_.size() - cursor_, bindings);
+    current_.buffer = ring_.name();
+    current_.offset = cursor_;
+    bind_target(current_.buffer, cursor_, ring_.size() - cursor_, bindings);
   }
-  count_ = count;
+  current_.count = count;
   gl_.UseProgram(program);
   if (!bindings.rasterizer_discard) {
     gl_.Enable(GL_RASTERIZER_DISCARD);
   }
-  if (count_ != Count::known) {
-    counting_ = bindings.primitives_written_query == 0 ? 0 : 1;
-    gl_.BeginQuery(query_targets[counting_], queries_[counting_]);
+  if (current_.count != Count::known) {
+    current_.query = bindings.primitives_written_query == 0 ? 0 : 1;
+    gl_.BeginQuery(query_targets[current_.query], queries_[current_.query]);
   }
   gl_.BeginTransformFeedback(GL_TRIANGLES);
 }
@@ -118,12 +118,12 @@ void CaptureStage::set_feedback_mode(GLuint program, GLenum mode, const core::Bi
 
 CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings) {
   gl_.EndTransformFeedback();
-  CoarseTriangles result{target_, target_offset_, static_cast<std::uint32_t>(triangles), false};
-  if (count_ != Count::known) {
-    gl_.EndQuery(query_targets[counting_]);
-    if (query_buffer_ && count_ == Count::by_query) {
+  CoarseTriangles result{current_.buffer, current_.offset, static_cast<std::uint32_t>(triangles), false};
+  if (current_.count != Count::known) {
+    gl_.EndQuery(query_targets[current_.query]);
+    if (query_buffer_ && current_.count == Count::by_query) {
       gl_.BindBuffer(GL_QUERY_BUFFER, count_command_.name());
-      gl_.GetQueryObjectuiv(queries_[counting_], GL_QUERY_RESULT,
+      gl_.GetQueryObjectuiv(queries_[current_.query], GL_QUERY_RESULT,
                             reinterpret_cast<GLuint*>(offsetof(CountCommand, instance_count)));
       gl_.BindBuffer(GL_QUERY_BUFFER, bindings.query_buffer);
       result.count_on_gpu = true;
@@ -135,7 +135,7 @@ CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles,
     gl_.Disable(GL_RASTERIZER_DISCARD);
   }
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
-  if (target_ == ring_.name()) {
+  if (current_.buffer == ring_.name()) {
     cursor_ += bytes_of(layout, triangles);
   }
   return result;
@@ -146,7 +146,7 @@ std::uint64_t CaptureStage::counted(const core::Bindings& bindings) const {
   if (bindings.query_buffer != 0) {
     gl_.BindBuffer(GL_QUERY_BUFFER, 0);
   }
-  gl_.GetQueryObjectuiv(queries_[counting_], GL_QUERY_RESULT, &written);
+  gl_.GetQueryObjectuiv(queries_[current_.query], GL_QUERY_RESULT, &written);
   if (bindings.query_buffer != 0) {
     gl_.BindBuffer(GL_QUERY_BUFFER, bindings.query_buffer);
   }

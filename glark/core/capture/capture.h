@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The application's own draw, issued once into a buffer: its coarse triangles with all their attributes.
+// Transform feedback of the application's own draw into a buffer: its coarse triangles with all their attributes.
 #pragma once
 
 #include <array>
@@ -17,11 +17,11 @@
 
 namespace glark::capture {
 
-// Who knows how many triangles there are.
+// How the number of captured triangles is known.
 enum class Count {
-  known,     // the caller
-  checked,   // the caller; GL's own count is read back, and the smaller one taken
-  by_query,  // GL; the number stays on the GPU where it can
+  known,     // the caller knows it
+  checked,   // the caller gives a count, and GL's count is read back: the lesser one holds
+  by_query,  // GL alone knows it; the number stays on the GPU where it can
 };
 
 class CaptureStage {
@@ -29,18 +29,18 @@ class CaptureStage {
   CaptureStage(const gl::Dispatch& gl, Language language, bool query_buffer)
       : gl_(gl), language_(language), query_buffer_(query_buffer) {}
 
-  // Program that captures `layout`, built on first use; 0 if it cannot be. Rare path: wrap in an ErrorScope.
+  // The program that captures `layout`, built on first use; 0 if it cannot be built. Wrap in an ErrorScope.
   GLuint program_for(const Layout& layout, GLuint tag_attribute);
 
-  // Room for `triangles` records in `ring`; false without memory. Rare path inside when the ring must grow.
+  // Makes room for `triangles` records in the ring; false without memory. Wrap in an ErrorScope.
   bool reserve(const Layout& layout, std::uint64_t triangles);
-  // From here to end() the draws of the application are captured.
+  // The application's draws from here to end() are captured.
   void begin(GLuint program, const core::Bindings& bindings, Count count, core::GpuBuffer* own_buffer);
-  // Mesa 22 has one mode of transform feedback a context, that of the last one to begin: makes it this one again.
+  // Mesa 22 has one mode of transform feedback for a context: the mode of the last feedback that began. This sets it.
   void set_feedback_mode(GLuint program, GLenum mode, const core::Bindings& bindings) const;
   CoarseTriangles end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings);
 
-  // Triangles of the last capture that was not exact; waits for the GPU.
+  // Triangles of the last capture that had a query; waits for the GPU.
   std::uint64_t counted(const core::Bindings& bindings) const;
 
   GLuint feedback();  // our transform feedback object, made on first use
@@ -59,15 +59,18 @@ class CaptureStage {
   bool query_buffer_;
   std::map<std::string, GLuint> programs_;  // by vertex source
   GLuint feedback_ = 0;
-  std::array<GLuint, 2> queries_{};  // of primitives written, and generated: where the application counts the former
+  std::array<GLuint, 2>
+      queries_{};  // primitives written; primitives generated, where the application counts the others
   core::GpuBuffer ring_;
   core::GpuBuffer count_command_;
   GLintptr cursor_ = 0;
-  // of the capture under way
-  GLuint target_ = 0;
-  GLintptr target_offset_ = 0;
-  Count count_ = Count::known;
-  std::size_t counting_ = 0;  // which of queries_
+  struct Current {
+    GLuint buffer = 0;
+    GLintptr offset = 0;
+    Count count = Count::known;
+    std::size_t query = 0;  // which of queries_
+  };
+  Current current_;  // the capture between begin() and end(), or the last one
 };
 
 }  // namespace glark::capture

@@ -13,7 +13,7 @@ namespace glark::capture {
 struct CapturePlan {
   GLuint program = 0;
   const std::vector<int>* inputs = nullptr;  // the attributes that the program reads, by core::AttributeSlot
-  const Layout* layout = nullptr;            // of the records
+  const Layout* layout = nullptr;            // layout of the records
   bool last_vertex_convention = false;       // set while the draw is captured
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What capture hands to the later stages.
+// The captured triangles of a draw, as later stages see them.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace glark::capture {
 
-// Where the coarse records of a draw are. The buffer belongs to the capture stage; the records of the ring
-// are valid until the next capture, those of the cache until their entry is dropped.
+// Where the coarse records of a draw are. Records in the ring of the capture stage are valid until the next capture, records in the
+// cache until their entry is dropped.
 struct CoarseTriangles {
   GLuint buffer = 0;
   GLintptr offset = 0;
@@ -19,7 +19,7 @@ struct CoarseTriangles {
   bool count_on_gpu = false;
 };
 
-// A DrawElementsIndirectCommand: its instance count is where the GPU writes a count that the CPU does not know.
+// A DrawElementsIndirectCommand. The GPU writes the number of triangles to its instance count, where the CPU does not know it.
 struct CountCommand {
   std::uint32_t index_count = 0;
   std::uint32_t instance_count = 0;

@@ -46,12 +46,12 @@ struct ArrayDraw {
 
 struct DrawCall {
   GLenum mode = 0;
-  std::uint64_t triangles = 0;  // of the whole call: the count, or a bound if !exact
+  std::uint64_t triangles = 0;  // their number in the whole call, or a bound if !exact
   bool exact = true;
   bool tags_vary = false;       // glDepthTag1i was called between its vertices
   bool whole_polygons = false;  // its triangles are those of GL's quads, or of one GL_POLYGON alone
   const PolygonSides* polygon_sides =
-      nullptr;                        // of several GL_POLYGONs, if they are known; of a bound, the most there can be
+      nullptr;                        // sizes of several GL_POLYGONs, if they are known; for a bound, the greatest ones
   bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
   const ArrayDraw* arrays = nullptr;  // these or a segment are set if its capture may be kept
   const ListSegment* segment = nullptr;
@@ -63,7 +63,7 @@ inline bool is_triangle_mode(GLenum mode) {
          mode == GL_QUAD_STRIP || mode == GL_POLYGON;
 }
 
-// Whether the polygons of `primitives` commands can be told apart: each quad is two triangles, a GL_POLYGON any number of them.
+// Whether the polygons of `primitives` commands can be told apart. Each quad is two triangles; a GL_POLYGON has any number.
 inline bool tells_polygons_apart(GLenum mode, std::uint64_t primitives) {
   return mode != GL_POLYGON || primitives == 1;
 }

@@ -66,7 +66,7 @@ const TypeRow* row_of(GLenum type) {
   return found != std::end(type_rows) ? found : nullptr;
 }
 
-// "tex" is to be found only in names of textures, and not in what is of a vertex.
+// "tex" names a texture only where it is not a part of "vertex".
 bool contains(const std::string& lower, std::string_view word) {
   std::size_t at = lower.find(word);
   while (at != std::string::npos && word.starts_with("tex") && at >= 3 && lower.compare(at - 3, 6, "vertex") == 0) {
@@ -220,7 +220,7 @@ void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told) 
     }
     return field != nullptr;
   };
-  // What is told first: a guess must not take it.
+  // Told roles first: a guess must not take their inputs.
   std::array<bool, 3> known{};
   for (std::size_t i = 0; i < known.size(); ++i) {
     known[i] = assign(find_told(fields, *names[i]), rules[i].role);
@@ -264,7 +264,7 @@ std::string roles_text(const std::vector<Field>& fields) {
 
 namespace {
 
-// The text of a capture shader while it is put together.
+// Puts the text of a capture shader together.
 class CaptureText {
  public:
   explicit CaptureText(CaptureSources& result) : result_(result) {}
@@ -293,7 +293,7 @@ class CaptureText {
         known != first_components_.end() ? known->second : declare_input("float", "", static_cast<int>(attribute)));
   }
 
-  // For words that are written afterwards.
+  // Words that later passes write.
   void add_room(int words) {
     for (int word = 0; word < words; ++word) add_output("out ", "float", "0.0");
   }
@@ -314,7 +314,7 @@ class CaptureText {
     return name;
   }
 
-  // OpenGL ES does not let two inputs have one location: a tag that the program reads is taken from its input.
+  // In OpenGL ES two inputs cannot have one location: if the program reads the tag itself, the capture takes it from that input.
   void note_first_components(const TypeRow& row, const std::string& value, int location) {
     for (int column = 0; column < row.columns; ++column) {
       std::string component = row.columns > 1 ? value + "[" + std::to_string(column) + "]" : value;
@@ -329,7 +329,7 @@ class CaptureText {
     return name + "ARB";
   }
 
-  // Doubles as pairs of unsigned integers, two doubles at a time: outputs cannot be captured as doubles everywhere.
+  // Captures doubles as pairs of unsigned integers, two doubles at a time: not every driver captures outputs that are doubles.
   void add_wide(const TypeRow& row, const std::string& value) {
     for (int column = 0; column < row.columns; ++column) {
       const std::string vector = row.columns > 1 ? value + "[" + std::to_string(column) + "]" : value;

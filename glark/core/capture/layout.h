@@ -24,12 +24,12 @@ bool is_constant_in_draw(const Field& field);
 // "gl_Vertex" and the like: read by their names, without a location.
 bool is_builtin(const Field& field);
 
-// Places the fields one after the other; `tagged` adds the depth tag, `welded` what welding leaves.
+// Places the fields one after the other. `tagged` adds the depth tag, `welded` the words that welding writes.
 Layout make_layout(std::vector<Field> fields, bool tagged, WeldedWords welded = {});
 
-// Which input is the position, the normal and the texture coordinate. What `told` names, by name or location, where the program
-// has it; else a guess: the built-in ones, else the first input whose name says so, else by location: 0 for the position, and
-// for the normal 1 or 2 where only one of the two can be it and its name speaks of nothing else.
+// Decides which input is the position, the normal and the texture coordinate: the input that `told` names, by name or location. If the
+// program does not have it, the role is guessed: a built-in input, else the first input whose name says so, else by location. By
+// location, 0 is the position; 1 or 2 is the normal if only one of them can be it and its name says nothing else.
 void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told);
 std::string roles_text(const std::vector<Field>& fields);             // "position is v, normal is n, ..."
 const Field* find_role(const std::vector<Field>& fields, Role role);  // null: no field has it

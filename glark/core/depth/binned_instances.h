@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What depth hands to the later stages.
+// The result of the depth stage.
 #pragma once
 
 #include "glark/gl/types.h"

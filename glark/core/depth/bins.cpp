@@ -3,10 +3,7 @@
 #include "glark/core/depth/bins.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
-
-#include "glark/core/shader.h"
 
 namespace glark::depth {
 namespace {
@@ -21,8 +18,6 @@ constexpr std::size_t work_header = 12;
 constexpr std::size_t work_pieces = work_header + 2 * pattern::piece_count;
 constexpr std::size_t work_commands = work_pieces + 4 * pattern::piece_count;
 constexpr std::size_t work_words = work_commands + 5 * pattern::piece_count;
-constexpr GLuint group_size = 64;
-constexpr GLuint most_groups = 65535;  // in one dimension, guaranteed; more go to the second
 constexpr GLsizeiptr deep_reserve_bytes = GLsizeiptr{32} << 20;
 
 constexpr const char* uniform_names[] = {"record_offset",     "corner_words",         "tag_offset",  "uniform_tag",
@@ -31,31 +26,22 @@ constexpr const char* uniform_names[] = {"record_offset",     "corner_words",   
 
 }  // namespace
 
-BinStage::Pass BinStage::compile(int pass) const {
-  const std::string version = language_ == capture::Language::es
-                                  ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
-                                  : "#version 430\n";
-  const std::string source = version + "#define GLARK_PASS " + std::to_string(pass) + "\n" + bins_source;
-  const core::ShaderText text{GL_COMPUTE_SHADER, source};
-  Pass result;
-  result.program = core::build_program(gl_, "a binning pass", {&text, 1});
-  if (result.program != 0) {
-    for (std::size_t i = 0; i < result.uniform.size(); ++i) {
-      result.uniform[i] = gl_.GetUniformLocation(result.program, uniform_names[i]);
+bool BinStage::compile() {
+  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+    const core::ComputeText text{.what = "a binning pass",
+                                 .source = bins_source,
+                                 .es = language_ == capture::Language::es,
+                                 .defines = {{"GLARK_PASS", pass}}};
+    if (!passes_[pass].built() && !passes_[pass].build(gl_, text, uniform_names)) {
+      return false;
     }
   }
-  return result;
+  return true;
 }
 
 bool BinStage::prepare(const pattern::GpuPool& pool) {
-  for (int pass = 0; pass < 3; ++pass) {
-    Pass& slot = passes_[static_cast<std::size_t>(pass)];
-    if (slot.program == 0) {
-      slot = compile(pass);
-    }
-    if (slot.program == 0) {
-      return false;
-    }
+  if (!compile()) {
+    return false;
   }
   std::vector<std::uint32_t> words(work_words, 0);
   for (std::size_t piece = 0; piece < pattern::piece_count; ++piece) {
@@ -100,7 +86,7 @@ bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, u
   return reorder_.reserve(layout, instances);
 }
 
-void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
+void BinStage::set_uniforms(const core::ComputePass& pass, const BinRequest& request) const {
   const bool measured = request.measured.buffer != 0;
   const GLintptr offset = measured ? request.measured.offset : request.triangles.offset;
   const int steps = request.interior == pattern::Interior::morphing ? pattern::morph_steps : 1;
@@ -116,11 +102,7 @@ void BinStage::set_uniforms(const Pass& pass, const BinRequest& request) const {
                           request.tags_are_edge_depths ? 1 : 0,
                           measured ? request.measured.bits : 0,
                           steps};
-  for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
-    if (pass.uniform[i] >= 0) {
-      gl_.Uniform1i(pass.uniform[i], values[i]);
-    }
-  }
+  pass.set_integers(gl_, values);
 }
 
 BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings) {
@@ -129,12 +111,10 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, c
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, instances_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, work_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, count_buffer);
-  const GLuint groups = (request.triangles.count + group_size - 1) / group_size;
   for (std::size_t i = 0; i < passes_.size(); ++i) {
-    gl_.UseProgram(passes_[i].program);
+    passes_[i].use(gl_);
     set_uniforms(passes_[i], request);
-    gl_.DispatchCompute(i == 1 ? 1 : std::min(groups, most_groups),
-                        i == 1 ? 1 : (groups + most_groups - 1) / most_groups, 1);
+    core::ComputePass::dispatch(gl_, i == 1 ? 1 : request.triangles.count);
     gl_.MemoryBarrier(i == 2 ? GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT |
                                    GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT
                              : GL_SHADER_STORAGE_BARRIER_BIT);
@@ -181,9 +161,8 @@ std::uint64_t BinStage::take_refined_triangles() {
 }
 
 void BinStage::release() {
-  for (Pass& pass : passes_) {
-    gl_.DeleteProgram(pass.program);
-    pass = Pass{};
+  for (core::ComputePass& pass : passes_) {
+    pass.release(gl_);
   }
   work_.release(gl_);
   instances_.release(gl_);

@@ -12,8 +12,9 @@
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/depth/kept_instances.h"
-#include "glark/core/depth/measured_depths.h"
+#include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/depth/reorder.h"
+#include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/state/bindings.h"
@@ -26,7 +27,7 @@ struct BinRequest {
   unsigned uniform_tag = 0;  // where the layout holds no tags
   unsigned pool_level = 0;   // greatest depth
   pattern::Interior interior = pattern::Interior::minimum;
-  bool tags_are_edge_depths = false;  // of edges 0, 1, 2, in the place of the tags of corners 0, 1, 2
+  bool tags_are_edge_depths = false;  // instead of the tags of corners 0, 1, 2: the depths of edges 0, 1, 2
   MeasuredDepths measured;            // if there are any, instead of tags
 };
 
@@ -34,7 +35,7 @@ class BinStage {
  public:
   BinStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language), reorder_(gl, language) {}
 
-  // Compiles the passes and uploads the piece table; again after the pool was replaced. False: adaptive drawing is not to be had.
+  // Compiles the passes and uploads the piece table; again after the pool was replaced. False: adaptive drawing is not available.
   bool prepare(const pattern::GpuPool& pool);
   // Room for the instances of a draw; false without memory.
   bool reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag);
@@ -43,28 +44,23 @@ class BinStage {
   // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer bindings 0 to
   // 3, which the caller restores.
   BinnedInstances sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings);
-  // How much the last sort() has made; reads back.
+  // The size of the result of the last sort(); reads back.
   InstanceExtent extent(const BinnedInstances& sorted) const;
   // Instances that the last sort() made; reads back.
   std::uint32_t instances_of_last() const;
   // Triangles drawn since the last call; reads back.
   std::uint64_t take_refined_triangles();
-  // Its word 2 counts the refined triangles until somebody sets it back.
+  // Word 2 counts the refined triangles until it is reset.
   GLuint work_buffer() const { return work_.name(); }
   void release();
 
  private:
-  struct Pass {
-    GLuint program = 0;
-    std::array<GLint, 12> uniform{};
-  };
-
-  Pass compile(int pass) const;
-  void set_uniforms(const Pass& pass, const BinRequest& request) const;
+  bool compile();
+  void set_uniforms(const core::ComputePass& pass, const BinRequest& request) const;
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::array<Pass, 3> passes_{};
+  std::array<core::ComputePass, 3> passes_;
   core::GpuBuffer work_;
   core::GpuBuffer instances_;
   std::uint32_t capacity_ = 0;  // instances

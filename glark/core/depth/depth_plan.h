@@ -18,9 +18,9 @@ struct DepthPlan {
   unsigned level = 0;
   unsigned deepest = 0;  // depth that an adaptive draw can reach
   pattern::Interior interior = pattern::Interior::minimum;
-  core::EdgeMeasure measure;  // of a measured draw
+  core::EdgeMeasure measure;  // by which a measured draw is measured
   GLuint corner_program = 0;  // gives the screen positions of the corners; 0: the screen is not measured
-  int normal_offset = -1;     // of the normal in a corner; -1: normals are not measured
+  int normal_offset = -1;     // first word of the normal in a corner; -1: normals are not measured
 
   int depth_steps() const { return morphing ? pattern::morph_steps : 1; }
   // Measured depths change with the camera: then the capture is kept, not the sorted instances.

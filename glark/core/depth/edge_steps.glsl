@@ -6,7 +6,7 @@
 
 uniform int depth_steps;  // to a level
 
-// What is not a number is 0.
+// Not-a-number gives 0.
 int steps_of(float tag) {
   if (!(tag > 0.0)) return 0;
   float steps = min(tag * float(depth_steps), float(pool_level * depth_steps));
@@ -16,7 +16,7 @@ int steps_of(float tag) {
 
 int depth_of(int steps) { return (steps + depth_steps - 1) / depth_steps; }
 
-// The placement of a piece; with the steps of the three edges in it where vertices move (docs/architecture.md, Geomorphing).
+// The placement of a piece; with the steps of the three edges in it where vertices move (docs/explanation/depths.md, Geomorphing).
 vec4 placement_of(vec4 placed, ivec3 steps) {
   if (depth_steps == 1) {
     return placed;

@@ -11,7 +11,7 @@
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/bins.h"
 #include "glark/core/depth/depth_plan.h"
-#include "glark/core/depth/measure.h"
+#include "glark/core/depth/measure/measure.h"
 #include "glark/core/depth/ordered.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/pool_in_use.h"
@@ -23,12 +23,12 @@ struct SortRequest {
   const DepthPlan& plan;
   const capture::Layout& layout;
   capture::CoarseTriangles triangles;
-  const core::GpuBuffer* count_command = nullptr;  // of triangles that are counted on the GPU
+  const core::GpuBuffer* count_command = nullptr;  // holds the count of triangles that are counted on the GPU
   bool tags_are_edge_depths = false;
   bool stored = false;  // the derived program reads the records from a storage block
 };
 
-// What a draw needs room for.
+// The size of a draw, for which buffers need room.
 struct SortRoom {
   const DepthPlan& plan;
   const capture::Layout& layout;

@@ -7,7 +7,7 @@
 namespace glark::depth {
 namespace {
 
-// Of a DrawElementsIndirectCommand.
+// Words of a DrawElementsIndirectCommand.
 constexpr std::size_t command_words = 5;
 constexpr std::size_t instance_count = 1;
 constexpr std::size_t base_instance = 4;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Sorted instances that outlive the next draw: how large they are, and a copy of them.
+// Sorted instances that are kept beyond the next draw: their size, and a copy of them.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct InstanceExtent {
   std::uint32_t instances = 0;
   std::uint64_t refined_triangles = 0;
   GLsizeiptr bytes = 0;                 // of a copy
-  std::vector<std::uint32_t> commands;  // those that draw something; one for neighbours that draw the same piece
+  std::vector<std::uint32_t> commands;  // without empty ones; neighbours that draw the same piece are one
 };
 
 // `commands`: as in BinnedInstances, 5 words each. `record_stride`: bytes.

@@ -3,11 +3,9 @@
 #include "glark/core/depth/ordered.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include "glark/core/pattern/pieces.glsl.h"
-#include "glark/core/report.h"
 
 namespace glark::depth {
 namespace {
@@ -18,7 +16,8 @@ constexpr char ordered_source[] =
 
 constexpr const char* uniform_names[] = {"record_offset",  "corner_words", "tag_offset",    "tags_are_edge_depths",
                                          "triangle_count", "pool_level",   "normal_offset", "on_screen",
-                                         "depth_steps",    "turn_offset"};
+                                         "depth_steps",    "turn_offset",  "half_size"};
+constexpr std::size_t half_size = 10;
 constexpr int most_triangles = 128;  // the least that GL and ES guarantee as the size of a work group
 constexpr std::uint32_t group_sizes[] = {8, 32, most_triangles};  // idle invocations are not free
 constexpr int most_instances = 4;                                 // of one triangle that is not deeper than a tile
@@ -33,45 +32,18 @@ GLsizeiptr bytes_for(const capture::Layout& layout) {
 
 }  // namespace
 
-OrderedStage::Pass OrderedStage::compile(int group) const {
-  const std::string version = language_ == capture::Language::es
-                                  ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
-                                  : "#version 430\n";
-  const std::string source = version + "#define GLARK_DEPTHS " + std::to_string(core::max_supported_level + 1) +
-                             "\n#define GLARK_GROUP " + std::to_string(group) + "\n#define GLARK_TRIANGLES " +
-                             std::to_string(most_triangles) + "\n#define GLARK_INSTANCES " +
-                             std::to_string(most_instances) + "\n" + ordered_source;
-  const char* text = source.c_str();
-  const GLuint shader = gl_.CreateShader(GL_COMPUTE_SHADER);
-  gl_.ShaderSource(shader, 1, &text, nullptr);
-  gl_.CompileShader(shader);
-  Pass pass;
-  pass.program = gl_.CreateProgram();
-  gl_.AttachShader(pass.program, shader);
-  gl_.LinkProgram(pass.program);
-  GLint linked = GL_FALSE;
-  gl_.GetProgramiv(pass.program, GL_LINK_STATUS, &linked);
-  if (linked == GL_FALSE) {
-    std::array<char, 2048> log{};
-    gl_.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    core::log(core::LogLevel::warning, std::string("pass for small draws does not compile: ") + log.data());
-    gl_.DeleteProgram(pass.program);
-    pass.program = 0;
-  } else {
-    for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
-      pass.uniform[i] = gl_.GetUniformLocation(pass.program, uniform_names[i]);
-    }
-    pass.half_size = gl_.GetUniformLocation(pass.program, "half_size");
-  }
-  gl_.DeleteShader(shader);
-  return pass;
-}
-
 void OrderedStage::prepare() {
   prepared_ = true;
   for (std::size_t i = 0; i < passes_.size(); ++i) {
-    passes_[i] = compile(static_cast<int>(group_sizes[i]));
-    if (passes_[i].program == 0) {
+    const core::ComputeText text{.what = "the pass for small draws",
+                                 .source = ordered_source,
+                                 .es = language_ == capture::Language::es,
+                                 .defines = {{"GLARK_DEPTHS", core::max_supported_level + 1},
+                                             {"GLARK_GROUP", group_sizes[i]},
+                                             {"GLARK_TRIANGLES", most_triangles},
+                                             {"GLARK_INSTANCES", most_instances}},
+                                 .failure = core::LogLevel::warning};
+    if (!passes_[i].build(gl_, text, uniform_names)) {
       drop_programs();
       return;
     }
@@ -79,14 +51,13 @@ void OrderedStage::prepare() {
 }
 
 void OrderedStage::drop_programs() {
-  for (Pass& pass : passes_) {
-    gl_.DeleteProgram(pass.program);
-    pass = Pass{};
+  for (core::ComputePass& pass : passes_) {
+    pass.release(gl_);
   }
 }
 
 bool OrderedStage::has_room(const capture::Layout& layout, std::uint32_t triangles) const {
-  return triangles > most_triangles || (prepared_ && (passes_[0].program == 0 || bytes_for(layout) <= result_.size()));
+  return triangles > most_triangles || (prepared_ && (!passes_[0].built() || bytes_for(layout) <= result_.size()));
 }
 
 void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangles) {
@@ -96,14 +67,14 @@ void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangle
   if (!prepared_) {
     prepare();
   }
-  if (passes_[0].program != 0 && !result_.reserve(gl_, bytes_for(layout), GL_DYNAMIC_COPY)) {
+  if (passes_[0].built() && !result_.reserve(gl_, bytes_for(layout), GL_DYNAMIC_COPY)) {
     drop_programs();
   }
 }
 
 bool OrderedStage::takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles,
                          unsigned deepest) const {
-  return passes_[0].program != 0 && !triangles.count_on_gpu && triangles.count <= most_triangles &&
+  return passes_[0].built() && !triangles.count_on_gpu && triangles.count <= most_triangles &&
          deepest <= static_cast<unsigned>(pattern::tile_level) && bytes_for(layout) <= result_.size();
 }
 
@@ -116,8 +87,8 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
     gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i]);
   }
   const auto group = std::lower_bound(std::begin(group_sizes), std::end(group_sizes), triangles.count);
-  const Pass& pass = passes_[static_cast<std::size_t>(group - std::begin(group_sizes))];
-  gl_.UseProgram(pass.program);
+  const core::ComputePass& pass = passes_[static_cast<std::size_t>(group - std::begin(group_sizes))];
+  pass.use(gl_);
   const GLint values[] = {static_cast<GLint>(triangles.offset / 4),
                           layout.corner_words,
                           layout.tag_offset,
@@ -128,10 +99,8 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
                           request.measure.corner_program != 0 ? 1 : 0,
                           request.measure.depth_steps,
                           layout.turn_offset};
-  for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
-    gl_.Uniform1i(pass.uniform[i], values[i]);
-  }
-  gl_.Uniform2f(pass.half_size, 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
+  pass.set_integers(gl_, values);
+  gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   gl_.DispatchCompute(1, 1, 1);
   gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   return {.records = result_.name(),

@@ -35,8 +35,8 @@ float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
 int corner_count() { return 3 * triangle_count; }
 
 #include "glark/core/depth/edge_steps.glsl"
-#include "glark/core/depth/edge_depth.glsl"
-#include "glark/core/depth/measured_edge.glsl"
+#include "glark/core/depth/measure/edge_depth.glsl"
+#include "glark/core/depth/measure/measured_edge.glsl"
 
 shared uint instance_count[GLARK_GROUP];
 shared uint refined_triangles;

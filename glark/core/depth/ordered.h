@@ -2,21 +2,22 @@
 // SPDX-License-Identifier: MIT
 //
 // Draws of few triangles: depths, instances and commands in one dispatch. Many programs have hundreds of them, for which the
-// passes of BinStage cost more than the triangles. What is drawn keeps the order of the triangles, which shows where they blend.
+// passes of BinStage cost more than the triangles. Instances keep the order of the triangles, which matters for blending.
 #pragma once
 
 #include <array>
 
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/depth/kept_instances.h"
-#include "glark/core/depth/measure.h"
+#include "glark/core/depth/measure/measure.h"
+#include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/bindings.h"
 
 namespace glark::depth {
 
 struct OrderedRequest {
-  MeasureRequest measure;  // layout, triangles, and what is measured unless the layout has tags
+  MeasureRequest measure;  // layout, triangles, and the measures, which count unless the layout has tags
   EdgeEnds ends;
   GLuint work = 0;  // BinStage::work_buffer()
   bool tags_are_edge_depths = false;
@@ -34,25 +35,18 @@ class OrderedStage {
   bool takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles, unsigned deepest) const;
   // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. Valid until the next call.
   BinnedInstances sort(const OrderedRequest& request, const core::Bindings& bindings);
-  // How much that has made; reads back.
+  // The size of the result of sort(); reads back.
   InstanceExtent extent(const BinnedInstances& sorted) const;
   void release();
 
  private:
-  struct Pass {
-    GLuint program = 0;
-    std::array<GLint, 10> uniform{};
-    GLint half_size = -1;
-  };
-
   void prepare();
-  Pass compile(int group) const;
   void drop_programs();
 
   const gl::Dispatch& gl_;
   capture::Language language_;
   bool prepared_ = false;
-  std::array<Pass, 3> passes_{};  // by size of the work group; all or none
+  std::array<core::ComputePass, 3> passes_;  // by size of the work group; all or none
   core::GpuBuffer result_;
 };
 

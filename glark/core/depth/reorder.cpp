@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "glark/core/shader.h"
+#include "glark/core/objects/shader.h"
 
 namespace glark::depth {
 namespace {

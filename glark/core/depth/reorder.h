@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Coarse records put into the order of their instances: drawn through an index buffer and captured again. Vertex fetch moves
+// Puts coarse records into the order of their instances: draws them through an index buffer and captures them again. Vertex fetch moves
 // whole corners, which a compute shader would do word by word. Drawn as triangles, since Mesa keeps the mode of a paused
-// transform feedback (the application's) in the context, not in the object: ours must have the same.
+// transform feedback (the application's) in the context, not in the object: ours must use the same mode.
 #pragma once
 
 #include <map>

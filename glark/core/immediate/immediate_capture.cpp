@@ -31,7 +31,7 @@ std::uint64_t ImmediateCapture::begin(GLenum mode, std::optional<Cause>& cause) 
     return 0;
   }
   // glArrayElement may restart the primitive.
-  exact_ = !env_.bindings().primitive_restart && !env_.state.immediate().elements_restart;
+  exact_ = !env_.bindings().primitive_restart && !env_.state.immediate().elements_restart();
   capture_.begin(plan_.capture, {.count = exact_ ? capture::Count::known : capture::Count::by_query});
   return room();
 }

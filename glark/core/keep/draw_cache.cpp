@@ -12,7 +12,7 @@ constexpr std::uint64_t frames_to_keep = 120;
 constexpr std::size_t most_entries = 8192;
 constexpr GLsizeiptr most_bytes = GLsizeiptr{256} << 20;
 
-// One multiplication a word; the words of a key are compared in full.
+// One multiplication a word is enough, because the words of keys with the same hash are compared.
 std::uint64_t hash_of(std::span<const std::uint64_t> words) {
   std::uint64_t hash = 0x9e3779b97f4a7c15U;
   for (const std::uint64_t word : words) {
@@ -76,8 +76,8 @@ void DrawCache::drop_oldest(const gl::Dispatch& gl) {
 }
 
 bool DrawCache::make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeiptr bytes) {
-  // An entry that was passed over for two rounds of all entries is not drawn in turn any more. Dropping one that is would only
-  // make the next draw capture in place of this one.
+  // Draws that are repeated use all entries in turns. An entry that was not used for two turns is no longer drawn. If an entry in use
+  // were dropped, its draw would have to capture again instead of this one.
   while (kept_bytes_ - wanted.buffer.size() + bytes > most_bytes && &entries_.back() != &wanted &&
          uses_ - entries_.back().last_use > 2 * entries_.size()) {
     drop_oldest(gl);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Captures and bins of draws that do not change. A draw is kept when it is seen for the second time, so that streams of fresh
-// geometry cost next to nothing; what was not used for longest goes first.
+// The cache of captures and sorted instances of draws that do not change. A draw is kept when it is seen for the second time, so that
+// streams of new geometry cost almost nothing. The entry that was not used for longest is dropped first.
 #pragma once
 
 #include <cstdint>
@@ -22,34 +22,34 @@ namespace glark::core {
 class DrawCache {
  public:
   enum class Answer {
-    fresh,  // nothing is kept, nor shall it be
-    keep,   // seen before: what is made now may be kept
-    kept,   // everything is there
+    fresh,  // nothing is kept, and nothing should be kept now
+    keep,   // the draw was seen before: its capture may be kept now
+    kept,   // the entry is filled
   };
   struct Entry {
     std::vector<std::uint64_t> key;
     std::uint64_t hash = 0;
-    std::vector<BufferStamps::State> states;  // of the buffers, in the order of the key's
+    std::vector<BufferStamps::State> states;  // states of the buffers, in the order of the key
     bool filled = false;
-    bool refused = false;  // reads what cannot be watched, or finds no room
+    bool refused = false;  // the draw reads a buffer that cannot be watched, or there is no room
     GpuBuffer buffer;
     capture::CoarseTriangles triangles;
-    depth::BinnedInstances bins;          // of an adaptive draw; the coarse triangles are then not kept
-    std::uint64_t refined_triangles = 0;  // of the bins
+    depth::BinnedInstances bins;          // instances of an adaptive draw; then its coarse triangles are not kept
+    std::uint64_t refined_triangles = 0;  // their number in the bins
     std::uint64_t last_use = 0;
     std::uint64_t last_frame = 0;
   };
 
-  // The buffers' states are taken here, so before the draw is captured.
+  // Takes the states of the buffers: call it before the draw is captured.
   std::pair<Answer, Entry*> look_up(const gl::Dispatch& gl, const DrawKey& key, const BufferStamps& stamps);
-  // Makes room for `bytes`, at the expense of entries that no longer take their turn. False: the draws in turn fill the budget.
+  // Makes room for `bytes`: drops entries whose draws are no longer repeated. False: entries in use fill the budget.
   bool make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeiptr bytes);
   // Gives the entry a buffer of its own of `bytes`; false without memory. Wrap in an ErrorScope.
   bool allocate(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes);
-  // Drops what no draw of the last frames used.
+  // Drops entries that no draw of the last frames used.
   void frame_finished(const gl::Dispatch& gl);
   void release(const gl::Dispatch& gl);
-  // The names of all buffers, for whoever deletes them later: nothing is kept any more.
+  // Forgets all entries, and returns the names of their buffers for whoever deletes them later.
   std::vector<GLuint> take_buffers();
 
  private:

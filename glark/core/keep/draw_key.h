@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// All that the capture and the bins of a draw depend on: draws with equal keys, whose buffers were not written in between,
-// have the same.
+// Everything that the capture and the sorted instances of a draw depend on. Draws with equal keys have the same ones, unless their
+// buffers were written in between.
 #pragma once
 
 #include <algorithm>
@@ -63,7 +63,7 @@ class DrawKey {
 
  private:
   std::vector<std::uint64_t> words_;
-  std::vector<GLuint> buffers_;  // that the draw reads
+  std::vector<GLuint> buffers_;  // buffers that the draw reads
 };
 
 }  // namespace glark::core

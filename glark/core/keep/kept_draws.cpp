@@ -40,7 +40,7 @@ bool KeptDraws::add_arrays(const std::vector<int>& inputs, const ArrayDraw& draw
   if (draw.index_type != 0) {
     key_.add(reinterpret_cast<std::uint64_t>(draw.indices));
     key_.add(static_cast<std::uint32_t>(draw.base_vertex));
-    const BoundBuffer& elements = env_.state.element_buffer();
+    const BoundBuffer& elements = env_.state.arrays().element_buffer();
     if (!key_.add_buffer(elements.name, elements.generation)) {
       return false;
     }
@@ -54,12 +54,12 @@ bool KeptDraws::add_array_input(int slot) {
   }
   // In compatibility contexts glVertexPointer and attribute 0 are one attribute; the array of attribute 0 has precedence.
   if (env_.capabilities.is_compatibility() && (slot == vertex_slot || slot == 0)) {
-    slot = env_.state.attribute_source(0).enabled ? 0 : static_cast<int>(vertex_slot);
-    if (!env_.state.attribute_source(slot).enabled) {
+    slot = env_.state.arrays().attribute_source(0).enabled ? 0 : static_cast<int>(vertex_slot);
+    if (!env_.state.arrays().attribute_source(slot).enabled) {
       return false;
     }
   }
-  const AttributeSource& source = env_.state.attribute_source(slot);
+  const AttributeSource& source = env_.state.arrays().attribute_source(slot);
   if (!source.enabled) {
     key_.add_value(slot, env_.state.current_values());
     return true;
@@ -121,7 +121,7 @@ KeptDraw KeptDraws::find(const DrawCall& call, const KeyFacts& facts) {
   }
   const std::shared_ptr<Program>& current = env_.state.programs().current();
   if (current != nullptr && current->may_store) {
-    env_.share.buffers.gpu_wrote(env_.state.next_stamp());  // by the program's earlier draws
+    env_.share.buffers.gpu_wrote(env_.state.stamps().next());  // by the program's earlier draws
   }
   const auto [answer, entry] = cache_.look_up(env_.gl, key_, env_.share.buffers);
   if (answer == DrawCache::Answer::kept) {

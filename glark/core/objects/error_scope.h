@@ -22,8 +22,8 @@ class PendingError {
   GLenum error_ = GL_NO_ERROR;
 };
 
-// At construction, moves the driver's pending error to `pending`. At destruction, drops the errors that our calls caused.
-// For rare operations only (allocation, linking).
+// At construction, moves the driver's pending error to `pending`. At destruction, drops the errors that our calls
+// caused. For rare operations only (allocation, linking).
 class ErrorScope {
  public:
   explicit ErrorScope(PendingError& pending);

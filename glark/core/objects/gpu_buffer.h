@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A buffer object of ours. Allocation leaves every binding point as it was.
+// A buffer object of ours. Allocating it changes no binding.
 #pragma once
 
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {
 
-// Binds to GL_COPY_WRITE_BUFFER for the life of the scope. Reads a binding back: for rare paths only. Functions without a binding
-// (glNamedBufferData ...) are missing from OpenGL ES, where their addresses may nevertheless be had.
+// Binds a buffer to GL_COPY_WRITE_BUFFER during its lifetime. It queries the old binding, so it is for rare paths only.
+// OpenGL ES lacks the functions that need no binding (glNamedBufferData ...), although their addresses may be found
+// there.
 class CopyWriteBinding {
  public:
   CopyWriteBinding(const gl::Dispatch& gl, GLuint buffer);
@@ -24,10 +25,10 @@ class CopyWriteBinding {
 
 class GpuBuffer {
  public:
-  // (Re)allocates; contents are `data` or undefined. False if GL has no memory: the old storage is then kept.
-  // The caller wraps this in an ErrorScope.
+  // Allocates, or allocates again; `data` may be null. False: GL has no memory, and the old storage is kept.
+  // The caller has an ErrorScope.
   bool allocate(const gl::Dispatch& gl, GLsizeiptr size, const void* data, GLenum usage);
-  // Grows to at least `size`, by at least half; contents are lost.
+  // Grows to at least `size`, and by at least half. The contents are lost.
   bool reserve(const gl::Dispatch& gl, GLsizeiptr size, GLenum usage);
   void write(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, const void* data) const;
   void read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The application's debug output hears of its own calls only: while one of ours is under way it is switched off.
+// The application's debug output must report its own calls only. It is switched off while we make calls.
 #pragma once
 
 #include "glark/gl/dispatch.h"
@@ -11,13 +11,13 @@ namespace glark::core {
 class Quiet {
  public:
   Quiet() = default;
-  // `audible`: GL_DEBUG_OUTPUT as the application has it. Without it nothing is called.
+  // `audible`: the application has enabled GL_DEBUG_OUTPUT. If not, nothing is called.
   Quiet(const gl::Dispatch& gl, bool audible) : gl_(audible ? &gl : nullptr) { hush(); }
   ~Quiet() { interrupt(); }
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
 
-  // For a call of the application in between.
+  // Switches debug output on for a call of the application in between.
   void interrupt() const {
     if (gl_ != nullptr) {
       gl_->Enable(GL_DEBUG_OUTPUT);

@@ -133,8 +133,8 @@ void append_smooth_skirts(BorderBlock& block, int m, int max_level) {
   }
 }
 
-// Triangles between an edge and a row of points beside it, such that halving every segment of the edge halves triangles, and
-// that moving each row to the next shallower one makes of these triangles those of that row (docs/architecture.md, Geomorphing).
+// Triangles between an edge and a row of points beside it. Halving every segment of the edge halves triangles, and moving each row to
+// the next shallower one turns its triangles into those of that row (docs/explanation/depths.md, Geomorphing).
 void append_nested(const Chain& edge, const Chain& row, int segments_at_row, std::vector<std::uint16_t>& indices) {
   const int segments = static_cast<int>(edge.size()) - 1;
   const auto apex = [&](int segment) {

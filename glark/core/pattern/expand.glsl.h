@@ -4,7 +4,7 @@
 // The rule from the depths of three edges to instances of pieces, once for C++ and for GLSL 4.30 / ES 3.10.
 //
 // The includer defines, before the #include:
-//   GLARK_EMIT(piece, ou, ov, s, r)  takes one instance: int piece; float ou, ov, s, r (docs/architecture.md, *patch*)
+//   GLARK_EMIT(piece, ou, ov, s, r)  takes one instance: int piece; float ou, ov, s, r (docs/explanation/architecture.md, *patch*)
 //   GLARK_SINK_PARAMETER             C++: "Sink& sink," for GLARK_EMIT to use; GLSL: leave undefined
 //   GLARK_SINK_ARGUMENT              C++: "sink,"; GLSL: leave undefined
 // and calls expand_pattern(GLARK_SINK_ARGUMENT e0, e1, e2, interior). C++ code includes expand.h instead.
@@ -40,7 +40,7 @@ GLARK_SHARED_FUNCTION bool lifts_interior(int least, int most, int interior) {
   return interior == smooth_interior && least == 0 && most >= smooth_difference;
 }
 
-// While morphing, one shallow edge does not keep the interior from being there: the row beside it merges (epilogue_morph.cpp).
+// While morphing, one shallow edge does not keep the interior from being there: the row beside it merges (refine/epilogue/morph.cpp).
 GLARK_SHARED_FUNCTION int morphing_level(int d0, int d1, int d2) {
   int least = lesser(d0, lesser(d1, d2));
   int middle = greater(lesser(d0, d1), lesser(greater(d0, d1), d2));

@@ -23,7 +23,7 @@ struct LatticeVertex {
 struct Piece {
   std::uint32_t first_index;   // into Pool::indices
   std::uint32_t index_count;   // a triangle list: a multiple of 3
-  std::uint16_t base_vertex;   // what is added to every index
+  std::uint16_t base_vertex;   // added to every index
   std::uint16_t vertex_count;  // indices are below this
 };
 

@@ -4,6 +4,7 @@
 // The pattern pool that a context draws from: built by glARKinit, or before the first refined draw.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "glark/core/pattern/gpu_pool.h"
@@ -16,9 +17,23 @@ class PoolInUse {
   explicit PoolInUse(const core::Environment& environment) : env_(environment) {}
 
   // False without memory: the old pool is then kept. Wrap in an ErrorScope.
-  bool build(unsigned max_level);
+  bool build(unsigned max_level) {
+    const core::Quiet quiet = env_.state.quiet();
+    if (!pool_.build(env_.gl, max_level, core::geomorphs(env_.options, env_.ark))) {
+      return false;
+    }
+    ++number_;
+    return true;
+  }
   // Builds the pool that the state asks for, unless it is there. False without memory: then it is not tried again.
-  bool ensure();
+  bool ensure() {
+    const bool fits = pool_.built() && pool_.nested() == core::geomorphs(env_.options, env_.ark);
+    if (!fits && !failed_) {
+      core::ErrorScope errors(env_.errors);
+      failed_ = !build(pool_.built() ? pool_.max_level() : std::max(env_.options.max_level, env_.options.level));
+    }
+    return fits || !failed_;
+  }
 
   const GpuPool& pool() const { return pool_; }
   std::uint64_t number() const { return number_; }  // counts the pools that were built; 0: there is none

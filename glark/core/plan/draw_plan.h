@@ -27,7 +27,7 @@ struct DrawPlan {
   bool placed = false;                       // the derived program takes a placement of the piece
   capture::CapturePlan capture;
   std::optional<polygons::Decomposition> polygons;  // to be split at their centroids
-  PolygonSides polygon_sides = {};                  // of several GL_POLYGONs
+  PolygonSides polygon_sides = {};                  // sizes of several GL_POLYGONs
   weld::WeldPlan weld;
   depth::DepthPlan depth;
 };

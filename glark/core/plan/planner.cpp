@@ -121,7 +121,7 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
                        .conventional = program.conventional_projection && env_.capabilities.is_compatibility(),
                        .triangles = triangles};
   if (needs_matrices(facts)) {
-    facts.matrices = env_.state.matrices().traits(env_.gl);
+    facts.matrices = env_.state.fixed_function().matrices().traits(env_.gl);
   }
   return exemption(facts);
 }
@@ -135,7 +135,7 @@ void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
   DepthFacts facts{.options = env_.options, .ark = env_.ark, .measurable = can_measure(*plan.program)};
   if (takes_tags(facts)) {
     const auto tag_slot = static_cast<int>(env_.ark.tag_attribute);
-    facts.tags_vary = call.tags_vary || feedback.tagged() || env_.state.attribute_source(tag_slot).enabled;
+    facts.tags_vary = call.tags_vary || feedback.tagged() || env_.state.arrays().attribute_source(tag_slot).enabled;
     facts.current_tag = facts.tags_vary ? 0 : current_tag(env_);
   }
   // The feedback's program has to draw what the application wants coarse, too.

@@ -18,7 +18,7 @@ namespace glark::core {
 
 class Planner {
  public:
-  // What a plan depends on beside the state.
+  // Stages that a plan depends on.
   struct Parts {
     pattern::PoolInUse& pool;
     capture::DrawCapture& capture;

@@ -15,7 +15,7 @@ namespace glark::core {
 enum class VertexStage { program, program_pipeline, fixed_function };
 
 struct ProgramChoice {
-  std::optional<Cause> cause;  // of a draw that has no vertex stage which can be refined
+  std::optional<Cause> cause;  // set if no vertex stage can be refined
   VertexStage stage = VertexStage::program;
 };
 

@@ -3,10 +3,7 @@
 #include "glark/core/polygons/centroid_split.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
-
-#include "glark/core/shader.h"
 
 namespace glark::polygons {
 namespace {
@@ -17,7 +14,8 @@ constexpr char split_source[] =
 
 constexpr const char* uniform_names[] = {"record_offset", "corner_words", "tag_offset",    "first_integer",
                                          "pool_level",    "equal_sides",  "polygon_bound", "count_on_gpu",
-                                         "centroids",     "is_fan",       "depth_steps"};
+                                         "centroids",     "is_fan",       "depth_steps",   "corners"};
+constexpr std::size_t corners = 11;
 constexpr std::uint32_t group_size = 64;
 constexpr std::uint32_t most_groups = 65535;  // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT
 constexpr GLsizeiptr chunk_overrun = 16;      // the last vec4 chunk of the last record may read past its end
@@ -44,32 +42,28 @@ int first_integer(const capture::Layout& layout) {
 
 }  // namespace
 
-CentroidSplit::Pass CentroidSplit::compile(int pass) const {
-  const std::string source = "#version 430\n#define GLARK_PASS " + std::to_string(pass) + "\n" + split_source;
-  const core::ShaderText text{GL_COMPUTE_SHADER, source};
-  Pass result;
-  result.program = core::build_program(gl_, "a centroid pass", {&text, 1});
-  if (result.program != 0) {
-    for (std::size_t i = 0; i < result.uniform.size(); ++i) {
-      result.uniform[i] = gl_.GetUniformLocation(result.program, uniform_names[i]);
+bool CentroidSplit::compile() {
+  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
+    const core::ComputeText text{.what = "a centroid pass", .source = split_source, .defines = {{"GLARK_PASS", pass}}};
+    if (!passes_[pass].build(gl_, text, uniform_names)) {
+      return false;
     }
-    result.corners = gl_.GetUniformLocation(result.program, "corners");
   }
-  return result;
+  return true;
 }
 
 bool CentroidSplit::prepare() {
   if (count_command_.name() != 0) {
-    return passes_[0].program != 0 && passes_[1].program != 0;
+    return passes_[0].built() && passes_[1].built();
   }
-  passes_ = {compile(0), compile(1)};
+  const bool compiled = compile();
   gl_.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest_block_);
   const capture::CountCommand command;
-  return count_command_.allocate(gl_, sizeof(command), &command, GL_DYNAMIC_COPY) && prepare();
+  return count_command_.allocate(gl_, sizeof(command), &command, GL_DYNAMIC_COPY) && compiled;
 }
 
 bool CentroidSplit::has_room(const SplitRequest& request) const {
-  return passes_[1].program != 0 && bytes_of(request) <= records_.size() && table_bytes(request) <= table_.size();
+  return passes_[1].built() && bytes_of(request) <= records_.size() && table_bytes(request) <= table_.size();
 }
 
 bool CentroidSplit::reserve(const SplitRequest& request) {
@@ -78,7 +72,7 @@ bool CentroidSplit::reserve(const SplitRequest& request) {
          table_.reserve(gl_, table_bytes(request), GL_DYNAMIC_DRAW);
 }
 
-void CentroidSplit::set_uniforms(const Pass& pass, const SplitRequest& request) const {
+void CentroidSplit::set_uniforms(const core::ComputePass& pass, const SplitRequest& request) const {
   const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
                           request.layout->corner_words,
                           request.layout->tag_offset,
@@ -90,12 +84,8 @@ void CentroidSplit::set_uniforms(const Pass& pass, const SplitRequest& request) 
                           static_cast<GLint>(record_words(request)),
                           request.decomposition.fan ? 1 : 0,
                           request.depth_steps};
-  for (std::size_t i = 0; i < pass.uniform.size(); ++i) {
-    if (pass.uniform[i] >= 0) {
-      gl_.Uniform1i(pass.uniform[i], values[i]);
-    }
-  }
-  gl_.Uniform1iv(pass.corners, static_cast<GLsizei>(request.decomposition.corners.size()),
+  pass.set_integers(gl_, values);
+  gl_.Uniform1iv(pass.location(corners), static_cast<GLsizei>(request.decomposition.corners.size()),
                  request.decomposition.corners.data());
 }
 
@@ -118,11 +108,11 @@ capture::CoarseTriangles CentroidSplit::split(const SplitRequest& request, GLuin
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, count_command_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, table_.name());
   write_table(request);
-  gl_.UseProgram(passes_[0].program);
+  passes_[0].use(gl_);
   set_uniforms(passes_[0], request);
   gl_.DispatchCompute(groups_for(request.polygons()), static_cast<GLuint>(request.layout->corner_words), 1);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  gl_.UseProgram(passes_[1].program);
+  passes_[1].use(gl_);
   set_uniforms(passes_[1], request);
   gl_.DispatchCompute(groups_for(request.records()), 1, 1);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
@@ -131,9 +121,8 @@ capture::CoarseTriangles CentroidSplit::split(const SplitRequest& request, GLuin
 }
 
 void CentroidSplit::release() {
-  for (Pass& pass : passes_) {
-    gl_.DeleteProgram(pass.program);
-    pass = Pass{};
+  for (core::ComputePass& pass : passes_) {
+    pass.release(gl_);
   }
   records_.release(gl_);
   count_command_.release(gl_);

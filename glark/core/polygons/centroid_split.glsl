@@ -14,18 +14,18 @@ layout(std430, binding = 3) writeonly buffer SplitCount { uint split_count[]; };
 // Two words for each polygon, and two more: its first captured triangle, and its first record.
 layout(std430, binding = 4) readonly buffer Table { uint table[]; };
 
-uniform int record_offset;  // of the captured triangles, in words
+uniform int record_offset;  // first captured triangle, in words
 uniform int corner_words;
 uniform int tag_offset;     // in a corner; < 0: there are no tags
 uniform int first_integer;  // words from here to the tag are integers, the same at all vertices of a polygon
 uniform int pool_level;
 uniform int depth_steps;    // to a level, as edge_steps.glsl has it; depths of edges and faces are in steps
-uniform int equal_sides;    // of every polygon; 0: the table says how many
+uniform int equal_sides;    // sides of every polygon; 0: the table has their numbers
 uniform int polygon_bound;
 uniform int count_on_gpu;
 uniform int centroids;      // first word of the centroids
 uniform int is_fan;
-uniform int corners[4];     // depth::Decomposition
+uniform int corners[4];     // polygons::Decomposition
 
 // The number of the polygons that end by the entry `limit` in one of the table's columns.
 int polygons_until(int column, int limit) {
@@ -137,7 +137,7 @@ void main() {
       split[to + corner_words + word] = captured[second + word];
       split[to + 2 * corner_words + word] = split[middle + word];
     }
-    // In the place of the tags, the depths of edges 0, 1 and 2; the centroid has that of both inner edges.
+    // The depths of edges 0, 1 and 2 replace the tags. The centroid holds the depth of both inner edges.
     if (tag_offset >= 0) {
       split[to + tag_offset] = floatBitsToUint(float(edge_depth(polygon, edge)) / float(depth_steps));
       split[to + corner_words + tag_offset] = split[middle + tag_offset];

@@ -12,6 +12,7 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/polygons/decomposition.h"
 #include "glark/gl/dispatch.h"
@@ -20,17 +21,17 @@ namespace glark::polygons {
 
 struct SplitRequest {
   const capture::Layout* layout = nullptr;
-  capture::CoarseTriangles triangles;  // of quads, or of one polygon and then an exact count
+  capture::CoarseTriangles triangles;  // triangles of quads, or of one polygon; then their count is exact
   Decomposition decomposition;
   unsigned pool_level = 0;
-  int depth_steps = 1;  // to a level
+  int depth_steps = 1;  // steps of a level
   std::span<const std::uint32_t> sides =
-      {};  // of each polygon, where there are several fans; then no count need be exact
+      {};  // sides of each polygon, where there are several fans; then no count need be exact
 
   std::uint32_t polygons() const {
     return !sides.empty() ? static_cast<std::uint32_t>(sides.size()) : decomposition.fan ? 1 : triangles.count / 2;
   }
-  // Of every polygon; 0: they differ.
+  // Sides of every polygon; 0: they differ.
   std::uint32_t equal_sides() const { return !sides.empty() ? 0 : decomposition.fan ? triangles.count + 2 : 4; }
   std::uint32_t records() const {
     return sides.empty() ? polygons() * equal_sides() : std::accumulate(sides.begin(), sides.end(), 0U);
@@ -48,28 +49,22 @@ class CentroidSplit {
   // split. `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
   capture::CoarseTriangles split(const SplitRequest& request, GLuint captured_count);
 
-  // Of the last split, if its count is on the GPU.
+  // The count of the last split, if it is on the GPU.
   const core::GpuBuffer& count_command() const { return count_command_; }
   void release();
 
  private:
   static constexpr std::size_t uniform_count = 11;
-  struct Pass {
-    GLuint program = 0;
-    std::array<GLint, uniform_count> uniform{};
-    GLint corners = -1;
-  };
-
-  Pass compile(int pass) const;
+  bool compile();
   bool prepare();
   void write_table(const SplitRequest& request);
-  void set_uniforms(const Pass& pass, const SplitRequest& request) const;
+  void set_uniforms(const core::ComputePass& pass, const SplitRequest& request) const;
 
   const gl::Dispatch& gl_;
-  std::array<Pass, 2> passes_{};
+  std::array<core::ComputePass, 2> passes_;
   core::GpuBuffer records_;  // and the centroids
   core::GpuBuffer count_command_;
-  core::GpuBuffer table_;  // of polygons that differ
+  core::GpuBuffer table_;  // sizes of polygons that differ
   GLint64 largest_block_ = 0;
 };
 

@@ -7,7 +7,7 @@
 namespace glark::polygons {
 namespace {
 
-using QuadCorners = std::array<int, 6>;  // of both triangles: which vertex of the boundary each is, -1 for none
+using QuadCorners = std::array<int, 6>;  // corners of both triangles: the number of the boundary vertex, -1 for none
 
 QuadCorners quad_corners(GLenum mode, std::size_t quad, std::span<const float> numbers) {
   constexpr std::array<int, 4> strip_boundary{0, 1, 3, 2};

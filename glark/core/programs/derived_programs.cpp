@@ -7,7 +7,7 @@
 #include "glark/core/capture/draw_capture.h"
 #include "glark/core/capture/feedback_aside.h"
 #include "glark/core/refine/attribute_locations.h"
-#include "glark/core/refine/uniform_copy.h"
+#include "glark/core/refine/program/uniform_copy.h"
 
 namespace glark::core {
 namespace {
@@ -16,7 +16,7 @@ refine::BuilderTraits builder_traits(const Capabilities& capabilities, const Con
   refine::BuilderTraits traits;
   traits.language = capture::language_of(capabilities);
   traits.roles = options.roles;
-  traits.scalar_tags = options.scalar_tags;
+  traits.scalar_tags = constant_tags(options);
   traits.transparent = options.transparent;
   traits.glsl_version = capabilities.version * 10;
   traits.extensions = capabilities.extensions;

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "glark/core/capture/capture.h"
-#include "glark/core/refine/program_builder.h"
+#include "glark/core/refine/program/program_builder.h"
 #include "glark/core/state/environment.h"
 
 namespace glark::core {

@@ -26,8 +26,8 @@ refine::FragmentReads FixedFunctionPrograms::fragment_reads(const Program* fragm
 
 Program* FixedFunctionPrograms::find(Program* fragment) {
   const GLuint fragment_name = fragment != nullptr ? fragment->name : 0;
-  if (env_.state.fixed_function_stale() || fragment_ != fragment_name) {
-    env_.state.fixed_function_read();
+  if (env_.state.fixed_function().stale() || fragment_ != fragment_name) {
+    env_.state.fixed_function().mark_read();
     fragment_ = fragment_name;
     state_ = refine::read_fixed_function_state(env_.gl, fragment_reads(fragment), env_.capabilities.fog_distance);
   }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "glark/core/programs/derived_programs.h"
-#include "glark/core/refine/fixed_function_state.h"
+#include "glark/core/refine/fixed_function/state.h"
 
 namespace glark::core {
 
@@ -28,7 +28,7 @@ class FixedFunctionPrograms {
   const std::string& refinement_source() const { return refinement_source_; }
   void set_refinement_source(std::string source);
 
-  void discard_derived();             // of all programs
+  void discard_derived();             // drops what was derived from any of the programs
   void forget_fragment(GLuint name);  // the program was linked again or deleted
   void release();
 
@@ -40,7 +40,7 @@ class FixedFunctionPrograms {
   DerivedPrograms& derived_;
   std::map<std::pair<refine::FixedFunctionState, GLuint>, std::shared_ptr<Program>> programs_;
   refine::FixedFunctionState state_;
-  GLuint fragment_ = 0;  // that the state was read for
+  GLuint fragment_ = 0;  // fragment program that the state was read for
   std::string refinement_source_;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/programs/program_switch.h"
 
-#include "glark/core/refine/subroutines.h"
+#include "glark/core/refine/program/subroutines.h"
 
 namespace glark::core {
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/derive.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 
-#include "glark/core/refine/epilogue.h"
+#include "glark/core/refine/epilogue/epilogue.h"
 #include "glark/core/refine/refinement_source.h"
 
 namespace glark::refine {
@@ -69,16 +71,16 @@ class Deriver {
 
   // Names that the contract fixes and that the application may have taken: its variable gets another name, unless the API can see it.
   bool resolve_collisions() {
-    IdentifierSet fixed = {lattice_input,          patch_input,          records_block,
-                           words_member,           first_word_uniform,   height_map_uniform,
-                           height_channel_uniform, height_range_uniform, instance_input};
+    IdentifierSet fixed = {lattice_input,      patch_input,         records_block,          words_member,
+                           first_word_uniform, height_map_uniform,  height_channel_uniform, height_range_uniform,
+                           instance_input,     shape_number_uniform};
     for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
     for (const std::string& name : application_identifiers_) {
       const bool ours =
           !request_.refinement_source.empty() && (name == "ark_barycentric" || name.starts_with("ark_corner_"));
       if (!ours && !fixed.contains(name)) continue;
       if (is_visible_to_api(name)) {
-        error_ = "'" + name + "' is a name that glark needs; rename this uniform, output or block";
+        error_ = fmt::format("'{}' is a name that glark needs; rename this uniform, output or block", name);
         return false;
       }
       new_names_.of[name] = prefix_ + "application_" + name;
@@ -122,14 +124,15 @@ class Deriver {
     plan_refinement();
     plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.outputs);
     plan_morphing();
-    if (plan_.refinement != core::Refinement::linear_outputs) {
+    if (!plan_.interpolates_outputs()) {
       std::erase_if(plan_.outputs, [&](const OutputVariable& output) { return !is_flat(output, plan_.structures); });
     }
     int indexed_words = 0;
     for (const OutputVariable& output : plan_.outputs) {
       indexed_words += output.indexed_words;
-      if (plan_.refinement == core::Refinement::linear_outputs && indexed_words > most_indexed_words) {
-        error_ = "output array '" + output.path + "' is too large to be interpolated where its index is no constant";
+      if (plan_.interpolates_outputs() && indexed_words > most_indexed_words) {
+        error_ =
+            fmt::format("output array '{}' is too large to be interpolated: its index is not constant", output.path);
         return false;
       }
       if (output.problem.empty()) continue;
@@ -143,7 +146,7 @@ class Deriver {
   // Outputs that are linear in between do not move; what cannot be saved keeps its own value.
   void plan_morphing() {
     plan_.morphing = request_.morphing;
-    if (!plan_.morphing || plan_.refinement == core::Refinement::linear_outputs) return;
+    if (!plan_.morphing || plan_.interpolates_outputs()) return;
     plan_.morphed = plan_.outputs;
     std::erase_if(plan_.morphed, [&](const OutputVariable& output) {
       return is_flat(output, plan_.structures) || !output.problem.empty() || output.indexed_words > most_indexed_words;
@@ -156,7 +159,7 @@ class Deriver {
       input.field = field;
       input.type = numeric_type(field.type);
       if (input.type == nullptr) {
-        error_ = "vertex input '" + field.name + "' has a type that cannot be refined";
+        error_ = fmt::format("vertex input '{}' has a type that cannot be refined", field.name);
         return false;
       }
       const BuiltInInput* const built_in = built_in_input(field.name);
@@ -185,16 +188,15 @@ class Deriver {
     plan_.constant_tags = request_.scalar_tags;
     const bool own = !request_.refinement_source.empty();
     // The application's refinement shader places inputs: there is nothing for it to do between outputs.
-    if (own && plan_.refinement == core::Refinement::linear_outputs) plan_.refinement = core::Refinement::linear_inputs;
-    if (plan_.curved() && (pn_position(plan_) == nullptr || pn_normal(plan_) == nullptr)) {
+    if (own && plan_.interpolates_outputs()) plan_.refinement = core::Refinement::linear_inputs;
+    if (plan_.curved() && (position_of(plan_) == nullptr || normal_of(plan_) == nullptr)) {
       plan_.refinement = core::Refinement::linear_inputs;
     }
-    if (plan_.refinement == core::Refinement::linear_outputs || pn_position(plan_) == nullptr ||
-        pn_normal(plan_) == nullptr) {
+    if (plan_.interpolates_outputs() || position_of(plan_) == nullptr || normal_of(plan_) == nullptr) {
       plan_.coordinate.reset();  // nothing to move, or no direction
     }
-    if (plan_.displaced() && plan_.refinement == core::Refinement::pn) {  // its bits are those of untagged vertices
-      plan_.refinement = core::Refinement::scalar_tagged_pn;
+    if (plan_.displaced() && plan_.traits().displaced_as) {  // the same bits, where vertices are untagged
+      plan_.refinement = *plan_.traits().displaced_as;
       plan_.discontinuity.reset();
       plan_.scalar_tags.reset();
       plan_.constant_tags = {};
@@ -216,8 +218,7 @@ class Deriver {
 
   // Globals keep their values from one run of main to the next, and those initialised from inputs precede the inputs' values.
   void plan_resets() {
-    const bool runs_again =
-        !plan_.outputs.empty() || !plan_.morphed.empty() || plan_.refinement == core::Refinement::linear_outputs;
+    const bool runs_again = !plan_.outputs.empty() || !plan_.morphed.empty() || plan_.interpolates_outputs();
     IdentifierSet varying;
     for (const VertexUnit& unit : units_) {
       for (const Declaration& declaration : unit.interface.declarations) {

@@ -11,6 +11,7 @@
 
 #include "glark/core/capture/record.h"
 #include "glark/core/refinement.h"
+#include "glark/core/state/programs/vertex_stage_traits.h"
 
 namespace glark::refine {
 
@@ -20,7 +21,7 @@ inline constexpr const char* patch_input = "glark_patch";      // vec4: placemen
 inline constexpr const char* chunk_input_prefix =
     "glark_chunk";  // vec4 glark_chunk0, glark_chunk1, ...: words of the coarse record
 
-// Of a record that is too long for those: a storage block with the words of all records, and the first word of the draw.
+// If a record is too long for the chunks: a storage block with the words of all records, and the first word of the draw.
 inline constexpr const char* records_block = "glark_Records";
 inline constexpr const char* words_member = "glark_words";
 inline constexpr const char* first_word_uniform = "glark_first_word";
@@ -28,16 +29,19 @@ inline constexpr unsigned records_binding = 4;
 // uint, in OpenGL ES and with a placement: the number of the instance among those of all bins. Its place is that of the first chunk.
 inline constexpr const char* instance_input = "glark_instance";
 
-// Of displacement: a sampler; a vec4 that picks the channel of the texel; a vec2 of scale and bias.
+// The ShapeNumber of the refinement.
+inline constexpr const char* shape_number_uniform = "glark_shape_number";
+
+// For displacement: a sampler; a vec4 that picks the channel of the texel; a vec2 of scale and bias.
 inline constexpr const char* height_map_uniform = "glark_height_map";
 inline constexpr const char* height_channel_uniform = "glark_height_channel";
 inline constexpr const char* height_range_uniform = "glark_height_range";
 
-// What the surroundings of the vertex stage make of its outputs.
+// How later stages and fixed state treat the outputs of the vertex stage.
 struct OutputRules {
   bool flat_colors = false;   // glShadeModel(GL_FLAT): built-in colours are flat
   bool clamp_colors = false;  // built-in colours end at 0 and 1 before they are interpolated
-  // Outputs from which a geometry shader takes positions: it reads every vertex's own, and `flat` says nothing of them.
+  // Outputs from which a geometry shader takes positions. It reads the value of every vertex, also where they are `flat`.
   std::set<std::string> positions = {};
 };
 
@@ -47,32 +51,22 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
-  // For Refinement::scalar_tagged_pn: which fields of the layout are the discontinuities of the normals and the scalar tags, vec3 or
-  // vec4; -1: none, and the constant tags hold.
+  // For a refinement that takes tags: the fields of the layout with the discontinuities of the normals and with the scalar tags, vec3
+  // or vec4. -1: vertices carry none, and the constant tags hold.
   int discontinuity_field = -1;
   int scalar_tag_field = -1;
   core::ScalarTags scalar_tags;
   int coordinate_field =
-      -1;                  // of the texture coordinate for displacement, two floats or more; -1: nothing is displaced
-  bool stored = false;     // the record is read from the storage block
-  bool at_corner = false;  // runs the stage as it is on one corner a vertex, which the chunks hold; nothing is refined
-  bool morphing = false;   // the placement holds edge depths, and vertices move between levels; with a placement only
-  bool placed = true;      // false: without the patch input; the piece covers the triangle
+      -1;  // field of the texture coordinate for displacement, two floats or more; -1: nothing is displaced
+  bool stored = false;       // the record is read from the storage block
+  bool at_corner = false;    // each vertex is one captured corner, which the chunks hold; nothing is refined
+  bool morphing = false;     // the placement holds edge depths, and vertices move between levels; with a placement only
+  bool placed = true;        // false: without the patch input; the piece covers the triangle
   int provoking_corner = 2;  // corner whose value a flat output takes
   OutputRules outputs;
   std::string refinement_source;  // the application's own refinement shader (glRefinementShaderSourceARK), or empty
   std::vector<std::string>
       extensions;  // of the context ("GL_ARB_..."): which GL_ macros its preprocessor defines; empty: unknown
-};
-
-// What the vertex stage does that decides whether and how it can be refined.
-struct VertexStageTraits {
-  bool reads_vertex_id = false;         // outputs must be interpolated
-  bool writes_cull_distance = false;    // so here: it takes all corners to tell whether the triangle goes
-  std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
-  bool has_side_effects = false;        // image stores, buffer writes, atomics
-  bool writes_flat_outputs = false;
-  bool writes_integers = false;  // that are not declared flat: a geometry shader reads those of every vertex
 };
 
 struct Inspection {

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/refine/epilogue.h"
-#include "glark/core/refine/glsl_frontend.h"
-#include "glark/core/refine/rewrite.h"
+#include "glark/core/refine/epilogue/epilogue.h"
+#include "glark/core/refine/glsl/frontend.h"
+#include "glark/core/refine/glsl/rewrite.h"
 
 namespace glark::refine {
 namespace {
@@ -54,7 +56,7 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
     const bool unknown = !parsed.ok && (parsed.limited || uses_unknown_extension(tokens));
     if (!parsed.ok && !unknown) {
       result.error =
-          (units.size() == 1 ? "vertex shader: " : "vertex shader " + std::to_string(i) + ": ") + parsed.error;
+          units.size() == 1 ? "vertex shader: " + parsed.error : fmt::format("vertex shader {}: {}", i, parsed.error);
       return result;
     }
     if (unknown ? writes_memory_by_name(tokens) : parsed.writes_memory) result.traits.has_side_effects = true;

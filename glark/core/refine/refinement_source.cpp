@@ -41,7 +41,7 @@ void drop_from(Tokens& tokens, const Declaration& declaration, const Interface& 
     begin = i + 1;
     if (!last) continue;
     if (kept == 0) clear(tokens, declaration.begin, i + 1);
-    // What is left may end in the comma before the last name.
+    // The declarations that remain may end in a comma.
     for (std::size_t back = i;
          kept > 0 && back-- > declaration.type_token && (tokens[back].text.empty() || tokens[back].is(","));)
       tokens[back].text.clear();

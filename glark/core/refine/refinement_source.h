@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "glark/core/refine/rewrite.h"
+#include "glark/core/refine/glsl/rewrite.h"
 
 namespace glark::refine {
 

@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The part of the context's state that a refined draw changes or depends on, kept up to date by the hooks, so that
+// The part of the context's state that a refined draw changes or depends on. The hooks keep it up to date, so that
 // drawing needs no glGet.
 #pragma once
 
 #include <array>
 
-#include "glark/gl/types.h"
+#include "glark/core/state/capabilities.h"
+#include "glark/gl/dispatch.h"
 
 namespace glark::core {
 
-inline constexpr int tracked_storage_bindings = 5;  // indexed shader storage bindings that our compute passes use
+inline constexpr int tracked_storage_bindings = 5;  // indexed bindings of shader storage that our compute passes use
 
 struct IndexedBuffer {
   GLuint buffer = 0;
@@ -26,6 +27,7 @@ struct Bindings {
   GLuint transform_feedback = 0;
   bool transform_feedback_active = false;
   bool transform_feedback_paused = false;
+  bool transform_feedback_ours = false;  // it captures refined triangles: between our draws we pause it
   GLuint draw_indirect_buffer = 0;
   GLuint parameter_buffer = 0;
   GLuint query_buffer = 0;
@@ -42,7 +44,7 @@ struct Bindings {
   bool primitive_restart_fixed = false;
   bool vertex_program = false;    // GL_VERTEX_PROGRAM_ARB
   bool two_side = false;          // GL_VERTEX_PROGRAM_TWO_SIDE
-  GLenum polygon_mode = GL_FILL;  // GL_FILL only where both faces are
+  GLenum polygon_mode = GL_FILL;  // GL_FILL only if both faces have it
   GLenum front_polygon_mode = GL_FILL;
   GLenum back_polygon_mode = GL_FILL;
   GLenum shade_model = GL_SMOOTH;
@@ -52,9 +54,12 @@ struct Bindings {
   std::array<float, 2> viewport{};  // width and height
   GLuint list_base = 0;
   bool debug_output = false;
-  int primitive_queries = 0;              // active queries that a capture would show in
-  GLuint primitives_generated_query = 0;  // the active ones that the application reads as numbers of triangles; 0: none
+  int primitive_queries = 0;              // active queries that would count our captures
+  GLuint primitives_generated_query = 0;  // active queries that count triangles; 0: none
   GLuint primitives_written_query = 0;
 };
+
+// Reads all of them from GL, except for the queries.
+void read_bindings(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& bindings);
 
 }  // namespace glark::core

@@ -42,8 +42,8 @@ struct Capabilities {
 // Queries the current context. The caller keeps GL errors apart (ErrorScope).
 Capabilities read_capabilities(const gl::Dispatch& gl);
 
-// A copy of `gl` without the functions that the context does not offer. Some GL libraries have an address for every name, so a
-// function pointer alone proves nothing; in the copy it does.
+// A copy of `gl` without the functions that the context does not offer. Some GL libraries have an address for every
+// name, so a function pointer alone proves nothing; in the copy it does.
 gl::Dispatch supported_functions(const gl::Dispatch& gl, const Capabilities& capabilities);
 
 }  // namespace glark::core

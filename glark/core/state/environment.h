@@ -11,7 +11,7 @@
 
 namespace glark::core {
 
-// What the stages of a draw see of the context that they work for. All of it outlives them.
+// The parts of a context that the stages of a draw may see. They outlive the stages.
 struct Environment {
   const gl::Dispatch& gl;  // without functions that the context does not offer
   const Capabilities& capabilities;

@@ -5,30 +5,96 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "glark/gl/types.h"
 
 namespace glark::core {
 
-struct ImmediateMode {
-  bool open = false;       // between glBegin and glEnd
-  bool capturing = false;  // the refined draw captures its vertices
-  GLenum mode = 0;
-  bool tags_set = false;               // glDepthTag1i was called
-  bool restarted = false;              // by glPrimitiveRestartNV
-  bool elements_restart = false;       // glPrimitiveRestartIndexNV was called: glArrayElement may restart
-  std::uint64_t vertices_before = 0;   // vertices of the primitives that a restart ended
-  std::uint64_t triangles_before = 0;  // triangles of the primitives that a restart ended
-  std::uint64_t vertices = 0;          // since glBegin or the last restart
-  unsigned components = 0;             // bits: the numbers of components that those vertices have
-  std::uint64_t limit = UINT64_MAX;    // this many vertices fit the current capture
+class ImmediateMode {
+ public:
+  // Between glBegin and glEnd, outside of display lists.
+  bool open() const { return open_; }
+  GLenum mode() const { return mode_; }
+  // A refined draw captures the vertices.
+  bool capturing() const { return capturing_; }
 
-  bool full() const { return vertices == limit; }
-  void count(unsigned vertex_components) {
-    ++vertices;
-    components |= 1U << vertex_components;
+  // False inside another glBegin: GL refuses that call.
+  bool begin(GLenum mode) {
+    if (std::exchange(open_, true)) {
+      return false;
+    }
+    mode_ = mode;
+    tags_set_ = capturing_ = false;
+    return true;
   }
-  bool before_vertices() const { return vertices == 0 && vertices_before == 0; }
+  // True: a capture ends with it.
+  bool end() {
+    open_ = false;
+    limit_ = UINT64_MAX;
+    return std::exchange(capturing_, false);
+  }
+  // From here on a refined draw captures up to `limit` vertices.
+  void capture(std::uint64_t limit) {
+    capturing_ = true;
+    limit_ = limit;
+  }
+
+  // The counts of vertices start at 0.
+  void restart_counts() {
+    vertices_ = vertices_before_ = triangles_before_ = 0;
+    components_ = 0;
+    limit_ = UINT64_MAX;
+    restarted_ = false;
+  }
+  bool full() const { return vertices_ == limit_; }
+  void count(unsigned components) {
+    ++vertices_;
+    components_ |= 1U << components;
+  }
+  // A called list gives so many vertices.
+  void count_called(std::uint64_t vertices) { vertices_ += vertices; }
+  bool before_vertices() const { return vertices_ == 0 && vertices_before_ == 0; }
+  // Since glBegin or the last restart.
+  std::uint64_t vertices() const { return vertices_; }
+  std::uint64_t all_vertices() const { return vertices_before_ + vertices_; }
+  std::uint64_t triangles_before() const { return triangles_before_; }
+  // Bits: the numbers of components that the vertices have.
+  unsigned components() const { return components_; }
+
+  // glPrimitiveRestartNV ends a primitive of so many triangles. Its mode takes `step` vertices for each; 0: vertices
+  // are shared.
+  void restart(std::uint64_t triangles, std::uint64_t step) {
+    restarted_ = true;
+    vertices_before_ += vertices_;
+    triangles_before_ += triangles;
+    if (limit_ != UINT64_MAX) {
+      limit_ -= vertices_ / step * step;
+    }
+    vertices_ = 0;
+  }
+  bool restarted() const { return restarted_; }
+  // glPrimitiveRestartIndexNV was called: from then on glArrayElement may restart.
+  void note_elements_restart() { elements_restart_ = true; }
+  bool elements_restart() const { return elements_restart_; }
+
+  // glDepthTag1i was called.
+  void note_tag() { tags_set_ = true; }
+  void forget_tags() { tags_set_ = false; }
+  bool tags_set() const { return tags_set_; }
+
+ private:
+  bool open_ = false;
+  bool capturing_ = false;
+  bool tags_set_ = false;
+  bool restarted_ = false;
+  bool elements_restart_ = false;
+  GLenum mode_ = 0;
+  unsigned components_ = 0;
+  std::uint64_t vertices_ = 0;
+  std::uint64_t limit_ = UINT64_MAX;    // this many vertices fit the current capture
+  std::uint64_t vertices_before_ = 0;   // of the primitives that a restart ended
+  std::uint64_t triangles_before_ = 0;  // of the primitives that a restart ended
 };
 
 }  // namespace glark::core

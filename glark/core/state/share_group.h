@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// State of the objects that several contexts share: shaders, programs, display lists, and when buffers were written.
+// The state that several contexts share: shaders, programs, display lists, and when buffers were written.
 #pragma once
 
 #include <atomic>
@@ -21,19 +21,19 @@ namespace glark::core {
 class Programs;
 
 struct ShareGroup {
-  std::mutex
-      mutex;  // guards the tables; taken where objects are made, linked or deleted, and at lookups outside the fast path
+  // Guards the tables. It is taken when objects are made, linked or deleted, and at lookups outside the fast path.
+  std::mutex mutex;
   std::unordered_map<GLuint, std::shared_ptr<const std::string>> compiled_sources;  // "": SPIR-V
   std::unordered_map<GLuint, std::shared_ptr<Program>> programs;
   std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
-  std::vector<Programs*> contexts;     // one of each context that lives
-  GLuint next_list_name = 0x60000000;  // names of our list segments: out of the way of the application's
+  std::vector<Programs*> contexts;     // one for each context that lives
+  GLuint next_list_name = 0x60000000;  // for our list segments: far from the names that applications use
   BufferStamps buffers;
-  std::atomic<std::uint64_t> contexts_made{0};  // so far: each stamps with numbers of its own
-  std::vector<GLuint> orphaned_buffers;  // of contexts that went without a chance to delete them; guarded by `mutex`
+  std::atomic<std::uint64_t> contexts_made{0};  // so far; gives each context its range of stamps
+  std::vector<GLuint> orphaned_buffers;         // left by contexts that could not delete them; guarded by `mutex`
   std::atomic<bool> any_derived{false};
-  std::atomic<bool> lists_push{false};  // or pop: a display list has glPushAttrib or glPopAttrib
-  // Linked, deleted or derived programs: what refers to programs by their names is valid only while this stands still.
+  std::atomic<bool> lists_push{false};  // a display list has glPushAttrib or glPopAttrib
+  // Changes whenever a program is linked, deleted or derived. What refers to programs by name is valid only until then.
   std::atomic<std::uint64_t> program_epoch{1};
 };
 

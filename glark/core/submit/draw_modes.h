@@ -4,7 +4,7 @@
 // Sets the modes of GL that a refined draw needs, and resets them to the application's.
 #pragma once
 
-#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refine/fixed_function/fixed_function.h"
 #include "glark/core/state/environment.h"
 #include "glark/core/submit/mode_changes.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "glark/core/plan/draw_plan.h"
-#include "glark/core/refine/fixed_function.h"
+#include "glark/core/refine/fixed_function/fixed_function.h"
 #include "glark/core/state/bindings.h"
 
 namespace glark::submit {

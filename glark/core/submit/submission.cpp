@@ -66,9 +66,7 @@ void Submission::draw(const core::DrawPlan& plan, const RefinedTriangles& refine
 
 void Submission::set_inputs(const core::DrawPlan& plan, const RefinedTriangles& refined) const {
   const core::DerivedProgram& derived = *plan.derived;
-  if (derived.height_map >= 0) {
-    core::set_displacement(env_.gl, env_.ark.displacement, derived);
-  }
+  core::set_shape(env_.gl, env_.options, env_.ark, derived);
   if (derived.stored()) {
     const GLintptr first_word = plan.depth.adaptive ? 0 : refined.triangles.offset / 4;
     env_.gl.ProgramUniform1i(derived.name, derived.first_word, static_cast<GLint>(first_word));

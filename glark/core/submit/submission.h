@@ -16,10 +16,10 @@
 
 namespace glark::submit {
 
-// What is drawn: triangles at a uniform level, or the instances of an adaptive draw.
+// The triangles of a uniform level, or the instances of an adaptive draw.
 struct RefinedTriangles {
   capture::CoarseTriangles triangles;
-  const core::GpuBuffer* count_command = nullptr;  // of triangles that are counted on the GPU
+  const core::GpuBuffer* count_command = nullptr;  // holds the count of triangles that are counted on the GPU
   depth::BinnedInstances instances;
   GLuint numbers = 0;            // a buffer of 0, 1, 2, ..., if the derived program numbers the instances
   bool storage_changed = false;  // storage buffer bindings are not the application's
@@ -35,7 +35,7 @@ class Submission {
   };
   Submission(const core::Environment& environment, const Parts& parts);
 
-  // Switches off what the passes before the draw must not meet. `indirect`: the draw or a pass is indirect.
+  // Switches off modes of the application that would disturb the passes before the draw. `indirect`: the draw or a pass is indirect.
   void begin(const core::DrawPlan& plan, bool indirect) const;
   // Draws, and restores the application's state.
   void draw(const core::DrawPlan& plan, const RefinedTriangles& refined);

@@ -29,11 +29,11 @@ class SubmitStage {
  public:
   explicit SubmitStage(const gl::Dispatch& gl) : gl_(gl) {}
 
-  // Every coarse triangle at the same level: one instanced draw for each tile of the level. Binds a vertex array of ours;
-  // with a count on the GPU also GL_DRAW_INDIRECT_BUFFER.
+  // Draws every coarse triangle at the same level, with one instanced draw for each tile of the level. Binds a vertex array of ours; with
+  // a count on the GPU also GL_DRAW_INDIRECT_BUFFER.
   void draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw);
   struct BinnedInputs {
-    int chunks = 0;      // of a record that are attributes of the program
+    int chunks = 0;      // chunks of a record that are attributes of the program
     GLuint numbers = 0;  // a buffer of 0, 1, 2, ..., if the program takes the number of the instance
   };
   // Binds a vertex array of ours and GL_DRAW_INDIRECT_BUFFER.

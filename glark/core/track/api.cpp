@@ -4,12 +4,11 @@
 // The commands of GL_ARK_adaptive_refinement (docs/spec). A failed command changes nothing.
 // Based on: Boubekeur 2007, ch. 7.5 ("Low level API extensions").
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <string>
-
 #include <utility>
 
+#include "glark/core/parameters.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -33,7 +32,7 @@ bool is_tag_type(GLenum type) {
   return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT || type == GL_FLOAT;
 }
 
-// Refined triangles only: adjacency, patches, points and lines have none of their own.
+// Adjacency, patches, points and lines cannot be refined.
 bool refuse_mode(Context& c, GLenum mode) {
   const bool quads = mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON;
   if (!is_triangle_mode(mode) || (quads && !c.is_compatibility())) {
@@ -43,7 +42,7 @@ bool refuse_mode(Context& c, GLenum mode) {
   return false;
 }
 
-// What glVertexAttribPointer refuses: not every driver leaves the array alone then.
+// Checks the errors of glVertexAttribPointer first: some drivers change the array although they raise an error.
 bool refuse_array(Context& c, GLsizei stride, const void* pointer) {
   const GLint limit = c.capabilities().max_vertex_attribute_stride;
   if (stride < 0 || (limit > 0 && stride > limit)) {
@@ -52,7 +51,7 @@ bool refuse_array(Context& c, GLsizei stride, const void* pointer) {
   }
   const bool is_default = c.state().bindings().vertex_array == 0;
   if (is_default ? c.capabilities().api == Capabilities::Api::core
-                 : pointer != nullptr && c.state().bound_buffer(GL_ARRAY_BUFFER).name == 0) {
+                 : pointer != nullptr && c.state().arrays().bound_buffer(GL_ARRAY_BUFFER).name == 0) {
     c.raise(GL_INVALID_OPERATION);
     return true;
   }
@@ -70,98 +69,25 @@ void with_ark(Context& c, Draw&& draw) {
   c.update_refining();
 }
 
-bool set_choice(Context& c, bool known, bool first, bool& state_is_first) {
-  if (!known) {
-    c.raise(GL_INVALID_ENUM);
-    return false;
-  }
-  state_is_first = first;
-  return true;
+ParameterLimits limits_of(const Context& c) {
+  return {.level = static_cast<GLint>(highest_tag(c)),
+          .first_attribute = c.is_compatibility() ? 1 : 0,  // attribute 0 is glVertex there
+          .attribute_count = c.capabilities().max_vertex_attributes,
+          .texture_unit_count = c.capabilities().max_texture_units};
 }
 
-void set_refinement(Context& c, GLenum value) {
-  switch (value) {
-    case GL_LINEAR_INPUTS_ARK: c.ark().refinement = Refinement::linear_inputs; break;
-    case GL_LINEAR_OUTPUTS_ARK: c.ark().refinement = Refinement::linear_outputs; break;
-    case GL_CURVED_PN_ARK: c.ark().refinement = Refinement::pn; break;
-    case GL_SCALAR_TAGGED_PN_ARK: c.ark().refinement = Refinement::scalar_tagged_pn; break;
-    default: c.raise(GL_INVALID_ENUM); break;
-  }
-}
-
-void set_depth_source(Context& c, GLenum value) {
-  switch (value) {
-    case GL_DEPTH_TAG_ARK: c.ark().depth_source = DepthSource::tag; break;
-    case GL_UNIFORM_DEPTH_ARK: c.ark().depth_source = DepthSource::uniform; break;
-    case GL_MEASURED_DEPTH_ARK: c.ark().depth_source = DepthSource::measured; break;
-    default: c.raise(GL_INVALID_ENUM); break;
-  }
-}
-
-void set_measure(Context& c, GLenum name, GLint value) {
-  if (value < 0 || (name == GL_EDGE_DEGREES_ARK && value > 180)) {
-    c.raise(GL_INVALID_VALUE);
+// Sets the parameter by `set`, which returns an error or none.
+template <typename Set>
+void set_parameter(Context& c, GLenum name, const Set& set) {
+  if (refuse(c, false)) {
     return;
   }
-  switch (name) {
-    case GL_EDGE_PIXELS_ARK:
-      c.ark().measure.pixels = static_cast<float>(value);
-      c.ark().edge_pixels = value;
-      break;
-    case GL_EDGE_DEGREES_ARK: c.ark().measure.degrees = static_cast<float>(value); break;
-    default: c.ark().measure.budget = static_cast<unsigned>(value); break;
-  }
-}
-
-// False, with the error raised: no generic attribute that can carry tags.
-bool is_attribute(Context& c, GLint index) {
-  const GLint lowest = c.is_compatibility() ? 1 : 0;  // attribute 0 is glVertex there
-  if (index < lowest || index >= c.capabilities().max_vertex_attributes) {
-    c.raise(GL_INVALID_VALUE);
-    return false;
-  }
-  return true;
-}
-
-void set_attribute(Context& c, GLenum name, GLint index) {
-  if (!is_attribute(c, index)) {
-    return;
-  }
-  switch (name) {
-    case GL_DEPTH_TAG_ATTRIBUTE_ARK:
-      c.ark().tag_attribute = static_cast<GLuint>(index);
-      c.stages()->programs().tag_attribute_changed();
-      break;
-    case GL_DISCONTINUITY_ATTRIBUTE_ARK: c.ark().discontinuity_attribute = static_cast<GLuint>(index); break;
-    default: c.ark().scalar_tag_attribute = static_cast<GLuint>(index); break;
-  }
-}
-
-void set_displacement(Context& c, GLenum name, GLint value) {
-  Displacement& displacement = c.ark().displacement;
-  const auto channel = static_cast<GLenum>(value);
-  switch (name) {
-    case GL_DISPLACEMENT_UNIT_ARK:
-      if (value < -1 || value >= c.capabilities().max_texture_units) {
-        c.raise(GL_INVALID_VALUE);
-      } else {
-        displacement.unit = value;
-      }
-      break;
-    case GL_DISPLACEMENT_CHANNEL_ARK:
-      if (channel < GL_RED || channel > GL_ALPHA) {
-        c.raise(GL_INVALID_ENUM);
-      } else {
-        displacement.channel = channel - GL_RED;
-      }
-      break;
-    case GL_DISPLACEMENT_COORDINATE_ARK:
-      if (value == -1 || is_attribute(c, value)) {
-        displacement.coordinate = value;
-      }
-      break;
-    case GL_DISPLACEMENT_SCALE_ARK: displacement.scale = static_cast<float>(value); break;
-    default: displacement.bias = static_cast<float>(value); break;
+  const Parameter* parameter = find_parameter(name);
+  const GLenum error = parameter != nullptr ? set(*parameter) : GL_INVALID_ENUM;
+  if (error != GL_NO_ERROR) {
+    c.raise(error);
+  } else if (name == GL_DEPTH_TAG_ATTRIBUTE_ARK) {
+    c.stages()->programs().tag_attribute_changed();
   }
 }
 
@@ -221,7 +147,7 @@ void ARKinit(Context& c, GLuint max_level) {
   const GLuint tag = track::current_tag(c);  // of the old level
   c.ark().pool_level = static_cast<int>(max_level);
   c.ark().uniform_level = std::min(c.ark().uniform_level, max_level);
-  if (tag > max_level && c.state().lists().compiling) {
+  if (tag > max_level && c.state().lists().compiling()) {
     c.ark().lowered_tag = max_level;
   } else if (tag > max_level) {
     DepthTag1i(c, max_level);
@@ -230,69 +156,12 @@ void ARKinit(Context& c, GLuint max_level) {
 }
 
 void ARKParameteriARK(Context& c, GLenum name, GLint value) {
-  if (refuse(c, false)) {
-    return;
-  }
-  const auto token = static_cast<GLenum>(value);
-  bool first = true;
-  switch (name) {
-    case GL_REFINEMENT_ARK: set_refinement(c, token); break;
-    case GL_DEPTH_SOURCE_ARK: set_depth_source(c, token); break;
-    case GL_EDGE_PIXELS_ARK:
-    case GL_EDGE_DEGREES_ARK:
-    case GL_TRIANGLE_BUDGET_ARK: set_measure(c, name, value); break;
-    case GL_GEOMORPH_ARK:
-    case GL_WELD_ARK:
-      if (value != GL_FALSE && value != GL_TRUE) {
-        c.raise(GL_INVALID_VALUE);
-      } else {
-        (name == GL_WELD_ARK ? c.ark().weld : c.ark().geomorph) = value == GL_TRUE;
-      }
-      break;
-    case GL_UNIFORM_DEPTH_LEVEL_ARK:
-      if (value < 0 || static_cast<GLuint>(value) > highest_tag(c)) {
-        c.raise(GL_INVALID_VALUE);
-      } else {
-        c.ark().uniform_level = static_cast<GLuint>(value);
-      }
-      break;
-    case GL_DEPTH_TAG_ATTRIBUTE_ARK:
-    case GL_DISCONTINUITY_ATTRIBUTE_ARK:
-    case GL_SCALAR_TAG_ATTRIBUTE_ARK: set_attribute(c, name, value); break;
-    case GL_DISPLACEMENT_UNIT_ARK:
-    case GL_DISPLACEMENT_CHANNEL_ARK:
-    case GL_DISPLACEMENT_COORDINATE_ARK:
-    case GL_DISPLACEMENT_SCALE_ARK:
-    case GL_DISPLACEMENT_BIAS_ARK: set_displacement(c, name, value); break;
-    case GL_POLYGON_SPLIT_ARK:
-      if (set_choice(c, token == GL_POLYGON_TRIANGLES_ARK || token == GL_POLYGON_CENTROID_ARK,
-                     token == GL_POLYGON_TRIANGLES_ARK, first)) {
-        c.ark().polygon_split = first ? PolygonSplit::triangles : PolygonSplit::centroid;
-      }
-      break;
-    case GL_PATTERN_INTERIOR_ARK:
-      if (set_choice(c, token == GL_MINIMUM_INTERIOR_ARK || token == GL_SMOOTH_INTERIOR_ARK,
-                     token == GL_MINIMUM_INTERIOR_ARK, first)) {
-        c.ark().smooth_interior = !first;
-      }
-      break;
-    default: c.raise(GL_INVALID_ENUM); break;
-  }
+  set_parameter(c, name,
+                [&](const Parameter& parameter) { return set_integer(parameter, limits_of(c), value, c.ark()); });
 }
 
 void ARKParameterfARK(Context& c, GLenum name, GLfloat value) {
-  if (refuse(c, false)) {
-    return;
-  }
-  if (name != GL_DISPLACEMENT_SCALE_ARK && name != GL_DISPLACEMENT_BIAS_ARK) {
-    c.raise(GL_INVALID_ENUM);
-    return;
-  }
-  if (!std::isfinite(value)) {
-    c.raise(GL_INVALID_VALUE);
-    return;
-  }
-  (name == GL_DISPLACEMENT_SCALE_ARK ? c.ark().displacement.scale : c.ark().displacement.bias) = value;
+  set_parameter(c, name, [&](const Parameter& parameter) { return set_number(parameter, value, c.ark()); });
 }
 
 void DepthTag1i(Context& c, GLuint d) {
@@ -305,9 +174,9 @@ void DepthTag1i(Context& c, GLuint d) {
     return;
   }
   set_tag(c.gl(), c.ark().tag_attribute, &d);
-  c.state().set_current(generic_slot(c.ark().tag_attribute), set_tag, c.ark().tag_attribute, &d, sizeof(d));
-  c.state().immediate().tags_set = true;
-  if (c.state().lists().compiling && c.state().lists().mode == GL_COMPILE_AND_EXECUTE) {
+  c.changes().set_current(generic_slot(c.ark().tag_attribute), set_tag, c.ark().tag_attribute, &d, sizeof(d));
+  c.state().immediate().note_tag();
+  if (c.state().lists().compiling() && c.state().lists().mode() == GL_COMPILE_AND_EXECUTE) {
     c.ark().lowered_tag.reset();
   }
 }
@@ -324,14 +193,14 @@ void DepthTagPointerARK(Context& c, GLenum type, GLsizei stride, const void* poi
     return;
   }
   c.gl().VertexAttribPointer(c.ark().tag_attribute, 1, type, GL_FALSE, stride, pointer);
-  c.state().vertex_arrays().forget_current();
+  c.state().arrays().vertex_arrays().forget_current();
 }
 
 void DrawARP(Context& c, GLenum mode, GLint first, GLsizei count) {
   if (refuse(c, true) || refuse_mode(c, mode)) {
     return;
   }
-  if (c.state().lists().compiling) {
+  if (c.state().lists().compiling()) {
     c.raise(GL_INVALID_OPERATION);
     return;
   }
@@ -346,7 +215,7 @@ void DrawARPElementsARK(Context& c, GLenum mode, GLsizei count, GLenum type, con
   if (refuse(c, true) || refuse_mode(c, mode)) {
     return;
   }
-  if (c.state().lists().compiling) {
+  if (c.state().lists().compiling()) {
     c.raise(GL_INVALID_OPERATION);
     return;
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of the vertex array calls that programs make all the time; only while the context refines. Arguments that GL may refuse
-// make the state of the array unknown: it is asked for at the next draw.
+// Hooks of vertex arrays. Most are called only while the context refines, because programs call these functions all the
+// time. If GL may refuse the arguments, the state of the array becomes unknown: the next draw asks GL for it.
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -11,14 +11,14 @@ namespace {
 // OpenGL's own minimum of GL_MAX_VERTEX_ATTRIB_STRIDE.
 constexpr GLsizei surely_valid_stride = 2048;
 
-// The array whose calls are followed; null where GL has to be asked anyway.
+// The vertex array that the call changes; null if its state becomes unknown.
 VertexArray* followed(Context& c) {
-  if (c.state().immediate().open) {
-    c.state().vertex_arrays().forget_current();
+  if (c.state().immediate().open()) {
+    c.state().arrays().vertex_arrays().forget_current();
     return nullptr;
   }
   c.state().refresh();
-  return &c.state().vertex_arrays().current(c.state().bindings().vertex_array);
+  return &c.state().arrays().vertex_arrays().current(c.state().bindings().vertex_array);
 }
 
 struct Pointer {
@@ -30,9 +30,9 @@ struct Pointer {
   const void* pointer;
 };
 
-// glXPointer reads the buffer that is bound to GL_ARRAY_BUFFER now.
+// glVertexPointer and the like take the buffer that is bound to GL_ARRAY_BUFFER.
 bool attach(Context& c, AttributeSource& source, const Pointer& to) {
-  const BoundBuffer bound = c.state().bound_buffer(GL_ARRAY_BUFFER);
+  const BoundBuffer bound = c.state().arrays().bound_buffer(GL_ARRAY_BUFFER);
   const bool es_double = to.type == GL_DOUBLE && c.capabilities().api == Capabilities::Api::es;
   const GLsizei packed = es_double ? 0 : packed_stride(to.size, to.type);
   if (!bound.known || packed == 0 || to.stride < 0 || to.stride > surely_valid_stride ||
@@ -68,7 +68,7 @@ void point_generic(Context& c, GLuint index, const Pointer& to) {
   if (array == nullptr) {
     return;
   }
-  // Others may be fed through the binding that this call takes; and the divisor is that binding's.
+  // The call uses binding `index`, which may feed other attributes, too. The divisor belongs to the binding.
   std::uint64_t changed = 0;
   for (GLuint other = 0; other < generic_slots; ++other) {
     changed |= array->sources[other].binding == index || other == index ? slot_bit(static_cast<int>(other)) : 0;
@@ -92,6 +92,28 @@ void enable_generic(Context& c, GLuint index, bool enabled) {
 
 namespace hook {
 
+void BindVertexArray(Context& c, GLuint array) {
+  c.gl().BindVertexArray(array);
+  if (!c.state().arrays().vertex_arrays().bind(array) && array != 0) {
+    if (c.state().immediate().open() || c.gl().IsVertexArray(array) == GL_FALSE) {
+      c.state().arrays().vertex_arrays().bind(c.state().bindings().vertex_array);  // GL has refused
+      return;
+    }
+    c.state().arrays().vertex_arrays().confirm(array);
+  }
+  c.state().bindings().vertex_array = array;
+}
+
+void DeleteVertexArrays(Context& c, GLsizei n, const GLuint* arrays) {
+  c.gl().DeleteVertexArrays(n, arrays);
+  for (GLsizei i = 0; i < n && arrays != nullptr; ++i) {
+    c.state().arrays().vertex_arrays().erase(arrays[i]);
+    c.state().bindings().vertex_array =
+        c.state().bindings().vertex_array == arrays[i] ? 0 : c.state().bindings().vertex_array;
+  }
+  c.state().forget_bindings();
+}
+
 void VertexAttribPointer(Context& c, GLuint index, GLint size, GLenum type, GLboolean normalized, GLsizei stride,
                          const void* pointer) {
   c.gl().VertexAttribPointer(index, size, type, normalized, stride, pointer);
@@ -102,7 +124,7 @@ void VertexAttribPointer(Context& c, GLuint index, GLint size, GLenum type, GLbo
 
 void VertexAttribIPointer(Context& c, GLuint index, GLint size, GLenum type, GLsizei stride, const void* pointer) {
   c.gl().VertexAttribIPointer(index, size, type, stride, pointer);
-  const bool integer = type != GL_FLOAT && type != GL_DOUBLE && type != GL_HALF_FLOAT;  // others are refused
+  const bool integer = type != GL_FLOAT && type != GL_DOUBLE && type != GL_HALF_FLOAT;  // GL refuses other types
   point_generic(c, index,
                 {.size = integer ? size : 0, .type = type, .integer = true, .stride = stride, .pointer = pointer});
 }
@@ -164,13 +186,14 @@ void TexCoordPointer(Context& c, GLint size, GLenum type, GLsizei stride, const 
   c.gl().TexCoordPointer(size, type, stride, pointer);
   const bool valid = is_size(size) && type != GL_BYTE && type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT &&
                      type != GL_UNSIGNED_INT;
-  point_conventional(c, texture_slot(c.state().client_texture()), valid,
+  point_conventional(c, texture_slot(c.state().arrays().client_texture()), valid,
                      {.size = size, .type = type, .stride = stride, .pointer = pointer});
 }
 
 void ClientActiveTexture(Context& c, GLenum texture) {
   c.gl().ClientActiveTexture(texture);
-  c.state().set_client_texture(!c.state().immediate().open && texture_slot(texture) != no_slot ? texture : 0);
+  c.state().arrays().set_client_texture(!c.state().immediate().open() && texture_slot(texture) != no_slot ? texture
+                                                                                                          : 0);
 }
 
 }  // namespace hook

@@ -1,19 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The attribute stack, for GL_ARK, which belongs to the group of GL_ENABLE_BIT. GL_ARK itself is never compiled into a list, but
-// glPushAttrib and glPopAttrib are: what a list does to the stack is done to ours once it has been executed.
+// Hooks of the attribute stack, which saves GL_ARK with the group of GL_ENABLE_BIT. GL_ARK itself is never compiled
+// into a list, but glPushAttrib and glPopAttrib are. After a list was executed, our stack follows what the list did to
+// GL's.
+#include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
 namespace {
 
 void push(Context& c, GLbitfield mask) {
-  c.state().attribute_stack().push(mask, c.ark().enabled, c.capabilities().attribute_stack);
+  c.attribute_stack().push(mask, c.ark().enabled, c.capabilities().attribute_stack);
 }
 
 void pop(Context& c) {
-  if (const std::optional<bool> enabled = c.state().attribute_stack().pop()) {
+  if (const std::optional<bool> enabled = c.attribute_stack().pop()) {
     c.ark().enabled = *enabled;
     c.update_refining();
   }
@@ -34,10 +36,8 @@ void follow(Context& c, GLuint name, int depth) {
   }
 }
 
-// Between glBegin and glEnd GL refuses both.
 void record(Context& c, StackStep step) {
-  if (c.state().lists().compiling && !c.state().lists().in_begin) {
-    c.state().lists().list->stack_steps.push_back(step);
+  if (c.state().lists().add_stack_step(step)) {
     c.share().lists_push = true;
   }
 }
@@ -45,7 +45,7 @@ void record(Context& c, StackStep step) {
 }  // namespace
 
 void track::follow_stack(Context& c, GLuint list) {
-  if (c.share().lists_push && !c.state().immediate().open) {
+  if (c.share().lists_push && !c.state().immediate().open()) {
     follow(c, list, 0);
   }
 }
@@ -55,20 +55,20 @@ namespace hook {
 void PushAttrib(Context& c, GLbitfield mask) {
   c.gl().PushAttrib(mask);
   record(c, {StackStep::Kind::push, mask});
-  if (track::executes(c) && !c.state().immediate().open) {
+  if (track::executes(c) && !c.state().immediate().open()) {
     push(c, mask);
   }
 }
 
 void PopAttrib(Context& c) {
   c.gl().PopAttrib();
-  c.state().forget_in_list();
+  c.changes().forget_in_list();
   record(c, {StackStep::Kind::pop});
-  if (!track::executes(c) || c.state().immediate().open) {
+  if (!track::executes(c) || c.state().immediate().open()) {
     return;
   }
   c.state().forget_bindings();
-  c.state().forget_fixed_function();
+  c.state().fixed_function().touch();
   c.state().forget_current_values();  // GL_CURRENT_BIT
   pop(c);
 }

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of the draw calls with counts that the CPU knows. Each turns its arguments into a DrawCall.
+// Hooks of the draw calls whose counts the CPU knows. Each turns its arguments into a DrawCall.
 #include <algorithm>
 #include <optional>
 
+#include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -26,8 +27,8 @@ void hand_back_feedback(Context& context) {
 }
 
 void draw(Context& context, const DrawCall& call) {
-  if (context.state().lists().compiling) {
-    if (context.state().lists().cutting) {
+  if (context.state().lists().compiling()) {
+    if (context.state().lists().cutting()) {
       record_draw(context, call);
     } else {
       call.issue();
@@ -40,7 +41,7 @@ void draw(Context& context, const DrawCall& call) {
 namespace {
 
 bool restarts(Context& context) {
-  if (!context.state().immediate().open) {
+  if (!context.state().immediate().open()) {
     context.state().refresh();
   }
   return context.state().bindings().primitive_restart || context.state().bindings().primitive_restart_fixed;
@@ -50,19 +51,19 @@ bool is_index_type(GLenum type) {
   return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
 }
 
-// The polygons of several commands or instances, where they may be split at their centroids.
+// The polygons of several commands or instances, if they may be split at their centroids.
 class Polygons {
  public:
   Polygons(const Context& context, GLenum mode)
       : wanted_(mode == GL_POLYGON && splits_polygons(context.options(), context.ark())),
-        in_list_(context.state().lists().cutting) {}
+        in_list_(context.state().lists().cutting()) {}
   void add(GLsizei vertices, GLsizei instances = 1) {
-    constexpr std::size_t most = std::size_t{1} << 22;  // beyond that they stay triangles
+    constexpr std::size_t most = std::size_t{1} << 22;  // more polygons stay triangles
     wanted_ = wanted_ && sides_.size() + static_cast<std::size_t>(instances) <= most;
     if (wanted_ && vertices >= 3) {
       sides_.insert(sides_.end(), static_cast<std::size_t>(instances), static_cast<std::uint32_t>(vertices));
     }
-    // Mesa 22 makes a triangle of a polygon of two vertices in a list.
+    // Mesa 22 turns a polygon of two vertices in a list into a triangle.
     wanted_ = wanted_ && !(in_list_ && vertices > 0 && vertices < 3);
   }
   const PolygonSides* sides() const { return sides_.empty() || !wanted_ ? nullptr : &sides_; }
@@ -136,7 +137,7 @@ std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws)
   return total;
 }
 
-// The GPU alone knows how many vertices there are; the buffers they were captured to bound them.
+// Only the GPU knows the number of vertices; the buffers that they were captured to give a bound.
 void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, Issue issue) {
   const std::optional<std::uint64_t> vertices = context.stages()->feedback().room().vertices(id);
   if (!vertices || instances < 0) {
@@ -151,12 +152,12 @@ void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, 
                  .issue = issue});
 }
 
-// The extension leaves rectangles and evaluator meshes as they are; in a program that does not know of it they are triangles, too.
+// The extension does not refine rectangles and evaluator meshes. Transparent refinement takes them for triangles.
 GLenum mode_of_shape(Context& context, GLenum mode) {
   if (context.options().transparent) {
     return mode;
   }
-  context.state().lists().segment.draws_shapes = true;
+  context.state().lists().note_shapes();
   return GL_LINES;
 }
 
@@ -170,9 +171,9 @@ void draw_rectangle(Context& context, Issue issue) {
 namespace hook {
 namespace {
 
-// Mesa 22 joins strips of one list by triangles of no area.
+// Mesa 22 joins the strips of one list by triangles of no area.
 bool joins_strips(const Context& c, GLenum mode, GLsizei draws) {
-  return c.state().lists().compiling && mode == GL_TRIANGLE_STRIP && draws > 1;
+  return c.state().lists().compiling() && mode == GL_TRIANGLE_STRIP && draws > 1;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "glark/core/parameters.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -16,23 +17,6 @@ GLint tag_array_parameter(const Context& c, GLenum parameter) {
   GLint value = 0;
   c.gl().GetVertexAttribiv(c.ark().tag_attribute, parameter, &value);
   return value;
-}
-
-GLint refinement_token(Refinement refinement) {
-  switch (refinement) {
-    case Refinement::linear_outputs: return GL_LINEAR_OUTPUTS_ARK;
-    case Refinement::pn: return GL_CURVED_PN_ARK;
-    case Refinement::scalar_tagged_pn: return GL_SCALAR_TAGGED_PN_ARK;
-    default: return GL_LINEAR_INPUTS_ARK;
-  }
-}
-
-GLint depth_source_token(DepthSource source) {
-  switch (source) {
-    case DepthSource::uniform: return GL_UNIFORM_DEPTH_ARK;
-    case DepthSource::measured: return GL_MEASURED_DEPTH_ARK;
-    default: return GL_DEPTH_TAG_ARK;
-  }
 }
 
 // The value of a state of the extension; empty for any other name.
@@ -50,27 +34,10 @@ std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
     case GL_DEPTH_TAG_ARRAY_TYPE_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_TYPE);
     case GL_DEPTH_TAG_ARRAY_STRIDE_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_STRIDE);
     case GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK: return tag_array_parameter(c, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING);
-    case GL_DEPTH_TAG_ATTRIBUTE_ARK: return static_cast<GLint>(ark.tag_attribute);
-    case GL_DISCONTINUITY_ATTRIBUTE_ARK: return static_cast<GLint>(ark.discontinuity_attribute);
-    case GL_SCALAR_TAG_ATTRIBUTE_ARK: return static_cast<GLint>(ark.scalar_tag_attribute);
-    case GL_DISPLACEMENT_UNIT_ARK: return ark.displacement.unit;
-    case GL_DISPLACEMENT_CHANNEL_ARK: return static_cast<GLint>(GL_RED + ark.displacement.channel);
-    case GL_DISPLACEMENT_COORDINATE_ARK: return ark.displacement.coordinate;
-    case GL_DISPLACEMENT_SCALE_ARK: return ark.displacement.scale;
-    case GL_DISPLACEMENT_BIAS_ARK: return ark.displacement.bias;
-    case GL_REFINEMENT_ARK: return refinement_token(ark.refinement);
-    case GL_DEPTH_SOURCE_ARK: return depth_source_token(ark.depth_source);
-    case GL_EDGE_PIXELS_ARK: return ark.edge_pixels;
-    case GL_EDGE_DEGREES_ARK: return static_cast<GLint>(ark.measure.degrees);
-    case GL_TRIANGLE_BUDGET_ARK: return static_cast<GLint>(ark.measure.budget);
-    case GL_WELD_ARK: return ark.weld ? 1 : 0;
-    case GL_UNIFORM_DEPTH_LEVEL_ARK: return static_cast<GLint>(ark.uniform_level);
-    case GL_POLYGON_SPLIT_ARK:
-      return ark.polygon_split == PolygonSplit::centroid ? GL_POLYGON_CENTROID_ARK : GL_POLYGON_TRIANGLES_ARK;
-    case GL_PATTERN_INTERIOR_ARK: return ark.smooth_interior ? GL_SMOOTH_INTERIOR_ARK : GL_MINIMUM_INTERIOR_ARK;
-    case GL_GEOMORPH_ARK: return ark.geomorph ? GL_TRUE : GL_FALSE;
-    default: return std::nullopt;
+    default: break;
   }
+  const Parameter* parameter = find_parameter(name);
+  return parameter != nullptr ? std::optional(parameter->get(ark)) : std::nullopt;
 }
 
 // Writes our state, or leaves the query to GL. True if it was ours.
@@ -96,8 +63,8 @@ bool answer(Context& c, GLenum name, Value* data) {
 // While a list is cut into segments, GL's current list is a segment of ours.
 template <typename Value>
 void correct_list_index(const Context& c, GLenum name, Value* data) {
-  if (name == GL_LIST_INDEX && c.state().lists().cutting && data != nullptr) {
-    *data = static_cast<Value>(c.state().lists().name);
+  if (name == GL_LIST_INDEX && c.state().lists().cutting() && data != nullptr) {
+    *data = static_cast<Value>(c.state().lists().name());
   }
 }
 
@@ -120,10 +87,10 @@ GLuint current_tag(const Context& c) {
 }
 
 bool inside_begin(Context& c) {
-  if (c.state().immediate().open) {
+  if (c.state().immediate().open()) {
     c.raise(GL_INVALID_OPERATION);
   }
-  return c.state().immediate().open;
+  return c.state().immediate().open();
 }
 
 }  // namespace track
@@ -178,7 +145,7 @@ void GetPointerv(Context& c, GLenum name, void** data) {
 
 // The application's own pending errors, which we may have taken aside, come before ours in time; GL returns them in any order.
 GLenum GetError(Context& c) {
-  if (c.state().immediate().open) {
+  if (c.state().immediate().open()) {
     return c.gl().GetError();
   }
   const GLenum error = c.pending_error().take();

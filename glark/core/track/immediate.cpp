@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glBegin and glEnd. The vertices themselves go straight to GL; they are only counted.
+// Hooks of glBegin and glEnd. The vertices go straight to GL; they are only counted.
+#include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
 namespace {
 
-// Of a mode whose primitives share no vertices; 0 of the others.
+// Vertices of one primitive; 0 for modes whose primitives share vertices.
 std::uint64_t vertices_of_primitive(GLenum mode) {
   switch (mode) {
     case GL_TRIANGLES: return 3;
@@ -17,31 +18,17 @@ std::uint64_t vertices_of_primitive(GLenum mode) {
   }
 }
 
-void begin_count(Context& c) {
-  c.state().immediate().vertices = 0;
-  c.state().immediate().components = 0;
-  c.state().immediate().limit = UINT64_MAX;
-  c.state().immediate().restarted = false;
-  c.state().immediate().vertices_before = 0;
-  c.state().immediate().triangles_before = 0;
-}
-
 void begin_capture(Context& c, GLenum mode) {
   const std::uint64_t room = c.stages()->draw().begin_immediate(mode);
   c.update_refining();
-  c.state().immediate().capturing = room > 0;
   const std::uint64_t step = vertices_of_primitive(mode);
-  if (room > 0 && step > 0) {
-    c.state().immediate().limit = room / triangles_of(mode, step) * step;
-  }
-}
-
-std::uint64_t triangles_begun(const Context& c, GLenum mode) {
-  return c.state().immediate().triangles_before + triangles_of(mode, c.state().immediate().vertices);
+  const std::uint64_t fitting = step > 0 ? room / triangles_of(mode, step) * step : UINT64_MAX;
+  c.state().immediate().capture(room > 0 ? fitting : 0);
 }
 
 void end_capture(Context& c) {
-  c.stages()->draw().end_immediate(triangles_begun(c, c.state().immediate().mode));
+  const ImmediateMode& immediate = c.state().immediate();
+  c.stages()->draw().end_immediate(immediate.triangles_before() + triangles_of(immediate.mode(), immediate.vertices()));
   c.update_refining();
 }
 
@@ -50,11 +37,12 @@ void end_capture(Context& c) {
 namespace track {
 
 void immediate_full(Context& c) {
+  ImmediateMode& immediate = c.state().immediate();
   c.gl().End();
   end_capture(c);
-  begin_count(c);
-  begin_capture(c, c.state().immediate().mode);
-  c.gl().Begin(c.state().immediate().mode);
+  immediate.restart_counts();
+  begin_capture(c, immediate.mode());
+  c.gl().Begin(immediate.mode());
 }
 
 }  // namespace track
@@ -62,42 +50,33 @@ void immediate_full(Context& c) {
 namespace hook {
 
 void Begin(Context& c, GLenum mode) {
-  if (c.state().lists().compiling && !c.state().lists().in_begin) {
-    c.state().lists().list->loose_vertices += c.state().immediate().vertices;
-  }
-  begin_count(c);
-  if (c.state().lists().compiling) {
+  ImmediateMode& immediate = c.state().immediate();
+  if (c.state().lists().compiling()) {
+    c.state().lists().add_loose_vertices(immediate.vertices());
+    immediate.restart_counts();
     if (!track::list_begin(c, mode)) {
       c.gl().Begin(mode);
     }
     return;
   }
-  const bool nested = c.state().immediate().open;
-  c.state().immediate().open = true;
-  if (!nested) {
-    c.state().immediate().mode = mode;
-    c.state().immediate().tags_set = false;
-    c.state().immediate().capturing = false;
-    if (c.refining()) {
-      begin_capture(c, mode);
-    }
+  immediate.restart_counts();
+  if (immediate.begin(mode) && c.refining()) {
+    begin_capture(c, mode);
   }
   c.gl().Begin(mode);
 }
 
 void End(Context& c) {
-  if (c.state().lists().compiling) {
+  ImmediateMode& immediate = c.state().immediate();
+  if (c.state().lists().compiling()) {
     if (!track::list_end(c)) {
       c.gl().End();
     }
-    begin_count(c);
+    immediate.restart_counts();
     return;
   }
   c.gl().End();
-  c.state().immediate().open = false;
-  if (c.state().immediate().capturing) {
-    c.state().immediate().capturing = false;
-    c.state().immediate().limit = UINT64_MAX;
+  if (immediate.end()) {
     end_capture(c);
   }
 }
@@ -105,24 +84,19 @@ void End(Context& c) {
 // Ends the primitive of the open glBegin and begins one of the same mode.
 void PrimitiveRestartNV(Context& c) {
   c.gl().PrimitiveRestartNV();
-  if (!c.state().immediate().open && !c.state().lists().in_begin) {
+  ImmediateMode& immediate = c.state().immediate();
+  const ListCompilation& lists = c.state().lists();
+  if (!immediate.open() && !lists.in_primitive()) {
     return;
   }
-  const GLenum mode = c.state().lists().compiling ? c.state().lists().begun_mode : c.state().immediate().mode;
-  const std::uint64_t step = vertices_of_primitive(mode);
-  c.state().immediate().restarted = true;
-  c.state().immediate().vertices_before += c.state().immediate().vertices;
-  c.state().immediate().triangles_before += triangles_of(mode, c.state().immediate().vertices);
-  if (c.state().immediate().limit != UINT64_MAX) {
-    c.state().immediate().limit -= c.state().immediate().vertices / step * step;
-  }
-  c.state().immediate().vertices = 0;
+  const GLenum mode = lists.compiling() ? lists.primitive_mode() : immediate.mode();
+  immediate.restart(triangles_of(mode, immediate.vertices()), vertices_of_primitive(mode));
 }
 
-// From now on glArrayElement may restart, also where that is enabled after glBegin only.
+// From now on glArrayElement may restart, even if restart is enabled only after glBegin.
 void PrimitiveRestartIndexNV(Context& c, GLuint index) {
   c.gl().PrimitiveRestartIndexNV(index);
-  c.state().immediate().elements_restart = true;
+  c.state().immediate().note_elements_restart();
 }
 
 }  // namespace hook

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of the indirect draws. Their counts are read back: the only draws for which the CPU waits for the GPU.
+// Hooks of the indirect draws. They read the counts back: these are the only draws for which the CPU waits for the GPU.
 #include <algorithm>
 #include <cstring>
 #include <vector>
@@ -14,7 +14,7 @@ namespace {
 constexpr GLsizei arrays_command_bytes = 16;
 constexpr GLsizei elements_command_bytes = 20;
 
-// The first two words of every command: vertices (or indices) and instances. Empty if they cannot be read.
+// The first two words of every command: vertices (or indices) and instances.
 struct Counts {
   std::uint32_t vertices = 0;
   std::uint32_t instances = 0;
@@ -138,7 +138,7 @@ void MultiDrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void*
                 [&] { c.gl().MultiDrawElementsIndirect(mode, type, indirect, draws, stride); });
 }
 
-// The number of commands is on the GPU too: all of them are a bound.
+// Only the GPU knows the number of commands; their greatest number gives a bound.
 void MultiDrawArraysIndirectCount(Context& c, GLenum mode, const void* indirect, GLintptr count, GLsizei most,
                                   GLsizei stride) {
   draw_indirect(c,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of the enables, modes and attribute stacks.
+// Hooks of glEnable and of modes.
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -19,35 +19,39 @@ void set_ark_enabled(Context& c, bool enabled) {
   c.update_refining();
 }
 
-// The array of a name of glEnableClientState; no_slot for those that are not followed.
+// The slot of an array that glEnableClientState names; no_slot for arrays that are not followed.
 int slot_of(const Context& c, GLenum array) {
   switch (array) {
     case GL_VERTEX_ARRAY: return vertex_slot;
     case GL_NORMAL_ARRAY: return normal_slot;
     case GL_COLOR_ARRAY: return color_slot;
-    case GL_TEXTURE_COORD_ARRAY: return texture_slot(c.state().client_texture());
+    case GL_TEXTURE_COORD_ARRAY: return texture_slot(c.state().arrays().client_texture());
     default: return no_slot;
   }
 }
 
 void client_state_changed(Context& c, GLenum array, bool enabled) {
-  const int slot = c.refining() && !c.state().immediate().open ? slot_of(c, array) : no_slot;
+  const int slot = c.refining() && !c.state().immediate().open() ? slot_of(c, array) : no_slot;
   if (slot == no_slot) {
-    c.state().vertex_arrays().forget_current();
+    c.state().arrays().vertex_arrays().forget_current();
     return;
   }
-  c.state().vertex_arrays().current(c.state().bindings().vertex_array).sources[static_cast<std::size_t>(slot)].enabled =
-      enabled;
+  c.state()
+      .arrays()
+      .vertex_arrays()
+      .current(c.state().bindings().vertex_array)
+      .sources[static_cast<std::size_t>(slot)]
+      .enabled = enabled;
 }
 
-// Vertex arrays and buffer bindings are others now.
+// A call replaced the vertex arrays and the buffer bindings.
 void client_state_replaced(Context& c) {
   c.state().forget_bindings();
-  c.state().bound_buffers().forget();
-  c.state().vertex_arrays().forget_all();
-  c.state().set_client_texture(0);
-  if (c.capabilities().refinable && !c.state().immediate().open) {
-    c.state().read_client_state();
+  c.state().arrays().bound_buffers().forget();
+  c.state().arrays().vertex_arrays().forget_all();
+  c.state().arrays().set_client_texture(0);
+  if (c.capabilities().refinable && !c.state().immediate().open()) {
+    c.state().arrays().read_client_state();
   }
 }
 
@@ -55,7 +59,7 @@ void set_tag_array(Context& c, bool enabled) {
   if (track::inside_begin(c)) {
     return;
   }
-  c.state().vertex_arrays().forget_current();
+  c.state().arrays().vertex_arrays().forget_current();
   if (enabled) {
     c.gl().EnableVertexAttribArray(c.ark().tag_attribute);
   } else {
@@ -63,7 +67,7 @@ void set_tag_array(Context& c, bool enabled) {
   }
 }
 
-// Fixed-function enables only change the generated vertex stage; all others that matter are named.
+// Notes the enables that refined draws depend on. Unnamed ones can only change the generated vertex stage.
 void set_capability(Context& c, GLenum capability, bool enabled) {
   Bindings& b = c.state().bindings();
   switch (capability) {
@@ -75,13 +79,13 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_VERTEX_PROGRAM_TWO_SIDE: b.two_side = enabled; break;
     case GL_BLEND: b.blend = enabled; break;
     case GL_DEPTH_TEST: b.depth_test = enabled; break;
-    // The most frequent ones that the vertex stage does not depend on.
+    // The most frequent enables that the vertex stage does not depend on.
     case GL_CULL_FACE:
     case GL_SCISSOR_TEST:
     case GL_STENCIL_TEST:
     case GL_ALPHA_TEST:
     case GL_DITHER: break;
-    // EXT_vertex_array enabled them so, and drivers still take it.
+    // EXT_vertex_array enabled arrays by glEnable, and drivers still accept it.
     case GL_VERTEX_ARRAY:
     case GL_NORMAL_ARRAY:
     case GL_COLOR_ARRAY:
@@ -89,8 +93,8 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_TEXTURE_COORD_ARRAY:
     case GL_EDGE_FLAG_ARRAY:
     case GL_FOG_COORD_ARRAY:
-    case GL_SECONDARY_COLOR_ARRAY: c.state().vertex_arrays().forget_current(); break;
-    default: c.state().forget_fixed_function(); break;
+    case GL_SECONDARY_COLOR_ARRAY: c.state().arrays().vertex_arrays().forget_current(); break;
+    default: c.state().fixed_function().touch(); break;
   }
 }
 
@@ -188,7 +192,7 @@ void MatrixMode(Context& c, GLenum mode) {
   c.gl().MatrixMode(mode);
   if (track::executes(c)) {
     c.state().bindings().matrix_mode = mode;
-    c.state().touch_any_matrix();  // GL may have refused
+    c.changes().touch_any_matrix();  // GL may have refused
   }
 }
 
@@ -223,7 +227,7 @@ void ViewportArrayv(Context& c, GLuint first, GLsizei count, const GLfloat* view
 void PolygonMode(Context& c, GLenum face, GLenum mode) {
   c.gl().PolygonMode(face, mode);
   if (track::executes(c)) {
-    c.state().forget_bindings();  // faces and profiles differ in what they accept
+    c.state().forget_bindings();  // the accepted faces depend on the profile
   }
 }
 

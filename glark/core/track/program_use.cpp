@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of what is in use: the program or the program pipeline, and the subroutines.
+// Hooks of calls that choose the program, the program pipeline or the subroutines in use.
 #include "glark/core/track/track.h"
 
 namespace glark::core {
 namespace {
 
-// The program in use is about to be another: what its draws stored, they have stored.
+// Another program comes into use. The draws of the old one may have written buffers.
 void leave_program(Context& c) {
   const bool known = c.state().programs().current() != nullptr;
   if (known ? c.state().programs().current()->may_store
@@ -39,7 +39,8 @@ void UseProgram(Context& c, GLuint program) {
   c.state().programs().forget_subroutines();
   c.state().programs().refresh_mirroring();
   if (c.state().bindings().transform_feedback_active && c.state().bindings_stale()) {
-    c.state().refresh();  // it may have ended, and the uniforms that follow are of the new program
+    // Feedback may have ended. Then GL takes the program, and the uniform calls that follow are for it.
+    c.state().refresh();
   }
   if (program != 0 && !use_known(c, program)) {
     c.state().forget_bindings();  // GL may have refused
@@ -49,7 +50,7 @@ void UseProgram(Context& c, GLuint program) {
     c.state().programs().use(nullptr);
   }
   if (c.state().bindings().program != program && c.state().bindings().program == 0) {
-    c.state().forget_fixed_function();
+    c.state().fixed_function().touch();
   }
   c.state().bindings().program = program;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of shaders and programs: the sources a program was linked from are kept, since an application may delete its
-// shader objects right after linking.
+// Hooks of shaders and programs. The sources that a program was linked from are kept, because an application may delete
+// its shader objects right after linking.
 #include <string>
 
 #include "glark/core/track/track.h"
@@ -60,7 +60,7 @@ void ProgramBinary(Context& c, GLuint program, GLenum format, const void* binary
 
 GLuint CreateShaderProgramv(Context& c, GLenum type, GLsizei count, const GLchar* const* strings) {
   const GLuint program = c.gl().CreateShaderProgramv(type, count, strings);
-  if (program != 0 && c.capabilities().refinable) {  // its shader object is gone already
+  if (program != 0 && c.capabilities().refinable) {  // GL has already deleted its shader object
     std::string source;
     for (GLsizei i = 0; i < count; ++i) {
       source += strings[i];
@@ -92,7 +92,7 @@ void DeleteObjectARB(Context& c, GLhandleARB object) {
 void UniformBlockBinding(Context& c, GLuint program, GLuint index, GLuint binding) {
   c.gl().UniformBlockBinding(program, index, binding);
   if (c.state().programs().mirroring()) {
-    for (const UniformMirror& mirror : c.state().uniform_mirrors(program)) {
+    for (const UniformMirror& mirror : c.state().programs().mirrors(c.state().bindings(), program)) {
       std::string name(256, '\0');
       c.gl().GetActiveUniformBlockName(program, index, static_cast<GLsizei>(name.size()), nullptr, name.data());
       const GLuint own = c.gl().GetUniformBlockIndex(mirror.program, name.c_str());
@@ -106,7 +106,7 @@ void UniformBlockBinding(Context& c, GLuint program, GLuint index, GLuint bindin
 void ShaderStorageBlockBinding(Context& c, GLuint program, GLuint index, GLuint binding) {
   c.gl().ShaderStorageBlockBinding(program, index, binding);
   if (c.state().programs().mirroring()) {
-    for (const UniformMirror& mirror : c.state().uniform_mirrors(program)) {
+    for (const UniformMirror& mirror : c.state().programs().mirrors(c.state().bindings(), program)) {
       std::string name(256, '\0');
       c.gl().GetProgramResourceName(program, GL_SHADER_STORAGE_BLOCK, index, static_cast<GLsizei>(name.size()), nullptr,
                                     name.data());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What displacement takes on edges and at corners, for weld.glsl, which declares the tables and finds places and edges: of an edge the texture
-// coordinates of its least side, of a place its least texture coordinate and one normal.
+// The values that displacement uses on edges and at corners: for an edge, the texture coordinates of its least side; for a place, its
+// least texture coordinate and one normal. weld.glsl includes this; it declares the tables and finds places and edges.
 
 int border_of(int corner) { return border_table() + 5 * slot_of_place(corner); }
 

@@ -15,7 +15,9 @@ std::vector<GLint> instance_words(const core::Environment& environment, const ca
       words.push_back(offset + word);
     }
   };
-  const auto advances = [&](int location) { return environment.state.attribute_source(location).divisor != 0; };
+  const auto advances = [&](int location) {
+    return environment.state.arrays().attribute_source(location).divisor != 0;
+  };
   for (const capture::Field& field : layout.fields) {
     if (field.name == "gl_InstanceID" || field.name == "gl_DrawID" ||
         (field.location >= 0 && advances(field.location))) {

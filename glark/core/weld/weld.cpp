@@ -3,9 +3,6 @@
 #include "glark/core/weld/weld.h"
 
 #include <algorithm>
-#include <string>
-
-#include "glark/core/shader.h"
 
 namespace glark::weld {
 namespace {
@@ -17,15 +14,14 @@ constexpr char weld_source[] =
 constexpr const char* uniform_names[] = {"record_offset",   "corner_words",   "triangle_bound",    "count_on_gpu",
                                          "position_offset", "position_words", "normal_offset",     "control_offset",
                                          "turn_offset",     "border_offset",  "coordinate_offset", "tag_offset",
-                                         "slot_count",      "key_count"};
-constexpr std::uint32_t group_size = 64;
-constexpr std::uint32_t most_groups = 65535;      // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT
+                                         "slot_count",      "key_count",      "key_words"};
+constexpr std::size_t key_words = 14;
 constexpr std::uint32_t most_in_one_group = 128;  // triangles: one dispatch costs less than three
 constexpr std::size_t all_in_one = 3;             // pass
 
 bool takes_one_dispatch(std::uint32_t triangles) { return triangles <= most_in_one_group; }
 
-// Of each table: more than the 3 entries that a triangle can make.
+// The size of each table. A triangle adds at most 3 entries.
 std::uint64_t slots_for(std::uint32_t triangles) { return 4 * std::max<std::uint64_t>(4, triangles); }
 
 std::uint64_t bytes_for(const capture::Layout& layout, std::uint64_t triangles) {
@@ -37,23 +33,14 @@ std::uint64_t bytes_for(const capture::Layout& layout, std::uint64_t triangles) 
 
 }  // namespace
 
-WeldStage::Pass WeldStage::compile(int pass) const {
-  const std::string version = language_ == capture::Language::es
-                                  ? "#version 320 es\nprecision highp float;\nprecision highp int;\n"
-                                  : "#version 430\n";
-  const std::string source = version + "#define GLARK_PASS " + std::to_string(pass) + "\n#define GLARK_GROUP " +
-                             std::to_string(group_size) + "\n#define GLARK_KEY_WORDS " +
-                             std::to_string(most_key_words) + "\n" + weld_source;
-  const core::ShaderText text{GL_COMPUTE_SHADER, source};
-  Pass result;
-  result.program = core::build_program(gl_, "a welding pass", {&text, 1});
-  if (result.program != 0) {
-    for (std::size_t i = 0; i < result.uniform.size(); ++i) {
-      result.uniform[i] = gl_.GetUniformLocation(result.program, uniform_names[i]);
-    }
-    result.key_words = gl_.GetUniformLocation(result.program, "key_words");
-  }
-  return result;
+bool WeldStage::build(std::size_t pass) {
+  const core::ComputeText text{
+      .what = "a welding pass",
+      .source = weld_source,
+      .es = language_ == capture::Language::es,
+      .defines = {
+          {"GLARK_PASS", pass}, {"GLARK_GROUP", core::ComputePass::group_size}, {"GLARK_KEY_WORDS", most_key_words}}};
+  return passes_[pass].built() || passes_[pass].build(gl_, text, uniform_names);
 }
 
 bool WeldStage::can_hold(const capture::Layout& layout, std::uint64_t triangles) {
@@ -63,19 +50,13 @@ bool WeldStage::can_hold(const capture::Layout& layout, std::uint64_t triangles)
   return bytes_for(layout, triangles) <= static_cast<std::uint64_t>(largest_block_);
 }
 
-// What has room for many triangles has it for few.
+// Room for many triangles is room for few.
 bool WeldStage::has_room(const capture::Layout& layout, std::uint32_t triangles) const {
-  return passes_[takes_one_dispatch(triangles) ? all_in_one : all_in_one - 1].program != 0 &&
+  return passes_[takes_one_dispatch(triangles) ? all_in_one : all_in_one - 1].built() &&
          bytes_for(layout, triangles) <= static_cast<std::uint64_t>(tables_.size());
 }
 
 bool WeldStage::reserve(const capture::Layout& layout, std::uint32_t triangles) {
-  const auto build = [&](std::size_t pass) {
-    if (passes_[pass].program == 0) {
-      passes_[pass] = compile(static_cast<int>(pass));
-    }
-    return passes_[pass].program != 0;
-  };
   const bool built = build(all_in_one) && (takes_one_dispatch(triangles) || (build(0) && build(1) && build(2)));
   return built && can_hold(layout, triangles) &&
          tables_.reserve(gl_, static_cast<GLsizeiptr>(bytes_for(layout, triangles)), GL_DYNAMIC_COPY);
@@ -99,17 +80,12 @@ void WeldStage::dispatch(std::size_t pass, const WeldRequest& request, std::uint
                           request.tags ? layout.tag_offset : -1,
                           static_cast<GLint>(slots_for(request.triangles.count)),
                           static_cast<GLint>(keys.size())};
-  gl_.UseProgram(passes_[pass].program);
-  for (std::size_t i = 0; i < passes_[pass].uniform.size(); ++i) {
-    if (passes_[pass].uniform[i] >= 0) {
-      gl_.Uniform1i(passes_[pass].uniform[i], values[i]);
-    }
+  passes_[pass].use(gl_);
+  passes_[pass].set_integers(gl_, values);
+  if (!keys.empty() && passes_[pass].location(key_words) >= 0) {
+    gl_.Uniform1iv(passes_[pass].location(key_words), static_cast<GLsizei>(keys.size()), keys.data());
   }
-  if (!keys.empty() && passes_[pass].key_words >= 0) {
-    gl_.Uniform1iv(passes_[pass].key_words, static_cast<GLsizei>(keys.size()), keys.data());
-  }
-  const std::uint32_t groups = (invocations + group_size - 1) / group_size;
-  gl_.DispatchCompute(std::min(groups, most_groups), (groups + most_groups - 1) / most_groups, 1);
+  core::ComputePass::dispatch(gl_, invocations);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -129,9 +105,8 @@ void WeldStage::run(const WeldRequest& request, GLuint captured_count) {
 }
 
 void WeldStage::release() {
-  for (Pass& pass : passes_) {
-    gl_.DeleteProgram(pass.program);
-    pass = Pass{};
+  for (core::ComputePass& pass : passes_) {
+    pass.release(gl_);
   }
   tables_.release(gl_);
 }

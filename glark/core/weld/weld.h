@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Joins the coarse triangles of a draw by position, on the GPU: programs split vertices where normals or texture coordinates jump, and
-// what two triangles share there must be computed from data that both have. Exact positions count, by their bits (-0 is 0).
+// Welds the coarse triangles of a draw by position, on the GPU. Programs split vertices where normals or texture coordinates jump; the
+// values that two triangles share there must be computed from data that both have. Positions are equal if their bits are (-0 is 0).
 // - Edges: the control points of curved PN triangles, from the normals of all sides (weld.glsl), at Layout::control_offset.
 //   Where normals are measured, which of the sides turns most, at Layout::turn_offset.
 // - Vertices: the greatest of the depth tags that meet in a position.
@@ -16,6 +16,7 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/gl/dispatch.h"
 
@@ -24,7 +25,7 @@ namespace glark::weld {
 struct WeldRequest {
   const capture::Layout* layout = nullptr;
   capture::CoarseTriangles triangles;
-  // Words of a corner besides the position that keep vertices apart: what each instance has of its own.
+  // Words of a corner besides the position that keep vertices apart: the values that differ between instances.
   std::span<const GLint> key_words;
   bool edges = false;
   bool tags = false;
@@ -36,7 +37,7 @@ class WeldStage {
  public:
   WeldStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
 
-  // Whether the tables can be as large as that at all.
+  // Whether the tables for so many triangles fit into a storage block.
   bool can_hold(const capture::Layout& layout, std::uint64_t triangles);
   bool has_room(const capture::Layout& layout, std::uint32_t triangles) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
@@ -47,19 +48,12 @@ class WeldStage {
   void release();
 
  private:
-  static constexpr std::size_t uniform_count = 14;
-  struct Pass {
-    GLuint program = 0;
-    std::array<GLint, uniform_count> uniform{};
-    GLint key_words = -1;
-  };
-
-  Pass compile(int pass) const;
+  bool build(std::size_t pass);
   void dispatch(std::size_t pass, const WeldRequest& request, std::uint32_t invocations) const;
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::array<Pass, 4> passes_{};
+  std::array<core::ComputePass, 4> passes_;
   core::GpuBuffer tables_;
   GLint64 largest_block_ = 0;
 };

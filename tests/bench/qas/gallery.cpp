@@ -3,9 +3,10 @@
 //
 // glark-gallery: figures 9.4 and 9.5 of Boubekeur 2007. It draws each of the seven control meshes of tests/qas/meshes.h
 // four times: coarse, as curved PN triangles, as QAS, and as Loop's limit surface itself. PN and QAS are refined inside
-// OpenGL.
+// OpenGL. It draws two of them also with Phong tessellation: coarse, with Phong tessellation, as curved PN triangles,
+// and as Loop's limit surface.
 //
-//   glark-gallery OUT_DIRECTORY          writes qas_MESH.png
+//   glark-gallery OUT_DIRECTORY          writes qas_MESH.png and phong_MESH.png
 #define GL_GLEXT_PROTOTYPES 1
 #include <GL/osmesa.h>
 #include <glark/qas.h>
@@ -192,8 +193,8 @@ struct Programs {
   GLuint qas = link(vertex_shader);
 };
 
-void draw_views(const ControlMesh& mesh, const Programs& programs) {
-  const Corners coarse = coarse_corners(mesh);
+// The first view and the last.
+void draw_coarse_and_limit(const ControlMesh& mesh, const Programs& programs, const Corners& coarse) {
   const GLint flat_shaded = glGetUniformLocation(programs.plain, "flat_shaded");
   glDisable(GL_ARK);
   glUseProgram(programs.plain);
@@ -203,11 +204,26 @@ void draw_views(const ControlMesh& mesh, const Programs& programs) {
   glUniform1i(flat_shaded, 0);
   look(mesh, 3);
   draw(limit_corners(mesh), {point, normal});
-
   glEnable(GL_ARK);
-  glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
-  look(mesh, 1);
+}
+
+void draw_refined(const ControlMesh& mesh, const Corners& coarse, int view, GLint refinement) {
+  glARKParameteriARK(GL_REFINEMENT_ARK, refinement);
+  look(mesh, view);
   draw(coarse, {point, normal});
+}
+
+void draw_phong_views(const ControlMesh& mesh, const Programs& programs) {
+  const Corners coarse = coarse_corners(mesh);
+  draw_coarse_and_limit(mesh, programs, coarse);
+  draw_refined(mesh, coarse, 1, GL_PHONG_ARK);
+  draw_refined(mesh, coarse, 2, GL_CURVED_PN_ARK);
+}
+
+void draw_qas_views(const ControlMesh& mesh, const Programs& programs) {
+  const Corners coarse = coarse_corners(mesh);
+  draw_coarse_and_limit(mesh, programs, coarse);
+  draw_refined(mesh, coarse, 1, GL_CURVED_PN_ARK);
   glark::qas::Surface surface(mesh.view());
   surface.update(mesh.positions);
   std::vector<Corner> corners(surface.corner_count());
@@ -215,6 +231,16 @@ void draw_views(const ControlMesh& mesh, const Programs& programs) {
   glUseProgram(programs.qas);
   look(mesh, 2);
   draw(corners, {point, point + 1, normal, normal + 1});
+}
+
+bool write_picture(const std::filesystem::path& file, const std::vector<unsigned char>& pixels) {
+  glFinish();
+  if (stbi_write_png(file.c_str(), views * side, side, 4, pixels.data(), 4 * views * side) == 0) {
+    std::fprintf(stderr, "glark-gallery: %s cannot be written\n", file.c_str());
+    return false;
+  }
+  std::printf("%s\n", file.c_str());
+  return true;
 }
 
 // Returns the exit status.
@@ -231,14 +257,12 @@ int write_gallery(const std::filesystem::path& directory, std::vector<unsigned c
   stbi_flip_vertically_on_write(1);
   for (const ControlMesh& mesh : glark::qas::test::seven_meshes()) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_views(mesh, programs);
-    glFinish();
-    const std::string file = directory / ("qas_" + mesh.name + ".png");
-    if (stbi_write_png(file.c_str(), views * side, side, 4, pixels.data(), 4 * views * side) == 0) {
-      std::fprintf(stderr, "glark-gallery: %s cannot be written\n", file.c_str());
-      return 1;
-    }
-    std::printf("%s\n", file.c_str());
+    draw_qas_views(mesh, programs);
+    if (!write_picture(directory / ("qas_" + mesh.name + ".png"), pixels)) return 1;
+    if (mesh.name != "knot" && mesh.name != "goblet") continue;
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    draw_phong_views(mesh, programs);
+    if (!write_picture(directory / ("phong_" + mesh.name + ".png"), pixels)) return 1;
   }
   return 0;
 }

@@ -9,7 +9,7 @@ namespace {
 
 // The cause for which a draw of triangles under these conditions stays as it is.
 struct Setting {
-  Bindings bindings;
+  Bindings bindings = {};
   bool transparent = false;
   bool core_profile = false;
   bool feedback_is_ours = false;

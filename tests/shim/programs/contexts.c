@@ -64,7 +64,7 @@ static GLuint make_buffer(void) {
   return buffer;
 }
 
-// What contexts do not share.
+// Contexts do not share these.
 static void make_target(void) {
   GLuint framebuffer, storage, array;
   glGenFramebuffers(1, &framebuffer);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a program sees of the dynamic linker; its output must be the same with and without the shim.
+// Prints the dynamic linker's answers. The output must be the same with and without the shim.
 #include <dlfcn.h>
 #include <stdio.h>
 

@@ -97,7 +97,8 @@ TEST(SurfelDelaunay, GridWithDuplicatesHasEmptyCircumcircles) {
   EXPECT_EQ(area(delaunay, points), 2 * 900 * 900);
 }
 
-// Coordinates are as large as possible. In the second part, each point is slightly off the circle: doubles can hardly tell.
+// Coordinates are as large as possible. In the second part, each point is slightly off the circle: doubles can hardly
+// tell.
 TEST(SurfelDelaunay, CocircularPointsHaveEmptyCircumcircles) {
   constexpr std::int32_t radius = 5 * 13 * 17 * 29, scale = 32;
   std::vector<Point> points;

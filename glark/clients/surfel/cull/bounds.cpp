@@ -44,7 +44,8 @@ struct Boxes {
   }
 };
 
-// The greatest angle between planes' normals and an axis, and the greatest distance from a centre, along the axis, back to a plane.
+// The greatest angle between planes' normals and an axis, and the greatest distance from a centre, along the axis, back
+// to a plane.
 struct ConeFit {
   std::array<float, lanes> squared_cosine, behind;  // squared_cosine has the sign of the cosine
 
@@ -114,7 +115,8 @@ Vector measure(const Level& level, std::span<const Triangle> triangles, Box& box
 
 }  // namespace
 
-// The axis is the mean of the normals, weighted by area. The apex lies behind the planes of all triangles, as near to the box as possible.
+// The axis is the mean of the normals, weighted by area. The apex lies behind the planes of all triangles, as near to
+// the box as possible.
 void compute_bounds(const Level& level, std::span<const Triangle> triangles, Patch& patch) {
   thread_local std::vector<Planes> all;
   patch.box = {};

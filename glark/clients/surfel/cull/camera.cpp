@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace glark::surfel {
 namespace {
@@ -32,18 +31,6 @@ double minor(const std::array<std::array<float, 4>, 3>& rows, std::size_t withou
 
 Camera::Camera(const View& view)
     : half_width_(0.5F * static_cast<float>(view.width)), half_height_(0.5F * static_cast<float>(view.height)) {
-  if (view.width == 0 || view.height == 0) {
-    throw Error(Element::view, 0,
-                "of " + std::to_string(view.width) + " x " + std::to_string(view.height) +
-                    " pixels shows nothing; set width and height to the viewport's");
-  }
-  for (std::size_t i = 0; i < 16; ++i) {
-    if (!std::isfinite(view.clip_from_object[i])) {
-      throw Error(Element::view, 0,
-                  "has a matrix whose element " + std::to_string(i) + " is " +
-                      std::to_string(view.clip_from_object[i]) + "; it has to be finite");
-    }
-  }
   for (std::size_t column = 0; column < 4; ++column) {
     x_[column] = view.clip_from_object[4 * column];
     y_[column] = view.clip_from_object[4 * column + 1];
@@ -59,7 +46,8 @@ Camera::Camera(const View& view)
   find_eye();
 }
 
-// The eye is the point that the matrix maps to x = y = w = 0. For a parallel projection it is a direction, and z tells its sign.
+// The eye is the point that the matrix maps to x = y = w = 0. For a parallel projection it is a direction, and z tells
+// its sign.
 void Camera::find_eye() {
   const std::array<std::array<float, 4>, 3> rows = {x_, y_, w_};
   std::array<double, 4> eye{};

@@ -14,10 +14,11 @@ namespace glark::surfel {
 
 class Camera {
  public:
-  // Errors: Error for a view without size or a matrix that is not finite.
+  // The view has a size and a finite matrix.
   explicit Camera(const View& view);
 
-  // Whether the node's box is outside the frustum. `planes` is the set of planes to test; planes that the whole box is inside of are removed.
+  // Whether the node's box is outside the frustum. `planes` is the set of planes to test; planes that the whole box is
+  // inside of are removed.
   bool is_outside(const Node& node, unsigned& planes) const;
   // Whether all triangles of the node are back-facing.
   bool is_back_facing(const Node& node) const;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Selects what one view of a level of detail draws: strips of leaves, and points for nodes that are too small for strips.
+// Selects what one view of a level of detail draws: strips of leaves, and points for nodes that are too small for
+// strips.
 // Based on: Boubekeur 2007, ch. 5.2.5 and 5.2.6; Rusinkiewicz and Levoy, QSplat, 2000.
 #pragma once
 

@@ -27,7 +27,8 @@ void join_cones(const Node& a, const Node& b, Node& node) {
   if (half_angle < right_angle) node.cone_sine = std::sin(half_angle);
 }
 
-// The apex is behind all planes that touch the box's bounding sphere and have normals in the cone: there, the outermost of these planes meet.
+// The apex is behind all planes that touch the box's bounding sphere and have normals in the cone: there, the outermost
+// of these planes meet.
 void place_apex(Node& node) {
   const Vector low = to_vector(node.low), high = to_vector(node.high);
   const float cosine = std::sqrt(std::max(0.0F, 1 - node.cone_sine * node.cone_sine));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// One level of detail: a stripping tree, the candidate triangles of its leaves, and the strips that are made of them. Each stage fills
-// in its part.
+// One level of detail: a stripping tree, the candidate triangles of its leaves, and the strips that are made of them.
+// Each stage fills in its part.
 #pragma once
 
 #include <glark/surfel.h>
@@ -61,7 +61,8 @@ struct Level {
   std::vector<std::uint32_t> cloud_indices;
   std::size_t initial_leaves = 0;  // when the tree was built
 
-  // A conflict region is a set of points, named by its lowest point. For each point: its region, or `none` for most points.
+  // A conflict region is a set of points, named by its lowest point. For each point: its region, or `none` for most
+  // points.
   std::vector<std::uint32_t> region_of;
   // For each point of a region, the next one: a ring. Empty until there is a region.
   std::vector<std::uint32_t> next_in_region;

@@ -28,8 +28,8 @@ const Candidate* find_candidate(const Level& level, std::uint32_t leaf, const Co
   return nullptr;
 }
 
-// Whether the leaf has the triangle with the same orientation. Where the surface bends too much for a leaf's plane, a triangle can be upside
-// down on it.
+// Whether the leaf has the triangle with the same orientation. Where the surface bends too much for a leaf's plane, a
+// triangle can be upside down on it.
 bool has_candidate(const Level& level, std::uint32_t leaf, const Candidate& candidate, bool oriented) {
   const Candidate* const found = find_candidate(level, leaf, candidate.corners);
   return found != nullptr && (!oriented || found->reversed == candidate.reversed);

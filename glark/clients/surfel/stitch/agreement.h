@@ -23,7 +23,8 @@ Corners sorted_corners(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 // Squared length of the longest edge.
 float squared_longest_edge(const Level& level, const Corners& corners);
 
-// Whether all edges are short enough for the spacings of the corners. The answer does not depend on a leaf, so that leaves agree on holes.
+// Whether all edges are short enough for the spacings of the corners. The answer does not depend on a leaf, so that
+// leaves agree on holes.
 bool is_in_reach(const Level& level, const Corners& corners, float reach);
 
 // The leaf that draws a triangle: the first of those that own a corner.

@@ -102,8 +102,8 @@ bool ConflictRegion::has_edge(std::uint32_t from, std::uint32_t to) {
                      [to](const VertexFan::Sector& sector) { return sector.first == to || sector.second == to; });
 }
 
-// Follows the boundary of a hole from the edge before .. at: the next boundary edge in clockwise order around `at`. Returns `none` if
-// there is none.
+// Follows the boundary of a hole from the edge before .. at: the next boundary edge in clockwise order around `at`.
+// Returns `none` if there is none.
 std::uint32_t ConflictRegion::next_on_boundary(std::uint32_t before, std::uint32_t at) {
   const VertexFan* const fan = fan_of(at);
   if (fan == nullptr) return none;
@@ -157,8 +157,8 @@ float ConflictRegion::fill_cost(const Triangle& triangle, float squared_longest)
   return cost < 0 ? -cost * penalty : cost;
 }
 
-// Whether the loop is the outer boundary of a small piece of surface, not a hole. If so, its filling is back-facing, and its points have
-// no other triangles than the piece. Points around a fold have more.
+// Whether the loop is the outer boundary of a small piece of surface, not a hole. If so, its filling is back-facing,
+// and its points have no other triangles than the piece. Points around a fold have more.
 bool ConflictRegion::is_outer_boundary(std::span<const std::uint32_t> loop) {
   Vector area, normals;
   float angles = 0;

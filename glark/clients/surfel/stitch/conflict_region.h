@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A conflict region: a set of points where leaves disagree on triangles. Around these points lie triangles that all leaves agree on. Of the
-// conflicting triangles, those with the least cost are drawn; then the holes that remain are filled.
+// A conflict region: a set of points where leaves disagree on triangles. Around these points lie triangles that all
+// leaves agree on. Of the conflicting triangles, those with the least cost are drawn; then the holes that remain are
+// filled.
 #pragma once
 
 #include <cstdint>

@@ -96,7 +96,8 @@ std::vector<std::uint32_t> Stitcher::run(std::span<const std::uint32_t> leaves, 
   return leaves_;
 }
 
-// Dissolves the regions that have a point of these leaves or of their conflicts: they are stitched again. Adds all leaves of these regions.
+// Dissolves the regions that have a point of these leaves or of their conflicts: they are stitched again. Adds all
+// leaves of these regions.
 void Stitcher::dissolve_regions() {
   sort_unique(leaves_);
   if (level_.next_in_region.empty()) return;
@@ -244,7 +245,8 @@ void Stitcher::collect_agreed(const common::Workers& workers) {
   sort_by_region(agreed_, &Region::agreed);
 }
 
-// The leaves of all corners have an agreed triangle. For each region, the leaf of its first corner in the region adds it.
+// The leaves of all corners have an agreed triangle. For each region, the leaf of its first corner in the region adds
+// it.
 void Stitcher::collect_agreed_of(std::uint32_t leaf, std::vector<AgreedTriangle>& found) const {
   for (const Candidate& candidate : level_.candidates_of(leaf)) {
     if (candidate.state != CandidateState::agreed) continue;

@@ -12,7 +12,8 @@
 
 namespace glark::surfel {
 
-// Angles are positions on the diamond |x| + |y| = 1: cheaper than radians and in the same order. Opposite directions are half a turn apart.
+// Angles are positions on the diamond |x| + |y| = 1: cheaper than radians and in the same order. Opposite directions
+// are half a turn apart.
 inline constexpr float full_turn = 4;
 
 inline float diamond_angle(float y, float x) {

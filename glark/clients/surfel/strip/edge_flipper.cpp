@@ -42,8 +42,8 @@ bool EdgeFlipper::may_flip_range(std::span<const Triangle> triangles, std::size_
   return true;
 }
 
-// Flips the edge between a triangle and the next, unless a triangle beside them has the other diagonal already: noisy surfaces may be folded
-// there. The first of the new triangles has the edge to the triangle before.
+// Flips the edge between a triangle and the next, unless a triangle beside them has the other diagonal already: noisy
+// surfaces may be folded there. The first of the new triangles has the edge to the triangle before.
 bool EdgeFlipper::flip(std::span<Triangle> triangles, std::size_t at) const {
   const Triangle one = triangles[at], other = triangles[at + 1];
   const std::uint32_t k = opposite_corner(one, other);

@@ -14,9 +14,10 @@
 
 namespace glark::surfel {
 
-// A strip passes around points on its left and right side in turn. Where it passes around two points on the same side, it needs a swap: one
-// more index. Two swaps on different sides cancel if the edges between them are flipped. A single swap vanishes if all edges up to an end
-// of the run are flipped. The outer edges of the run stay, so that patches match as before.
+// A strip passes around points on its left and right side in turn. Where it passes around two points on the same side,
+// it needs a swap: one more index. Two swaps on different sides cancel if the edges between them are flipped. A single
+// swap vanishes if all edges up to an end of the run are flipped. The outer edges of the run stay, so that patches
+// match as before.
 class EdgeFlipper {
  public:
   explicit EdgeFlipper(std::span<const Vector> positions) : positions_(positions) {}

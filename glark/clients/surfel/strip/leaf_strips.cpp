@@ -35,7 +35,8 @@ class LeafStripper {
   LeafStripper(Level& level, const std::vector<std::uint32_t>& indices, const LevelOptions& options)
       : level_(level), indices_(indices), stripifier_(level.positions, options.flip_edges) {}
 
-  // Appends the leaf's strip to `strip`. A leaf with the same triangles as before keeps its strip. Returns whether the strip is the same.
+  // Appends the leaf's strip to `strip`. A leaf with the same triangles as before keeps its strip. Returns whether the
+  // strip is the same.
   bool append_strip(std::uint32_t leaf, std::vector<std::uint32_t>& strip) {
     Patch& patch = level_.patches[leaf];
     collect_drawn_triangles(level_, leaf, patch, triangles_);

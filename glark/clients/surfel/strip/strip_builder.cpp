@@ -13,8 +13,8 @@ constexpr int one_run_cost = 3, one_swap_cost = 1;  // in indices; on average fo
 constexpr std::uint32_t no_link = TriangleAdjacency::no_link;
 constexpr std::uint32_t is_used = 1U << 27;  // more than any degree
 
-// For the bits of crossed sides, and one side: if two sides are crossed, whether their common corner is the next corner after the one side
-// (1) or the one after that (2). 0 if not two sides are crossed.
+// For the bits of crossed sides, and one side: if two sides are crossed, whether their common corner is the next corner
+// after the one side (1) or the one after that (2). 0 if not two sides are crossed.
 constexpr std::array<std::array<std::int8_t, 3>, 8> pivots = {{
     {0, 0, 0},
     {0, 0, 0},
@@ -33,7 +33,8 @@ constexpr std::array<std::uint8_t, 8> lowest = {no_side, 0, 1, 0, 2, 0, 1, 0};
 
 }  // namespace
 
-// Writes the triangle to the stack in any case, and keeps it there if its degree is low: the processor cannot predict that.
+// Writes the triangle to the stack in any case, and keeps it there if its degree is low: the processor cannot predict
+// that.
 void StripBuilder::note_if_low_degree(std::uint32_t triangle) {
   low_degree_[low_degree_count_] = triangle;
   low_degree_count_ += degrees_[triangle] < 2 ? 1 : 0;
@@ -58,7 +59,8 @@ std::uint32_t StripBuilder::next_start() {
   return first_unused_ < size() ? first_unused_ : no_triangle;
 }
 
-// Walks to the neighbour with the lowest degree, again and again. Of equal neighbours, it takes the one that needs no swap.
+// Walks to the neighbour with the lowest degree, again and again. Of equal neighbours, it takes the one that needs no
+// swap.
 void StripBuilder::walk_from(std::uint32_t at) {
   for (std::uint32_t straight = no_side;;) {
     std::uint32_t best = no_triangle;  // degree, whether a swap is needed, and side, as one number
@@ -110,7 +112,8 @@ void StripBuilder::cut(std::uint32_t triangle, std::uint32_t side) {
   run_neighbours_[other] ^= triangle + 1;
 }
 
-// Two adjacent triangles cross these sides and meet at one side of each. They need a swap if both go around the same end of the common edge.
+// Two adjacent triangles cross these sides and meet at one side of each. They need a swap if both go around the same
+// end of the common edge.
 int StripBuilder::swap_cost(std::uint8_t crossed, std::uint32_t side, std::uint8_t crossed_there,
                             std::uint32_t side_there) {
   const int one = pivots[crossed][side], other = pivots[crossed_there][side_there];
@@ -132,8 +135,8 @@ int StripBuilder::detached_cost(std::uint32_t triangle, std::uint32_t side) cons
          (rest != 0 ? swap_cost_at(other, lowest[rest], crossed_[other]) : 0);
 }
 
-// The change of cost if the run that ends at triangle t is extended across a side. The next triangle is cut off its own run at cut_side; with
-// no_side it is an end of its run.
+// The change of cost if the run that ends at triangle t is extended across a side. The next triangle is cut off its own
+// run at cut_side; with no_side it is an end of its run.
 int StripBuilder::extension_cost(std::uint32_t t, std::uint32_t side, std::uint32_t cut_side) const {
   const std::uint32_t link = adjacency_.links(t)[side], u = triangle_of(link);
   const std::uint8_t rest = crossed_[t], kept = crossed_[u] & static_cast<std::uint8_t>(~(1U << cut_side));
@@ -158,8 +161,8 @@ bool StripBuilder::is_loop(std::uint32_t first, std::uint32_t next) const {
   return false;
 }
 
-// Extends ends of runs, in random order, while that does not increase the cost. Changes without a gain lead to others that save indices.
-// Changes that do not start at an end almost never save indices.
+// Extends ends of runs, in random order, while that does not increase the cost. Changes without a gain lead to others
+// that save indices. Changes that do not start at an end almost never save indices.
 void StripBuilder::improve() {
   ends_.clear();
   for (std::uint32_t t = 0; t < size(); ++t) {

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Divides the triangles of a patch into runs. A run is a sequence in which each triangle has an edge in common with the next.
-// Based on: Stewart, Tunneling for Triangle Strips, 2001. A walk over the triangles makes runs. Then edges between two runs are added to
-// one of them while that reduces the number of indices.
+// Divides the triangles of a patch into runs. A run is a sequence in which each triangle has an edge in common with the
+// next.
+// Based on: Stewart, Tunneling for Triangle Strips, 2001. A walk over the triangles makes runs. Then edges between two
+// runs are added to one of them while that reduces the number of indices.
 #pragma once
 
 #include <algorithm>

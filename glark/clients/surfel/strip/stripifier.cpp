@@ -52,7 +52,8 @@ void Stripifier::add_entries(std::uint32_t number, bool backwards) {
   if (pivot != other) entries_.push_back({triangle[k], other, true, backwards, number});
 }
 
-// The number of indices that join the entry's run to the strip. Every second triangle of a strip has the opposite orientation.
+// The number of indices that join the entry's run to the strip. Every second triangle of a strip has the opposite
+// orientation.
 int Stripifier::connecting_indices(const Entry& entry) const {
   const std::size_t size = strip_.size();
   if (size == 0) return entry.clockwise ? 1 : 0;

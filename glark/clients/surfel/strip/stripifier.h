@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Joins the triangles of a patch to one triangle strip. Runs of triangles follow one another in the order that needs the fewest indices
-// between them.
+// Joins the triangles of a patch to one triangle strip. Runs of triangles follow one another in the order that needs
+// the fewest indices between them.
 // Based on: Boubekeur 2007, ch. 5.2.3.
 #pragma once
 
@@ -22,8 +22,8 @@ class Stripifier {
  public:
   Stripifier(std::span<const Vector> positions, bool flip_edges) : flip_edges_(flip_edges), flipper_(positions) {}
 
-  // The strip has all triangles with their orientation, apart from flipped edges, and degenerate triangles between them. It is valid until
-  // the next call.
+  // The strip has all triangles with their orientation, apart from flipped edges, and degenerate triangles between
+  // them. It is valid until the next call.
   std::span<const std::uint32_t> stripify(std::span<const Triangle> triangles);
 
   // Of the last strip.

@@ -14,8 +14,8 @@ constexpr std::uint64_t half_edge(std::uint32_t from, std::uint32_t to) { return
 
 }  // namespace
 
-// Searches for the opposite half-edge and links the two. The processor cannot predict whether it is there, so there is no branch on that:
-// links to the dummy triangle take the place of missing ones.
+// Searches for the opposite half-edge and links the two. The processor cannot predict whether it is there, so there is
+// no branch on that: links to the dummy triangle take the place of missing ones.
 inline void TriangleAdjacency::add_half_edge(std::span<const Triangle> triangles, std::uint32_t t, std::uint32_t side,
                                              int shift) {
   const auto count = static_cast<std::uint32_t>(triangles.size());

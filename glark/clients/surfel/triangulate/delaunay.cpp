@@ -15,8 +15,8 @@ __extension__ using Int128 = __int128;
 
 constexpr std::int32_t far_away = 1 << 25;
 
-// Twice a signed area, and a squared length. Both are exact. Relative to an input point, coordinates are little above 2^25 and results below
-// 2^52. Relative to a far point, areas are at most 2^53.
+// Twice a signed area, and a squared length. Both are exact. Relative to an input point, coordinates are little above
+// 2^25 and results below 2^52. Relative to a far point, areas are at most 2^53.
 template <typename Vector>
 double cross(const Vector& a, const Vector& b) {
   return a.x * b.y - a.y * b.x;
@@ -125,9 +125,10 @@ void Delaunay::insert(std::uint32_t index, std::uint32_t following) {
   fill_cavity(last_, index, following);
 }
 
-// Walks across edges that have the point on their other side, and returns the triangle that contains the point. Its sides are the first sides
-// of the cavity.
-// Based on: de Floriani, Falcidieno, Nagy, Pienovi, On Sorting Triangles in a Delaunay Tessellation, 1991: the walk ends.
+// Walks across edges that have the point on their other side, and returns the triangle that contains the point. Its
+// sides are the first sides of the cavity.
+// Based on: de Floriani, Falcidieno, Nagy, Pienovi, On Sorting Triangles in a Delaunay Tessellation, 1991: the walk
+// ends.
 std::uint32_t Delaunay::locate(Place point) {
   // The walk crosses the edge from a to b. The point lies left of the edge or on it; so does d, the next corner.
   std::uint32_t link = link_to(last_, 0);
@@ -176,8 +177,8 @@ void Delaunay::resolve_duplicate(std::uint32_t triangle, std::uint32_t index) {
   }
 }
 
-// The triangle across the side joins the cavity if its circumcircle contains the point. Then its two other sides replace this one: the first
-// goes to `added`, the second to `side`. The side begins at `start`.
+// The triangle across the side joins the cavity if its circumcircle contains the point. Then its two other sides
+// replace this one: the first goes to `added`, the second to `side`. The side begins at `start`.
 inline bool Delaunay::grow_cavity(Side& side, Side& added, const Corner& start, double start_lift, Place point) {
   const Triangle& other = triangles_[triangle_of(side.link)];
   const std::uint32_t j = side_of(side.link);
@@ -190,9 +191,9 @@ inline bool Delaunay::grow_cavity(Side& side, Side& added, const Corner& start, 
   return true;
 }
 
-// Grows the cavity from the sides of `triangle`, and connects each of its final sides with the point. There are always as many vacant
-// triangles as sides, so the number of the next triangle is known. The next walk begins in the new triangle that lies in the direction of
-// the following point.
+// Grows the cavity from the sides of `triangle`, and connects each of its final sides with the point. There are always
+// as many vacant triangles as sides, so the number of the next triangle is known. The next walk begins in the new
+// triangle that lies in the direction of the following point.
 void Delaunay::fill_cavity(std::uint32_t triangle, std::uint32_t index, std::uint32_t following) {
   const Place point = places_[index];
   std::uint32_t* vacant = vacant_.data();

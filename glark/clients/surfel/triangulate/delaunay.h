@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Delaunay triangulation of a few points of a plane, with exact predicates.
-// Based on: Boubekeur 2007, alg. 3, which inserts one point after the other and searches all triangles for those that it invalidates.
-// We walk to the point and grow the cavity from there (Bowyer, Computing Dirichlet tessellations, 1981).
+// Based on: Boubekeur 2007, alg. 3, which inserts one point after the other and searches all triangles for those that
+// it invalidates. We walk to the point and grow the cavity from there (Bowyer, Computing Dirichlet tessellations,
+// 1981).
 #pragma once
 
 #include <array>

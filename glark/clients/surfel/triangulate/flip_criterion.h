@@ -10,8 +10,8 @@ namespace glark::surfel {
 
 inline constexpr float least_flat_cosine = 0.9F;  // between the normals of triangles that count as flat
 
-// Whether triangles p, a, b and d, b, a may become p, a, d and p, d, b. All four must be flat, and the angles opposite to the new edge must
-// not be too obtuse.
+// Whether triangles p, a, b and d, b, a may become p, a, d and p, d, b. All four must be flat, and the angles opposite
+// to the new edge must not be too obtuse.
 bool may_flip_edge(Vector p, Vector a, Vector d, Vector b);
 
 }  // namespace glark::surfel

@@ -48,9 +48,9 @@ void find_neighbours(const StrippingTree& tree, std::uint32_t number, std::vecto
   }
 }
 
-// Projects a surfel onto the plane. Where the surface bends away from the plane, the distance from the centre grows by the length of the
-// bend: a wall at a right angle is not projected to a line. So both sides of a crease cover it, and neighbouring leaves agree on more
-// edges.
+// Projects a surfel onto the plane. Where the surface bends away from the plane, the distance from the centre grows by
+// the length of the bend: a wall at a right angle is not projected to a line. So both sides of a crease cover it, and
+// neighbouring leaves agree on more edges.
 std::array<float, 3> LeafInflation::unroll(const Surfel& surfel) const {
   const Vector d = surfel.position - frame_.leaf->centre;
   const float x = dot(d, frame_.u), y = dot(d, frame_.v), height = dot(d, frame_.leaf->normal);

@@ -9,7 +9,8 @@
 
 namespace glark::surfel {
 
-// The spacing is the length of the third shortest edge. For points on scan lines, this is the distance to the next line.
+// The spacing is the length of the third shortest edge. For points on scan lines, this is the distance to the next
+// line.
 void LeafTriangulator::measure_spacings() {
   constexpr float far = std::numeric_limits<float>::infinity();
   const std::size_t own = triangulation_.own_count();
@@ -46,7 +47,8 @@ Candidate LeafTriangulator::candidate_of(std::uint32_t number) const {
           CandidateState::conflicting};
 }
 
-// The triangle has a far point. Its opposite edge is on the boundary; it is kept if it has one of the leaf's own points.
+// The triangle has a far point. Its opposite edge is on the boundary; it is kept if it has one of the leaf's own
+// points.
 void LeafTriangulator::add_boundary_edge(const Delaunay::Triangle& triangle) {
   std::array<std::uint32_t, 2> ends{};
   std::size_t count = 0;

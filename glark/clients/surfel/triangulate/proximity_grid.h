@@ -11,8 +11,8 @@
 
 namespace glark::surfel {
 
-// A set of points, dilated by a disc and rasterized to a bitmap; one bitmap for each distance. Answers are exact to one cell. A cell
-// is a sixtieth of the points' extent plus twice the greatest distance.
+// A set of points, dilated by a disc and rasterized to a bitmap; one bitmap for each distance. Answers are exact to one
+// cell. A cell is a sixtieth of the points' extent plus twice the greatest distance.
 class ProximityGrid {
  public:
   using Place = std::array<float, 2>;

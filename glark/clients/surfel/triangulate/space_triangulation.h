@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The triangulation of an inflated leaf. It is first Delaunay in the leaf's plane; then edges are flipped until it is Delaunay in space.
+// The triangulation of an inflated leaf. It is first Delaunay in the leaf's plane; then edges are flipped until it is
+// Delaunay in space.
 // Based on: Boubekeur 2007, ch. 5.2.1, for the triangulation in the plane.
 #pragma once
 
@@ -46,7 +47,8 @@ class SpaceTriangulation {
   bool is_interior(const Delaunay::Triangle& triangle) const {
     return std::max({triangle.corners[0], triangle.corners[1], triangle.corners[2]}) < own_count();
   }
-  // Whether the normals of the corners point to the other side. Triangles at sharp creases can be upside down in the leaf's plane.
+  // Whether the normals of the corners point to the other side. Triangles at sharp creases can be upside down in the
+  // leaf's plane.
   bool is_back_facing(std::uint32_t triangle) const {
     const auto [a, b, c] = triangles()[triangle].corners;
     return dot(facets_[triangle].normal, member(a).normal + member(b).normal + member(c).normal) < 0;

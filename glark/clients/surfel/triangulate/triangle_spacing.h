@@ -6,7 +6,8 @@
 
 namespace glark::surfel {
 
-// The point spacing at a triangle, from the spacings of its three points. Options::reach times this is the longest edge that it may have.
+// The point spacing at a triangle, from the spacings of its three points. Options::reach times this is the longest edge
+// that it may have.
 inline float triangle_spacing(float a, float b, float c) {
   const float median = std::max(std::min(a, b), std::min(std::max(a, b), c));
   constexpr float most_ratio = 3;  // so that two isolated points get no triangle with a point of a dense region

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Flips interior edges so that more points have three or six triangles. A strip passes a point along three of its triangles, so it needs no
-// swap at such points.
+// Flips interior edges so that more points have three or six triangles. A strip passes a point along three of its
+// triangles, so it needs no swap at such points.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ class ValenceFlipper {
  public:
   explicit ValenceFlipper(SpaceTriangulation& triangulation) : triangulation_(triangulation) {}
 
-  // Returns the number of flipped edges. No other leaf has the triangles at these edges, so that leaves agree as before.
+  // Returns the number of flipped edges. No other leaf has the triangles at these edges, so that leaves agree as
+  // before.
   std::size_t flip_for_valence(const InteriorClassifier& classifier);
 
  private:

@@ -18,7 +18,8 @@
 namespace glark::surfel {
 namespace {
 
-// Stitched triangles may have points that their leaf did not take in. If one of these moved, the leaf's bounds must change too.
+// Stitched triangles may have points that their leaf did not take in. If one of these moved, the leaf's bounds must
+// change too.
 void mark_stitched_points(Patch& patch, std::span<const Surfel> moved) {
   const auto has_moved = [&](std::uint32_t point) {
     const auto found = std::lower_bound(moved.begin(), moved.end(), point,

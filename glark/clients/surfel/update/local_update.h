@@ -14,8 +14,8 @@
 
 namespace glark::surfel {
 
-// moved: points of the level at their new positions, in ascending order of their indices, without duplicates. Indices beyond the level's
-// points are new points, without gaps. Ranges of `indices` that changed are appended to `changed`.
+// moved: points of the level at their new positions, in ascending order of their indices, without duplicates. Indices
+// beyond the level's points are new points, without gaps. Ranges of `indices` that changed are appended to `changed`.
 void update_level(Level& level, std::span<const Surfel> moved, const LevelOptions& options,
                   const common::Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
 

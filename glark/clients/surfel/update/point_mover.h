@@ -21,7 +21,8 @@ class PointMover {
   PointMover(Level& level, std::span<const Surfel> moved, const LevelOptions& options)
       : level_(level), tree_(level.tree), moved_(moved), options_(options) {}
 
-  // Moves the points and rebuilds the leaves that they leave and enter. Returns all leaves whose triangulations may change.
+  // Moves the points and rebuilds the leaves that they leave and enter. Returns all leaves whose triangulations may
+  // change.
   std::vector<std::uint32_t> run();
 
  private:

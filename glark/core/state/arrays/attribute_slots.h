@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// One number for each vertex attribute, generic or conventional: arrays and current values are known by it.
+// Each vertex attribute, generic or conventional, has one number: its slot.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ enum AttributeSlot : int {
   fog_coordinate_slot,
   color_index_slot,
   edge_flag_slot,
-  texture_coordinate_slot,  // of unit 0; the other units follow
+  texture_coordinate_slot,  // texture unit 0; the other units follow
   slot_count = texture_coordinate_slot + conventional_texture_units,
   no_slot = -1
 };
@@ -32,7 +32,7 @@ constexpr std::uint64_t slot_bit(int slot) { return std::uint64_t{1} << slot; }
 
 constexpr int generic_slot(GLuint index) { return index < generic_slots ? static_cast<int>(index) : no_slot; }
 
-// `unit` as glMultiTexCoord has it.
+// `unit`: GL_TEXTURE0 ..., as for glMultiTexCoord.
 constexpr int texture_slot(GLenum unit) {
   return unit >= GL_TEXTURE0 && unit < GL_TEXTURE0 + conventional_texture_units
              ? texture_coordinate_slot + static_cast<int>(unit - GL_TEXTURE0)

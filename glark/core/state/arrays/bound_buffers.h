@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which buffer object is bound to each target: what glBufferSubData and the like write to. GL_ELEMENT_ARRAY_BUFFER belongs to the
-// vertex array (vertex_arrays.h).
+// The buffer object that is bound to each target: glBufferSubData and the like write to it. GL_ELEMENT_ARRAY_BUFFER
+// belongs to the vertex array (vertex_arrays.h).
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace glark::core {
 struct BoundBuffer {
   bool known = false;
   GLuint name = 0;
-  std::uint64_t generation = 0;  // of the name, when it was bound
+  std::uint64_t generation = 0;  // generation of the name when it was bound
 };
 
 class BoundBuffers {
@@ -28,7 +28,7 @@ class BoundBuffers {
   }
   BoundBuffer& array() { return bound_[0]; }
   void forget() { bound_ = {}; }
-  // GL has an object of that name, as long as no other of its generation is deleted.
+  // GL has an object with that name and generation.
   void confirm(GLuint name, std::uint64_t generation) {
     if (name < most_confirmed) {
       if (name >= confirmed_.size()) {
@@ -73,10 +73,10 @@ class BoundBuffers {
   static constexpr GLuint most_confirmed = 1 << 16;
   static constexpr std::uint64_t no_generation = ~std::uint64_t{0};
   std::array<BoundBuffer, 14> bound_{};
-  std::vector<std::uint64_t> confirmed_;  // by name: the generation in which GL was asked
+  std::vector<std::uint64_t> confirmed_;  // by name: the generation that GL confirmed
 };
 
-// The query that tells what is bound to a target; 0 for targets that OpenGL does not have.
+// The name to query what is bound to a target; 0 for targets that OpenGL does not have.
 constexpr GLenum binding_of(GLenum target) {
   switch (target) {
     case GL_ARRAY_BUFFER: return GL_ARRAY_BUFFER_BINDING;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// When each buffer object of a share group was last written, by whatever means. Any thread, no locks: a writer leaves a stamp
-// that nobody else has after its write, a reader takes the stamps before it reads the buffer. Names that differ by a multiple of
-// the table's size share a stamp: a write to one then counts as a write to the other, which costs a capture and is never wrong.
+// When each buffer object of a share group was last written. Any thread may call these functions; there are no locks.
+// After a write, the writer leaves a new stamp. Before reading the buffer, a reader takes its stamps. Names that differ
+// by a multiple of the table's size share a stamp: a write to one counts as a write to the other, too. That costs a
+// capture and is never wrong.
 #pragma once
 
 #include <array>
@@ -18,18 +19,18 @@ class BufferStamps {
  public:
   void wrote(GLuint buffer, std::uint64_t stamp) { at(buffer).stamp.store(stamp, std::memory_order_relaxed); }
   void wrote_any(std::uint64_t stamp) { all_.store(stamp, std::memory_order_relaxed); }
-  // Stores of shaders and transform feedback: to any buffer that was ever bound for it.
+  // Shaders or transform feedback wrote: perhaps to any buffer that was ever bound for that.
   void gpu_wrote(std::uint64_t stamp) { gpu_.store(stamp, std::memory_order_relaxed); }
   void gpu_may_write(GLuint buffer) { set(buffer, gpu_writable); }
-  // Written where OpenGL does not see it: memory of other interfaces, GPU addresses.
+  // The buffer can be written unseen by OpenGL: by other interfaces or through GPU addresses.
   void never_trust(GLuint buffer) { set(buffer, untrusted); }
-  // The name may soon be another object's.
+  // The name may be given to another object.
   void deleted(GLuint buffer, std::uint64_t stamp) {
     at(buffer).generation.fetch_add(1, std::memory_order_relaxed);
     wrote(buffer, stamp);
   }
 
-  // Stands still as long as nothing was written to the buffer.
+  // Equal states mean that nothing was written to the buffer in between.
   struct State {
     std::uint64_t own = 0;
     std::uint64_t gpu = 0;
@@ -43,7 +44,7 @@ class BufferStamps {
             all_.load(std::memory_order_relaxed)};
   }
   bool trusted(GLuint buffer) const { return (at(buffer).flags.load(std::memory_order_relaxed) & untrusted) == 0; }
-  // Tells objects apart that had the same name one after the other.
+  // Tells apart objects that have the same name one after the other.
   std::uint64_t generation(GLuint buffer) const { return at(buffer).generation.load(std::memory_order_relaxed); }
 
  private:

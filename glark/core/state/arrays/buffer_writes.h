@@ -4,35 +4,39 @@
 // Notes that the application, or the GPU for it, writes to buffer objects. Each note is made after the write.
 #pragma once
 
-#include "glark/core/state/gl_state.h"
+#include "glark/core/state/arrays/array_state.h"
+#include "glark/core/state/arrays/buffer_stamps.h"
+#include "glark/core/state/stamps.h"
 
 namespace glark::core {
 
 class BufferWrites {
  public:
-  BufferWrites(GlState& state, BufferStamps& stamps) : state_(state), stamps_(stamps) {}
+  BufferWrites(ArrayState& arrays, Stamps& stamps, BufferStamps& buffers)
+      : arrays_(arrays), stamps_(stamps), buffers_(buffers) {}
 
-  void to_buffer(GLuint buffer) { stamps_.wrote(buffer, state_.next_stamp()); }
+  void to_buffer(GLuint buffer) { buffers_.wrote(buffer, stamps_.next()); }
   void to_target(GLenum target) {
-    const BoundBuffer* bound = state_.bound_buffers().at(target);
+    const BoundBuffer* bound = arrays_.bound_buffers().at(target);
     bound != nullptr && bound->known ? to_buffer(bound->name) : to_asked(target);
   }
   void to_pack_buffer() { to_target(GL_PIXEL_PACK_BUFFER); }
-  void by_gpu() { stamps_.gpu_wrote(state_.next_stamp()); }
-  void gpu_may_write(GLuint buffer) { stamps_.gpu_may_write(buffer); }
-  void never_trust_buffer(GLuint buffer) { stamps_.never_trust(buffer); }
-  void never_trust_target(GLenum target) { stamps_.never_trust(state_.bound_buffer(target).name); }
-  void deleted(GLuint buffer) { stamps_.deleted(buffer, state_.next_stamp()); }
+  void by_gpu() { buffers_.gpu_wrote(stamps_.next()); }
+  void gpu_may_write(GLuint buffer) { buffers_.gpu_may_write(buffer); }
+  void never_trust_buffer(GLuint buffer) { buffers_.never_trust(buffer); }
+  void never_trust_target(GLenum target) { buffers_.never_trust(arrays_.bound_buffer(target).name); }
+  void deleted(GLuint buffer) { buffers_.deleted(buffer, stamps_.next()); }
 
  private:
   // To the buffer that GL says is bound; to any buffer if GL cannot be asked.
   void to_asked(GLenum target) {
-    const BoundBuffer bound = state_.bound_buffer(target);
-    bound.known ? to_buffer(bound.name) : stamps_.wrote_any(state_.next_stamp());
+    const BoundBuffer bound = arrays_.bound_buffer(target);
+    bound.known ? to_buffer(bound.name) : buffers_.wrote_any(stamps_.next());
   }
 
-  GlState& state_;
-  BufferStamps& stamps_;
+  ArrayState& arrays_;
+  Stamps& stamps_;
+  BufferStamps& buffers_;
 };
 
 }  // namespace glark::core

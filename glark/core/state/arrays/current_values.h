@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The current attribute values (glColor, glNormal, glVertexAttrib ...), known by the call that set them: the same call with the
-// same arguments gives the same value, whatever the conversions. A value that something unseen may have changed is known by
-// the era in which that happened.
+// The current attribute values (glColor, glNormal, glVertexAttrib ...). A value is known by the call that set it: the
+// same call with the same arguments gives the same value, whatever GL converts. When something unseen may have changed
+// values, a new era begins, and older values are unknown.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 namespace glark::core {
 
 struct CurrentValue {
-  // Makes the call again; also tells calls apart. Null: not set by a call that was seen.
+  // Makes the call again; also tells calls apart. Null: no call that we saw has set the value.
   using Again = void (*)(const gl::Dispatch& gl, GLuint index, const void* components);
   static constexpr std::size_t most_bytes = 32;  // four doubles
 
@@ -47,7 +47,7 @@ class CurrentValues {
   void set(int slot, const CurrentValue& value) {
     set(slot, value.again, value.index, value.components.data(), value.bytes);
   }
-  // Something may have changed all of them. `era`: a number that never comes again.
+  // Something may have changed all values. `era`: a number that never comes again.
   void forget(std::uint64_t era) { era_ = era; }
   const CurrentValue* find(int slot) const {
     const CurrentValue& value = values_[static_cast<std::size_t>(slot)];

@@ -5,7 +5,7 @@
 namespace glark::core {
 namespace {
 
-// Names beyond are asked about at every glBindVertexArray.
+// GL is asked about greater names at every glBindVertexArray.
 constexpr GLuint most_seen = 1 << 20;
 
 struct ConventionalQueries {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The state of the vertex array objects, as far as draws need it: read from GL when it is first asked for, then kept up to date by
-// the hooks of the usual calls, forgotten at any other.
+// The state of the vertex array objects, as far as draws need it. It is read from GL when it is first needed. The hooks
+// of the usual calls then keep it up to date; any other call makes it unknown.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace glark::core {
 
-// Where an attribute comes from.
+// Where the values of an attribute come from.
 struct AttributeSource {
   bool enabled = false;
   bool normalized = false;
@@ -27,7 +27,7 @@ struct AttributeSource {
   GLuint binding = 0;  // generic attributes only
   GLuint divisor = 0;
   GLuint buffer = 0;
-  std::uint64_t generation = 0;  // of the buffer's name when it was attached
+  std::uint64_t generation = 0;  // generation of the buffer's name when it was attached
   GLintptr offset = 0;
   GLsizei stride = 0;
 };
@@ -41,7 +41,7 @@ struct VertexArray {
 
 class VertexArrays {
  public:
-  // Tells `name` as bound; false: GL has to be asked whether there is such an object.
+  // `name` is bound. False: GL must be asked whether there is such an object.
   bool bind(GLuint name) {
     current_ = nullptr;
     return name < seen_.size() && seen_[name];
@@ -66,10 +66,10 @@ class VertexArrays {
   std::uint64_t epoch_ = 1;
 };
 
-// Bytes from one element to the next where the application gives a stride of 0; 0 for types that are not known.
+// Bytes from one element to the next if the application gives a stride of 0; 0 for unknown types.
 GLsizei packed_stride(GLint size, GLenum type);
 
-// Reads a source of the vertex array that is bound. `conventional`: the context has such arrays. Queries.
+// Queries GL for a source of the bound vertex array.
 AttributeSource read_source(const gl::Dispatch& gl, int slot);
 
 }  // namespace glark::core

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A display list cut into segments: runs of state changes, and draws. The application's list is compiled as a list of calls of
-// our segment lists, so that it works unchanged with ARK off; with ARK on each draw segment is captured and refined at
-// call time.
+// A display list that is cut into segments: runs of state changes, and draws. Each segment is a GL list of ours. The
+// application's list is compiled as calls of these lists, so that it works as before while GL_ARK is disabled. While
+// GL_ARK is enabled, each draw segment is captured and refined when the list is called.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@
 
 namespace glark::core {
 
-// A list called between glBegin and glEnd: it gives vertices.
+// A list that is called between glBegin and glEnd, and gives vertices.
 struct VertexList {
   GLuint list = 0;
   bool offset = false;  // `list` is added to glListBase
 };
 
-// What the calls of a segment do beyond drawing.
+// What the calls of a segment do besides drawing.
 struct SegmentEffects {
   struct Value {
     int slot;
     CurrentValue value;
   };
 
-  std::vector<Value> values;   // the last of each attribute that it sets
-  std::uint64_t set = 0;       // their slots
-  std::uint64_t own = 0;       // those set before its first vertex: no vertex inherits them
-  bool opaque = false;         // sets what we do not follow: to be executed each time
+  std::vector<Value> values;   // the last value of each attribute that the segment sets
+  std::uint64_t set = 0;       // the slots of `values`
+  std::uint64_t own = 0;       // slots set before the first vertex: no vertex inherits them
+  bool opaque = false;         // it sets values that we do not follow: it must be executed each time
   bool late = false;           // a vertex after the first has more to it than those before
-  bool touches_state = false;  // that refined draws depend on
-  bool draws_shapes = false;   // triangles that are left as they are
+  bool touches_state = false;  // it sets state that refined draws depend on
+  bool draws_shapes = false;   // it draws rectangles or evaluator meshes that are not refined
   bool changes_uniforms = false;
 
   void record(int slot, const CurrentValue& value, bool before_vertices) {
@@ -62,24 +62,24 @@ struct SegmentEffects {
 struct ListSegment {
   enum class Kind { state, draw, call, call_offset };
   Kind kind = Kind::state;
-  GLuint list = 0;             // our list to call; for `call` the application's list; call_offset: added to glListBase
+  GLuint list = 0;             // our list; call: the application's; call_offset: added to glListBase
   GLenum mode = GL_TRIANGLES;  // of a draw segment
   std::uint64_t vertices = 0;  // of a draw segment
   std::uint64_t triangles = 0;
   bool exact = true;                          // `triangles` is the count, not a bound
-  bool sets_tags = false;                     // glDepthTag1i was called inside
+  bool sets_tags = false;                     // glDepthTag1i was called between its vertices
   bool whole_polygons = false;                // as in DrawCall
   PolygonSides polygon_sides = {};            // if not empty, as in DrawCall
-  std::vector<VertexList> vertex_lists = {};  // `vertices` are without theirs
+  std::vector<VertexList> vertex_lists = {};  // their vertices are not in `vertices`
   std::uint64_t identity = 0;                 // never another segment's
   SegmentEffects effects = {};
 };
 
-// What a list does to the attribute stack, in order; lists that it calls may do more.
+// One step of what a list does to the attribute stack.
 struct StackStep {
   enum class Kind { push, pop, call, call_offset };
   Kind kind = Kind::pop;
-  GLuint value = 0;  // push: the mask; of a call as in ListSegment
+  GLuint value = 0;  // push: the mask; call: as ListSegment::list
 };
 
 struct DisplayList {
@@ -88,7 +88,7 @@ struct DisplayList {
   bool refinable = false;  // false: call the application's list as it is
   bool changes_uniforms = false;
   bool calls_lists = false;
-  std::uint64_t loose_vertices = 0;  // outside glBegin and glEnd; those of lists that it calls not counted
+  std::uint64_t loose_vertices = 0;  // outside glBegin and glEnd, without those of lists that it calls
 };
 
 }  // namespace glark::core

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The display list that the application compiles at the moment.
+// The display list that the application compiles at the moment, if there is one. Here is only recorded; the hooks
+// (glark/core/track/lists) make the GL calls.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -11,19 +13,72 @@
 
 namespace glark::core {
 
-struct ListCompilation {
-  bool compiling = false;         // between glNewList and glEndList
-  bool changes_uniforms = false;  // a uniform call went into the open segment
-  bool cutting = false;           // into segments; otherwise the driver compiles it alone
-  GLuint name = 0;
-  GLenum mode = 0;
-  std::shared_ptr<DisplayList> list;
-  GLuint open_segment = 0;
-  SegmentEffects segment;                // effects of the open segment
-  GLenum begun_mode = 0;                 // of a glBegin that is open in a draw segment
-  std::vector<VertexList> vertex_lists;  // called since the open glBegin
-  bool in_draw = false;
-  bool in_begin = false;
+class ListCompilation {
+ public:
+  // glNewList. `cutting`: into segments; otherwise the driver compiles the list alone.
+  void begin(GLuint name, GLenum mode, bool cutting);
+  // glEndList: the finished list.
+  std::shared_ptr<DisplayList> end();
+
+  bool compiling() const { return compiling_; }
+  bool cutting() const { return cutting_; }
+  // While a segment of the list is executed, calls are not compiled.
+  void set_compiling(bool compiling) { compiling_ = compiling; }
+  GLuint name() const { return name_; }
+  GLenum mode() const { return mode_; }
+  bool executes_too() const { return mode_ == GL_COMPILE_AND_EXECUTE; }
+
+  // What the calls of the open segment do.
+  void note_state_change() { effects_.touches_state = true; }
+  void note_shapes() { effects_.draws_shapes = true; }
+  void note_uniforms() { changes_uniforms_ = true; }
+  void note_value(int slot, const CurrentValue& value, bool before_vertices) {
+    effects_.record(slot, value, before_vertices);
+  }
+  // A current value changes in a way that is not followed.
+  void note_unknown_value(bool before_vertices) {
+    effects_.opaque = true;
+    effects_.late |= !before_vertices;
+  }
+  // A vertex after the first has more to it than those before.
+  bool vertices_differ() const { return effects_.late; }
+
+  // What the whole list does. Nothing is added between glBegin and glEnd, where GL refuses these calls; false: not
+  // added.
+  bool add_stack_step(StackStep step);
+  void add_loose_vertices(std::uint64_t vertices);
+  // A call of another list: as a segment of its own, or between glBegin and glEnd.
+  void add_call(ListSegment::Kind kind, GLuint list);
+  void add_vertex_list(VertexList list);
+
+  // The GL list that takes the calls from now on.
+  void open_segment(GLuint list) { open_list_ = list; }
+  // Ends the open segment. `identity`: never another segment's.
+  const ListSegment& close_segment(ListSegment segment, std::uint64_t identity);
+  const ListSegment& last_segment() const { return list_->segments.back(); }
+
+  // glBegin in a list that is cut; `draws`: a draw segment begins.
+  void begin_primitive(GLenum mode, bool draws);
+  // True: a draw segment ends.
+  bool end_primitive();
+  bool in_primitive() const { return in_primitive_; }
+  GLenum primitive_mode() const { return primitive_mode_; }
+  // Lists called since glBegin.
+  const std::vector<VertexList>& vertex_lists() const { return vertex_lists_; }
+
+ private:
+  bool compiling_ = false;
+  bool cutting_ = false;
+  GLuint name_ = 0;
+  GLenum mode_ = 0;
+  std::shared_ptr<DisplayList> list_;
+  GLuint open_list_ = 0;
+  SegmentEffects effects_;  // of the open segment
+  bool changes_uniforms_ = false;
+  bool in_primitive_ = false;
+  bool in_draw_ = false;
+  GLenum primitive_mode_ = 0;
+  std::vector<VertexList> vertex_lists_;
 };
 
 }  // namespace glark::core

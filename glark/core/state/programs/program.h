@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What we know of the application's programs: the sources they were linked from and the programs derived from them.
+// A program of the application: the sources it was linked from, and the programs that were derived from it.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -12,120 +11,54 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "glark/core/capture/record.h"
 #include "glark/core/objects/quiet.h"
-#include "glark/core/refine/derive.h"
-#include "glark/core/refinement.h"
 #include "glark/core/report.h"
+#include "glark/core/state/programs/derived_program.h"
+#include "glark/core/state/programs/vertex_stage_traits.h"
 
 namespace glark::core {
-
-// Uniform locations from here on are ours: uniforms that only the application's refinement shader declares.
-inline constexpr GLint virtual_location_base = 0x40000000;
 
 struct StageSource {
   GLenum stage;
   std::shared_ptr<const std::string> source;
 };
 
-// The same for the same sources in every run: what users name a shader program by.
+// A number that is the same in every run for the same sources. Users name shader programs by it.
 std::uint64_t source_hash(const std::vector<StageSource>& stages);
 std::string hash_text(std::uint64_t hash);  // 16 hexadecimal digits
+// The vertex stage may multiply by the matrix of GL_PROJECTION.
 bool reads_conventional_projection(const std::vector<StageSource>& stages);
 
-// What selects one of the programs derived from an application program.
-struct DerivedKey {
-  Refinement refinement = Refinement::linear_inputs;
-  int provoking_corner = 2;
-  bool flat_colors = false;
-  bool clamp_colors = false;
-  bool tagged = false;
-  bool at_corner = false;            // no refinement: gives the position of each captured corner, for measured depths
-  int discontinuity_attribute = -1;  // for Refinement::scalar_tagged_pn: locations; -1 where vertices carry no tags
-  int scalar_tag_attribute = -1;
-  bool displaced = false;
-  int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
-  bool morphing = false;          // vertices move between levels
-  bool welded = false;            // by position: curved edges have control points in the record, where there is room
-  bool border = false;            // by position: what displacement takes on edges is in the record, where there is room
-  bool turns = false;  // by position: the greatest turn of each edge's sides is in the record, where there is room
-  bool placed = true;  // pieces have a placement (patch); a uniform level of one piece a triangle needs none
-  auto operator<=>(const DerivedKey&) const = default;
-};
-
-// What a stage of the program in use has chosen: the subroutine for each location of its subroutine uniforms.
-struct StageSubroutines {
-  GLenum stage = 0;
-  std::vector<GLuint> chosen;
-};
-using SubroutineChoice = std::vector<StageSubroutines>;
-
-// From the numbers of the application's subroutines to those of a derived program.
-struct SubroutineTable {
-  GLenum stage = 0;
-  std::vector<GLint> location_from;  // by location of ours: the application's
-  std::vector<GLuint> index_to;      // by index of the application's: ours
-};
-
-struct DerivedProgram {
-  GLuint name = 0;
-  capture::Layout layout;
-  GLint height_map = -1;  // locations of the uniforms of displacement
-  GLint height_channel = -1;
-  GLint height_range = -1;
-  GLint first_word = -1;                   // location, in a program that reads the records from the storage block
-  bool numbered = false;                   // such a program, and its instances are numbered by an attribute
-  std::vector<GLint> location_of;          // application location -> ours, -1 where we have none
-  std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
-  std::vector<SubroutineTable> subroutines;
-
-  bool stored() const { return first_word >= 0; }
-};
-
-// Where a glUniform* call of the application must also go.
-struct UniformMirror {
-  GLuint program = 0;
-  const DerivedProgram* derived = nullptr;
-
-  GLint location(GLint application) const {
-    const auto& table = application >= virtual_location_base ? derived->virtual_location_of : derived->location_of;
-    const auto index = static_cast<std::size_t>(
-        application >= virtual_location_base ? application - virtual_location_base : application);
-    return application >= 0 && index < table.size() ? table[index] : -1;
-  }
-};
-
 struct Program {
-  // Contexts that share the program draw with it in their own threads; guards all that follows. Recursive: what derives a
-  // program is called from draws and from queries.
+  // Guards all members: contexts that share the program draw with it in their own threads. Recursive, because programs
+  // are derived by draws and by queries, which hold it already.
   mutable std::recursive_mutex mutex;
-  GLuint name = 0;  // the application's program; for fixed function a program of ours that holds the generated shader
+  GLuint name = 0;  // the application's program; for the fixed function, a program of ours with the generated shader
   bool fixed_function = false;
   std::vector<StageSource> stages;
   bool from_binary = false;
-  bool linked =
-      true;  // by its last glLinkProgram; otherwise what it ran before stays in use, and GL cannot return to it
+  bool linked = true;          // false: GL runs the executable from before the last link, and cannot return to it
   bool may_store = false;      // its shaders may write buffers
-  bool prepared = false;       // fields, traits and cause below are valid
+  bool prepared = false;       // the next three members are valid
   std::optional<Cause> cause;  // why it cannot be refined
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
-  bool subroutines_asked = false;  // the next is valid
+  bool subroutines_asked = false;  // the next member is valid
   bool uses_subroutines = false;
-  std::map<DerivedKey, std::shared_ptr<DerivedProgram>> derived;  // null: tried, and failed
+  std::map<DerivedKey, std::shared_ptr<DerivedProgram>> derived;  // null: it could not be derived
   std::vector<UniformMirror> mirrors;
   std::string refinement_source;
   std::string refinement_log;
   std::vector<std::string> virtual_uniforms;  // names, by location - virtual_location_base
-  std::uint64_t hash = 0;                     // of the sources; what the user names it by
-  bool left_alone = false;                    // by that hash
-  bool conventional_projection = false;       // its vertex stage may multiply by GL_PROJECTION_MATRIX
-  ProgramCounters* counters = nullptr;        // from `prepared` on
-  bool uniforms_stale = false;                // changed by a display list: copy all values before the next refined draw
+  std::uint64_t hash = 0;                     // source_hash()
+  bool left_alone = false;                    // the user named its hash
+  bool conventional_projection = false;       // reads_conventional_projection()
+  ProgramCounters* counters = nullptr;        // valid if prepared
+  bool uniforms_stale = false;  // a display list changed uniforms: copy all values before the next refined draw
 
   bool has_stage(GLenum stage) const {
     for (const StageSource& source : stages) {
@@ -137,7 +70,8 @@ struct Program {
   }
 };
 
-// The mirrors of a program, which stand still while this lives; what is told to them, debug output does not hear.
+// The mirrors of a program. They do not change during the lifetime of this object, and debug output does not report
+// calls to them.
 class LockedMirrors {
  public:
   LockedMirrors() = default;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Program pipeline objects of the application, and ours: the same stages, with the derived program in place of the vertex stage.
+// Program pipeline objects of the application and ours. Ours have the same stages, but the derived program as the
+// vertex stage.
 #pragma once
 
 #include <array>
@@ -14,13 +15,13 @@
 
 namespace glark::core {
 
-// The stages before the fragments, in their order; the first is the vertex stage.
+// The graphics stages in their order; the first is the vertex stage.
 inline constexpr std::array<GLenum, 5> pipeline_stages = {
     GL_VERTEX_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER, GL_FRAGMENT_SHADER};
 
 struct PipelineObject {
-  std::array<GLuint, pipeline_stages.size()> programs{};  // by stage as above; 0: none
-  GLuint active = 0;                                      // that glUniform* sets
+  std::array<GLuint, pipeline_stages.size()> programs{};  // in the order of pipeline_stages; 0: none
+  GLuint active = 0;                                      // glUniform* sets its uniforms
   GLuint vertex() const { return programs.front(); }
   GLuint tessellation() const { return programs[1] != 0 ? programs[1] : programs[2]; }
 };
@@ -29,12 +30,12 @@ class ProgramPipelines {
  public:
   explicit ProgramPipelines(const gl::Dispatch& gl) : gl_(gl) {}
 
-  // What the application's pipeline holds; asked of GL after each change of it only.
+  // The stages of the application's pipeline. GL is asked only after a change.
   const PipelineObject& object(GLuint pipeline);
   void changed(GLuint pipeline) { objects_.erase(pipeline); }
 
-  // A pipeline of ours like `of`, with `derived` for every stage that its vertex program gives. `epoch` tells when programs were
-  // linked or deleted: what was made before then is dropped. 0 if GL refuses.
+  // A pipeline of ours with the stages of `of`, but with `derived` for every stage that its vertex program gives. 0: GL
+  // refuses it. `epoch` changes when programs are linked or deleted: then all our pipelines are made again.
   GLuint with_derived(const PipelineObject& of, GLuint derived, std::uint64_t epoch);
   void release();
 

@@ -25,7 +25,8 @@ std::shared_ptr<const std::string> read_source(const gl::Dispatch& gl, GLuint sh
   return std::make_shared<const std::string>(std::move(source));
 }
 
-// By the words that every store of a shader needs. A shader that is taken for a storing one by mistake only costs captures.
+// By the words that every store of a shader needs. A shader that is taken for a storing one by mistake only costs
+// captures.
 bool may_store(const std::vector<StageSource>& stages) {
   constexpr std::string_view words[] = {"buffer", "image", "atomic", "store"};
   return std::any_of(stages.begin(), stages.end(), [&](const StageSource& stage) {
@@ -80,6 +81,18 @@ void Programs::mirror_from_now_on() {
   for (Programs* context : share_.contexts) {
     context->mirroring_ = true;
   }
+}
+
+LockedMirrors Programs::mirrors(const Bindings& bindings) {
+  if (current_ == nullptr && bindings.program == 0 && bindings.pipeline != 0) {
+    return mirrors(bindings, pipelines_.object(bindings.pipeline).active);
+  }
+  return current_ != nullptr ? LockedMirrors(current_, gl_, bindings.debug_output) : LockedMirrors();
+}
+
+LockedMirrors Programs::mirrors(const Bindings& bindings, GLuint program) const {
+  std::shared_ptr<Program> known = find(program);
+  return known != nullptr ? LockedMirrors(std::move(known), gl_, bindings.debug_output) : LockedMirrors();
 }
 
 std::vector<StageSource> Programs::read_stages(GLuint program) const {

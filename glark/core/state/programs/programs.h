@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "glark/core/objects/error_scope.h"
+#include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/programs/program.h"
 #include "glark/core/state/programs/program_pipelines.h"
@@ -66,6 +67,9 @@ class Programs {
   // Uniform calls must reach derived programs, too.
   bool mirroring() const { return mirroring_.load(std::memory_order_seq_cst); }
   void refresh_mirroring();
+  // The derived programs that uniform calls must reach, too: those of the program in use, or of the one named.
+  LockedMirrors mirrors(const Bindings& bindings);
+  LockedMirrors mirrors(const Bindings& bindings, GLuint program) const;
   // From the first derived program on, every context of the share group mirrors uniforms.
   void mirror_from_now_on();
 

@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Phong tessellation (11.R.7c): the formula, its parameter, welded edges and displacement.
+#include <cmath>
+#include <limits>
+
+#include "conformance/cases/cases.h"
+#include "conformance/support/state.h"
+#include "conformance/support/surface.h"
+
+namespace glark::conformance {
+namespace {
+
+template <int percent>
+reference::Surface phong(const reference::Corners& corners, const Vec3& weights) {
+  return reference::phong(corners, weights, percent / 100.0);
+}
+
+std::vector<SurfaceVertex> bent(Test& t, const Mesh& mesh) {
+  gl.UseProgram(surface_program(t));
+  upload(mesh);
+  return capture_surface(t, mesh);
+}
+
+void check_uniform(Test& t) {
+  refine_uniformly(4, GL_PHONG_ARK);
+  const Mesh mesh = bent_mesh();
+  expect_surface(t, bent(t, mesh), mesh, {}, phong<75>);
+}
+
+void check_tags(Test& t) {
+  refine_by_tags(5, GL_PHONG_ARK);
+  Mesh mesh = bent_mesh();
+  for (std::size_t i = 0; i < mesh.size(); ++i) mesh[i].tag = static_cast<float>((2 * i + 1) % 6);
+  expect_surface(t, bent(t, mesh), mesh, {}, phong<75>);
+}
+
+// One program, drawn with several shapes.
+void check_shapes(Test& t) {
+  refine_uniformly(3, GL_PHONG_ARK);
+  const Mesh mesh = bent_mesh();
+  gl.UseProgram(surface_program(t));
+  upload(mesh);
+  struct Shape {
+    float value;
+    SurfaceOf surface;
+  };
+  for (const Shape& shape :
+       {Shape{1, phong<100>}, Shape{0.25F, phong<25>}, Shape{0, phong<0>}, Shape{0.5F, phong<50>}}) {
+    gl.ARKParameterfARK(GL_PHONG_SHAPE_ARK, shape.value);
+    expect_surface(t, capture_surface(t, mesh), mesh, {}, shape.surface);
+  }
+}
+
+void check_others(Test& t) {
+  refine_uniformly(3, GL_PHONG_ARK);
+  const Mesh mesh = bent_mesh();
+  for (const SurfaceVertex& vertex : bent(t, mesh)) {
+    const std::size_t first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
+    for (std::size_t i = 0; i < 3; ++i)
+      t.expect_near(vertex.normal[i],
+                    reference::refined(vertex.weights, mesh[first].normal[i], mesh[first + 1].normal[i],
+                                       mesh[first + 2].normal[i]),
+                    t.is_gles() ? 2e-7 : 0, "the normal is refined linearly");
+    for (std::size_t i = 0; i < 2; ++i)
+      t.expect_near(vertex.texture[i],
+                    reference::refined(vertex.weights, mesh[first].texture[i], mesh[first + 1].texture[i],
+                                       mesh[first + 2].texture[i]),
+                    t.is_gles() ? 2e-7 : 0, "the texture coordinate is refined linearly");
+  }
+}
+
+void check_corners(Test& t) {
+  refine_uniformly(3, GL_PHONG_ARK);
+  const Mesh mesh = bent_mesh();
+  int seen = 0;
+  for (const SurfaceVertex& vertex : bent(t, mesh))
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (vertex.weights[i] != 1) continue;
+      ++seen;
+      const std::size_t corner = 3 * static_cast<std::size_t>(std::lround(vertex.triangle)) + i;
+      t.expect(same_position(vertex.position, mesh[corner].position), "the position at a corner, by bits");
+    }
+  t.expect(seen >= 6, "all corners are drawn");
+}
+
+void check_fourth_components(Test& t) {
+  refine_uniformly(3, GL_PHONG_ARK);
+  Mesh mesh = bent_mesh();
+  for (const std::size_t i : {2U, 3U}) mesh[i].position[3] = 1.5F;
+  const auto vertices = bent(t, mesh);
+  expect_surface(t, vertices, mesh, {}, phong<75>);
+  for (const SurfaceVertex& vertex : vertices) {
+    const std::size_t first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
+    t.expect_near(vertex.position[3],
+                  reference::refined(vertex.weights, mesh[first].position[3], mesh[first + 1].position[3],
+                                     mesh[first + 2].position[3]),
+                  t.is_gles() ? 3e-7 : 0, "the fourth component is refined linearly");
+  }
+}
+
+void check_equal_corners(Test& t) {
+  refine_uniformly(3, GL_PHONG_ARK);
+  for (const std::size_t from : {0U, 1U, 2U}) {
+    Mesh mesh = bent_mesh();
+    mesh.resize(3);
+    mesh[(from + 1) % 3].position = mesh[from].position;
+    expect_surface(t, bent(t, mesh), mesh, {}, phong<75>);
+  }
+}
+
+void check_one_place(Test& t) {
+  refine_uniformly(4, GL_PHONG_ARK);
+  Mesh mesh = bent_mesh();
+  mesh.resize(3);
+  for (MeshVertex& vertex : mesh) vertex.position = {0.1F, -0.7F, 0.3F, 1};
+  const auto vertices = bent(t, mesh);
+  t.require(vertices.size() == 768, "the triangle is refined");
+  for (const SurfaceVertex& vertex : vertices)
+    if (!t.expect(std::equal(vertex.position.begin(), vertex.position.begin() + 3, mesh[0].position.begin()),
+                  "every refined vertex has the bits of P_0"))
+      return;
+}
+
+// Positions along the edge that bent_mesh()'s two triangles share: corners 0 and 2 of the first, 2 and 0 of the second.
+std::array<std::vector<Vec4>, 2> shared_edge(const std::vector<SurfaceVertex>& vertices, std::size_t segments) {
+  std::array<std::vector<Vec4>, 2> sides = {std::vector<Vec4>(segments + 1), std::vector<Vec4>(segments + 1)};
+  for (const SurfaceVertex& vertex : vertices) {
+    if (vertex.weights[1] != 0) continue;
+    const bool is_second = vertex.triangle >= 1;
+    const float along = static_cast<float>(segments) * vertex.weights[is_second ? 2 : 0];
+    sides[is_second ? 1 : 0][static_cast<std::size_t>(std::lround(along))] = vertex.position;
+  }
+  return sides;
+}
+
+void check_shared_edge(Test& t) {
+  refine_uniformly(4, GL_PHONG_ARK);
+  const auto sides = shared_edge(bent(t, bent_mesh()), 16);
+  for (std::size_t i = 0; i <= 16; ++i)
+    t.expect(same_position(sides[0][i], sides[1][i]), "the edge has the same bits in both triangles");
+}
+
+// The same edge with other normals in the second triangle.
+void check_welded(Test& t) {
+  refine_uniformly(4, GL_PHONG_ARK);
+  gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
+  Mesh mesh = bent_mesh();
+  mesh[3].normal = {0.9F, -0.3F, 0.7F};
+  mesh[5].normal = {-0.4F, 0.8F, 0.9F};
+  const auto vertices = bent(t, mesh);
+  const auto sides = shared_edge(vertices, 16);
+  for (std::size_t i = 0; i <= 16; ++i)
+    t.expect(same_position(sides[0][i], sides[1][i]), "a welded edge has the same bits in both triangles");
+  const reference::Corners corners = corners_of(mesh, 0);
+  reference::ControlPoints b = reference::curved_control_points(corners);
+  b[0][2] = reference::welded_control_point(corners[0], corners[2], mesh[5].normal);
+  b[2][0] = reference::welded_control_point(corners[2], corners[0], mesh[3].normal);
+  for (const SurfaceVertex& vertex : vertices) {
+    if (vertex.triangle >= 1) continue;
+    const reference::Vector expected = reference::phong_position(corners, b, vertex.weights, 0.75);
+    const double off = reference::length(reference::vector_of(vertex.position) - expected);
+    if (!t.expect_near(off, 0, 2e-6, "the distance from the surface with welded edges")) return;
+  }
+}
+
+void check_missing(Test& t, bool has_position) {
+  refine_uniformly(2, GL_PHONG_ARK);
+  const Mesh mesh = bent_mesh();
+  const std::string normal = has_position ? "" : "layout(location = 1) in vec3 normal;";
+  const std::string position =
+      has_position ? "layout(location = 0) in vec4 position;" : "layout(location = 8) in vec4 where;";
+  gl.UseProgram(build_program(
+      t, {.vertex = position + normal +
+                    "layout(location = 2) in vec3 weights; layout(location = 6) in float triangle;\n"
+                    "out vec4 colour; out vec3 weights_out; out float triangle_out;\n"
+                    "void main() { weights_out = weights; triangle_out = triangle; colour = vec4(" +
+                    (has_position ? "1.0); gl_Position = position; }\n" : "normal, 1.0); gl_Position = where; }\n"),
+          .captured = {"gl_Position", "weights_out", "triangle_out"}}));
+  upload(mesh);
+  gl.VertexAttribPointer(8, 4, GL_FLOAT, GL_FALSE, sizeof(MeshVertex), nullptr);
+  gl.EnableVertexAttribArray(8);
+  for (const CapturedVertex& vertex : capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 6); })) {
+    const std::size_t first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
+    for (std::size_t i = 0; i < 4; ++i)
+      t.expect_near(vertex.position[i],
+                    reference::refined(vertex.weights, mesh[first].position[i], mesh[first + 1].position[i],
+                                       mesh[first + 2].position[i]),
+                    t.is_gles() ? 3e-7 : 0, "the position is refined linearly");
+  }
+}
+
+void check_shape_values(Test& t) {
+  set_everything(t);
+  for (const GLfloat value : {0.0F, 1.0F, 0.5F}) {
+    gl.ARKParameterfARK(GL_PHONG_SHAPE_ARK, value);
+    t.expect_no_error("a number from 0 to 1");
+    t.expect_equal(number_of(GL_PHONG_SHAPE_ARK), value, "the parameter");
+  }
+  using Limits = std::numeric_limits<GLfloat>;
+  for (const GLfloat value : {-0.01F, 1.01F, 2.0F, Limits::infinity(), Limits::quiet_NaN()})
+    expect_refused(t, GL_INVALID_VALUE, "a number out of range",
+                   [&] { gl.ARKParameterfARK(GL_PHONG_SHAPE_ARK, value); });
+  for (const GLint value : {-1, 2})
+    expect_refused(t, GL_INVALID_VALUE, "an integer out of range",
+                   [&] { gl.ARKParameteriARK(GL_PHONG_SHAPE_ARK, value); });
+  gl.ARKParameteriARK(GL_PHONG_SHAPE_ARK, 1);
+  t.expect_equal(number_of(GL_PHONG_SHAPE_ARK), 1.0F, "the parameter, set as an integer");
+}
+
+void check_initial(Test& t) { t.expect_equal(number_of(GL_PHONG_SHAPE_ARK), 0.75F, "PHONG_SHAPE_ARK at first"); }
+
+constexpr GLint unit = 3;
+constexpr double scale = 0.5;
+constexpr double rise_s = 0.05 * 16;
+constexpr double rise_t = -0.02 * 16;
+
+void ramp() {
+  std::vector<float> texels;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) texels.push_back(0.05F * static_cast<float>(x) - 0.02F * static_cast<float>(y));
+  GLuint texture = 0;
+  gl.GenTextures(1, &texture);
+  gl.ActiveTexture(GL_TEXTURE0 + unit);
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R16F, 16, 16, 0, GL_RED, GL_FLOAT, texels.data());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.ActiveTexture(GL_TEXTURE0);
+}
+
+// The surface with the height of one vertex everywhere, by weights that need not have the sum 1.
+reference::Vector raised(const reference::Corners& corners, double w, double u, double v, double height) {
+  const reference::Surface surface =
+      reference::phong(corners, {static_cast<float>(w), static_cast<float>(u), static_cast<float>(v)}, 1);
+  return surface.position + height * reference::direction(surface.normal);
+}
+
+reference::Vector displaced_normal(const reference::Corners& corners, const SurfaceVertex& vertex, const Mesh& mesh,
+                                   std::size_t first) {
+  const double height = scale * (rise_s * (vertex.texture[0] - 0.5 / 16) + rise_t * (vertex.texture[1] - 0.5 / 16));
+  const double step = 1.0 / 256;
+  const Vec3& at = vertex.weights;
+  const auto along = [&](double u, double v) {
+    const reference::Vector ahead = raised(corners, at[0] - step * (u + v), at[1] + step * u, at[2] + step * v, height);
+    const reference::Vector back = raised(corners, at[0] + step * (u + v), at[1] - step * u, at[2] - step * v, height);
+    return (ahead - back) / (2 * step);
+  };
+  const reference::Vector along_u = along(1, 0);
+  const reference::Vector along_v = along(0, 1);
+  const auto rise = [&](std::size_t corner) {
+    return scale * (rise_s * static_cast<double>(mesh[first + corner].texture[0] - mesh[first].texture[0]) +
+                    rise_t * static_cast<double>(mesh[first + corner].texture[1] - mesh[first].texture[1]));
+  };
+  const reference::Vector given = reference::phong(corners, vertex.weights, 1).normal;
+  const reference::Vector n = reference::direction(given);
+  const double area = reference::dot(n, reference::cross(along_u, along_v));
+  const reference::Vector gradient =
+      (rise(1) * reference::cross(along_v, n) + rise(2) * reference::cross(n, along_u)) / area;
+  return reference::length(given) * reference::direction(n - gradient);
+}
+
+void check_displaced(Test& t) {
+  ramp();
+  Mesh mesh = bent_mesh();
+  const Vec2 texture[4] = {{0.3F, 0.35F}, {0.7F, 0.3F}, {0.65F, 0.7F}, {0.35F, 0.6F}};
+  const std::size_t places[] = {0, 1, 2, 2, 3, 0};
+  for (std::size_t i = 0; i < mesh.size(); ++i) mesh[i].texture = texture[places[i]];
+  refine_uniformly(3, GL_PHONG_ARK);
+  gl.ARKParameterfARK(GL_PHONG_SHAPE_ARK, 1);
+  gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
+  gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, static_cast<float>(scale));
+  for (const SurfaceVertex& vertex : bent(t, mesh)) {
+    const auto triangle = static_cast<std::size_t>(std::lround(vertex.triangle));
+    const reference::Corners corners = corners_of(mesh, triangle);
+    const double height = scale * (rise_s * (vertex.texture[0] - 0.5 / 16) + rise_t * (vertex.texture[1] - 0.5 / 16));
+    const reference::Vector place = raised(corners, vertex.weights[0], vertex.weights[1], vertex.weights[2], height);
+    const double off = reference::length(reference::vector_of(vertex.position) - place);
+    const reference::Vector normal = displaced_normal(corners, vertex, mesh, 3 * triangle);
+    const double turned = reference::length(reference::vector_of(vertex.normal) - normal);
+    // R16F, and 8 bits for the place between texels.
+    if (!t.expect(off < 0.005, "a displaced position is off by " + as_text(off))) return;
+    if (!t.expect(turned < 0.06, "the normal of the displaced surface is off by " + as_text(turned))) return;
+  }
+}
+
+constexpr Area simple_case{"ark.phong."};
+
+Cases formula_cases() {
+  return {
+      simple_case("formula.uniform", {"11.R.7c-1", "11.R.7c-4", "11.R.7c-6", "tokens-54"},
+                  "Capture two bent triangles at depth 4 and compare with (11.R.10) in double precision.",
+                  "Normals that are not scaled; projections onto the other end's plane; no interpolation with the flat "
+                  "triangle.",
+                  check_uniform),
+      simple_case("formula.tags", {"11.R.7c-6"}, "The same with a different depth tag at every corner.",
+                  "Edge patterns that are turned against the corners put the surface elsewhere.", check_tags),
+      simple_case("formula.shapes", {"11.R.7c-6", "11.R.2-35", "tokens-53"},
+                  "Draw with one program and the shapes 1, 0.25, 0 and 0.5.",
+                  "The shape of the first draw, or the initial one, is used for all.", check_shapes),
+      simple_case("formula.other_inputs", {"11.R.7c-1"}, "Capture the normal and a texture coordinate.",
+                  "The normal is refined as with CURVED_PN_ARK.", check_others),
+      simple_case("formula.corners", {"11.R.7c-9"}, "Where a weight is 1, compare bits with the corner's position.",
+                  "a P + (1 - a) P is not P: the last bit differs.", check_corners),
+      simple_case("formula.fourth_components", {"11.R.7c-5", "11.R.7c-7"},
+                  "The fourth components of positions differ along two edges: these stay straight.",
+                  "Heights of points with different w are taken as if w were the same.", check_fourth_components),
+      simple_case("formula.equal_corners", {"11.R.7c-8"},
+                  "Two corners lie in one place, for each edge: positions lie on one curve.",
+                  "A strip's stitches show as slivers.", check_equal_corners),
+      simple_case("formula.one_place", {"11.R.7c-8"},
+                  "All corners in one place: every refined vertex is there, by bits.", "Rounding moves them.",
+                  check_one_place),
+      simple_case("formula.shared_edge", {"11.R.8-3", "11.R.8-6"},
+                  "Two triangles that share an edge from opposite ends have the same positions along it, by bits.",
+                  "Sums that depend on the order of corners: cracks of one ulp.", check_shared_edge),
+  };
+}
+
+}  // namespace
+
+Cases phong_tessellation_cases() {
+  Cases cases = formula_cases();
+  const Cases others = {
+      simple_case("missing.normal", {"11.R.7c-3"}, "A vertex stage without a normal: positions are those of (11.R.1).",
+                  "A missing normal counts as some constant and the surface bends.",
+                  [](Test& t) { check_missing(t, true); }),
+      simple_case("missing.position", {"11.R.7c-3"},
+                  "No input has a position's name or location 0: every input is refined by (11.R.1).",
+                  "The first vec4 is taken for the position.", [](Test& t) { check_missing(t, false); }),
+      simple_case("welded", {"11.R.15-36", "11.R.15-7"},
+                  "Two triangles with different normals at a common edge: the edge has the same bits in both, and is "
+                  "that of (11.R.9) and (11.R.10).",
+                  "WELD_ARK has no effect; the edge follows one side's normals.", check_welded),
+      simple_case("displaced", {"11.R.7b-11", "11.R.7b-1"},
+                  "Displace by a ramp; compare positions and normals with finite differences of the surface.",
+                  "Slopes of the flat triangle.", check_displaced),
+      simple_case("shape.values", {"11.R.2-36", "11.R.2-35", "11.R.2-29", "errors-9"},
+                  "Set numbers and integers in the range and out of it.", "Every finite number is accepted.",
+                  check_shape_values),
+      simple_case("shape.initial", {"state-32"}, "Read PHONG_SHAPE_ARK at first.", "0, or 1.", check_initial),
+  };
+  cases.insert(cases.end(), others.begin(), others.end());
+  return cases;
+}
+
+}  // namespace glark::conformance

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Edge depths without tags. GLARK_PASS: 0 the limits of this frame, 1 the depths of the edges of one draw.
+// The includer supplies #version and GLARK_PASS.
+//
+// The limits: word 0 the coarseness (float, how many depths the budget has taken away), then a pixel limit and a cosine limit for
+// each depth (edge_depth.glsl).
+#if GLARK_PASS == 0
+
+layout(local_size_x = 1) in;
+
+layout(std430, binding = 0) buffer Limits { float limits[]; };
+layout(std430, binding = 1) buffer Work { uint work[]; };  // of bins.glsl: word 2 is what the last frame drew
+
+uniform float pixels;
+uniform float radians_of_turn;
+uniform int budget;  // 0: none
+uniform int restart;
+uniform float most_change;  // of the coarseness, from one frame to the next; 0: it has no limit
+
+const float pi = 3.14159265;
+// As a part of the budget. If fewer triangles are used, depths grow again. All edges may change by one depth at once, which is four times the triangles: a
+// narrower passage would swing from frame to frame.
+const float least_use = 0.25;
+// Beyond it, keeping the budget is more important than smooth changes. Edges that cross a depth all at once stay below it.
+const float most_use = 4.0;
+
+float next_coarseness(float coarseness, float use) {
+  if (use > 1.0) {
+    return coarseness + 0.5 * log2(use) + 0.125;  // somewhat more: steps that only just suffice take many frames
+  }
+  return use < least_use ? coarseness + 0.5 * log2(max(2.0 * use, 0.015625)) : coarseness;
+}
+
+void main() {
+  float coarseness = 0.0;
+  if (budget > 0 && restart == 0) {
+    float use = float(work[2]) / float(budget);
+    coarseness = next_coarseness(limits[0], use);
+    if (most_change > 0.0 && use <= most_use) {
+      coarseness = clamp(coarseness, limits[0] - most_change, limits[0] + most_change);
+    }
+    coarseness = clamp(coarseness, 0.0, float(GLARK_DEPTHS));
+  }
+  work[2] = 0u;
+  limits[0] = coarseness;
+  for (int depth = 0; depth < GLARK_DEPTHS; ++depth) {
+    float segments = exp2(float(depth) + coarseness);
+    float longest = min(pixels * segments, 1e9);
+    float cosine = cos(min(radians_of_turn * segments, pi));
+    limits[1 + depth] = longest * longest;
+    limits[1 + GLARK_DEPTHS + depth] = radians_of_turn * segments < pi ? cosine * abs(cosine) : -2.0;
+  }
+}
+
+#else
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer Records { uint records[]; };
+layout(std430, binding = 1) buffer Ends { uint ends[]; };  // gl_Position of each corner, then the packed depths
+layout(std430, binding = 2) readonly buffer Limits { float limits[]; };
+
+uniform int record_offset;  // in words
+uniform int corner_words;
+uniform int normal_offset;  // in a corner; < 0: the normals do not count
+uniform int first_depth;    // word of `ends`
+uniform int triangle_bound;
+uniform int pool_level;
+uniform int on_screen;
+uniform int packed_bits;
+uniform vec2 half_size;
+
+float pixel_limit(int depth) { return limits[1 + depth]; }
+float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
+
+int corner_count() { return 3 * triangle_bound; }
+
+#include "glark/core/depth/edge_steps.glsl"
+#include "glark/core/depth/measure/edge_depth.glsl"
+#include "glark/core/depth/measure/measured_edge.glsl"
+
+void main() {
+  int triangle = int(gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x);
+  if (triangle >= triangle_bound) {
+    return;
+  }
+  int depths = 0;
+  for (int edge = 0; edge < 3; ++edge) {
+    int steps = measured_steps(3 * triangle + edge, 3 * triangle + (edge == 2 ? 0 : edge + 1));
+    depths |= steps << (packed_bits * edge);
+  }
+  ends[first_depth + triangle] = uint(depths);
+}
+
+#endif

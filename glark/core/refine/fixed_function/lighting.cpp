@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Based on: The OpenGL Graphics System, version 2.1, section 2.14.1, equations 2.2 to 2.5, and section 2.14.3
+// (ColorMaterial). The values of a light choose its branches when the shader runs, not the shader: they change more
+// often than the enables, and a branch on them is uniform.
+#include "glark/core/refine/fixed_function/parts.h"
+
+namespace glark::refine {
+namespace {
+
+struct Face {
+  GLenum name;
+  const char* built_in;  // as in gl_FrontMaterial
+  const char* local;     // prefix of the shader's own variables
+  const char* sign;      // of the normal
+};
+
+constexpr Face front_face = {GL_FRONT, "Front", "front", ""};
+constexpr Face back_face = {GL_BACK, "Back", "back", "-"};
+
+// Whether the material parameter follows gl_Color.
+bool follows_color(const FixedFunctionState& state, const Face& face, GLenum parameter) {
+  if (!state.color_material) return false;
+  if (state.color_material_face != GL_FRONT_AND_BACK && state.color_material_face != face.name) return false;
+  if (state.color_material_parameter == GL_AMBIENT_AND_DIFFUSE)
+    return parameter == GL_AMBIENT || parameter == GL_DIFFUSE;
+  return state.color_material_parameter == parameter;
+}
+
+std::string member_of(GLenum parameter) {
+  switch (parameter) {
+    case GL_AMBIENT: return "ambient";
+    case GL_DIFFUSE: return "diffuse";
+    case GL_SPECULAR: return "specular";
+    default: return "emission";
+  }
+}
+
+std::string material(const FixedFunctionState& state, const Face& face, GLenum parameter) {
+  if (follows_color(state, face, parameter)) return "gl_Color";
+  return std::string("gl_") + face.built_in + "Material." + member_of(parameter);
+}
+
+// Material times light, from GL's derived state where the material is constant.
+std::string product(const FixedFunctionState& state, const Face& face, int light, GLenum parameter) {
+  const std::string index = "[" + std::to_string(light) + "].";
+  const std::string member = member_of(parameter);
+  if (follows_color(state, face, parameter)) return "(gl_Color * gl_LightSource" + index + member + ").rgb";
+  return std::string("gl_") + face.built_in + "LightProduct" + index + member + ".rgb";
+}
+
+std::string scene_color(const FixedFunctionState& state, const Face& face) {
+  if (!follows_color(state, face, GL_AMBIENT) && !follows_color(state, face, GL_EMISSION))
+    return std::string("gl_") + face.built_in + "LightModelProduct.sceneColor.rgb";
+  return "(" + material(state, face, GL_EMISSION) + " + " + material(state, face, GL_AMBIENT) +
+         " * gl_LightModel.ambient).rgb";
+}
+
+// The vectors of light $i. A spot cutoff of 180 makes no spot light, and a directional light has no distance
+// attenuation.
+constexpr std::string_view light_vectors = R"(  {
+    vec3 light_vector = gl_LightSource[$i].position.xyz;
+    float attenuation = 1.0;
+    if (gl_LightSource[$i].position.w != 0.0) {
+      light_vector = light_vector / gl_LightSource[$i].position.w - eye_point;
+      float light_distance = length(light_vector);
+      attenuation = 1.0 / (gl_LightSource[$i].constantAttenuation + light_distance *
+          (gl_LightSource[$i].linearAttenuation + light_distance * gl_LightSource[$i].quadraticAttenuation));
+    }
+    light_vector = normalize(light_vector);
+    if (gl_LightSource[$i].spotCutoff != 180.0) {
+      float spot = dot(-light_vector, normalize(gl_LightSource[$i].spotDirection));
+      attenuation *= spot >= gl_LightSource[$i].spotCosCutoff ? power(spot, gl_LightSource[$i].spotExponent) : 0.0;
+    }
+    vec3 half_vector = normalize(light_vector + to_viewer);
+    float normal_light = dot(eye_normal, light_vector);
+    float normal_half = dot(eye_normal, half_vector);
+)";
+
+constexpr std::string_view face_of_light =
+    R"(    $face_color += attenuation * ($ambient + max($sign normal_light, 0.0) * $diffuse);
+    if ($sign normal_light > 0.0)
+      $face_specular += attenuation * power($sign normal_half, gl_$FaceMaterial.shininess) * $specular;
+)";
+
+std::string lit_face(const FixedFunctionState& state, const Face& face, int light) {
+  return substitute(face_of_light, {{"$face", face.local},
+                                    {"$Face", face.built_in},
+                                    {"$sign ", face.sign},
+                                    {"$ambient", product(state, face, light, GL_AMBIENT)},
+                                    {"$diffuse", product(state, face, light, GL_DIFFUSE)},
+                                    {"$specular", product(state, face, light, GL_SPECULAR)}});
+}
+
+std::string face_start(const FixedFunctionState& state, const Face& face) {
+  return substitute("  vec3 $face_color = $scene;\n  vec3 $face_specular = vec3(0.0);\n",
+                    {{"$face", face.local}, {"$scene", scene_color(state, face)}});
+}
+
+// Alpha is that of the diffuse material, and 1 in the secondary colour.
+std::string face_result(const FixedFunctionState& state, const Face& from, const Face& to) {
+  std::string text = state.separate_specular ? "  gl_$ToColor = vec4($face_color, $diffuse.a);\n"
+                                             : "  gl_$ToColor = vec4($face_color + $face_specular, $diffuse.a);\n";
+  if (state.separate_specular)
+    text += "  gl_$ToSecondaryColor = vec4($face_specular, 1.0);\n";
+  else if (state.color_sum)
+    text += "  gl_$ToSecondaryColor = vec4(0.0, 0.0, 0.0, 1.0);\n";
+  return substitute(text,
+                    {{"$To", to.built_in}, {"$face", from.local}, {"$diffuse", material(state, from, GL_DIFFUSE)}});
+}
+
+bool any_light(const FixedFunctionState& state) {
+  for (bool enabled : state.light)
+    if (enabled) return true;
+  return false;
+}
+
+}  // namespace
+
+Needs lighting_needs(const FixedFunctionState& state) {
+  Needs needs;
+  needs.eye_normal = needs.eye_point = any_light(state);
+  needs.eye_direction = any_light(state) && state.local_viewer;
+  return needs;
+}
+
+std::string lighting_statements(const FixedFunctionState& state) {
+  std::string text = face_start(state, front_face);
+  if (state.two_sided) text += face_start(state, back_face);
+  if (any_light(state))
+    text += state.local_viewer ? "  vec3 to_viewer = -eye_direction;\n" : "  vec3 to_viewer = vec3(0.0, 0.0, 1.0);\n";
+  for (int light = 0; light < fixed_function_lights; ++light) {
+    if (!state.light[light]) continue;
+    text += substitute(light_vectors, {{"$i", std::to_string(light)}});
+    text += lit_face(state, front_face, light);
+    if (state.two_sided) text += lit_face(state, back_face, light);
+    text += "  }\n";
+  }
+  text += face_result(state, front_face, front_face);
+  return text + face_result(state, state.two_sided ? back_face : front_face, back_face);
+}
+
+}  // namespace glark::refine

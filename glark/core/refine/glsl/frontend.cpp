@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/refine/glsl/frontend.h"
+
+#include <glslang/Include/intermediate.h>
+#include <glslang/MachineIndependent/localintermediate.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+
+#include <algorithm>
+#include <cctype>
+#include <mutex>
+#include <unordered_set>
+
+#include "glark/core/refine/glsl/interface.h"
+
+namespace glark::refine {
+namespace {
+
+// No limit of ours: the driver has judged the shader already.
+TBuiltInResource generous_resources() {
+  TBuiltInResource resources = *GetDefaultResources();
+  int* const begin = &resources.maxLights;
+  int* const end = reinterpret_cast<int*>(&resources.limits);
+  std::for_each(begin, end, [](int& value) { value = std::max(value, 0); });
+  for (int* limit : {&resources.maxVertexAttribs, &resources.maxTextureUnits, &resources.maxTextureCoords,
+                     &resources.maxDrawBuffers, &resources.maxClipDistances, &resources.maxCullDistances,
+                     &resources.maxCombinedClipAndCullDistances, &resources.maxClipPlanes, &resources.maxLights}) {
+    *limit = std::max(*limit, 32);
+  }
+  for (int* limit :
+       {&resources.maxVertexUniformComponents, &resources.maxVertexUniformVectors, &resources.maxVaryingFloats,
+        &resources.maxVaryingVectors, &resources.maxVaryingComponents, &resources.maxVertexOutputComponents,
+        &resources.maxVertexOutputVectors, &resources.maxVertexTextureImageUnits,
+        &resources.maxCombinedTextureImageUnits, &resources.maxImageUnits, &resources.maxVertexImageUniforms,
+        &resources.maxCombinedImageUniforms, &resources.maxAtomicCounterBindings, &resources.maxVertexAtomicCounters,
+        &resources.maxVertexAtomicCounterBuffers, &resources.maxAtomicCounterBufferSize,
+        &resources.maxTransformFeedbackBuffers, &resources.maxTransformFeedbackInterleavedComponents}) {
+    *limit = std::max(*limit, 1 << 20);
+  }
+  resources.limits = {true, true, true, true, true, true, true, true, true};
+  return resources;
+}
+
+const TBuiltInResource& resources() {
+  static const TBuiltInResource value = generous_resources();
+  return value;
+}
+
+void initialize() {
+  static std::once_flag once;
+  std::call_once(once, [] { glslang::InitializeProcess(); });
+}
+
+constexpr auto messages = static_cast<EShMessages>(EShMsgRelaxedErrors | EShMsgSuppressWarnings);
+
+int default_version(bool es) { return es ? 100 : 110; }
+
+std::string first_error(const char* log) {
+  const std::string text = log != nullptr ? log : "";
+  std::size_t begin = text.find("ERROR:");
+  if (begin == std::string::npos) begin = 0;
+  const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+  return line.empty() ? "the GLSL front end gave no reason" : line;
+}
+
+bool is_extension_macro(const std::string& name) {
+  static const std::unordered_set<std::string> others = {"GL_ES", "GL_core_profile", "GL_compatibility_profile",
+                                                         "GL_es_profile", "GL_FRAGMENT_PRECISION_HIGH"};
+  return name.starts_with("GL_") && !others.contains(name);
+}
+
+constexpr const char* present_prefix = "glark_present_";
+constexpr const char* absent_prefix = "glark_absent_";
+
+bool tests_macros(std::string_view directive) {
+  return directive == "if" || directive == "ifdef" || directive == "ifndef" || directive == "elif" ||
+         directive == "define";
+}
+
+// glslang refuses `require` of what it does not know; the driver has already accepted it.
+void relax_requirement(Token& directive) {
+  Tokens body = tokenize(std::string_view(directive.text).substr(1));
+  for (Token& token : body) {
+    if (token.is("require")) token.text = "enable";
+  }
+  directive.text = "#" + to_text(body);
+}
+
+// glslang pastes tokens from GLSL 1.30 on; drivers do in every version. The version that glslang is told is put right afterwards.
+struct VersionDisguise {
+  std::string directive;  // the application's #version, or empty
+  bool worn = false;
+};
+constexpr const char* disguised_version = "#version 130";
+
+VersionDisguise disguise_version(Tokens& tokens, bool es) {
+  VersionDisguise disguise;
+  const GlslVersion version = version_of(tokens, es);
+  const bool pastes = std::any_of(tokens.begin(), tokens.end(), [](const Token& token) {
+    return token.kind == TokenKind::directive && token.text.find("##") != std::string::npos;
+  });
+  disguise.worn = pastes && !version.es && version.number < 130;
+  if (!disguise.worn) return disguise;
+  const auto is_version = [](const Token& token) { return directive_name(token) == "version"; };
+  const auto directive = std::find_if(tokens.begin(), tokens.end(), is_version);
+  if (directive != tokens.end()) {
+    disguise.directive = directive->text;
+    directive->text = disguised_version;
+  } else {
+    tokens.front().before.insert(0, std::string(disguised_version) + "\n");
+  }
+  const std::string number = std::to_string(version.number);
+  rename_identifiers(
+      tokens, [&](const std::string& name) { return name == "__VERSION__" ? number : std::string(); }, tests_macros);
+  return disguise;
+}
+
+void remove_disguise(const VersionDisguise& disguise, std::string& text) {
+  const std::size_t at = disguise.worn ? text.find(disguised_version) : std::string::npos;
+  if (at != std::string::npos) text.replace(at, std::string_view(disguised_version).size(), disguise.directive);
+}
+
+// The source as glslang must see it, and the macros to define in front of it.
+std::string adapt_source(Tokens tokens, const std::vector<std::string>& extensions, std::string& preamble) {
+  for (Token& token : tokens) {
+    if (directive_name(token) == "extension") relax_requirement(token);
+  }
+  if (!extensions.empty()) {
+    const std::unordered_set<std::string> known(extensions.begin(), extensions.end());
+    std::unordered_set<std::string> present;
+    rename_identifiers(
+        tokens,
+        [&](const std::string& name) -> std::string {
+          if (!is_extension_macro(name)) return {};
+          if (!known.contains(name)) return absent_prefix + name;
+          present.insert(name);
+          return present_prefix + name;
+        },
+        tests_macros);
+    for (const std::string& name : present) preamble += std::string("#define ") + present_prefix + name + " 1\n";
+  }
+  return to_text(tokens);
+}
+
+// Some drivers accept more than glslang: subroutines, built-ins of vendors' extensions, features of newer versions.
+bool is_limitation(const std::string& error) {
+  return error.find("not yet implemented") != std::string::npos || error.find("not supported") != std::string::npos ||
+         (error.find("'gl_") != std::string::npos && error.find("undeclared") != std::string::npos);
+}
+
+class FindMemoryWrites : public glslang::TIntermTraverser {
+ public:
+  bool found = false;
+
+  bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
+    const glslang::TOperator op = node->getOp();
+    const bool image = op == glslang::EOpImageStore || op == glslang::EOpImageStoreLod ||
+                       (op >= glslang::EOpImageAtomicAdd && op <= glslang::EOpImageAtomicStore);
+    const bool atomic = op >= glslang::EOpAtomicAdd && op <= glslang::EOpAtomicCounterCompSwap;
+    if (image || atomic) found = true;
+    const glslang::TIntermSequence& arguments = node->getSequence();
+    const glslang::TQualifierList& qualifiers = node->getQualifierList();
+    for (std::size_t i = 0; op == glslang::EOpFunctionCall && i < qualifiers.size() && i < arguments.size(); ++i) {
+      if (qualifiers[i] == glslang::EvqOut || qualifiers[i] == glslang::EvqInOut)
+        note_target(arguments[i]->getAsTyped());
+    }
+    return true;
+  }
+
+  bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
+    if (node->modifiesState()) note_target(node->getLeft());
+    return true;
+  }
+
+  bool visitUnary(glslang::TVisit, glslang::TIntermUnary* node) override {
+    const glslang::TOperator op = node->getOp();
+    if (node->modifiesState()) note_target(node->getOperand());
+    if (op >= glslang::EOpAtomicAdd && op <= glslang::EOpAtomicCounterCompSwap) found = true;
+    return true;
+  }
+
+ private:
+  void note_target(glslang::TIntermTyped* target) {
+    while (target != nullptr && target->getAsBinaryNode() != nullptr) target = target->getAsBinaryNode()->getLeft();
+    if (target != nullptr && target->getQualifier().storage == glslang::EvqBuffer) found = true;
+  }
+};
+
+}  // namespace
+
+Preprocessed preprocess(const std::string& source, bool es, const std::vector<std::string>& extensions) {
+  initialize();
+  std::string preamble;
+  Tokens tokens = tokenize(source);
+  const VersionDisguise disguise = disguise_version(tokens, es);
+  const std::string adapted = adapt_source(std::move(tokens), extensions, preamble);
+  const char* const text = adapted.c_str();
+  const int length = static_cast<int>(adapted.size());
+  glslang::TShader shader(EShLangVertex);
+  shader.setStringsWithLengths(&text, &length, 1);
+  shader.setPreamble(preamble.c_str());
+  glslang::TShader::ForbidIncluder includer;
+  Preprocessed result;
+  result.ok =
+      shader.preprocess(&resources(), default_version(es), ENoProfile, false, false, messages, &result.text, includer);
+  if (!result.ok) result.error = first_error(shader.getInfoLog());
+  remove_disguise(disguise, result.text);
+  return result;
+}
+
+Parsed parse_vertex_shader(const std::string& preprocessed, bool es) {
+  initialize();
+  const char* const text = preprocessed.c_str();
+  const int length = static_cast<int>(preprocessed.size());
+  glslang::TShader shader(EShLangVertex);
+  shader.setStringsWithLengths(&text, &length, 1);
+  Parsed result;
+  result.ok = shader.parse(&resources(), default_version(es), ENoProfile, false, false, messages);
+  if (!result.ok) {
+    result.error = first_error(shader.getInfoLog());
+    result.limited = is_limitation(result.error);
+    return result;
+  }
+  if (TIntermNode* const root = shader.getIntermediate()->getTreeRoot()) {
+    FindMemoryWrites find;
+    root->traverse(&find);
+    result.writes_memory = find.found;
+  }
+  return result;
+}
+
+bool frontend_knows_extension(const std::string& name) {
+  static std::mutex mutex;
+  static std::unordered_set<std::string> known;
+  static std::unordered_set<std::string> unknown;
+  const std::scoped_lock lock(mutex);
+  if (known.contains(name)) return true;
+  if (unknown.contains(name)) return false;
+  initialize();
+  const std::string probe = "#version 450\n#extension " + name + " : require\nvoid main() {}\n";
+  const char* const text = probe.c_str();
+  glslang::TShader shader(EShLangVertex);
+  shader.setStrings(&text, 1);
+  glslang::TShader::ForbidIncluder includer;
+  std::string output;
+  const bool ok = shader.preprocess(&resources(), 450, ENoProfile, false, false, messages, &output, includer);
+  (ok ? known : unknown).insert(name);
+  return ok;
+}
+
+}  // namespace glark::refine

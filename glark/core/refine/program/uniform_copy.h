@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Makes the uniforms, blocks and outputs of a derived program agree with the application's program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "glark/core/state/programs/program.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::refine {
+
+// Before linking: separability, fragment output locations and transform feedback varyings of `from`, set on `to`.
+void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to);
+
+// After linking: fills derived.location_of.
+void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedProgram& derived);
+
+// Uniforms that only the refinement shader declares: their locations in `derived`, and their values from `other` (may be null),
+// another program derived from the same one.
+void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names,
+                           const core::DerivedProgram* other, core::DerivedProgram& derived);
+
+// Values of all uniforms outside blocks, and the bindings of uniform and storage blocks.
+void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::DerivedProgram& derived);
+void copy_block_bindings(const gl::Dispatch& gl, GLuint from, GLuint to);
+
+}  // namespace glark::refine

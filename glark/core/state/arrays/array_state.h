@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The vertex arrays and the buffers bound to targets, with what the hooks do not know asked of GL.
+#pragma once
+
+#include "glark/core/state/arrays/bound_buffers.h"
+#include "glark/core/state/arrays/buffer_stamps.h"
+#include "glark/core/state/arrays/vertex_arrays.h"
+#include "glark/core/state/bindings.h"
+#include "glark/core/state/capabilities.h"
+#include "glark/core/state/immediate_mode.h"
+#include "glark/core/state/stamps.h"
+#include "glark/gl/dispatch.h"
+
+namespace glark::core {
+
+class ArrayState {
+ public:
+  // What array state depends on; all of it outlives the array state.
+  struct Neighbours {
+    const gl::Dispatch& gl;
+    const Capabilities& capabilities;
+    Bindings& bindings;
+    const ImmediateMode& immediate;
+    const BufferStamps& buffers;
+    Stamps& stamps;
+  };
+  explicit ArrayState(const Neighbours& neighbours) : of_(neighbours) {}
+
+  BoundBuffers& bound_buffers() { return bound_buffers_; }
+  const BoundBuffers& bound_buffers() const { return bound_buffers_; }
+  VertexArrays& vertex_arrays() { return vertex_arrays_; }
+  // The vertex array that is bound.
+  VertexArray& current() { return vertex_arrays_.current(of_.bindings.vertex_array); }
+
+  // The buffer bound to a target. Queries GL where that is not known.
+  BoundBuffer bound_buffer(GLenum target);
+  // The source of an attribute of the bound vertex array, and the buffer of its indices. Query GL where they are not
+  // known.
+  const AttributeSource& attribute_source(int slot);
+  const BoundBuffer& element_buffer();
+
+  // The unit that glTexCoordPointer sets (glClientActiveTexture); 0: not known.
+  GLenum client_texture() const { return client_texture_; }
+  void set_client_texture(GLenum unit) { client_texture_ = unit; }
+  // Reads the bound vertex array and that unit, which the hooks follow from then on.
+  void read_client_state();
+
+ private:
+  void confirm(BoundBuffer& bound, GLuint name);
+  std::uint64_t generation_of(GLuint name);
+
+  Neighbours of_;
+  BoundBuffers bound_buffers_;
+  VertexArrays vertex_arrays_;
+  GLenum client_texture_ = 0;
+};
+
+}  // namespace glark::core

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/state/bindings.h"
+
+namespace glark::core {
+namespace {
+
+GLint get(const gl::Dispatch& gl, GLenum name) {
+  GLint value = 0;
+  gl.GetIntegerv(name, &value);
+  return value;
+}
+
+GLuint get_name(const gl::Dispatch& gl, GLenum binding) { return static_cast<GLuint>(get(gl, binding)); }
+
+void read_objects(const gl::Dispatch& gl, Bindings& b) {
+  b.program = get_name(gl, GL_CURRENT_PROGRAM);
+  b.pipeline = get_name(gl, GL_PROGRAM_PIPELINE_BINDING);
+  b.vertex_array = get_name(gl, GL_VERTEX_ARRAY_BINDING);
+  b.transform_feedback = get_name(gl, GL_TRANSFORM_FEEDBACK_BINDING);
+  b.transform_feedback_active = get(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
+  if (!b.transform_feedback_ours) {  // ours is paused between our draws
+    b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
+  }
+}
+
+void read_buffers(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& b) {
+  b.draw_indirect_buffer = get_name(gl, GL_DRAW_INDIRECT_BUFFER_BINDING);
+  b.query_buffer = capabilities.query_buffer ? get_name(gl, GL_QUERY_BUFFER_BINDING) : 0;
+  b.parameter_buffer = capabilities.parameter_buffer ? get_name(gl, GL_PARAMETER_BUFFER_BINDING) : 0;
+  b.feedback_buffer = get_name(gl, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
+  b.storage_buffer = get_name(gl, GL_SHADER_STORAGE_BUFFER_BINDING);
+  for (GLuint i = 0; i < b.storage.size(); ++i) {
+    GLint buffer = 0;
+    GLint64 offset = 0;
+    GLint64 size = 0;
+    gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, i, &buffer);
+    gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, i, &offset);
+    gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, i, &size);
+    b.storage[i] = {static_cast<GLuint>(buffer), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size)};
+  }
+}
+
+void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& b) {
+  b.debug_output = gl.IsEnabled(GL_DEBUG_OUTPUT) != GL_FALSE;
+  b.blend = gl.IsEnabled(GL_BLEND) != GL_FALSE;
+  b.depth_test = gl.IsEnabled(GL_DEPTH_TEST) != GL_FALSE;
+  b.depth_writes = get(gl, GL_DEPTH_WRITEMASK) != 0;
+  b.depth_function = static_cast<GLenum>(get(gl, GL_DEPTH_FUNC));
+  GLfloat viewport[4] = {0, 0, 0, 0};
+  gl.GetFloatv(GL_VIEWPORT, viewport);
+  b.viewport = {viewport[2], viewport[3]};
+  b.rasterizer_discard = gl.IsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE;
+  b.primitive_restart_fixed = gl.IsEnabled(GL_PRIMITIVE_RESTART_FIXED_INDEX) != GL_FALSE;
+  if (capabilities.api != Capabilities::Api::es) {
+    b.primitive_restart = gl.IsEnabled(GL_PRIMITIVE_RESTART) != GL_FALSE;
+    GLint modes[2] = {GL_FILL, GL_FILL};
+    gl.GetIntegerv(GL_POLYGON_MODE, modes);
+    b.front_polygon_mode = static_cast<GLenum>(modes[0]);
+    b.back_polygon_mode = capabilities.is_compatibility() ? static_cast<GLenum>(modes[1]) : b.front_polygon_mode;
+    b.provoking_vertex = static_cast<GLenum>(get(gl, GL_PROVOKING_VERTEX));
+  }
+  b.polygon_mode = b.front_polygon_mode == GL_FILL ? b.back_polygon_mode : b.front_polygon_mode;
+}
+
+void read_compatibility_modes(const gl::Dispatch& gl, Bindings& b) {
+  b.vertex_program = gl.IsEnabled(GL_VERTEX_PROGRAM_ARB) != GL_FALSE;
+  b.two_side = gl.IsEnabled(GL_VERTEX_PROGRAM_TWO_SIDE) != GL_FALSE;
+  b.matrix_mode = static_cast<GLenum>(get(gl, GL_MATRIX_MODE));
+  b.shade_model = static_cast<GLenum>(get(gl, GL_SHADE_MODEL));
+  b.clamp_vertex_color = get(gl, GL_CLAMP_VERTEX_COLOR) != GL_FALSE;
+  b.render_mode = static_cast<GLenum>(get(gl, GL_RENDER_MODE));
+  b.list_base = get_name(gl, GL_LIST_BASE);
+}
+
+}  // namespace
+
+void read_bindings(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& bindings) {
+  read_objects(gl, bindings);
+  read_buffers(gl, capabilities, bindings);
+  read_modes(gl, capabilities, bindings);
+  if (capabilities.is_compatibility()) {
+    read_compatibility_modes(gl, bindings);
+  }
+}
+
+}  // namespace glark::core

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/state/lists/list_compilation.h"
+
+#include <utility>
+
+namespace glark::core {
+
+void ListCompilation::begin(GLuint name, GLenum mode, bool cutting) {
+  *this = ListCompilation{};
+  compiling_ = true;
+  cutting_ = cutting;
+  name_ = name;
+  mode_ = mode;
+  list_ = std::make_shared<DisplayList>();
+}
+
+std::shared_ptr<DisplayList> ListCompilation::end() {
+  list_->changes_uniforms |= changes_uniforms_;
+  list_->refinable = cutting_ && !in_primitive_;  // a glBegin left open reaches into the next list
+  compiling_ = cutting_ = false;
+  return std::exchange(list_, nullptr);
+}
+
+bool ListCompilation::add_stack_step(StackStep step) {
+  if (!compiling_ || in_primitive_) {
+    return false;
+  }
+  list_->stack_steps.push_back(step);
+  return true;
+}
+
+void ListCompilation::add_loose_vertices(std::uint64_t vertices) {
+  if (!in_primitive_) {
+    list_->loose_vertices += vertices;
+  }
+}
+
+void ListCompilation::add_call(ListSegment::Kind kind, GLuint list) {
+  list_->calls_lists = true;
+  list_->segments.push_back({.kind = kind, .list = list});
+}
+
+void ListCompilation::add_vertex_list(VertexList list) {
+  list_->calls_lists = true;
+  vertex_lists_.push_back(list);
+}
+
+const ListSegment& ListCompilation::close_segment(ListSegment segment, std::uint64_t identity) {
+  segment.list = open_list_;
+  segment.identity = identity;
+  segment.effects = std::exchange(effects_, {});
+  segment.effects.changes_uniforms = std::exchange(changes_uniforms_, false);
+  list_->changes_uniforms |= segment.effects.changes_uniforms;
+  list_->segments.push_back(std::move(segment));
+  return list_->segments.back();
+}
+
+void ListCompilation::begin_primitive(GLenum mode, bool draws) {
+  in_primitive_ = true;
+  in_draw_ = draws;
+  primitive_mode_ = mode;
+  vertex_lists_.clear();
+}
+
+bool ListCompilation::end_primitive() {
+  in_primitive_ = false;
+  return std::exchange(in_draw_, false);
+}
+
+}  // namespace glark::core

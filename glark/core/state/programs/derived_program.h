@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A program that was derived from a program of the application, to draw refined triangles in its place.
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "glark/core/capture/record.h"
+#include "glark/core/refinement.h"
+#include "glark/gl/types.h"
+
+namespace glark::core {
+
+// Uniform locations from this one on are ours: they name uniforms that only the application's refinement shader
+// declares.
+inline constexpr GLint virtual_location_base = 0x40000000;
+
+// Selects one of the programs that are derived from a program of the application.
+struct DerivedKey {
+  Refinement refinement = Refinement::linear_inputs;
+  int provoking_corner = 2;
+  bool flat_colors = false;
+  bool clamp_colors = false;
+  bool tagged = false;
+  bool at_corner = false;            // no refinement: gives the position of each captured corner, for measured depths
+  int discontinuity_attribute = -1;  // location of the tags; -1: vertices carry none
+  int scalar_tag_attribute = -1;     // location of the tags; -1: vertices carry none
+  bool displaced = false;
+  int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
+  bool morphing = false;          // vertices move between levels
+  // Welded by position. Where there is room, the record then has:
+  bool welded = false;  // the control points of curved edges
+  bool border = false;  // the normals and texture coordinates that displacement takes on edges
+  bool turns = false;   // the greatest turn of the normals along each edge, of all its sides
+  bool placed = true;   // pieces have a placement (patch); only a uniform level of one piece a triangle needs none
+  auto operator<=>(const DerivedKey&) const = default;
+};
+
+// The subroutines that one stage of the program in use has chosen, by the locations of its subroutine uniforms.
+struct StageSubroutines {
+  GLenum stage = 0;
+  std::vector<GLuint> chosen;
+};
+using SubroutineChoice = std::vector<StageSubroutines>;
+
+// Translates the numbers of the application's subroutines to those of a derived program.
+struct SubroutineTable {
+  GLenum stage = 0;
+  std::vector<GLint> location_from;  // by our location: the application's location
+  std::vector<GLuint> index_to;      // by the application's index: our index
+};
+
+struct DerivedProgram {
+  GLuint name = 0;
+  capture::Layout layout;
+  GLint shape_number = -1;  // location of the uniform with ShapeNumber's value
+  GLint height_map = -1;    // locations of the uniforms of displacement
+  GLint height_channel = -1;
+  GLint height_range = -1;
+  GLint first_word = -1;           // location of its uniform; -1: the program reads no records from the storage block
+  bool numbered = false;           // it reads records, and an attribute numbers its instances
+  std::vector<GLint> location_of;  // by the application's location: ours, or -1
+  std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
+  std::vector<SubroutineTable> subroutines;
+
+  bool stored() const { return first_word >= 0; }
+};
+
+// A derived program that glUniform* calls of the application must reach, too.
+struct UniformMirror {
+  GLuint program = 0;
+  const DerivedProgram* derived = nullptr;
+
+  GLint location(GLint application) const {
+    const auto& table = application >= virtual_location_base ? derived->virtual_location_of : derived->location_of;
+    const auto index = static_cast<std::size_t>(
+        application >= virtual_location_base ? application - virtual_location_base : application);
+    return application >= 0 && index < table.size() ? table[index] : -1;
+  }
+};
+
+}  // namespace glark::core

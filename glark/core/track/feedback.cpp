@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Hooks of the application's transform feedback.
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace hook {
+
+void BindTransformFeedback(Context& c, GLenum target, GLuint id) {
+  c.gl().BindTransformFeedback(target, id);
+  c.state().forget_bindings();  // another object may be active or paused
+}
+
+void DeleteTransformFeedbacks(Context& c, GLsizei n, const GLuint* ids) {
+  c.gl().DeleteTransformFeedbacks(n, ids);
+  c.state().forget_bindings();
+}
+
+void BeginTransformFeedback(Context& c, GLenum mode) {
+  if (c.capabilities().refinable) {
+    c.state().refresh();
+    c.stages()->feedback().room().note();
+  }
+  if (!c.refining() || c.options().transparent || !c.stages()->feedback().begin(mode)) {
+    c.gl().BeginTransformFeedback(mode);
+    c.state().forget_bindings();  // GL may have refused
+    if (c.capabilities().refinable && !c.options().transparent && !c.ark().enabled && c.ark().pool_level >= 0) {
+      c.stages()->feedback().await(mode);
+      c.update_refining();
+    }
+    return;
+  }
+  c.state().bindings().transform_feedback_active = true;
+  c.state().bindings().transform_feedback_paused = false;
+}
+
+void EndTransformFeedback(Context& c) {
+  c.gl().EndTransformFeedback();
+  if (c.stages() != nullptr) {
+    c.stages()->feedback().end();
+    c.update_refining();
+  }
+  c.writes().by_gpu();
+  c.state().forget_bindings();
+}
+
+void PauseTransformFeedback(Context& c) {
+  if (c.stages() != nullptr && c.stages()->feedback().ours() && !c.state().bindings().transform_feedback_paused) {
+    c.state().bindings().transform_feedback_paused = true;  // between our draws it is already paused
+    return;
+  }
+  c.gl().PauseTransformFeedback();
+  c.writes().by_gpu();
+  c.state().forget_bindings();
+}
+
+void ResumeTransformFeedback(Context& c) {
+  if (c.stages() != nullptr && c.stages()->feedback().ours() && c.state().bindings().transform_feedback_paused) {
+    c.state().bindings().transform_feedback_paused = false;
+    return;
+  }
+  c.gl().ResumeTransformFeedback();
+  c.state().forget_bindings();
+}
+
+}  // namespace hook
+}  // namespace glark::core

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Calling display lists: a list that was cut is called segment by segment, any other as it is.
+#include <vector>
+
+#include "glark/core/track/lists/list_names.h"
+#include "glark/core/track/lists/lists.h"
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace {
+
+// The vertices that a call between glBegin and glEnd adds to the primitive.
+std::uint64_t vertices_of(Context& c, GLuint name, int depth) {
+  const std::shared_ptr<DisplayList> list = track::find_list(c, name);
+  if (list == nullptr || depth >= track::deepest_nesting) {
+    return 0;
+  }
+  std::uint64_t count = list->loose_vertices;
+  for (const ListSegment& segment : list->segments) {
+    if (segment.kind == ListSegment::Kind::call) {
+      count += vertices_of(c, segment.list, depth + 1);
+    } else if (segment.kind == ListSegment::Kind::call_offset) {
+      count += vertices_of(c, track::list_base(c) + segment.list, depth + 1);
+    }
+  }
+  return count;
+}
+
+std::uint64_t triangles_of_segment(Context& c, const ListSegment& segment) {
+  if (segment.vertex_lists.empty()) {
+    return segment.triangles;
+  }
+  std::uint64_t vertices = segment.vertices;
+  for (const VertexList& inner : segment.vertex_lists) {
+    vertices += vertices_of(c, (inner.offset ? track::list_base(c) : 0) + inner.list, 0);
+  }
+  return triangles_of(segment.mode, vertices);
+}
+
+void call_list(Context& c, GLuint name, int depth) {
+  if (depth >= track::deepest_nesting) {
+    return;  // OpenGL 4.6 compatibility, 21.4.2: deeper calls are ignored
+  }
+  const std::shared_ptr<DisplayList> list = track::find_list(c, name);
+  ImmediateMode& immediate = c.state().immediate();
+  if (immediate.capturing()) {
+    immediate.count_called(vertices_of(c, name, depth));
+  }
+  if (list == nullptr || !list->refinable || !c.refining() || immediate.open()) {
+    if (c.refining() && !immediate.open()) {
+      track::hand_back_feedback(c);  // the list may draw
+    }
+    c.gl().CallList(name);
+    track::forget_state(c, list != nullptr && !list->calls_lists ? list.get() : nullptr);
+    return;
+  }
+  for (const ListSegment& segment : list->segments) {
+    track::call_segment(c, segment, depth);
+  }
+}
+
+}  // namespace
+
+namespace track {
+
+std::shared_ptr<DisplayList> find_list(const Context& c, GLuint name) {
+  const std::lock_guard lock(c.share().mutex);
+  const auto found = c.share().lists.find(name);
+  return found != c.share().lists.end() ? found->second : nullptr;
+}
+
+GLuint list_base(Context& c) {
+  if (!c.state().immediate().open()) {  // between glBegin and glEnd nothing can be asked, and nothing changes it
+    c.state().refresh();
+  }
+  return c.state().bindings().list_base;
+}
+
+void call_segment(Context& c, const ListSegment& segment, int depth) {
+  switch (segment.kind) {
+    case ListSegment::Kind::state: run_state(c, segment); break;
+    case ListSegment::Kind::draw: run_draw(c, segment, triangles_of_segment(c, segment)); break;
+    case ListSegment::Kind::call: call_list(c, segment.list, depth + 1); break;
+    case ListSegment::Kind::call_offset: call_list(c, list_base(c) + segment.list, depth + 1); break;
+  }
+}
+
+void follow_stacks(Context& c, GLsizei n, GLenum type, const void* lists) {
+  for (GLsizei i = 0; i < n && c.share().lists_push; ++i) {
+    follow_stack(c, list_base(c) + name_at(type, lists, i));
+  }
+}
+
+void forget_state(Context& c, const DisplayList* list) {
+  c.state().forget_bindings();
+  c.state().fixed_function().touch();
+  c.changes().touch_any_matrix();
+  c.state().forget_current_values();
+  if (list == nullptr || list->changes_uniforms) {
+    forget_uniforms(c);
+  }
+}
+
+}  // namespace track
+
+namespace hook {
+
+void CallList(Context& c, GLuint name) {
+  if (c.state().lists().compiling()) {
+    track::record_call(c, name);
+    return;
+  }
+  call_list(c, name, 0);
+  track::follow_stack(c, name);
+}
+
+void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
+  if (n < 1 || lists == nullptr || !track::is_name_type(type)) {
+    c.gl().CallLists(n, type, lists);
+    return;
+  }
+  if (c.state().lists().compiling()) {
+    track::record_calls(c, n, type, lists);
+    return;
+  }
+  ImmediateMode& immediate = c.state().immediate();
+  if (!c.refining() || immediate.open()) {
+    for (GLsizei i = 0; i < n && immediate.capturing(); ++i) {
+      immediate.count_called(vertices_of(c, track::list_base(c) + track::name_at(type, lists, i), 0));
+    }
+    c.gl().CallLists(n, type, lists);
+    track::forget_state(c, nullptr);
+    track::follow_stacks(c, n, type, lists);
+    return;
+  }
+  for (GLsizei i = 0; i < n; ++i) {
+    call_list(c, track::list_base(c) + track::name_at(type, lists, i), 0);
+  }
+  track::follow_stacks(c, n, type, lists);
+}
+
+void DeleteLists(Context& c, GLuint first, GLsizei range) {
+  c.gl().DeleteLists(first, range);
+  if (range <= 0) {
+    return;
+  }
+  std::vector<std::shared_ptr<DisplayList>> gone;
+  {
+    const std::lock_guard lock(c.share().mutex);
+    std::erase_if(c.share().lists, [&](const auto& entry) {
+      const bool inside = entry.first >= first && entry.first - first < static_cast<GLuint>(range);
+      if (inside) {
+        gone.push_back(entry.second);
+      }
+      return inside;
+    });
+  }
+  for (const std::shared_ptr<DisplayList>& list : gone) {
+    if (list != nullptr) {
+      track::delete_segments(c, *list);
+    }
+  }
+}
+
+void ListBase(Context& c, GLuint base) {
+  c.gl().ListBase(base);
+  if (track::executes(c) && !c.state().immediate().open()) {
+    c.state().bindings().list_base = base;
+  }
+}
+
+GLboolean IsList(Context& c, GLuint name) { return c.gl().IsList(name); }
+
+}  // namespace hook
+}  // namespace glark::core

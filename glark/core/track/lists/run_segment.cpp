@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Runs the segments of a display list when it is called. A draw need not be executed if its capture is kept.
+#include "glark/core/track/lists/lists.h"
+#include "glark/core/track/track.h"
+
+namespace glark::core::track {
+
+void apply_effects(Context& c, const SegmentEffects& effects) {
+  if (effects.opaque) {
+    c.state().forget_current_values();
+  }
+  for (const SegmentEffects::Value& last : effects.values) {
+    c.state().current_values().set(last.slot, last.value);
+  }
+}
+
+void forget_uniforms(Context& c) {
+  if (c.state().programs().current() != nullptr) {
+    const std::lock_guard lock(c.state().programs().current()->mutex);
+    c.state().programs().current()->uniforms_stale = c.share().any_derived.load(std::memory_order_relaxed);
+  }
+}
+
+void run_state(Context& c, const ListSegment& segment) {
+  if (segment.effects.draws_shapes) {
+    track::hand_back_feedback(c);
+  }
+  c.gl().CallList(segment.list);
+  if (segment.effects.touches_state) {
+    c.state().forget_bindings();
+    c.state().fixed_function().touch();
+    c.state().programs().forget_subroutines();
+    c.changes().touch_any_matrix();
+  }
+  if (segment.effects.changes_uniforms) {
+    forget_uniforms(c);
+  }
+  apply_effects(c, segment.effects);
+}
+
+void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
+  bool issued = false;
+  const bool watched = !segment.effects.opaque && segment.vertex_lists.empty();
+  refine(c, {.mode = segment.mode,
+             .triangles = triangles,
+             .exact = segment.exact,
+             .tags_vary = segment.sets_tags,
+             .whole_polygons = segment.whole_polygons,
+             .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
+             .segment = watched ? &segment : nullptr,
+             .issue = [&] {
+               c.gl().CallList(segment.list);
+               issued = true;
+             }});
+  if (!watched) {
+    c.state().forget_current_values();
+  }
+  if (!issued) {  // its capture was kept: set the current values that its calls leave behind
+    for (const SegmentEffects::Value& last : segment.effects.values) {
+      last.value.again(c.gl(), last.value.index, last.value.components.data());
+    }
+  }
+  apply_effects(c, segment.effects);
+}
+
+}  // namespace glark::core::track

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Hooks of queries. The results of those that count primitives must not include our captures.
+#include <algorithm>
+
+#include "glark/core/track/track.h"
+
+namespace glark::core {
+namespace {
+
+bool counts_primitives(GLenum target) {
+  switch (target) {
+    case GL_PRIMITIVES_GENERATED:
+    case GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN:
+    case GL_TRANSFORM_FEEDBACK_OVERFLOW:
+    case GL_TRANSFORM_FEEDBACK_STREAM_OVERFLOW:
+    case GL_VERTICES_SUBMITTED:
+    case GL_PRIMITIVES_SUBMITTED:
+    case GL_VERTEX_SHADER_INVOCATIONS:
+    case GL_GEOMETRY_SHADER_INVOCATIONS:
+    case GL_GEOMETRY_SHADER_PRIMITIVES_EMITTED:
+    case GL_CLIPPING_INPUT_PRIMITIVES:
+    case GL_CLIPPING_OUTPUT_PRIMITIVES:
+    case GL_COMPUTE_SHADER_INVOCATIONS: return true;
+    default: return false;
+  }
+}
+
+// Where the query that counts triangles of stream 0 is noted; null for other targets.
+GLuint* triangle_query(Context& c, GLenum target, GLuint index) {
+  if (index != 0) {
+    return nullptr;
+  }
+  return target == GL_PRIMITIVES_GENERATED                    ? &c.state().bindings().primitives_generated_query
+         : target == GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN ? &c.state().bindings().primitives_written_query
+                                                              : nullptr;
+}
+
+void query_begun(Context& c, GLenum target, GLuint index, GLuint id) {
+  if (!counts_primitives(target)) {
+    return;
+  }
+  ++c.state().bindings().primitive_queries;
+  if (GLuint* slot = triangle_query(c, target, index); slot != nullptr && *slot == 0) {
+    *slot = id;
+    c.state().query_surplus().forget(id);
+  }
+}
+
+void query_ended(Context& c, GLenum target, GLuint index) {
+  if (!counts_primitives(target)) {
+    return;
+  }
+  c.state().bindings().primitive_queries = std::max(0, c.state().bindings().primitive_queries - 1);
+  if (GLuint* slot = triangle_query(c, target, index); slot != nullptr) {
+    *slot = 0;
+  }
+}
+
+// Subtracts what our captures added from a result that GL has written to client memory.
+template <typename Value>
+void correct_result(Context& c, GLuint id, GLenum name, Value* result) {
+  const BoundBuffer* bound = c.state().arrays().bound_buffers().at(GL_QUERY_BUFFER);
+  if (c.capabilities().query_buffer && (!bound->known || bound->name != 0)) {
+    c.writes().to_target(GL_QUERY_BUFFER);
+  }
+  const std::uint64_t* surplus = c.state().query_surplus().find(id);
+  if (surplus == nullptr || result == nullptr || c.state().bindings().query_buffer != 0 ||
+      (name != GL_QUERY_RESULT && name != GL_QUERY_RESULT_NO_WAIT)) {
+    return;
+  }
+  *result -= std::min(*result, static_cast<Value>(*surplus));
+}
+
+}  // namespace
+
+namespace hook {
+
+void BeginQuery(Context& c, GLenum target, GLuint id) {
+  c.gl().BeginQuery(target, id);
+  query_begun(c, target, 0, id);
+}
+
+void EndQuery(Context& c, GLenum target) {
+  c.gl().EndQuery(target);
+  query_ended(c, target, 0);
+}
+
+void BeginQueryIndexed(Context& c, GLenum target, GLuint index, GLuint id) {
+  c.gl().BeginQueryIndexed(target, index, id);
+  query_begun(c, target, index, id);
+}
+
+void EndQueryIndexed(Context& c, GLenum target, GLuint index) {
+  c.gl().EndQueryIndexed(target, index);
+  query_ended(c, target, index);
+}
+
+void GetQueryObjectiv(Context& c, GLuint id, GLenum name, GLint* result) {
+  c.gl().GetQueryObjectiv(id, name, result);
+  correct_result(c, id, name, result);
+}
+
+void GetQueryObjectuiv(Context& c, GLuint id, GLenum name, GLuint* result) {
+  c.gl().GetQueryObjectuiv(id, name, result);
+  correct_result(c, id, name, result);
+}
+
+void GetQueryObjecti64v(Context& c, GLuint id, GLenum name, GLint64* result) {
+  c.gl().GetQueryObjecti64v(id, name, result);
+  correct_result(c, id, name, result);
+}
+
+void GetQueryObjectui64v(Context& c, GLuint id, GLenum name, GLuint64* result) {
+  c.gl().GetQueryObjectui64v(id, name, result);
+  correct_result(c, id, name, result);
+}
+
+}  // namespace hook
+}  // namespace glark::core
