@@ -66,8 +66,8 @@ void add_rows(const Settings& settings, const char* name, bool is_with_peer, Tab
   std::vector<Work> works;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     works.push_back({std::string(name) + kinds[i].name, [&, i] {
-                       meshes[i] = vstree::reconstruct({.positions = scan.positions, .normals = scan.normals},
-                                                       kinds[i].options);
+                       meshes[i] = glark::reconstruct::reconstruct(
+                           {.positions = scan.positions, .normals = scan.normals}, kinds[i].options);
                      }});
   }
   take_turns(works, settings.rounds);

@@ -55,8 +55,7 @@ Error::Error(Element element, std::size_t index, const std::string& what)
 
 struct Surface::State {
   Workers workers;
-  std::unique_ptr<LimitStep>
-      subdivision;  // from the coarse mesh to the mesh of the patches; null if that is the same
+  std::unique_ptr<LimitStep> subdivision;  // from the coarse mesh to the mesh of the patches; null if that is the same
   std::unique_ptr<LimitStep> step;
   std::unique_ptr<ButterflyStep> butterfly_subdivision, butterfly;  // instead of these
   std::vector<std::array<std::uint32_t, 2>> corner_vertices;
