@@ -15,6 +15,9 @@
 
 namespace glark::reconstruct::test {
 
+using namespace vstree;
+using namespace vstree::test;
+
 struct Topology {
   std::size_t boundary = 0;  // edges of one triangle
   std::size_t wrong = 0;     // edges of more than two, or of two that run the same way

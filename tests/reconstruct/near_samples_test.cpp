@@ -13,6 +13,9 @@
 #include "tests/vstree/shapes.h"
 
 namespace glark::reconstruct::test {
+
+using namespace vstree;
+using namespace vstree::test;
 namespace {
 
 class Near : public testing::Test {
