@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Surfel strips: how fast they are made and made anew, how well their patches match, and frames that are culled against all strips.
+// Surfel strips: the time to build and to update them, how well neighbouring leaves match, and culled frames compared
+// with all strips.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
