@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/surfel/triangulate/flip_criterion.h"
+#include "glark/clients/surfel/level/flip_criterion.h"
 
 #include <algorithm>
 #include <limits>
