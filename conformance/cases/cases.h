@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The cases, by areas. Every file gives its own; all_cases() joins them.
+// The cases by area. Every file defines some; written_cases() joins them.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace glark::conformance {
 
 using Cases = std::vector<Case>;
 
-// Makes cases whose names begin alike, and which have one control.
+// Makes cases whose names begin alike and that share a control.
 struct Area {
   const char* prefix;  // "ark.area."
   void (*control)(Test&) = nullptr;

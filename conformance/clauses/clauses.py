@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Ids of the sentences of the extension's text, and whether every one has a case.
+"""Gives ids to the sentences of the extension's text, and checks that every sentence has a case.
 
-clauses.txt holds every sentence once, in order, as "ID sentence"; below it, indented, may stand "no case: REASON". An id is the
-section and a number that is never given to another sentence. A section's own line may give a reason for all of it.
+clauses.txt holds every sentence once, in order, as "ID sentence". An indented line "no case: REASON" may follow. An id is the
+section and a number, which no other sentence ever gets. A reason below a section's heading applies to the whole section.
 
-  clauses.py --update          rewrites clauses.txt after the text changed: ids of sentences that are the same stay
-  clauses.py --embed OUT       a C++ initializer of {"ID", "sentence"} pairs, for the suite to quote from
-  clauses.py --check CASES     CASES is what `glark-conformance --list --json` prints; - reads standard input
+  clauses.py --update          rewrites clauses.txt after the text changed; unchanged sentences keep their ids
+  clauses.py --embed OUT       writes a C++ initializer of {"ID", "sentence"} pairs, which the suite quotes
+  clauses.py --check CASES     checks the output of `glark-conformance --list --json`; - reads standard input
 """
 import argparse
 import json
@@ -27,7 +27,7 @@ REASON = "    no case: "
 HEAD = """# SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 #
-# Every sentence of docs/spec/GL_ARK_adaptive_refinement.txt by its id; written by clauses.py --update, except for the reasons.
+# Every sentence of docs/spec/GL_ARK_adaptive_refinement.txt with its id. clauses.py --update writes all but the reasons.
 """
 
 
@@ -63,7 +63,7 @@ def number_of(clause: Clause) -> int:
 
 
 def updated(text: str, old: list, reasons: dict) -> str:
-    """clauses.txt for this text. A sentence that is not in `old` gets the next number of its section."""
+    """Returns clauses.txt for this text. A sentence that is not in `old` gets the next number of its section."""
     known = {}
     last = {}
     for clause in old:

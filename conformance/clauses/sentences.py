@@ -1,13 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""The text of the extension, taken apart into sections and sentences.
+"""Splits the text of the extension into sections and sentences.
 
-A table gives one sentence for each of its rows, a list one for each of its items; a paragraph that ends in a formula goes on
-until a full stop.
+Each row of a table and each item of a list is a sentence. A paragraph that ends in a formula continues until a full stop.
 """
 import re
 
-# Headings of the registry's form that open a section, and the name that its sentences' ids begin with.
+# Headings that open a section, and the names with which its sentences' ids begin.
 HEADINGS = {
     "Name Strings": "name",
     "Dependencies": "dependencies",
@@ -33,14 +32,14 @@ ABBREVIATIONS = ("e.g.", "i.e.", "al.", " T.")
 
 
 def sections(text: str):
-    """(id, heading, lines) of every section whose sentences count, in order."""
+    """Yields (id, heading, lines) of every section whose sentences count, in order."""
     current = None
     in_heading = False
     for line in text.splitlines():
         stripped = line.strip()
         numbered = NUMBERED.match(line)
         if line and not line[0].isspace():
-            if in_heading:  # the second line of one
+            if in_heading:  # its second line
                 continue
             if current:
                 yield current
@@ -64,7 +63,7 @@ def sections(text: str):
 
 
 def blocks(lines: list):
-    """Paragraphs, as lists of lines."""
+    """Yields paragraphs as lists of lines."""
     block = []
     for line in lines + [""]:
         if line.strip():
@@ -75,7 +74,7 @@ def blocks(lines: list):
 
 
 def rows(block: list):
-    """A table's rows; a line that begins further to the right than the first goes on with the row before."""
+    """A table's rows. A line that begins further to the right than the first continues the row before."""
     body = block[next(i for i, line in enumerate(block) if RULE.match(line)) + 1:]
     margin = min(len(line) - len(line.lstrip()) for line in body)
     found = []
@@ -98,7 +97,7 @@ def split(text: str) -> list:
 
 
 def sentences(section: str, lines: list) -> list:
-    """Of one section, in order."""
+    """The sentences of one section, in order."""
     found = []
     open_text = ""
     for block in blocks(lines):

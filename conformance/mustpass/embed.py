@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""embed.py LIST OUT: the names of a must-pass list as a C++ initializer."""
+"""embed.py LIST OUT: writes the names of a must-pass list as a C++ initializer."""
 import sys
 from pathlib import Path
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""update.py GLARK-CONFORMANCE: writes the must-pass list, every written case but those of excluded.txt.
+"""update.py GLARK-CONFORMANCE: writes the must-pass list, which is every written case except those of excluded.txt.
 
-excluded.txt has one name a line, "#" and the reason. A change of the list is a new version of it: must_pass_version in
+A line of excluded.txt is a name, "#" and a reason. A changed list is a new version: raise must_pass_version in
 submission/submission.h.
 """
 import json
@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 HEAD = """# SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 #
-# What an implementation has to pass, version 1; written by update.py.
+# The cases that an implementation has to pass, version 1; update.py writes this file.
 """
 
 

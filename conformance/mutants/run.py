@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Implementations broken on purpose: builds each mutant of the *.toml files here and judges it with glark-conformance.
+"""Builds implementations that are broken on purpose, the mutants of the *.toml files here, and judges each of them.
 
     conformance/mutants/run.py [--build build/release] [--filter GLOB] [--table docs/reference/conformance.md]
 
-The sources are copied to BUILD/mutants/source, one mutant at a time is made there, and only the library is built. First comes
-the true implementation: a case that it fails catches nothing. A mutant is caught where a case fails; those that cite its
-sentence are tried first, and all others only where these pass. Exit status: 0 where the true implementation passes and every
-mutant is caught, 1 otherwise, 2 where a mutant cannot be made.
+The run copies the sources to BUILD/mutants/source, makes one mutant at a time there, and builds only the library. It begins
+with the true implementation: a case that fails there counts for no mutant. A mutant is caught if a case fails. Cases that cite
+its sentence run first, and all others only if these pass. Exit status: 0 if the true implementation passes and every mutant
+is caught, 1 otherwise, 2 if a mutant cannot be made.
 """
 import argparse
 import contextlib
@@ -50,10 +50,10 @@ class Mutant:
 @dataclasses.dataclass
 class Outcome:
     mutant: Mutant
-    failed: list  # names of cases, the first that failed first
-    by_clause: bool  # whether they cite its sentence
+    failed: list  # names of cases, in the order in which they failed
+    by_clause: bool  # whether these cases cite the mutant's sentence
     seconds: float
-    problem: str = ""  # it could not be built
+    problem: str = ""  # why it could not be built
 
     def caught_by(self) -> str:
         if self.problem:
@@ -114,7 +114,7 @@ def check(mutants: list) -> None:
 
 
 def copy_sources(source: pathlib.Path) -> None:
-    """Only what differs, so that ninja builds no more than a mutant touches."""
+    """Copies only files that differ, so that ninja builds only what a mutant changes."""
     listed = subprocess.run(["git", "ls-files", "-z", *COPIED], cwd=ROOT, check=True, capture_output=True, text=True).stdout
     names = {name for name in listed.split("\0") if name and (ROOT / name).is_file()}
     for old in [path for path in source.rglob("*") if path.is_file() and str(path.relative_to(source)) not in names]:
@@ -150,7 +150,7 @@ class Laboratory:
         self.folder = build / "mutants"
         self.source = self.folder / "source"
         self.library = self.folder / "build/lib/libGLARK.so"
-        self.known = {}  # of each API, the cases that the true implementation fails
+        self.known = {}  # {API: cases that the true implementation fails}
         cases = json.loads(self.call("--list", "--json").stdout)["cases"]
         self.cases = {case["name"]: case["clauses"] for case in cases if case["written"]}
 
@@ -170,14 +170,14 @@ class Laboratory:
             raise Complaint(f"the copy cannot be configured:\n{done.stdout}{done.stderr}")
 
     def make_library(self) -> str:
-        """What went wrong, or nothing."""
+        """Returns what went wrong, or an empty text."""
         command = ["cmake", "--build", self.folder / "build", "--target", "GLARK", "--parallel", str(self.jobs)]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         errors = [line for line in done.stdout.splitlines() if "error" in line]
         return "" if done.returncode == 0 else "DOES NOT BUILD: " + (errors[0] if errors else done.stdout[-300:])
 
     def judge(self, api: str, names: list, batch: int, *options) -> list:
-        """The names of those that failed and should not, in the order of the run."""
+        """Returns the names of cases that failed, without those that the true implementation fails, in the order of the run."""
         names = [name for name in names if name not in self.known.get(api, ())]
         if not names:
             return []
@@ -235,7 +235,7 @@ def table_of(rows: list) -> str:
 
 
 def write_table(path: pathlib.Path, outcomes: list, names: list) -> None:
-    """In the order of the names of all mutants. Of those that were not tried now the rows stay."""
+    """Writes rows in the order of all mutants. Mutants that were not tried keep their rows."""
     text = path.read_text()
     begin, end = (text.find(marker) for marker in MARKERS)
     if begin < 0 or end < begin:
@@ -271,9 +271,9 @@ def run(arguments: argparse.Namespace, mutants: list) -> int:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--build", default=str(ROOT / "build/release"), help="directory with a built glark-conformance")
-    parser.add_argument("--filter", action="append", metavar="GLOB", help="only mutants of such names; may be repeated")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="processes at a time")
-    parser.add_argument("--quick", action="store_true", help="leave out the cases that do not cite the mutant's sentence")
+    parser.add_argument("--filter", action="append", metavar="GLOB", help="only mutants whose names match; may be repeated")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="number of parallel processes")
+    parser.add_argument("--quick", action="store_true", help="run only the cases that cite the mutant's sentence")
     parser.add_argument("--list", action="store_true", help="print the mutants")
     parser.add_argument("--check", action="store_true", help="only check that every mutant can be made")
     parser.add_argument("--table", metavar="FILE", help="write the rows of the mutants tried into the table between the markers of this document")

@@ -46,7 +46,7 @@ struct Egl {
   }
 
  private:
-  // Without a window system where that can be had, so that no display is needed.
+  // Prefers a display without a window system, which needs no X server.
   void open_display() {
     const char* extensions = query(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (extensions != nullptr && std::strstr(extensions, "EGL_MESA_platform_surfaceless") != nullptr) {

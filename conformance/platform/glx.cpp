@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include <GL/glx.h>
-// After GL/glx.h, for it names types of that.
+// This follows GL/glx.h because it names types of that header.
 #include <GL/glxext.h>
 
 #include <stdexcept>
@@ -55,7 +55,7 @@ struct Glx {
   }
 };
 
-// A window that is never mapped: Mesa 22 puts the pixels of pbuffers to the server in a depth that they do not have.
+// A window that is never mapped. Mesa 22 sends the pixels of pbuffers to the server in a depth that they do not have.
 class HiddenWindow {
  public:
   HiddenWindow(const Glx& glx, GLXFBConfig config) : glx_(glx) {
@@ -109,9 +109,7 @@ class GlxContext : public Context {
   std::unique_ptr<HiddenWindow> window_;
 };
 
-int ignore_error(Display*, XErrorEvent*) {
-  return 0;
-}  // a context that cannot be made is an X error, whose default is to exit
+int ignore_error(Display*, XErrorEvent*) { return 0; }  // If a context cannot be made, the X library exits by default.
 
 class GlxPlatform : public Platform {
  public:

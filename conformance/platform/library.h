@@ -9,7 +9,7 @@
 
 namespace glark::conformance {
 
-// A shared library and its functions by name. It stays loaded: drivers do not survive being unloaded.
+// A shared library and its functions by name. It stays loaded, because drivers do not survive being unloaded.
 class Library {
  public:
   explicit Library(const char* name) : name_(name), handle_(dlopen(name, RTLD_NOW | RTLD_GLOBAL)) {

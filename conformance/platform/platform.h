@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Where contexts come from. The libraries of the window systems are loaded when they are asked for, so that the suite runs on
-// machines that have only one of them.
+// Sources of contexts. The suite loads a window system's libraries only when they are asked for, so it runs on machines
+// that have only one of them.
 #pragma once
 
 #include <memory>
@@ -19,20 +19,20 @@ inline constexpr std::string_view name_of(Api api) {
   return api == Api::gl_compat ? "gl-compat" : api == Api::gl_core ? "gl-core" : "gles";
 }
 
-// Width and height of the surface that a context draws to, in pixels. It has RGBA8, 24 bits of depth and 8 of stencil.
+// Width and height of a context's surface, in pixels. The surface has RGBA8, 24 bits of depth and 8 of stencil.
 inline constexpr int surface_size = 128;
 
-// Current in the thread that made it, from the beginning.
+// A new context is current in the thread that made it.
 class Context {
  public:
   Context() = default;
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
-  virtual ~Context() = default;  // in the thread in which it is current, or where it is current in none
+  virtual ~Context() = default;  // call it in the thread in which the context is current, or if it is current in none
 
   virtual bool make_current() = 0;
   virtual void release_current() = 0;
-  // What ends a frame where the platform has an end of frames: it swaps buffers. Finish otherwise.
+  // Ends a frame where the platform has frames: swaps buffers. Otherwise finishes.
   virtual void end_frame() = 0;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/reference/pattern.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -12,7 +13,7 @@ namespace {
 
 using Edge = std::pair<Weights, Weights>;
 
-// Of the corner that edge `edge` does not touch: 0 on the edge.
+// The weight of the corner that edge `edge` does not touch: 0 on the edge.
 std::int64_t opposite(const Weights& at, int edge) { return edge == 0 ? at.v : edge == 1 ? at.w : at.u; }
 
 // How far along edge `edge`, from its first end.
@@ -20,12 +21,11 @@ std::int64_t along(const Weights& at, int edge) { return edge == 0 ? at.u : edge
 
 std::string text_of(const Weights& at) {
   const double scale = 1.0 / static_cast<double>(unit);
-  return "(" + std::to_string(static_cast<double>(at.w) * scale) + ", " +
-         std::to_string(static_cast<double>(at.u) * scale) + ", " + std::to_string(static_cast<double>(at.v) * scale) +
-         ")";
+  return fmt::format("({:f}, {:f}, {:f})", static_cast<double>(at.w) * scale, static_cast<double>(at.u) * scale,
+                     static_cast<double>(at.v) * scale);
 }
 
-// Twice the area, in units of the coarse triangle's.
+// Twice the area, in units of the coarse triangle's area.
 std::int64_t area_of(const Weights& a, const Weights& b, const Weights& c) {
   return (b.u - a.u) * (c.v - a.v) - (c.u - a.u) * (b.v - a.v);
 }
@@ -38,18 +38,18 @@ std::string fault_of_areas(const std::vector<Weights>& triangles) {
     if (area < 0) return "a triangle at " + text_of(triangles[i]) + " has the other orientation";
     whole += area;
   }
-  // No sum overflows where no triangles overlap; where they do, it does not come out as this by chance.
-  if (whole != unit * unit) return "the areas have another sum than the coarse triangle's";
+  // The sum cannot overflow unless triangles overlap, and then it does not equal this value by chance.
+  if (whole != unit * unit) return "the areas do not add up to the coarse triangle's";
   return {};
 }
 
-// An edge that has a triangle on one side only has to be one of the segments of a coarse edge.
+// An edge with a triangle on only one side has to be a segment of a coarse edge.
 std::string fault_of_outline(const Edge& edge, const Depths& depths) {
   for (int i = 0; i < 3; ++i) {
     if (opposite(edge.first, i) != 0 || opposite(edge.second, i) != 0) continue;
     const std::int64_t segment = unit >> depths[static_cast<std::size_t>(i)];
     if (along(edge.second, i) - along(edge.first, i) == segment && along(edge.first, i) % segment == 0) return {};
-    return "edge " + std::to_string(i) + " has a segment from " + text_of(edge.first) + " to " + text_of(edge.second);
+    return fmt::format("edge {} has a segment from {} to {}", i, text_of(edge.first), text_of(edge.second));
   }
   return "nothing lies beyond the inner edge from " + text_of(edge.first) + " to " + text_of(edge.second);
 }
@@ -69,13 +69,14 @@ std::string fault_of_edges(const std::vector<Weights>& triangles, const Depths& 
   }
   std::int64_t expected = 0;
   for (const int depth : depths) expected += std::int64_t{1} << depth;
-  if (outline != expected) return "the three edges have " + std::to_string(outline) + " segments together";
+  if (outline != expected) return fmt::format("the three edges have {} segments together", outline);
   return {};
 }
 
 bool is_equal(const Depths& depths) { return depths[0] == depths[1] && depths[1] == depths[2]; }
 
-// Congruent in every coarse triangle: each edge is as long as a segment and parallel to a coarse edge.
+// Checks that the triangles are congruent in every coarse triangle: each edge has a segment's length and is parallel to
+// a coarse edge.
 std::string fault_of_congruence(const std::vector<Weights>& triangles, int depth) {
   if (triangles.size() != std::size_t{3} << (2 * depth)) return "there are not 4^d triangles";
   const std::int64_t segment = unit >> depth;
@@ -171,7 +172,7 @@ std::string fault_of_minimum(const std::vector<Weights>& triangles, const Depths
   if (std::string fault = fault_of_pattern(triangles, depths); !fault.empty()) return fault;
   const auto count = static_cast<std::int64_t>(triangles.size() / 3);
   if (count != minimum_triangles(depths))
-    return std::to_string(count) + " triangles instead of " + std::to_string(minimum_triangles(depths));
+    return fmt::format("{} triangles instead of {}", count, minimum_triangles(depths));
   if (vertices_of(triangles) != minimum_vertices(depths))
     return "the vertices inside are not those of the least of the three depths";
   return {};
@@ -190,7 +191,8 @@ Depths depths_found(const std::vector<Weights>& triangles) {
 }
 
 float refined(float a0, float a1, float a2, const Weights& weights) {
-  // A product of two floats, and the sum of two, are rounded once by way of double; and nothing can contract across the casts.
+  // A double holds the product or the sum of two floats so well that the cast rounds it only once. The casts prevent
+  // contraction.
   const auto times = [](std::int64_t weight, float a) {
     return static_cast<float>(static_cast<double>(weight) / static_cast<double>(unit) * static_cast<double>(a));
   };

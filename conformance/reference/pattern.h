@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Depth tags, edge depths and patterns (10.R.1, 11.R.4, 11.R.5, 11.R.6), as the text has them and in exact arithmetic.
+// Depth tags, edge depths and patterns (10.R.1, 11.R.4, 11.R.5, 11.R.6) as in the text, in exact arithmetic.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace glark::conformance::reference {
 
 using Depths = std::array<int, 3>;  // of edges 0, 1 and 2
 
-// Barycentric coordinates in units of 2^-30: exact for whatever single precision holds of a pattern.
+// Barycentric coordinates in units of 2^-30: exact for all that single precision holds of a pattern.
 struct Weights {
   std::int64_t w = 0;
   std::int64_t u = 0;
@@ -26,31 +26,32 @@ inline constexpr std::int64_t unit = std::int64_t{1} << 30;
 
 // The depth tag of a vertex whose attribute has this first component.
 int depth_tag(float value, int pool_level);
-// Of the edge between vertices with these depth tags.
+// The depth of the edge between vertices with these depth tags.
 int edge_depth(int a, int b);
 Depths edge_depths(const std::array<int, 3>& tags);
 
-// Corners 0, 1 and 2 with the weight of each.
+// Corners 0, 1 and 2, as weights.
 std::array<Weights, 3> corners();
 // From corner `edge` to the next, both corners included.
 std::vector<Weights> edge_vertices(int edge, int depth);
-// Of a pattern with three equal depths, without those on its edges.
+// The inner vertices of a pattern with three equal depths.
 std::vector<Weights> inside_vertices(int depth);
 // All vertices of the pattern with MINIMUM_INTERIOR_ARK, sorted.
 std::vector<Weights> minimum_vertices(const Depths& depths);
 std::int64_t minimum_triangles(const Depths& depths);
 
-// Nothing where they do not lie between 0 and 1, have another sum than 1, or are finer than the unit.
+// Returns nothing if a weight is not between 0 and 1 or is finer than the unit, or if the sum is not 1.
 std::optional<Weights> exact_weights(float w, float u, float v);
 
-// What 11.R.5 says of every pattern: empty where it holds, or what does not. Three corners for every refined triangle.
+// Checks what 11.R.5 says of every pattern. Returns an empty text, or what is wrong. `triangles` has three corners for
+// each refined triangle.
 std::string fault_of_pattern(const std::vector<Weights>& triangles, const Depths& depths);
-// What it says with MINIMUM_INTERIOR_ARK in addition.
+// Also checks what 11.R.5 says of MINIMUM_INTERIOR_ARK.
 std::string fault_of_minimum(const std::vector<Weights>& triangles, const Depths& depths);
-// Of the edges that these triangles have along edge 0, 1 and 2; -1 where there is no power of two of them.
+// The depths of edges 0, 1 and 2, from the segments along them; -1 if their number is no power of two.
 Depths depths_found(const std::vector<Weights>& triangles);
 
-// (11.R.1), each operation rounded by itself.
+// (11.R.1), with every operation rounded separately.
 float refined(float a0, float a1, float a2, const Weights& weights);
 
 }  // namespace glark::conformance::reference

@@ -24,7 +24,7 @@ double doubled_area(const Vertex& a, const Vertex& b, double x, double y) {
   return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
 }
 
-// Of a counter-clockwise triangle: whether a centre that lies on the edge belongs to it.
+// Whether a pixel centre on this edge of a counter-clockwise triangle belongs to the triangle.
 template <typename Vertex>
 bool owns_its_points(const Vertex& a, const Vertex& b) {
   return a.y > b.y || (a.y == b.y && a.x < b.x);

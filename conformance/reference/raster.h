@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Triangles as section 14.6 of the OpenGL specification rasterizes them: colours that are perspectively correct, the
-// rule that a pixel centre on an edge belongs to the triangle above or to the right of it, and a depth buffer.
+// Triangles as section 14.6 of the OpenGL specification rasterizes them: perspectively correct colours, a depth buffer,
+// and the rule that a pixel centre on an edge belongs to the triangle above or to the right of it.
 #pragma once
 
 #include <array>
@@ -19,21 +19,21 @@ struct RasterVertex {
 
 class Raster {
  public:
-  // Black, and as far as depth reaches. A pixel whose centre lies nearer than `uncertainty` pixels to an edge is uncertain: a GL
-  // snaps window coordinates to a grid of 2^-SUBPIXEL_BITS pixels, and it may fall to either side.
+  // Begins black, with the greatest depth. A pixel whose centre is closer than `uncertainty` pixels to an edge is
+  // uncertain: a GL snaps window coordinates to a grid of 2^-SUBPIXEL_BITS pixels, so the pixel may be on either side.
   Raster(int width, int height, double uncertainty);
 
   void set_depth_test(bool is_on) { has_depth_test_ = is_on; }
   // Additive: each triangle adds its colour.
   void set_additive(bool is_on) { is_additive_ = is_on; }
 
-  // Throws std::invalid_argument where w is not positive.
+  // Throws std::invalid_argument if w is not positive.
   void triangle(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c);
 
   Picture picture() const;
   bool is_uncertain(int x, int y) const { return uncertain_[index(x, y)]; }
   int uncertain_count() const;
-  // Pixels that are not uncertain and differ from `actual` by more than `tolerance` in a channel.
+  // Counts the pixels that are certain and differ from `actual` by more than `tolerance` in a channel.
   int count_different(const Picture& actual, int tolerance) const;
 
  private:

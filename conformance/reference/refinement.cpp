@@ -42,7 +42,7 @@ double side_of_edge(const Corner& i, const Corner& j) {
   return dot(d, vector_of(i.discontinuity)) * dot(d, unit_normal(i) + m);
 }
 
-// The direction of N_i + s_i D_i where `side` is negative, of N_i - s_i D_i where it is positive.
+// The direction of N_i + s_i D_i if `side` is negative, of N_i - s_i D_i if it is positive.
 Vector normal_on_side(const Corner& i, double side) {
   const Vector jump = tags_of(i).sharpness * vector_of(i.discontinuity);
   if (side < 0) return direction(unit_normal(i) + jump);
@@ -50,14 +50,14 @@ Vector normal_on_side(const Corner& i, double side) {
   return unit_normal(i);
 }
 
-// (P_j - P_i) . n, of an edge that is not straight for other reasons.
+// (P_j - P_i) . n, for an edge that other rules do not make straight.
 double height(const Corner& i, const Corner& j, const Vector& n) {
   return i.position[3] == j.position[3] ? dot(vector_of(j.position) - vector_of(i.position), n) : 0;
 }
 
 bool same_place(const Corner& i, const Corner& j) { return length(vector_of(j.position) - vector_of(i.position)) == 0; }
 
-// Weights with which a triangle with corners in one place covers nothing.
+// Weights that make a triangle with coinciding corners cover nothing.
 Vec3 collapsed(const Corners& corners, const Vec3& weights) {
   if (same_place(corners[0], corners[1]) && same_place(corners[1], corners[2])) return {1, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -80,7 +80,7 @@ Vector plane_normal(const Corners& c) {
   return dot(f, sum) < 0 ? -1.0 * f : f;
 }
 
-// Negative where the triangle is on the side of N+ at corner i.
+// Negative if the triangle is on the side of N+ at corner i.
 double side_of_triangle(const Corners& corners, std::size_t i) {
   double sum = 0;
   bool is_all_sharp = true;
@@ -112,7 +112,7 @@ Vector edge_normal(const Corner& i, const Corner& j, const Vector& ni, const Vec
 }  // namespace
 
 float refined(const Vec3& weights, float a0, float a1, float a2) {
-  // volatile: no compiler contracts across it.
+  // volatile prevents contraction.
   volatile const float first = weights[0] * a0;
   volatile const float second = weights[1] * a1;
   volatile const float third = weights[2] * a2;

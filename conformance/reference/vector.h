@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Vectors in double precision: what the reference computes is exact in comparison with what is judged.
+// Vectors in double precision: compared with the judged values, the reference is exact.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 inline Vector cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-// Of unit length, unless it is zero.
+// Has unit length, unless it is zero.
 inline Vector direction(const Vector& a) { return length(a) > 0 ? a / length(a) : a; }
 
 template <std::size_t n>

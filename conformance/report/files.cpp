@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -23,7 +24,7 @@ std::string summary_of(const std::vector<Record>& records) {
   std::string text;
   for (const auto& [verdict, count] : count_verdicts(records)) {
     if (!text.empty()) text += ", ";
-    text += std::to_string(count) + ' ' + std::string(name_of(verdict));
+    text += fmt::format("{} {}", count, name_of(verdict));
   }
   return text.empty() ? "no case" : text;
 }
@@ -34,7 +35,7 @@ void prepare_report(const std::string& directory) {
   if (error) throw std::runtime_error("cannot make " + directory + "/images: " + error.message());
   if (access(directory.c_str(), W_OK) != 0 || access((directory + "/images").c_str(), W_OK) != 0)
     throw std::runtime_error("cannot write to " + directory + ": " + std::strerror(errno));
-  // Pictures of an earlier run would pass for those of this one.
+  // Pictures of an earlier run could be taken for pictures of this one.
   for (const auto& entry : std::filesystem::directory_iterator(directory + "/images"))
     if (entry.path().extension() == ".png") std::filesystem::remove(entry.path());
 }

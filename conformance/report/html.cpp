@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include <fmt/core.h>
 #include <cstdio>
 
 #include "conformance/report/report.h"
@@ -86,7 +87,7 @@ std::string row_of(const Record& record) {
          seconds + "</td></tr>\n";
 }
 
-// ark.tags.array.stride_zero: ark.tags
+// The area of ark.tags.array.stride_zero is ark.tags.
 std::string area_of(const std::string& name) { return name.substr(0, name.find('.', name.find('.') + 1)); }
 
 std::string areas_of(const std::vector<Record>& records) {
@@ -112,8 +113,7 @@ std::string as_html(const Report& report) {
   std::string text = head;
   text += "<p class=\"counts\">";
   for (const auto& [verdict, count] : count_verdicts(report.records))
-    text += std::string("<b class=\"") + class_of(verdict) + "\">" + std::to_string(count) + ' ' +
-            std::string(name_of(verdict)) + "</b>";
+    text += fmt::format("<b class=\"{}\">{} {}</b>", class_of(verdict), count, name_of(verdict));
   text += "</p>\n<table>\n";
   for (const auto& [key, value] : report.environment)
     text += "<tr><th>" + escaped(key) + "</th><td>" + escaped(value) + "</td></tr>\n";

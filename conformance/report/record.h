@@ -10,10 +10,10 @@
 
 namespace glark::conformance {
 
-// What is known of a case after a run.
+// The result of a case after a run.
 struct Record {
   std::string name;
-  Verdict verdict = Verdict::missing;  // until its process reports an end
+  Verdict verdict = Verdict::missing;  // until the case's process reports an end
   Verdict seen = Verdict::missing;     // before the baseline looked at it
   double seconds = 0;
   std::vector<std::string> messages;
@@ -22,7 +22,7 @@ struct Record {
   bool is_over = false;
 };
 
-// Of the machine and the implementation, as the contexts say.
+// The machine and the implementation, as their contexts describe them.
 using Environment = std::map<std::string, std::string>;
 
 }  // namespace glark::conformance

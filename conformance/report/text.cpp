@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // log.txt, results.json and junit.xml.
+#include <fmt/core.h>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -36,7 +37,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-// JUnit knows four outcomes.
+// JUnit has only four outcomes.
 std::string junit_body(const Record& record) {
   const std::string verdict(name_of(record.verdict));
   const std::string detail = escaped(joined(record.messages));
@@ -87,7 +88,7 @@ Report parse_report(const std::string& text, const std::string& name) {
       record.name = each.at("name").get<std::string>();
       const auto verdict = verdict_of(each.at("verdict").get<std::string>());
       const auto seen = verdict_of(each.at("seen").get<std::string>());
-      if (!verdict || !seen) throw std::runtime_error(name + ": " + record.name + " has no verdict that is known");
+      if (!verdict || !seen) throw std::runtime_error(name + ": " + record.name + " has an unknown verdict");
       record.verdict = *verdict;
       record.seen = *seen;
       record.images = each.at("images").get<std::vector<std::string>>();
@@ -112,8 +113,8 @@ std::string as_junit(const Report& report) {
   }
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"glark-conformance\"";
-  text += " tests=\"" + std::to_string(report.records.size()) + "\" failures=\"" + std::to_string(failures);
-  text += "\" errors=\"" + std::to_string(errors) + "\" skipped=\"" + std::to_string(skipped);
+  text += fmt::format(" tests=\"{}\" failures=\"{}", report.records.size(), failures);
+  text += fmt::format("\" errors=\"{}\" skipped=\"{}", errors, skipped);
   text += "\" time=\"" + seconds_text(report.seconds) + "\">\n";
   for (const Record& record : report.records) {
     const std::size_t dot = record.name.rfind('.');

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Of the program; documented in README.md.
+// The exit status of the program; docs/reference/conformance.md documents it.
 namespace glark::conformance::exit_status {
 
 inline constexpr int passed = 0;

@@ -78,7 +78,7 @@ Process::Process(const std::vector<std::string>& arguments, const std::string& p
   posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output[1], STDERR_FILENO);
   posix_spawn_file_actions_adddup2(&actions, report[1], report_in_child);
-  // A process group of its own, so that what it starts ends with it.
+  // A process group of its own, so that its child processes end with it.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);

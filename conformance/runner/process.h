@@ -12,10 +12,11 @@ namespace glark::conformance {
 
 using Clock = std::chrono::steady_clock;
 
-// This program once more, with other arguments. It writes its report to descriptor 3 and has no standard input.
+// Another process of this program, with other arguments. It writes its report to descriptor 3 and has no standard
+// input.
 class Process {
  public:
-  // `preload` is put before LD_PRELOAD unless it is empty. Throws std::runtime_error.
+  // `preload`, if not empty, is put before LD_PRELOAD. Throws std::runtime_error.
   Process(const std::vector<std::string>& arguments, const std::string& preload);
   ~Process();
   Process(const Process&) = delete;
@@ -23,11 +24,11 @@ class Process {
 
   int report_descriptor() const { return report_; }
   int output_descriptor() const { return output_; }
-  // What has come since the last time. False at the end of the report.
+  // Reads new output. Returns false at the end of the report.
   bool read_report(std::string& text);
   bool read_output(std::string& text);
   void kill();
-  // Waits for its end; as waitpid has it.
+  // Waits for the end of the process; returns the status of waitpid.
   int wait();
   Clock::time_point started() const { return started_; }
 

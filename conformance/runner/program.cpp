@@ -34,50 +34,50 @@ struct Options {
   bool fails_fast = false;
 };
 
-// An error whose exit status is known.
+// An error with its exit status.
 struct Complaint {
   int status;
   std::string text;
 };
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("--platform", options.run.platform, "where contexts come from")
+  app.add_option("--platform", options.run.platform, "source of contexts")
       ->check(CLI::IsMember({"osmesa", "egl", "glx"}))
       ->capture_default_str();
   app.add_option("--api", options.api, "which API")
       ->check(CLI::IsMember({"gl-compat", "gl-core", "gles"}))
       ->capture_default_str();
-  app.add_option("--implementation", options.run.implementation, "a library to preload into the processes of the cases")
+  app.add_option("--implementation", options.run.implementation, "a library to preload into the processes of cases")
       ->check(CLI::ExistingFile);
-  app.add_option("--case", options.globs, "cases whose names match; may be repeated")
+  app.add_option("--case", options.globs, "run cases whose names match; may be repeated")
       ->allow_extra_args(false)
       ->type_name("GLOB");
-  app.add_option("--caselist", options.case_list, "cases whose names the file has, one a line")->type_name("FILE");
-  app.add_flag("--must-pass", options.is_must_pass, "the cases that an implementation has to pass");
-  app.add_option("--shard", options.shard, "the I-th of N parts of the selection")
-      ->type_name("I/N")
-      ->capture_default_str();
+  app.add_option("--caselist", options.case_list, "run cases that this file names, one a line")->type_name("FILE");
+  app.add_flag("--must-pass", options.is_must_pass, "run the cases that an implementation has to pass");
+  app.add_option("--shard", options.shard, "run part I of N of the selection")->type_name("I/N")->capture_default_str();
   app.add_flag("--list", options.is_list, "print the names of the selected cases");
-  app.add_flag("--json", options.is_json, "with --list: clauses and plans, too");
-  app.add_option("--report", options.run.report, "where results.json, junit.xml, log.txt and index.html go")
+  app.add_flag("--json", options.is_json, "with --list: also print clauses and plans");
+  app.add_option("--report", options.run.report, "directory for results.json, junit.xml, log.txt and index.html")
       ->type_name("DIR");
-  app.add_option("--baseline", options.baselines, "what is known to fail; may be repeated")
+  app.add_option("--baseline", options.baselines, "known failures; may be repeated")
       ->allow_extra_args(false)
       ->type_name("FILE");
-  app.add_option("--jobs", options.run.jobs, "processes at a time")->check(CLI::Range(1, 256))->capture_default_str();
-  app.add_option("--timeout", options.run.seconds, "seconds that a case may take")
+  app.add_option("--jobs", options.run.jobs, "number of parallel processes")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app.add_option("--timeout", options.run.seconds, "time limit of a case, in seconds")
       ->check(CLI::Range(1, 86400))
       ->capture_default_str();
-  app.add_option("--batch", options.run.cases_in_process, "cases in one process")
+  app.add_option("--batch", options.run.cases_in_process, "number of cases in one process")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   app.add_option("--retry", options.run.retries,
-                 "how often a case that fails is run again; it is a flake if it passes then")
+                 "run a failing case again, up to this many times; it is a flake if it passes then")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
-  app.add_flag("--fail-fast", options.fails_fast, "begin no case after one that failed, and leave out the rest");
-  app.add_option("--seed", options.run.seed, "of what is random")->capture_default_str();
-  app.add_flag("--verbose", options.run.is_verbose, "every case, not only those that did not pass");
+  app.add_flag("--fail-fast", options.fails_fast, "begin no case after a failure, and leave out the rest");
+  app.add_option("--seed", options.run.seed, "seed of random values")->capture_default_str();
+  app.add_flag("--verbose", options.run.is_verbose, "print every case, not only those that did not pass");
 }
 
 Api api_of(const std::string& name) {
@@ -88,7 +88,7 @@ void read_shard(const std::string& text, Selection& selection) {
   char rest = 0;
   if (std::sscanf(text.c_str(), "%d/%d%c", &selection.shard, &selection.shards, &rest) != 2 || selection.shards < 1 ||
       selection.shard < 1 || selection.shard > selection.shards)
-    throw Complaint{exit_status::usage, "--shard " + text + ": I/N with 1 <= I <= N is needed"};
+    throw Complaint{exit_status::usage, "--shard " + text + ": expected I/N with 1 <= I <= N"};
 }
 
 std::vector<std::string> listed_names(const std::string& path) {
@@ -154,53 +154,74 @@ int exit_status_of(const std::vector<Record>& records, const Environment& enviro
   return environment.at("GL_ARK_adaptive_refinement") == "yes" ? exit_status::passed : exit_status::not_supported;
 }
 
-int judge(Options& options, const std::vector<std::string>& command) {
-  options.run.api = api_of(options.api);
-  const auto names = selected_names(options);
-  if (options.is_list) return list(names, options.is_json);
-
-  std::vector<Expectation> baseline;
-  Report report;
+std::vector<Expectation> read_baselines(const std::vector<std::string>& paths) {
+  std::vector<Expectation> all;
   try {
-    for (const std::string& path : options.baselines) {
+    for (const std::string& path : paths) {
       const auto more = read_baseline(path);
-      baseline.insert(baseline.end(), more.begin(), more.end());
+      all.insert(all.end(), more.begin(), more.end());
     }
   } catch (const std::runtime_error& error) {
     throw Complaint{exit_status::usage, error.what()};
   }
+  return all;
+}
+
+// Makes the report's directory, and paths that other processes can use.
+void prepare(RunOptions& options) {
   try {
-    if (!options.run.report.empty()) {
-      prepare_report(options.run.report);
-      options.run.report = std::filesystem::absolute(options.run.report);
+    if (!options.report.empty()) {
+      prepare_report(options.report);
+      options.report = std::filesystem::absolute(options.report);
     }
   } catch (const std::runtime_error& error) {
     throw Complaint{exit_status::no_report, error.what()};
   }
-  // Without a slash the dynamic linker would look elsewhere.
-  if (!options.run.implementation.empty())
-    options.run.implementation = std::filesystem::absolute(options.run.implementation);
+  // Without a slash, the dynamic linker would search elsewhere.
+  if (!options.implementation.empty()) options.implementation = std::filesystem::absolute(options.implementation);
+}
+
+Environment environment_of(const RunOptions& options) {
+  Environment environment;
   try {
-    report.environment = describe_environment(options.run);
+    environment = describe_environment(options);
   } catch (const std::invalid_argument& error) {
     throw Complaint{exit_status::usage, error.what()};
   } catch (const std::runtime_error& error) {
     throw Complaint{exit_status::no_context, error.what()};
   }
-  report.environment["platform"] = options.run.platform;
-  report.environment["must-pass list"] = std::to_string(must_pass_version);
-  report.environment["seed"] = std::to_string(options.run.seed);
-  report.command = command;
-  const auto begin = std::chrono::steady_clock::now();
+  environment["platform"] = options.platform;
+  environment["must-pass list"] = std::to_string(must_pass_version);
+  environment["seed"] = std::to_string(options.seed);
+  return environment;
+}
+
+std::vector<Record> run_cases(const std::vector<std::string>& names, const Options& options,
+                              const std::vector<Expectation>& baseline) {
   std::size_t done = 0;
-  report.records = run(names, options.run, [&](const Record& record) {
+  std::vector<Record> records = run(names, options.run, [&](const Record& record) {
     ++done;
     std::vector<Record> one = {record};
     apply_baseline(baseline, one);
     say(one.front(), done, names.size(), options.run.is_verbose);
     return !(options.fails_fast && is_bad(one.front().verdict));
   });
-  apply_baseline(baseline, report.records);
+  apply_baseline(baseline, records);
+  return records;
+}
+
+int judge(Options& options, const std::vector<std::string>& command) {
+  options.run.api = api_of(options.api);
+  const auto names = selected_names(options);
+  if (options.is_list) return list(names, options.is_json);
+
+  const std::vector<Expectation> baseline = read_baselines(options.baselines);
+  prepare(options.run);
+  Report report;
+  report.environment = environment_of(options.run);
+  report.command = command;
+  const auto begin = std::chrono::steady_clock::now();
+  report.records = run_cases(names, options, baseline);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (report.environment["GL_ARK_adaptive_refinement"] != "yes")
     std::fprintf(stderr, "glark-conformance: %s has no GL_ARK_adaptive_refinement; nothing could be judged\n",
@@ -239,7 +260,8 @@ int check_package(const std::string& archive) {
 int try_program(int argc, char** argv) {
   Options options;
   options.run.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  CLI::App app("Judges the implementation of GL_ARK_adaptive_refinement that the loader finds.", "glark-conformance");
+  CLI::App app("Judges the implementation of GL_ARK_adaptive_refinement that the dynamic linker finds.",
+               "glark-conformance");
   describe(app, options);
   std::string directory;
   std::string archive;
@@ -247,10 +269,11 @@ int try_program(int argc, char** argv) {
   std::vector<std::string> names;
   CLI::App* const packaging = app.add_subcommand("package", "puts a report into an archive, for someone else to check");
   packaging->add_option("DIR", directory, "of --report")->required();
-  packaging->add_option("ARCHIVE", archive, "a .tar.gz to write")->required();
-  CLI::App* const verifying = app.add_subcommand("verify", "checks such an archive: sums, and the must-pass list");
+  packaging->add_option("ARCHIVE", archive, "the .tar.gz to write")->required();
+  CLI::App* const verifying =
+      app.add_subcommand("verify", "checks the checksums and the must-pass list of such an archive");
   verifying->add_option("ARCHIVE", archive)->required();
-  CLI::App* const worker = app.add_subcommand("worker", "the process that cases run in")->group("");
+  CLI::App* const worker = app.add_subcommand("worker", "the process in which cases run")->group("");
   worker->add_option("TASK", task)->required()->check(CLI::IsMember({"describe", "run"}));
   worker->add_option("NAMES", names);
   worker->fallthrough();

@@ -4,7 +4,7 @@
 
 namespace glark::conformance {
 
-// The whole program, whatever its cases; returns its exit status (runner/exit_status.h).
+// Runs the whole program, with any cases; returns its exit status (runner/exit_status.h).
 int run_program(int argc, char** argv);
 
 }  // namespace glark::conformance

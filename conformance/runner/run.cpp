@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/runner/run.h"
 
+#include <fmt/core.h>
 #include <poll.h>
 #include <sys/wait.h>
 
@@ -26,7 +27,7 @@ std::vector<std::string> arguments_of(const RunOptions& options, const char* tas
   return texts;
 }
 
-// A process and the cases that it was given.
+// A process and its cases.
 class Worker {
  public:
   Worker(std::vector<Record*> records, const RunOptions& options)
@@ -38,7 +39,7 @@ class Worker {
   std::vector<Record*> left() const { return {records_.begin() + static_cast<std::ptrdiff_t>(done_), records_.end()}; }
   double seconds_of_current() const { return std::chrono::duration<double>(Clock::now() - case_began_).count(); }
 
-  // Reads what has come. False once the process has closed its report.
+  // Reads new messages. Returns false once the process has closed its report.
   bool listen(const Progress& progress) {
     process_.read_output(output_);
     const bool open = process_.read_report(text_);
@@ -49,7 +50,7 @@ class Worker {
     return open;
   }
 
-  // The case that was running, or that never began, when the process ended.
+  // Records the case that was running, or that never began, when the process ended.
   void blame(Verdict verdict, const std::string& why, const Progress& progress) {
     process_.read_output(output_);
     Record& record = current();
@@ -97,10 +98,11 @@ class Worker {
 
 std::string how_it_ended(int status) {
   if (WIFSIGNALED(status)) return std::string("its process was ended by ") + strsignal(WTERMSIG(status));
-  return "its process ended with status " + std::to_string(WEXITSTATUS(status)) + " and no result";
+  return fmt::format("its process ended with status {} and no result", WEXITSTATUS(status));
 }
 
-// A process that ended, or whose time is up, takes the case that it was at with it; the others go to a new one.
+// Runs the cases in processes. If a process ends early or takes too long, its current case gets the blame, and a new
+// process gets the rest.
 class Scheduler {
  public:
   Scheduler(std::vector<Record>& records, const RunOptions& options, const Progress& progress)
@@ -148,7 +150,7 @@ class Scheduler {
   bool is_over(Worker& worker) {
     const bool open = worker.listen(progress_);
     if (worker.is_finished()) {
-      // The last case has reported: what the driver does on the way out is not its business, but must end.
+      // The last case has reported. The driver's exit is not its business, but the process must end.
       worker.process().kill();
       worker.process().wait();
       return true;
@@ -159,7 +161,7 @@ class Scheduler {
     } else if (worker.seconds_of_current() > options_.seconds) {
       worker.process().kill();
       worker.process().wait();
-      worker.blame(Verdict::timeout, "no result after " + std::to_string(options_.seconds) + " s", progress_);
+      worker.blame(Verdict::timeout, fmt::format("no result after {} s", options_.seconds), progress_);
     } else {
       return false;
     }
@@ -185,7 +187,7 @@ void retry(std::vector<Record>& records, const RunOptions& options) {
       again.front().name = record.name;
       Scheduler(again, options, [](const Record&) { return true; }).run();
       if (is_bad(again.front().verdict)) continue;
-      record.messages.push_back("passed when it was run again: " + std::string(name_of(record.verdict)) + " before");
+      record.messages.push_back("passed when run again; before: " + std::string(name_of(record.verdict)) + " before");
       record.verdict = Verdict::flake;
     }
   }
@@ -210,7 +212,7 @@ Environment describe_environment(const RunOptions& options) {
   const int status = process.wait();
   const auto message = nlohmann::json::parse(text, nullptr, false);
   if (message.is_discarded()) {
-    const std::string why = is_late ? "none after " + std::to_string(options.seconds) + " s" : how_it_ended(status);
+    const std::string why = is_late ? fmt::format("none after {} s", options.seconds) : how_it_ended(status);
     throw std::runtime_error("no context: " + why + (output.empty() ? "" : '\n' + output));
   }
   if (message.contains("not loaded")) throw std::invalid_argument(message["not loaded"].get<std::string>() + output);

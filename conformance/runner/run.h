@@ -11,13 +11,13 @@
 
 namespace glark::conformance {
 
-// Asks a process of its own. Throws std::runtime_error where no context can be made.
+// Asks a separate process. Throws std::runtime_error if no context can be made.
 Environment describe_environment(const RunOptions& options);
 
-// Hears of each case as it ends; false: no other is begun.
+// Called for each case as it ends; false prevents further cases.
 using Progress = std::function<bool(const Record&)>;
 
-// One record for every name, in their order, but for those that were not begun.
+// Returns one record for every name, in the names' order, without cases that were not begun.
 std::vector<Record> run(const std::vector<std::string>& names, const RunOptions& options, const Progress& progress);
 
 }  // namespace glark::conformance

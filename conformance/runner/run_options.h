@@ -15,7 +15,7 @@ struct RunOptions {
   int jobs = 1;
   int seconds = 60;  // for one case
   int cases_in_process = 1;
-  int retries = 0;  // of a case that fails: if it passes then, it is a flake
+  int retries = 0;  // of a case that fails; if it passes then, it is a flake
   bool is_verbose = false;
   std::string report;          // directory, or empty
   std::string implementation;  // a library to preload into the processes of cases, or empty

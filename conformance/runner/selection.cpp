@@ -45,7 +45,7 @@ std::vector<std::string> select(const std::vector<std::string>& all, const Selec
                                                [&](const std::string& glob) { return matches(glob, name); });
     if (by_glob && (!selection.has_list || listed.count(name) != 0)) chosen.push_back(name);
   }
-  // Every shards-th one, so that neighbours, which take a similar time, are spread.
+  // Takes every shards-th case. Neighbours take a similar time, so they go to different shards.
   std::vector<std::string> mine;
   for (std::size_t i = 0; i < chosen.size(); ++i)
     if (static_cast<int>(i % static_cast<std::size_t>(selection.shards)) == selection.shard - 1)

@@ -80,7 +80,7 @@ void run_one(const std::string& name, Platform& platform, const RunOptions& opti
        {{"end", name}, {"verdict", name_of(result.verdict)}, {"messages", result.messages}, {"images", images}});
 }
 
-// The dynamic linker only warns where it cannot preload, and a driver would be judged in the library's place.
+// The dynamic linker only warns if it cannot preload. Then the suite would judge a driver instead of the library.
 bool is_loaded(const std::string& library) {
   return library.empty() || dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD) != nullptr;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The process that cases run in. It reports by lines of JSON, so that whatever happens to it, what it said before stands:
+// The process in which cases run. It reports in lines of JSON, so that earlier messages survive a crash:
 //   {"environment": {...}}
 //   {"begin": "ark.x"}
 //   {"end": "ark.x", "verdict": "Fail", "messages": [...], "images": [...]}

@@ -15,7 +15,7 @@
 namespace glark::conformance {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 30U;  // of one file: what is larger is no report
+constexpr std::size_t most_bytes = std::size_t{1} << 30U;  // for one file: no report is larger
 
 using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
 
@@ -24,7 +24,7 @@ using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
   throw std::runtime_error(path + ": " + (why != nullptr ? why : "no archive"));
 }
 
-// Written aside: an archive is there as a whole or not at all.
+// A temporary file, so that an archive appears whole or not at all.
 class Unfinished {
  public:
   explicit Unfinished(std::string path) : path_(std::move(path)) {}
@@ -58,7 +58,7 @@ std::string sha256(const std::string& bytes) {
 
 void write_archive(const Files& files, const std::string& path) {
   if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
-    throw std::runtime_error(path + ": is no plain file, which an archive could replace");
+    throw std::runtime_error(path + ": not a plain file, so the archive cannot replace it");
   const Unfinished unfinished(path + ".part");
   const std::unique_ptr<archive, decltype(&archive_write_free)> out(archive_write_new(), archive_write_free);
   archive_write_add_filter_gzip(out.get());

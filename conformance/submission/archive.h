@@ -9,10 +9,10 @@ namespace glark::conformance {
 
 using Files = std::map<std::string, std::string>;  // name in the archive, bytes
 
-// Hexadecimal.
+// The SHA-256 sum in hexadecimal digits.
 std::string sha256(const std::string& bytes);
 
-// A .tar.gz with the same bytes for the same files. Throws std::runtime_error; no half archive is left.
+// Writes a .tar.gz. Equal files give equal bytes. Throws std::runtime_error and then leaves no partial archive.
 void write_archive(const Files& files, const std::string& path);
 
 // Throws std::runtime_error that names the archive and what is wrong with it.

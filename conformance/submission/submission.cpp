@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/submission/submission.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -18,9 +19,9 @@ namespace {
 constexpr char sums_name[] = "SHA256SUMS";
 constexpr char version_name[] = "VERSION";
 
-std::string version_text() { return "glark-conformance must-pass " + std::to_string(must_pass_version) + '\n'; }
+std::string version_text() { return fmt::format("glark-conformance must-pass {}\n", must_pass_version); }
 
-// The format of sha256sum, which can check it as well.
+// The format of sha256sum, which can also check it.
 std::string sums_of(const Files& files) {
   std::string text;
   for (const auto& [name, bytes] : files) text += sha256(bytes) + "  " + name + '\n';

@@ -29,25 +29,25 @@ inline constexpr Apis every_api = {Api::gl_compat, Api::gl_core, Api::gles};
 inline constexpr Apis desktop_apis = {Api::gl_compat, Api::gl_core};
 inline constexpr Apis compat_only = {Api::gl_compat};
 
-// One clause of the specification, looked at in one way.
+// Looks at some clauses of the specification in one way.
 struct Case {
   std::string name;                  // "ark.area.topic.leaf": lower case, digits, underscores and dots
   std::vector<std::string> clauses;  // ids of clauses/clauses.txt; the sentences are quoted from there
   std::string plan;                  // how the case looks at it
   std::string wrong = {};            // what typical wrong implementations do or draw, and how that shows
   Apis apis = every_api;
-  // What must hold without refinement: if it does not, the case cannot judge. Runs in a context of its own.
+  // Checks what must hold without refinement, in a context of its own. If it fails, the case cannot judge.
   std::function<void(Test&)> control = {};
   std::function<void(Test&)> check = {};  // empty: planned, not written
 };
 
-// What the program was built with, in any order: cases/written_cases.cpp, or what a test of the suite has in its place.
+// The program's cases, in any order. cases/written_cases.cpp defines it; tests of the suite define their own.
 std::vector<Case> written_cases();
 
-// In order of their names; the same for every run. Throws std::logic_error where two have one name.
+// All cases, sorted by name. Throws std::logic_error if two have the same name.
 const std::vector<Case>& all_cases();
 
-// The sentence with this id. Throws std::logic_error where there is none.
+// The sentence with this id. Throws std::logic_error if there is none.
 const std::string& sentence_of(const std::string& clause);
 
 }  // namespace glark::conformance

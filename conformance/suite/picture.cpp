@@ -72,7 +72,7 @@ void write_png(const Picture& picture, const std::string& path) {
   Picture opaque = picture;
   for (std::size_t i = 3; i < opaque.rgba.size(); i += 4) opaque.rgba[i] = 255;
   const std::string unfinished = path + ".part";
-  // From the last row: PNG begins at the top.
+  // PNG begins at the top, so this begins with the last row.
   const std::uint8_t* top = opaque.rgba.data() + offset_of(opaque, 0, opaque.height - 1);
   if (stbi_write_png(unfinished.c_str(), opaque.width, opaque.height, 4, top, -4 * opaque.width) == 0)
     throw std::runtime_error("cannot write " + unfinished);

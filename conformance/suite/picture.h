@@ -9,7 +9,7 @@
 
 namespace glark::conformance {
 
-// RGBA, 8 bits a channel; row 0 is the lowest, as the GL has it.
+// RGBA, 8 bits a channel. Row 0 is the lowest, as in the GL.
 struct Picture {
   int width = 0;
   int height = 0;
@@ -22,13 +22,13 @@ struct Picture {
   void set(int x, int y, std::array<std::uint8_t, 4> colour);
 };
 
-// Of the bound framebuffer, from (0, 0).
+// Reads the bound framebuffer, from (0, 0).
 Picture read_picture(int width, int height);
 
 // How many pixels differ by more than `tolerance` in a channel. Pictures of different sizes differ everywhere.
 int count_different(const Picture& a, const Picture& b, int tolerance);
 
-// White where they differ by more than `tolerance`, else `a`, darkened.
+// White where the pictures differ by more than `tolerance`, otherwise a darkened `a`.
 Picture difference_of(const Picture& a, const Picture& b, int tolerance);
 
 // Throws std::runtime_error that names the file. The file appears whole or not at all.

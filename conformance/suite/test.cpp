@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/suite/test.h"
 
+#include <fmt/core.h>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 
 namespace glark::conformance {
@@ -15,7 +17,7 @@ constexpr std::size_t most_images = 12;
 // Thrown to end a case whose verdict is set.
 struct CaseEnd {};
 
-// FNV-1a: the same on every machine, which std::hash need not be.
+// FNV-1a gives the same hash on every machine; std::hash need not.
 unsigned hash_of(std::string_view text) {
   unsigned hash = 2166136261U;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
@@ -41,9 +43,16 @@ std::string error_name(GLenum error) {
     case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
     case GL_STACK_OVERFLOW: return "GL_STACK_OVERFLOW";
     case GL_STACK_UNDERFLOW: return "GL_STACK_UNDERFLOW";
-    default: return "error " + std::to_string(error);
+    default: return fmt::format("error {}", error);
   }
 }
+
+std::string as_text(long long value) { return std::to_string(value); }
+std::string as_text(unsigned long long value) { return std::to_string(value); }
+std::string as_text(double value) { return fmt::format("{:.9g}", value); }
+std::string as_text(bool value) { return value ? "true" : "false"; }
+std::string as_text(const std::string& value) { return '"' + value + '"'; }
+std::string as_text(const void* value) { return fmt::format("{}", value); }
 
 Test::Test(Platform& platform, Api api, std::string_view name, unsigned random_seed)
     : platform_(platform),
@@ -62,7 +71,7 @@ int Test::version() const {
 }
 
 bool Test::has_extension(std::string_view name) const {
-  // Either query will do here: that both have the name is a matter of a case.
+  // Either query will do here. A case of its own checks that both have the name.
   if (api_ == Api::gl_compat && has_token(reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS)), name))
     return true;
   GLint count = 0;
@@ -103,8 +112,8 @@ bool Test::expect_same_picture(const Picture& actual, const Picture& expected, s
   attach("expected", expected);
   attach("actual", actual);
   attach("difference", difference_of(expected, actual, tolerance));
-  return expect(false, std::string(what) + ": " + std::to_string(different) + " pixels differ by more than " +
-                           std::to_string(tolerance) + ", " + std::to_string(allowed) + " may");
+  return expect(false,
+                fmt::format("{}: {} pixels differ by more than {}, {} may", what, different, tolerance, allowed));
 }
 
 void Test::require(bool holds, std::string_view what) {
@@ -139,7 +148,7 @@ void Test::attach(std::string_view name, const Picture& picture) {
 }
 
 int Test::random_int(int low, int high) {
-  // Not a distribution of the library: their values differ between implementations.
+  // The library's distributions give different values in different implementations.
   return low + static_cast<int>(random_() % static_cast<unsigned>(high - low + 1));
 }
 
@@ -156,14 +165,14 @@ namespace {
 
 Result result_of(Test& test) { return {test.verdict(), test.messages(), test.images()}; }
 
-// Runs one half of a case; what it throws, and errors that it leaves behind, count.
+// Runs one half of a case. An exception and a pending GL error count.
 void run_half(Test& test, const std::function<void(Test&)>& half) {
   try {
     half(test);
     for (GLenum error = gl.GetError(); error != GL_NO_ERROR; error = gl.GetError())
       test.fail("an error is pending at the end: " + error_name(error));
   } catch (const CaseEnd&) {
-    // Its verdict is set.
+    // The verdict is set.
   } catch (const std::exception& error) {
     test.conclude(Verdict::internal_error, error.what());
   }
@@ -173,15 +182,20 @@ void run_half(Test& test, const std::function<void(Test&)>& half) {
 
 Result run_case(const Case& test_case, Platform& platform, Api api, unsigned random_seed) {
   if (!test_case.check) return {Verdict::unimplemented, {"planned: " + test_case.plan}, {}};
-  if (!test_case.apis.contains(api)) return {Verdict::not_supported, {"does not concern " + std::string(name_of(api))}, {}};
+  if (!test_case.apis.contains(api))
+    return {Verdict::not_supported, {"does not concern " + std::string(name_of(api))}, {}};
   {
     Test test(platform, api, test_case.name, random_seed);
     if (!test.has_extension("GL_ARK_adaptive_refinement"))
       return {Verdict::not_supported, {"no GL_ARK_adaptive_refinement among the extensions"}, {}};
+    if (gl.ARKinit == nullptr)
+      return {Verdict::fail,
+              {"GetStringi(EXTENSIONS) lacks the extension's name, so loaders find none of its functions"},
+              {}};
     if (test_case.control) {
       run_half(test, test_case.control);
       if (test.verdict() == Verdict::fail)
-        test.conclude(Verdict::internal_error, "that was the control, without refinement");
+        test.conclude(Verdict::internal_error, "the control failed, without refinement");
       if (test.verdict() == Verdict::internal_error || test.verdict() == Verdict::not_supported) return result_of(test);
     }
   }

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a case has in its hands while it runs.
+// The interface through which a running case creates contexts, checks expectations and logs.
 #pragma once
 
 #include <functional>
 #include <random>
-#include <sstream>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "conformance/gl/gl.h"
@@ -31,27 +31,30 @@ class Test {
   Api api() const { return api_; }
   bool is_compat() const { return api_ == Api::gl_compat; }
   bool is_gles() const { return api_ == Api::gles; }
-  // Of the context: 43 for OpenGL 4.3, 32 for OpenGL ES 3.2.
+  // The context's version: 43 for OpenGL 4.3, 32 for OpenGL ES 3.2.
   int version() const;
   bool has_extension(std::string_view name) const;
-  // Another context, current in this thread from the beginning; throws what ends the case as an internal error.
+  // Makes another context and makes it current in this thread. An exception ends the case as an internal error.
   std::unique_ptr<Context> create_context(Context* share = nullptr);
-  // The one that the case began with.
+  // The context that the case began with.
   Context& context() { return *context_; }
 
-  // Notes a failure unless `holds`, and goes on. `what` says what should have been.
+  // Logs a failure unless `holds`, and continues. `what` says what was expected.
   bool expect(bool holds, std::string_view what);
   template <typename A, typename B>
   bool expect_equal(const A& actual, const B& expected, std::string_view what);
-  // |actual - expected| <= tolerance; NaN is never near.
+  // Expects
+  // actual - expected
+  // <= tolerance. NaN fails.
   bool expect_near(double actual, double expected, double tolerance, std::string_view what);
-  // Takes one error off the GL; GL_NO_ERROR is no error.
+  // Takes one error from the GL; GL_NO_ERROR stands for no error.
   bool expect_error(GLenum expected, std::string_view what);
   bool expect_no_error(std::string_view what) { return expect_error(GL_NO_ERROR, what); }
-  // A failure keeps both, and their difference. At most `allowed` pixels may differ by more than `tolerance` in a channel.
+  // A failure attaches both pictures and their difference. At most `allowed` pixels may differ by more than `tolerance`
+  // in a channel.
   bool expect_same_picture(const Picture& actual, const Picture& expected, std::string_view what, int tolerance = 0,
                            int allowed = 0);
-  // Ends the case unless `holds`: nothing after it makes sense.
+  // Ends the case unless `holds`: use it when nothing after it would make sense.
   void require(bool holds, std::string_view what);
   void fail(std::string_view what) { expect(false, what); }
 
@@ -68,7 +71,7 @@ class Test {
   int random_int(int low, int high);
   float random_float(float low, float high);
 
-  // How many expectations there were so far: a case without any has judged nothing.
+  // The number of expectations so far. A case without any has judged nothing.
   int expectations() const { return expectations_; }
   Verdict verdict() const { return verdict_; }
   const std::vector<std::string>& messages() const { return messages_; }
@@ -88,7 +91,7 @@ class Test {
 
 std::string error_name(GLenum error);
 
-// Runs one case in contexts of its own, control first.
+// Runs the control and then the case, each in a context of its own.
 struct Result {
   Verdict verdict = Verdict::missing;
   std::vector<std::string> messages;
@@ -96,19 +99,23 @@ struct Result {
 };
 Result run_case(const Case& test_case, Platform& platform, Api api, unsigned random_seed);
 
-template <typename Value>
-std::string as_text(const Value& value) {
-  std::ostringstream text;
-  text.precision(9);
-  text << +value;
-  return text.str();
-}
-inline std::string as_text(const std::string& value) { return '"' + value + '"'; }
-inline std::string as_text(bool value) { return value ? "true" : "false"; }
-inline std::string as_text(const void* value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
+std::string as_text(long long value);
+std::string as_text(unsigned long long value);
+// Nine digits tell all floats apart.
+std::string as_text(double value);
+std::string as_text(bool value);
+std::string as_text(const std::string& value);
+std::string as_text(const void* value);
+
+template <typename Number>
+requires(std::is_arithmetic_v<Number> || std::is_enum_v<Number>) std::string as_text(Number value) {
+  const auto promoted = +value;
+  if constexpr (std::is_floating_point_v<Number>)
+    return as_text(double{promoted});
+  else if constexpr (std::is_signed_v<decltype(promoted)>)
+    return as_text(static_cast<long long>(promoted));
+  else
+    return as_text(static_cast<unsigned long long>(promoted));
 }
 
 template <typename A, typename B>

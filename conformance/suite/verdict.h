@@ -8,8 +8,8 @@
 
 namespace glark::conformance {
 
-// What came of a case. The first six a case says itself; crash, timeout and missing are what the runner sees of its process; the
-// last three are the verdicts of a baseline (runner/baseline.h).
+// The result of a case. The case itself gives the first six. The runner gives crash, timeout and missing, from what it
+// sees of the process. A baseline gives the last three (runner/baseline.h).
 enum class Verdict {
   pass,
   fail,             // the implementation does not do what the clause says
@@ -19,7 +19,7 @@ enum class Verdict {
   internal_error,   // the case could not judge: its control failed, or the suite is at fault
   crash,
   timeout,
-  missing,  // it never reported an end; never a pass
+  missing,  // the case never reported an end; never a pass
   expected_fail,
   unexpected_pass,
   flake,
@@ -37,7 +37,7 @@ inline constexpr std::optional<Verdict> verdict_of(std::string_view name) {
   return std::nullopt;
 }
 
-// Whether a run with this verdict among its results has failed.
+// Whether this verdict makes a whole run fail.
 inline constexpr bool is_bad(Verdict verdict) {
   return verdict == Verdict::fail || verdict == Verdict::internal_error || verdict == Verdict::crash ||
          verdict == Verdict::timeout || verdict == Verdict::missing || verdict == Verdict::unexpected_pass;

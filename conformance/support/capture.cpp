@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/support/capture.h"
 
+#include <fmt/core.h>
 #include <string>
 
 namespace glark::conformance {
@@ -35,7 +36,7 @@ std::vector<unsigned char> capture_bytes(Test& t, std::size_t stride, std::size_
   GLuint written = 0;
   gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &written);
   t.expect_no_error("drawing to transform feedback");
-  t.require(written < most, "at most " + std::to_string(most) + " primitives are captured");
+  t.require(written < most, fmt::format("at most {} primitives are captured", most));
   const std::size_t size = written * per_primitive * stride;
   std::vector<unsigned char> bytes(size);
   if (size > 0) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// How many triangles a draw has that goes to the screen: with transform feedback an implementation may refine in another way.
+// Counts the triangles of a draw to the screen. An implementation may refine differently with transform feedback.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace glark::conformance {
 
-// What PRIMITIVES_GENERATED counts.
+// The result of PRIMITIVES_GENERATED.
 GLuint count_generated(const std::function<void()>& draw);
 
 }  // namespace glark::conformance

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/support/geomorph.h"
 
+#include <fmt/core.h>
 #include <cmath>
 
 namespace glark::conformance {
@@ -100,7 +101,7 @@ void expect_edges(Test& t, const std::vector<MorphVertex>& vertices, const Mesh&
                   const std::array<double, 3>& depths, const std::string& what) {
   for (std::size_t i = 0; i < 3; ++i)
     expect_edge(t, vertices, mesh[i].texture, mesh[(i + 1) % 3].texture, depths[i],
-                what + ", edge " + std::to_string(i));
+                fmt::format("{}, edge {}", what, i));
 }
 
 void morph_by_tags(GLuint pool_level, GLenum refinement) {

@@ -67,6 +67,20 @@ GLuint build_program(Test& t, const Sources& sources) {
   return program;
 }
 
+Pipeline bind_pipeline(Test& t, const std::string& vertex, const std::string& fragment) {
+  const std::string block = t.is_gles() ? "" : "out gl_PerVertex { vec4 gl_Position; };\n";
+  const std::string whole_vertex = glsl_head(t) + block + vertex;
+  const std::string whole_fragment = glsl_head(t) + fragment;
+  const char* const texts[] = {whole_vertex.c_str(), whole_fragment.c_str()};
+  Pipeline pipeline;
+  pipeline.vertex_program = gl.CreateShaderProgramv(GL_VERTEX_SHADER, 1, &texts[0]);
+  gl.GenProgramPipelines(1, &pipeline.name);
+  gl.UseProgramStages(pipeline.name, GL_VERTEX_SHADER_BIT, pipeline.vertex_program);
+  gl.UseProgramStages(pipeline.name, GL_FRAGMENT_SHADER_BIT, gl.CreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &texts[1]));
+  gl.BindProgramPipeline(pipeline.name);
+  return pipeline;
+}
+
 void require_refinable(Test& t, GLuint program) {
   GLint built = GL_FALSE;
   gl.GetRefinementivARK(program, GL_REFINEMENT_STATUS_ARK, &built);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Programs that work in every API: sources are written without #version, in the GLSL that 4.30 core and ES 3.20 share.
+// Programs for every API. Sources have no #version and use the GLSL that 4.30 core and ES 3.20 share.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace glark::conformance {
 // The #version and precision lines of the context's API.
 std::string glsl_head(const Test& t);
 
-// Attribute locations that the programs of the suite use. None of them is the default of an attribute of the extension.
+// Attribute locations of the suite's programs. No attribute of the extension has one of them by default.
 enum Location : GLuint {
   at_position = 0,
   at_normal = 1,
@@ -32,21 +32,28 @@ struct Sources {
   std::vector<const char*> captured = {};  // varyings, interleaved
 };
 
-// Ends the case as an internal error where it does not build: the sources are the suite's own.
+// Ends the case as an internal error if the program does not build, since the sources are the suite's own.
 GLuint build_program(Test& t, const Sources& sources);
-// As it is, #version and all; 0 where it does not build, with the log in `log`.
+// Builds the sources as they are, with their #version. Returns 0 if they do not build, and writes the log to `log`.
 GLuint try_program(const Sources& sources, std::string& log);
 
-// Ends the case where the program cannot be refined, with the log.
+// A program pipeline of two separable programs, bound. The sources have no #version, and declare no gl_PerVertex.
+struct Pipeline {
+  GLuint name = 0;
+  GLuint vertex_program = 0;
+};
+Pipeline bind_pipeline(Test& t, const std::string& vertex, const std::string& fragment);
+
+// Fails and ends the case if the program cannot be refined, and shows the log.
 void require_refinable(Test& t, GLuint program);
 
 // Gives the program a refinement shader, and expects it to build.
 void set_refinement_shader(Test& t, GLuint program, const std::string& source);
 
-// Inputs position (vec4), weights (vec3), colour (vec4); outputs colour. gl_Position is the position.
+// Inputs: position (vec4), weights (vec3), colour (vec4). Output: colour. gl_Position is the position.
 extern const char plain_vertex_shader[];
 
-// Draws with the colour that each vertex has.
+// A program that draws each vertex in its own colour.
 GLuint colour_program(Test& t);
 
 }  // namespace glark::conformance

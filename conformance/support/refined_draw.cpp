@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/support/refined_draw.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -23,7 +24,7 @@ reference::Depths depths_of_corners(const Corners& corners, const Expected& expe
 
 Values refined_values(const Corners& corners, const reference::Weights& weights) {
   Values values{};
-  for (std::size_t i = 0; i < components; ++i)  // + 0: 0 and -0 are one
+  for (std::size_t i = 0; i < components; ++i)  // adding 0 makes -0 equal to 0
     values[i] = reference::refined(corners[0][i], corners[1][i], corners[2][i], weights) + 0.0F;
   return values;
 }
@@ -55,17 +56,17 @@ std::string text_of(const Values& values) {
   return text;
 }
 
-// One message for each side: the first that is too few or too many says most.
+// One message for each side: the first missing or surplus vertex says most.
 void expect_same_vertices(Test& t, const std::set<Values>& actual, const std::set<Values>& expected,
                           const std::string& what) {
   std::vector<Values> missing;
   std::vector<Values> surplus;
   std::set_difference(expected.begin(), expected.end(), actual.begin(), actual.end(), std::back_inserter(missing));
   std::set_difference(actual.begin(), actual.end(), expected.begin(), expected.end(), std::back_inserter(surplus));
-  t.expect(missing.empty(), what + ": " + std::to_string(missing.size()) + " vertices are missing" +
-                                (missing.empty() ? "" : ", one of them " + text_of(missing.front())));
-  t.expect(surplus.empty(), what + ": " + std::to_string(surplus.size()) + " vertices belong to no pattern" +
-                                (surplus.empty() ? "" : ", one of them " + text_of(surplus.front())));
+  t.expect(missing.empty(), fmt::format("{}: {} vertices are missing{}", what, missing.size(),
+                                        (missing.empty() ? "" : ", one of them " + text_of(missing.front()))));
+  t.expect(surplus.empty(), fmt::format("{}: {} vertices belong to no pattern{}", what, surplus.size(),
+                                        (surplus.empty() ? "" : ", one of them " + text_of(surplus.front()))));
 }
 
 }  // namespace
@@ -105,7 +106,7 @@ std::vector<reference::Depths> depths_of(Test& t, std::size_t count, const std::
 }
 
 std::string text_of(const reference::Depths& depths) {
-  return "(" + std::to_string(depths[0]) + ", " + std::to_string(depths[1]) + ", " + std::to_string(depths[2]) + ")";
+  return fmt::format("({}, {}, {})", depths[0], depths[1], depths[2]);
 }
 
 void use_readable_tags() { gl.ARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, at_tag); }

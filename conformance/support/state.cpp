@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/support/state.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cstring>
 
@@ -119,7 +120,7 @@ void add_attributes(Snapshot& snapshot) {
   while (gl.GetError() != GL_NO_ERROR) {
   }
   for (GLuint i = (profile & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0 ? 1 : 0; i < attributes; ++i) {
-    const std::string attribute = "attribute " + std::to_string(i);
+    const std::string attribute = fmt::format("attribute {}", i);
     for (const float component : current_value(i)) snapshot[attribute + " value"] += as_text(component) + " ";
     for (const GLenum name :
          {GL_VERTEX_ATTRIB_ARRAY_ENABLED, GL_VERTEX_ATTRIB_ARRAY_SIZE, GL_VERTEX_ATTRIB_ARRAY_STRIDE,
@@ -156,7 +157,7 @@ Snapshot take_snapshot(Test& t, GLuint program) {
   snapshot["depth_tag_array_pointer"] = as_text(pointer_of(GL_DEPTH_TAG_ARRAY_POINTER_ARK));
   for (const GLenum name : {GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_VERTEX_ARRAY_BINDING,
                             GL_CURRENT_PROGRAM, GL_ACTIVE_TEXTURE})
-    snapshot["binding " + std::to_string(name)] = as_text(integer_of(static_cast<GLenum>(name)));
+    snapshot[fmt::format("binding {}", name)] = as_text(integer_of(static_cast<GLenum>(name)));
   add_attributes(snapshot);
   if (program != 0 || t.is_compat()) add_refinement_shader(snapshot, program);
   t.expect_no_error("reading every state");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The extension's state: its names, all of it set, all of it read.
+// The extension's state: names all of it, sets all of it, reads all of it.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace glark::conformance {
 
 enum class StateKind { integer, number, boolean };
 
-// What GetIntegerv and its kin answer.
+// A state that GetIntegerv and its relatives return.
 struct StateName {
   const char* leaf;
   GLenum name;
@@ -33,20 +33,21 @@ const void* pointer_of(GLenum name);
 std::vector<float> current_value(GLuint attribute);
 GLint array_state(GLuint attribute, GLenum name);
 
-// Every state of the extension gets a value that is not its initial one; a vertex array object and a buffer are bound.
+// Gives every state of the extension a value other than its initial one. Binds a vertex array object and a buffer.
 struct EverythingSet {
   GLuint array = 0;
   GLuint buffer = 0;
 };
 EverythingSet set_everything(Test& t);
 
-// The extension's state, all of the generic attributes and their arrays, and what is bound. `program`: its refinement shader, too.
+// The extension's state, all generic attributes and their arrays, and bindings; also the refinement shader of
+// `program`.
 using Snapshot = std::map<std::string, std::string>;
 Snapshot take_snapshot(Test& t, GLuint program = 0);
-// Says which differ.
+// The message says which values differ.
 bool expect_unchanged(Test& t, const Snapshot& after, const Snapshot& before, const std::string& what);
 
-// call() generates this one error and changes no state.
+// Expects call() to generate exactly this error and to change no state.
 void expect_refused(Test& t, GLenum error, const std::string& what, const std::function<void()>& call,
                     GLuint program = 0);
 

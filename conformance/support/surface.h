@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Refined positions and normals, read back and compared with the reference.
+// Captures refined positions and normals and compares them with the reference.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct SurfaceVertex {
   Vec2 texture;
 };
 
-// What the inputs of the program are called, and of which type the position is; a name is a clause's matter.
+// Names of the program's inputs; some clauses are about names.
 struct SurfaceNames {
   std::string position = "position";
   std::string normal = "normal";
@@ -28,26 +28,26 @@ struct SurfaceNames {
 };
 GLuint surface_program(Test& t, const SurfaceNames& names = {});
 
-// Two triangles that share an edge, no two corners alike: the normals are neither parallel nor of unit length.
+// Two triangles that share an edge. All corners differ, and their normals are neither parallel nor of unit length.
 Mesh bent_mesh();
 
 struct ShapeTags {
-  std::vector<Vec4> discontinuities;  // one for each vertex; none: the current values remain
+  std::vector<Vec4> discontinuities;  // one for each vertex; empty: the current values remain
   std::vector<Vec3> scalars;
 };
-// Arrays for DISCONTINUITY_ATTRIBUTE_ARK and SCALAR_TAG_ATTRIBUTE_ARK of the bound vertex array.
+// Makes arrays for DISCONTINUITY_ATTRIBUTE_ARK and SCALAR_TAG_ATTRIBUTE_ARK in the bound vertex array.
 void upload_shape_tags(const ShapeTags& tags);
 
 reference::Corners corners_of(const Mesh& mesh, std::size_t triangle, const ShapeTags& tags = {});
 
 std::vector<SurfaceVertex> capture_surface(Test& t, const Mesh& mesh);
 
-// Of positions and normals, within `tolerance` for each component; the first failure in each triangle is told.
+// Compares positions and normals, within `tolerance` for each component. Reports the first failure in each triangle.
 using SurfaceOf = reference::Surface (*)(const reference::Corners&, const Vec3& weights);
 void expect_surface(Test& t, const std::vector<SurfaceVertex>& vertices, const Mesh& mesh, const ShapeTags& tags,
                     SurfaceOf surface, double tolerance = 2e-6);
 
-// Positions by bits, except for the sign of zero.
+// Compares positions by bits, except for the sign of zero.
 bool same_position(const Vec4& a, const Vec4& b);
 
 }  // namespace glark::conformance

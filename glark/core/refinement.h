@@ -130,11 +130,8 @@ constexpr const RefinementTraits& traits_of(Refinement refinement) {
 }
 
 constexpr bool rows_are_in_order() {
-  for (std::size_t i = 0; i < refinements.size(); ++i) {
-    if (refinements[i].refinement != static_cast<Refinement>(i)) {
-      return false;
-    }
-  }
+  for (std::size_t i = 0; i < refinements.size(); ++i)
+    if (refinements[i].refinement != static_cast<Refinement>(i)) return false;
   return true;
 }
 static_assert(rows_are_in_order());

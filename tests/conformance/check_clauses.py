@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Every sentence of the specification has a case or a reason; and the checker that says so."""
+"""Checks that every sentence of the specification has a case or a reason, and tests the checker itself."""
 import json
 import os
 import subprocess

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""The run of the mutants: what it says of mutants that cannot be made, and that none is ever installed."""
+"""Tests the run of the mutants: its complaints about mutants that cannot be made, and that no mutant is ever installed."""
 import subprocess
 import sys
 import tempfile

@@ -75,7 +75,7 @@ class Verdicts(Folder):
         self.assertEqual(sorted(f"ark.fake.{name}" for name in VERDICTS), sorted(sum(names, [])))
 
     def test_baseline(self):
-        baseline = self.written("known", "# what is known\nark.fake.fail,Fail # the picture\nark.fake.pass,Fail\n"
+        baseline = self.written("known", "# known failures\nark.fake.fail,Fail # the picture\nark.fake.pass,Fail\n"
                                          "ark.fake.equal,Crash\nark.fake.uns*,Flake\n")
         done, records = self.judge("--baseline", baseline)
         verdicts = {name: records[name]["verdict"] for name in ("fail", "pass", "equal", "unsteady", "crash")}
@@ -163,7 +163,7 @@ class BadInput(Folder):
         self.fail(f"process {worker} is still there")
 
     def worker_of(self, program):
-        """The process that runs cases, which says so in its arguments."""
+        """Returns the process that runs cases; its arguments contain "run"."""
         for _ in range(300):
             for path in Path("/proc").glob("[0-9]*"):
                 try:
@@ -186,7 +186,7 @@ class Submissions(Folder):
             self.assertIn("SHA256SUMS", files.getnames())
             self.assertIn("images/ark.fake.fail-00-expected.png", files.getnames())
         done = call("verify", archive)
-        self.assertEqual(1, done.returncode)  # the must-pass list's cases are not in it
+        self.assertEqual(1, done.returncode)  # it lacks the cases of the must-pass list
         self.assertIn("is missing", done.stdout)
         self.assertNotIn("SHA-256", done.stdout)
 
@@ -202,7 +202,7 @@ class Submissions(Folder):
         os.mkfifo(pipe)
         done = call("package", self.folder / "report", pipe)
         self.assertEqual(2, done.returncode)
-        self.assertIn("is no plain file", done.stderr)
+        self.assertIn("not a plain file", done.stderr)
         self.assertTrue(pipe.is_fifo())
         self.assertEqual([], list(self.folder.glob("*.part")))
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark-conformance with cases that do everything that a case can do.
+// glark-conformance with cases that do everything a case can do.
 #include <unistd.h>
 
 #include <csignal>
@@ -25,7 +25,7 @@ Case fake(const char* leaf, std::function<void(Test&)> check, std::function<void
           .check = std::move(check)};
 }
 
-// Fails the first time and passes from then on; the file is where the test says.
+// Fails the first time and passes afterwards. The test says where the file is.
 void check_unsteady(Test& t) {
   const std::filesystem::path mark = std::getenv("FAKE_MARK");
   t.expect(std::filesystem::exists(mark), "the second time");

@@ -80,7 +80,7 @@ TEST(ReferencePattern, EveryFaultIsFound) {
   const Weights inside = {half, unit / 4, unit / 4};
   EXPECT_NE(fault_of_pattern({a, b, inside, b, c, inside, a, bc, c}, {0, 0, 0}), "") << "overlap";
   EXPECT_NE(fault_of_minimum({a, b, inside, b, c, inside, c, a, inside}, {0, 0, 0}), "") << "too many triangles";
-  // Half of a split across an inner edge: a vertex lies inside the edge from ab to c.
+  // The triangles on one side of an inner edge are split: a vertex lies inside the edge from ab to c.
   const Weights middle = {unit / 4, unit / 4, half};
   EXPECT_NE(fault_of_pattern({a, ab, c, ab, b, middle, middle, b, c}, {1, 0, 0}), "") << "T-vertex";
 }
@@ -99,7 +99,7 @@ TEST(ReferencePattern, WeightsOutsideOrWithAnotherSumAreNone) {
 TEST(ReferencePattern, ProductsAndSumsAreRoundedByThemselves) {
   EXPECT_EQ(refined(0.1F, 0.1F, 7, ab), 0.1F);
   EXPECT_EQ(refined(1, 2, 4, {half, unit / 4, unit / 4}), 2.0F);
-  // 2^23 + 1/2 is rounded to 2^23, twice; rounded once, the sum were 2^23 + 1.
+  // 2^23 + 1/2 is rounded to 2^23, twice. A sum that is rounded only once would be 2^23 + 1.
   EXPECT_EQ(refined(16777216, 2, 2, {half, unit / 4, unit / 4}), 8388608.0F);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The suite's reference of refinements and its rasterizer, against values worked out by hand.
+// The suite's reference of refinements and its rasterizer, compared with values worked out by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ void expect_vector(const Vector& actual, const Vector& expected) {
 }
 
 TEST(Refined, RoundsEveryOperation) {
-  // (1 + 2^-23) / 4 + 2^-26: half of the last place is lost to even, whatever the third product would bring back.
+  // (1 + 2^-23) / 4 + 2^-26: rounding to even loses half of the last place. The third product cannot bring it back.
   const float one_more = 1 + std::ldexp(1.0F, -23);
   EXPECT_EQ(refined({0.25F, 0.5F, 0.25F}, one_more, std::ldexp(1.0F, -25), 0),
             0.25F * one_more + std::ldexp(1.0F, -26));
@@ -94,7 +94,7 @@ TEST(TaggedControlPoint, TensionDrawsToTheCorner) {
 
 TEST(TaggedControlPoint, SideOfTheCrease) {
   Corners corners = flat();
-  // N_0 leans to x; D = (0, 0, 1): d . D = 0 along x, so that the edge has no side.
+  // N_0 leans to x; D = (0, 0, 1): d . D = 0 along x, so the edge has no side.
   corners[0].normal = {1, 0, 1};
   corners[0].discontinuity = {0, 0, 1, 1};
   corners[0].tags = {1, 0, 0};
@@ -103,7 +103,7 @@ TEST(TaggedControlPoint, SideOfTheCrease) {
   corners[0].discontinuity = {-1, 0, 0, 1};
   const Vector n = direction({std::sqrt(0.5) - 1, 0, std::sqrt(0.5)});
   expect_vector(tagged_control_point(corners[0], corners[1]), (Vector{3, 0, 0} - (3 * n.x) * n) / 3);
-  // D = (1, 0, 0): the side of N-, which is the same normal.
+  // D = (1, 0, 0): the side of N-, whose normal is the same.
   corners[0].discontinuity = {1, 0, 0, 1};
   expect_vector(tagged_control_point(corners[0], corners[1]), (Vector{3, 0, 0} - (3 * n.x) * n) / 3);
 }
@@ -145,7 +145,8 @@ TEST(Raster, CentresOnACommonEdgeBelongToOneTriangle) {
 
 TEST(Raster, ColoursAreCorrectInPerspective) {
   Raster raster(1, 1, 0);
-  // The centre of the window lies half way on the screen, but w is 1 at one end and 3 at the other: (0 / 1 + 1 / 3) / (1 + 1 / 3).
+  // The centre of the window is half way on the screen, but w is 1 at one end and 3 at the other: (0 / 1 + 1 / 3) / (1
+  // + 1 / 3).
   raster.triangle({{-1, -1, 0, 1}, {0, 0, 0, 1}}, {{3, -3, 0, 3}, {1, 0, 0, 1}}, {{3, 9, 0, 3}, {1, 0, 0, 1}});
   EXPECT_EQ(raster.picture().at(0, 0)[0], std::lround(255 * 0.25));
 }

@@ -92,7 +92,7 @@ void check_opposite_normals(Test& t) {
   refine_uniformly(2, GL_CURVED_PN_ARK);
   Mesh mesh = bent_mesh();
   mesh.resize(3);
-  // N_0 + N_1 = 0: h_01 is zero, and so is n_01. Their products with everything else are exact.
+  // N_0 + N_1 = 0, so h_01 is zero, and so is n_01. Their products with everything else are exact.
   mesh[0].normal = {0, 0, 1};
   mesh[1].normal = {0, 0, -1};
   mesh[2].normal = {0, 1, 0};
@@ -102,18 +102,18 @@ void check_opposite_normals(Test& t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const double component = i == 0 ? expected.normal.x : i == 1 ? expected.normal.y : expected.normal.z;
       t.expect_near(vertex.normal[i], component, 2e-6,
-                    is_middle ? "a refined normal that is zero stays zero" : "the refined normal");
+                    is_middle ? "a zero refined normal stays zero" : "the refined normal");
     }
   }
 }
 
-// The ends of the shared edge are all that counts: the third corners differ.
+// Only the ends of the shared edge count: the third corners differ.
 void check_shared_edge(Test& t) {
   refine_uniformly(4, GL_CURVED_PN_ARK);
   const Mesh mesh = bent_mesh();
   std::array<std::vector<Vec4>, 2> sides = {std::vector<Vec4>(17), std::vector<Vec4>(17)};
   for (const SurfaceVertex& vertex : curved(t, mesh, surface_program(t))) {
-    // The edge from corner 0 to corner 2 of the first triangle is that from corner 2 to corner 0 of the second.
+    // The edge from corner 0 to corner 2 of the first triangle is the edge from corner 2 to corner 0 of the second.
     if (vertex.weights[1] != 0) continue;
     const bool is_second = vertex.triangle == 1;
     sides[is_second ? 1 : 0][static_cast<std::size_t>(std::lround(16 * vertex.weights[is_second ? 2 : 0]))] =
@@ -126,7 +126,7 @@ void check_shared_edge(Test& t) {
 void check_missing(Test& t, bool has_position) {
   refine_uniformly(2, GL_CURVED_PN_ARK);
   const Mesh mesh = bent_mesh();
-  // The position is at location 8 where nothing may count as one.
+  // The position is at location 8 wherever no input may count as a position.
   const std::string vertex_shader =
       has_position ? "layout(location = 0) in vec4 position; layout(location = 2) in vec3 weights; out vec4 colour;\n"
                      "layout(location = 6) in float triangle; out vec3 weights_out; out float triangle_out;\n"
@@ -177,44 +177,44 @@ Cases curved_pn_cases() {
           "formula.uniform", {"11.R.7-1", "11.R.7-2", "11.R.7-7", "11.R.7-8", "11.R.7-10", "11.R.7-18", "11.R.7-13"},
           "Capture two bent triangles, whose normals are not of unit length, at depth 4, and compare with the patch "
           "evaluated on the CPU in double precision.",
-          "Normals that are not scaled bulge too much; control points of the wrong end; the middle control point "
-          "without its half; refined normals that are linear.",
+          "Normals that are not scaled bulge too much; control points at the wrong end; the middle control point "
+          "without its half; linear refined normals.",
           check_uniform),
       simple_case("formula.tags", {"11.R.7-1", "11.R.7-10", "11.R.7-18"},
                   "The same with a different depth tag at every corner.",
-                  "Edge patterns that are turned against the corners put the patch elsewhere.", check_tags),
+                  "Edge patterns that are rotated against the corners put the patch elsewhere.", check_tags),
       simple_case("formula.other_inputs", {"11.R.7-1", "11.R.7-11"},
-                  "Capture a texture coordinate and the fourth component of positions whose w differ.",
+                  "Capture a texture coordinate, and the fourth component of positions with different w.",
                   "Every vec4 is curved, or w is lost.", check_others),
       simple_case("formula.corners", {"11.R.7-14", "11.R.7-20"},
                   "Where a weight is 1, compare bits with the corner's position.",
                   "2 P / 3 + P / 3 is not P: the last bit differs.", check_corners),
       simple_case("formula.zero_normal", {"11.R.7-7", "11.R.7-18"},
-                  "One corner, then all three, have a normal of zero: edges are straight there.",
-                  "0 / 0: the triangle vanishes, or positions are not numbers.", check_zero_normal),
+                  "One corner, then all three, have a zero normal: edges are straight there.",
+                  "0 / 0: the triangle vanishes, or positions are NaN.", check_zero_normal),
       simple_case("formula.equal_corners", {"11.R.7-18", "11.R.7-16"},
-                  "Two corners lie in one place, for each edge: positions lie on one curve, normals are numbers.",
-                  "D . D = 0 gives NaN; a strip's stitches show as slivers.", check_equal_corners),
+                  "Two corners are at one place, for each edge: positions lie on one curve, and no normal is NaN.",
+                  "D . D = 0 gives NaN; the stitching of a strip shows as slivers.", check_equal_corners),
       simple_case("formula.fourth_components", {"11.R.7-15"},
-                  "The fourth components of positions differ along two edges: these stay straight.",
-                  "Heights of points with different w are taken as if w were the same.", check_fourth_components),
+                  "The fourth components of positions differ along two edges: these edges stay straight.",
+                  "Heights of points with different w are computed as if w were the same.", check_fourth_components),
       simple_case("formula.opposite_normals", {"11.R.7-19"},
-                  "N_0 + N_1 is zero, so that n_01 is, and the refined normal in the middle.",
+                  "N_0 + N_1 is zero, and so are n_01 and the refined normal in the middle.",
                   "Scaling a zero to unit length gives NaN.", check_opposite_normals),
       simple_case("formula.shared_edge", {"11.R.7-9", "11.R.7-13", "11.R.8-3"},
                   "Two triangles that share an edge from opposite ends have the same positions along it, by bits.",
-                  "Sums that depend on the order of corners: cracks of one ulp.", check_shared_edge),
+                  "Sums depend on the order of corners: cracks of one ulp.", check_shared_edge),
       simple_case("formula.one_place", {"11.R.7-17"},
-                  "All corners in one place: every refined vertex is there, by bits.",
+                  "All corners are at one place: every refined vertex is there, by bits.",
                   "Rounding moves them; D . D = 0 gives NaN.", check_one_place),
       {.name = "ark.pn.missing.normal",
        .clauses = {"11.R.7-6"},
-       .plan = "A vertex stage without a normal: positions are those of (11.R.1).",
-       .wrong = "A missing normal counts as some constant and the surface bends.",
+       .plan = "The vertex stage has no normal: positions are those of (11.R.1).",
+       .wrong = "A constant replaces the missing normal, and the surface bends.",
        .check = [](Test& t) { check_missing(t, true); }},
       {.name = "ark.pn.missing.position",
        .clauses = {"11.R.7-6"},
-       .plan = "No input has a position's name or location 0: every input is refined by (11.R.1).",
+       .plan = "No input has a position's name or location 0: (11.R.1) refines every input.",
        .wrong = "The first vec4 is taken for the position.",
        .check = [](Test& t) { check_missing(t, false); }},
   };

@@ -8,7 +8,8 @@
 namespace glark::conformance {
 namespace {
 
-// The position is curved where the one at location 0 is taken, and `decoy` at location 7 is not: both hold the same values.
+// `position` at location 0 and `decoy` at location 7 hold the same values: only the one that is taken for the position
+// is curved.
 struct NameCase {
   const char* leaf;
   const char* first;         // type and name of the input at location 0
@@ -55,7 +56,7 @@ struct NamedVertex {
 
 std::string name_in(const std::string& declaration) { return declaration.substr(declaration.find(' ') + 1); }
 
-// The value of an input, in whichever type, as a vec4.
+// An input of any type, as a vec4.
 std::string as_vec4(const std::string& declaration) {
   std::string name = name_in(declaration);
   const std::string type = declaration.substr(0, declaration.find(' '));
@@ -69,7 +70,7 @@ GLuint named_program(Test& t, const NameCase& names) {
   const std::string other = names.other_normal;
   std::string text =
       "layout(location = 0) in " + std::string(names.first) + ";\nlayout(location = 7) in " + names.second + ";\n";
-  // The decoy is declared first, and its location is the lower: only the order of preference can decide.
+  // The decoy is declared first and has the lower location, so only the order of preference can decide.
   if (!other.empty()) text += "layout(location = 5) in " + other + ";\n";
   text += "layout(location = 8) in " + std::string(names.normal) +
           ";\nlayout(location = 2) in vec3 weights; layout(location = 6) in float triangle;\n"
@@ -96,7 +97,7 @@ void check_names(Test& t, const NameCase& names) {
   gl.UseProgram(named_program(t, names));
   const Mesh mesh = bent_mesh();
   upload(mesh);
-  // What must not be taken for the normal holds the colour: white for all.
+  // The input that must not be taken for the normal is the colour: white for all.
   extra_attribute(5, 3, offsetof(MeshVertex, colour));
   extra_attribute(7, 4, offsetof(MeshVertex, position));
   extra_attribute(8, 3, offsetof(MeshVertex, normal));
@@ -133,13 +134,12 @@ Case name_case(const NameCase& names) {
       .clauses = is_normal ? std::vector<std::string>{"11.R.7-21"} : std::vector<std::string>{"11.R.7-4", "issues-38"},
       .plan = "A program with the inputs " + std::string(names.first) + ", " + names.second + ", " + names.normal +
               (names.other_normal[0] != 0 ? std::string(" and ") + names.other_normal : "") +
-              ", the first two with the same values: which of them is curved?",
-      .wrong =
-          "Only the usual name is known; case matters; the first candidate wins, whatever the order of preference.",
+              "where the first two have the same values: which of them is curved?",
+      .wrong = "Only the usual name is known; case matters; the first candidate wins over the order of preference.",
       .check = [names](Test& t) { check_names(t, names); }};
 }
 
-// Fixed-function names win over all others.
+// Fixed-function names come before all others.
 void check_built_in(Test& t) {
   const char* const text =
       "attribute vec4 position; attribute vec3 normal; attribute vec3 weights; attribute float triangle;\n"
@@ -189,7 +189,7 @@ Cases pn_input_names_cases() {
   cases.push_back({.name = "ark.pn.names.built_in",
                    .clauses = {"11.R.7-3", "11.R.7-21"},
                    .plan = "A vertex stage that reads gl_Vertex, gl_Normal, and inputs named position and normal.",
-                   .wrong = "The named input is preferred to the built-in one.",
+                   .wrong = "The named input comes before the built-in one.",
                    .apis = compat_only,
                    .check = check_built_in});
   return cases;

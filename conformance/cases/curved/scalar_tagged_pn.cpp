@@ -49,14 +49,14 @@ std::vector<TagCase> tag_cases() {
   return {
       {"one_tagged",
        {"11.R.7a-1", "11.R.7a-4", "11.R.7a-14", "11.R.7a-15", "11.R.7a-17", "11.R.7a-18", "11.R.7a-19", "11.R.7a-20"},
-       "One corner is tagged, with a sharpness of 1: no edge is sharp, and each lies on a side.",
-       "N+ and N- are exchanged; M counts although j is tagged, or does not although it is not.",
+       "One corner is tagged, with a sharpness of 1: no edge is sharp, and each lies on one side.",
+       "N+ and N- are exchanged; M counts although j is tagged, or does not count although j is untagged.",
        {jump_0, untagged, untagged, untagged},
        {sharp, none, none, none}},
       {"sharpness_half",
        {"11.R.7a-17", "11.R.7a-18"},
        "Sharpness 0.4: the normal lies between N and N'.",
-       "The direction of N + s s D, or the mix is not scaled to unit length.",
+       "The direction of N + s s D; the mix is not scaled to unit length.",
        {jump_0, untagged, jump_2, untagged},
        {Vec3{0.4F, 0, 0}, none, Vec3{0.7F, 0, 0}, none}},
       {"sharpness_above_1",
@@ -73,14 +73,14 @@ std::vector<TagCase> tag_cases() {
        {Vec3{-3, 0, 0}, none, none, none}},
       {"sharp_edge",
        {"11.R.7a-12", "11.R.7a-18"},
-       "Corners 0 and 2, of the shared edge, have the same crease number.",
+       "Corners 0 and 2, on the shared edge, have the same crease number.",
        "A sharp edge is pulled to one side.",
        {jump_0, untagged, jump_2, untagged},
        {sharp, none, sharp, none}},
       {"sharp_edge_bias",
        {"11.R.7a-18"},
-       "The same with a bias of 0.75 and -0.5: L is the direction of N + g D.",
-       "Bias is ignored; or applied to M as well.",
+       "The same with biases of 0.75 and -0.5: L is the direction of N + g D.",
+       "Bias is ignored, or also applied to M.",
        {jump_0, untagged, jump_2, untagged},
        {Vec3{1, 0, 0.75F}, none, Vec3{0.8F, 0, -0.5F}, none}},
       {"bias_without_sharp_edge",
@@ -98,55 +98,55 @@ std::vector<TagCase> tag_cases() {
       {"number_zero",
        {"11.R.7a-13"},
        "The number 0 counts as equal to 3.",
-       "0 is a number as any other.",
+       "0 is an ordinary number.",
        {jump_0, untagged, numbered(jump_2, 0), untagged},
        {sharp, none, Vec3{1, 0, 0.5F}, none}},
       {"all_tagged",
        {"11.R.7a-12", "11.R.7a-21"},
        "All corners are tagged with one number: the sides follow from the plane.",
-       "F is not turned to the side of the normals; the corner has no side.",
+       "F does not point to the side of the normals; the corner has no side.",
        {jump_0, jump_1, jump_2, untagged},
        {sharp, Vec3{0.5F, 0, 0.2F}, sharp, none}},
       {"sides_cancel",
        {"11.R.7a-16", "11.R.7a-21"},
-       "D is perpendicular to the edges that are not sharp: there is no side.",
+       "D is perpendicular to the edges that are not sharp, so there is no side.",
        "0 counts as positive.",
        {Vec4{0, 0, 0.5F, 3}, untagged, untagged, untagged},
        {sharp, none, none, none}},
       {"tension",
        {"11.R.7a-18"},
-       "Tensions of 0.5, -0.75, 0.25 and -1, nothing tagged.",
-       "Tension moves the wrong end's control point; 1 - t appears once only.",
+       "Tensions of 0.5, -0.75, 0.25 and -1 without tagged corners.",
+       "Tension moves the control point at the wrong end; 1 - t appears only once.",
        {untagged, untagged, untagged, untagged},
        {Vec3{0, 0.5F, 0}, Vec3{0, -0.75F, 0}, Vec3{0, 0.25F, 0}, Vec3{0, -1, 0}}},
       {"tension_clamped",
        {"11.R.7a-7", "11.R.7a-8"},
-       "Tensions of 7 and -7 are 1 and -1; biases of 5 and -5, too.",
-       "Values are used as they are.",
+       "Tensions of 7 and -7 count as 1 and -1, and biases of 5 and -5 too.",
+       "Values are not clamped.",
        {jump_0, untagged, jump_2, untagged},
        {Vec3{1, 7, 5}, Vec3{0, -7, 0}, Vec3{1, -7, -5}, Vec3{0, 7, 0}}},
       {"not_numbers",
        {"11.R.7a-8"},
-       "Scalar tags that are not numbers are 0.",
+       "Scalar tags that are NaN count as 0.",
        "The triangle vanishes.",
        {jump_0, untagged, jump_2, untagged},
        {Vec3{nan_value, nan_value, nan_value}, Vec3{0, nan_value, 0}, Vec3{1, 0, nan_value}, none}},
       {"infinite_discontinuity",
        {"11.R.7a-6"},
-       "Corners whose D is infinite or not a number are not tagged.",
+       "Corners whose D is infinite or NaN are not tagged.",
        "The triangle vanishes.",
        {Vec4{infinite, 0, 0, 1}, Vec4{0, nan_value, 0, 1}, jump_2, Vec4{0, 0, -infinite, 1}},
        {sharp, sharp, sharp, sharp}},
       {"everything",
        {"11.R.7a-2", "11.R.7a-3", "11.R.7a-15", "11.R.7a-18", "11.R.7a-22"},
-       "All at once, with two creases that cross the shared edge.",
+       "Everything at once, with two creases that cross the shared edge.",
        "Any of the above.",
        {jump_0, numbered(jump_1, 0), numbered(jump_2, 5), Vec4{0.1F, 0.2F, 0.6F, 3}},
        {Vec3{0.6F, 0.25F, 0.5F}, Vec3{1.5F, -0.5F, 0.25F}, Vec3{0.3F, 0, -1}, Vec3{1, 0.75F, 1}}},
   };
 }
 
-// The side must not hang on rounding.
+// Rounding must not decide on which side the triangle lies.
 Mesh tagged_mesh(const std::string& leaf) {
   Mesh mesh = bent_mesh();
   if (leaf != "sides_cancel") return mesh;
@@ -237,7 +237,7 @@ void check_moved_attributes(Test& t) {
   check_tags(t, all.back());
 }
 
-// The vertex stage reads the attribute as a float, which is neither a vec3 nor a vec4.
+// The vertex stage reads the attribute as a float, neither as a vec3 nor as a vec4.
 void check_other_type(Test& t) {
   gl.ARKParameteriARK(GL_DISCONTINUITY_ATTRIBUTE_ARK, 7);
   gl.UseProgram(build_program(
@@ -274,13 +274,14 @@ Cases scalar_tagged_pn_cases() {
       {.name = "ark.tagged_pn.initial_values",
        .clauses = {"11.R.7a-9", "11.R.7a-23"},
        .plan = "Without attributes, compare bits with CURVED_PN_ARK.",
-       .wrong = "Other sums: last bits differ, and the surface cracks against a neighbour that is not tagged.",
+       .wrong = "Sums in another order: last bits differ, and the surface cracks against an untagged neighbour.",
        .check = check_initial_values});
   cases.push_back(
       {.name = "ark.tagged_pn.no_effect",
        .clauses = {"11.R.7a-23"},
-       .plan = "Zero discontinuities, tensions of 0, but sharpness, bias and numbers: bits of CURVED_PN_ARK.",
-       .wrong = "A mix with a weight of 0 changes last bits.",
+       .plan =
+           "Zero discontinuities and zero tensions, but sharpness, bias and crease numbers: the bits of CURVED_PN_ARK.",
+       .wrong = "A mix with a weight of 0 changes the last bits.",
        .check = check_no_effect});
   cases.push_back({.name = "ark.tagged_pn.tension_1",
                    .clauses = {"11.R.7a-24"},
@@ -289,8 +290,8 @@ Cases scalar_tagged_pn_cases() {
                    .check = check_tension_1});
   cases.push_back({.name = "ark.tagged_pn.current_values",
                    .clauses = {"11.R.7a-4", "11.R.7a-7", "11.R.7a-11"},
-                   .plan = "Both attributes are given by their current values, and no input of the program reads them.",
-                   .wrong = "Only arrays are looked at, or only active inputs.",
+                   .plan = "The current values give both attributes, and no input of the program reads them.",
+                   .wrong = "Only arrays count, or only active inputs.",
                    .check = check_current_values});
   cases.push_back({.name = "ark.tagged_pn.moved_attributes",
                    .clauses = {"11.R.7a-4", "11.R.7a-7"},
@@ -300,7 +301,7 @@ Cases scalar_tagged_pn_cases() {
   cases.push_back({.name = "ark.tagged_pn.other_type",
                    .clauses = {"11.R.7a-11"},
                    .plan = "The vertex stage reads the discontinuity's attribute as a vec2: no corner is tagged.",
-                   .wrong = "The array is read all the same, or the draw is not refined.",
+                   .wrong = "The array is still read, or the draw is not refined.",
                    .check = check_other_type});
   return cases;
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The depths of edges (11.R.4): uniform ones, and those measured by pixels and degrees.
+// The depths of edges (11.R.4): uniform depths, and depths measured in pixels and degrees.
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,7 +18,7 @@ using reference::Depths;
 
 constexpr GLuint pool = 6;
 
-// Corners by window coordinates, in pixels.
+// The corners are given in window coordinates, in pixels.
 Mesh triangle_in_pixels(const std::array<Vec2, 3>& places, std::array<float, 3> tags = {6, 6, 6}) {
   Mesh mesh = one_triangle(tags);
   const float scale = 2.0F / static_cast<float>(surface_size);
@@ -73,7 +74,7 @@ int depth_of(double length, double greatest) {
   return depth;
 }
 
-// Edges of 60, 80 and 100 pixels: between two steps of every measure that is tried.
+// Edges of 60, 80 and 100 pixels: each lies between two steps of every measure that the cases try.
 const std::array<Vec2, 3> right_angle = {{{10, 20}, {70, 20}, {70, 100}}};
 
 Depths right_angle_depths(double pixels) { return {depth_of(60, pixels), depth_of(80, pixels), depth_of(100, pixels)}; }
@@ -82,11 +83,11 @@ void check_pixels(Test& t) {
   gl.UseProgram(measured_program(t, "position"));
   for (const GLint pixels : {1, 3, 7, 12, 27, 55, 90, 200}) {
     measure_by(pixels, 0);
-    expect_measured(t, triangle_in_pixels(right_angle), right_angle_depths(pixels), std::to_string(pixels) + " pixels");
+    expect_measured(t, triangle_in_pixels(right_angle), right_angle_depths(pixels), fmt::format("{} pixels", pixels));
   }
 }
 
-// The ends of an edge are what the vertex stage gives; w is not 1.
+// The vertex stage's output gives the ends of an edge; w is not 1.
 void check_ends(Test& t) {
   const GLuint program = measured_program(t, "vec4(position.xy * scale * 1.5, 0.3, 1.5)");
   gl.UseProgram(program);
@@ -108,7 +109,7 @@ void check_viewport(Test& t) {
                   {depth_of(15, 7), depth_of(80, 7), depth_of(std::hypot(15, 80), 7)}, "a quarter of the width");
 }
 
-// Every command that sets the viewport with index 0, and one that sets another, with nothing between it and the draw.
+// Tries every command that sets viewport 0, and one that sets another viewport, right before the draw.
 void check_indexed_viewports(Test& t) {
   gl.UseProgram(measured_program(t, "position"));
   upload(triangle_in_pixels(right_angle));
@@ -153,7 +154,7 @@ void check_degrees(Test& t) {
   gl.UseProgram(measured_program(t, "position"));
   for (const GLint degrees : {1, 3, 6, 11, 30, 60, 90, 180}) {
     measure_by(0, degrees);
-    expect_measured(t, bent_triangle(), bent_depths(degrees), std::to_string(degrees) + " degrees");
+    expect_measured(t, bent_triangle(), bent_depths(degrees), fmt::format("{} degrees", degrees));
   }
 }
 
@@ -164,7 +165,7 @@ void check_lesser(Test& t) {
     const Depths a = right_angle_depths(pixels);
     const Depths b = bent_depths(degrees);
     expect_measured(t, bent_triangle(), {std::min(a[0], b[0]), std::min(a[1], b[1]), std::min(a[2], b[2])},
-                    std::to_string(pixels) + " pixels, " + std::to_string(degrees) + " degrees");
+                    fmt::format("{} pixels, {} degrees", pixels, degrees));
   }
 }
 
@@ -193,7 +194,7 @@ void check_neither(Test& t) {
     gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
     expect_measured(t, bent_triangle(), {level, level, level}, "without a measure");
   }
-  // No normal: the degrees do not apply.
+  // There is no normal, so EDGE_DEGREES_ARK does not apply.
   gl.UseProgram(capture_program(t));
   measure_by(0, 10);
   gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 2);
@@ -202,7 +203,7 @@ void check_neither(Test& t) {
   t.expect(found == Depths{2, 2, 2}, "degrees without a normal: depths " + text_of(found));
 }
 
-// Pixels do not apply in front of a geometry shader; degrees do.
+// EDGE_PIXELS_ARK does not apply if there is a geometry shader; EDGE_DEGREES_ARK does.
 void check_geometry_shader(Test& t) {
   gl.UseProgram(build_program(
       t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 1) in vec3 normal; out vec4 between;\n"
@@ -235,7 +236,7 @@ GLuint triangles_in_a_frame(Test& t, const Mesh& mesh) {
   return count;
 }
 
-// `coarse` triangles in one draw whose measured depths without a budget give some thousand.
+// Draws `coarse` triangles at once. Without a budget their measured depths give some thousand triangles.
 void check_budget(Test& t, GLint budget, GLuint coarse) {
   gl.UseProgram(colour_program(t));
   Mesh mesh;
@@ -260,15 +261,14 @@ void check_budget(Test& t, GLint budget, GLuint coarse) {
   GLuint last = triangles_in_a_frame(t, mesh);
   for (int frame = 0; frame < 40; ++frame) last = triangles_in_a_frame(t, mesh);
   const auto most = static_cast<GLuint>(budget);
-  t.expect(last <= std::max(most, coarse),
-           std::to_string(last) + " triangles with a budget of " + std::to_string(most));
-  t.expect(last >= std::min(most / 4, free), std::to_string(last) + " triangles are at least a quarter of the budget");
+  t.expect(last <= std::max(most, coarse), fmt::format("{} triangles with a budget of {}", last, most));
+  t.expect(last >= std::min(most / 4, free), fmt::format("{} triangles are at least a quarter of the budget", last));
   gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 0);
   t.expect_equal(triangles_in_a_frame(t, mesh), free, "triangles once the budget is set to none");
   gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, budget);
   for (int frame = 0; frame < 20; ++frame) triangles_in_a_frame(t, mesh);
   gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 9);
-  t.expect_equal(triangles_in_a_frame(t, mesh), coarser, "triangles of the frame after a measure is set");
+  t.expect_equal(triangles_in_a_frame(t, mesh), coarser, "triangles of the frame after a measure changes");
 }
 
 constexpr Area depth_case{"ark.depth."};
@@ -279,23 +279,23 @@ Cases edge_depths_cases() {
   Cases cases = {
       depth_case("measured.pixels", {"11.R.4-3", "11.R.4-4"},
                  "A triangle of 60, 80 and 100 pixels with eight measures.",
-                 "A level more or less; half of the length, from clip coordinates.", check_pixels),
+                 "One level more or less; half of the length, from clip coordinates.", check_pixels),
       depth_case("measured.ends", {"11.R.4-5"}, "A vertex stage that scales by a uniform, with a w of 1.5.",
-                 "The input's length; no division by w.", check_ends),
-      depth_case("measured.viewport", {"11.R.4-5"}, "The same triangle in lesser viewports.",
-                 "The size of the surface, or of the viewport before.", check_viewport),
+                 "The length of the input positions; no division by w.", check_ends),
+      depth_case("measured.viewport", {"11.R.4-5"}, "The same triangle in smaller viewports.",
+                 "The size of the surface, or of the previous viewport.", check_viewport),
       depth_case("measured.degrees", {"11.R.4-8", "11.R.4-9"},
                  "Normals 20, 50 and 70 degrees apart, not of unit length.",
-                 "The angle of other corners; not normalized.", check_degrees),
-      depth_case("measured.lesser", {"11.R.4-3"}, "Both measures: each edge has the lesser depth.",
-                 "The greater one; one for the triangle.", check_lesser),
-      depth_case("measured.pool_level", {"11.R.4-3"}, "A measure that wants more than the pool has.", "No limit.",
+                 "The angle at other corners; normals that are not normalized.", check_degrees),
+      depth_case("measured.lesser", {"11.R.4-3"}, "With both measures, each edge has the lesser depth.",
+                 "The greater depth; one depth for the triangle.", check_lesser),
+      depth_case("measured.pool_level", {"11.R.4-3"}, "A measure that asks for more than the pool has.", "No limit.",
                  check_pool_level),
-      depth_case("tags_ignored", {"11.R.4-1", "11.R.4-3"}, "Uniform and measured depths with an array of tags enabled.",
+      depth_case("tags_ignored", {"11.R.4-1", "11.R.4-3"}, "Uniform and measured depths with an enabled array of tags.",
                  "Depths of the tags.", check_tags_ignored),
       depth_case("measured.geometry_shader", {"11.R.4-4", "11.R.4-10"},
                  "Pixels with a geometry shader do not apply: the uniform depth; degrees do.",
-                 "Measured in front of the geometry shader all the same.", check_geometry_shader),
+                 "Pixels are measured in spite of the geometry shader.", check_geometry_shader),
       depth_case("measured.neither", {"11.R.4-10"}, "No measure, or degrees without a normal.", "Depth 0; tags.",
                  check_neither)};
   cases.push_back(depth_case("measured.indexed_viewports", {"11.R.4-5"},
@@ -303,10 +303,10 @@ Cases edge_depths_cases() {
                              "Only Viewport is noticed; the viewport of another index counts.", check_indexed_viewports,
                              desktop_apis));
   for (const auto& [budget, coarse] : {std::pair<GLint, GLuint>{500, 16}, {2000, 16}, {9000, 300}})
-    cases.push_back({.name = "ark.depth.budget." + std::to_string(budget),
+    cases.push_back({.name = fmt::format("ark.depth.budget.{}", budget),
                      .clauses = {"11.R.4-13", "11.R.4-17"},
-                     .plan = "Draw one scene for forty frames and count; then set the budget, and a measure, again.",
-                     .wrong = "More triangles than the budget; far fewer; the coarseness stays.",
+                     .plan = "Draw one scene for forty frames and count; then set the budget and a measure again.",
+                     .wrong = "More triangles than the budget; far fewer; the draw stays coarse.",
                      .check = [budget = budget, coarse = coarse](Test& t) { check_budget(t, budget, coarse); }});
   return cases;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Normals of displaced surfaces (11.R.7b): of planes whose heights are known by hand.
+// Normals of displaced surfaces (11.R.7b), for planes whose heights are known by hand.
 #include <cmath>
 #include <tuple>
 
@@ -31,13 +31,14 @@ Mesh flat_triangle() {
   Mesh mesh = one_triangle();
   for (MeshVertex& vertex : mesh) {
     vertex.normal = {0, 0, 2};
-    // From 0.2 to 0.8, turned against the position's axes.
+    // Texture coordinates from 0.2 to 0.8, rotated against the position's axes.
     vertex.texture = {0.5F + 0.4F * vertex.position[1], 0.5F - 0.3F * vertex.position[0]};
   }
   return mesh;
 }
 
-// Of the plane displaced by half of a height with these slopes: dz/dx = 0.5 dh/dt (-0.3), dz/dy = 0.5 dh/ds 0.4.
+// The normal of the plane displaced by half of a height with these slopes: dz/dx = 0.5 dh/dt (-0.3), dz/dy = 0.5 dh/ds
+// 0.4.
 reference::Vector flat_normal(double slope_s, double slope_t) {
   return 2.0 * reference::direction({0.5 * 0.3 * slope_t, -0.5 * 0.4 * slope_s, 1});
 }
@@ -53,11 +54,11 @@ std::vector<SurfaceVertex> displaced_flat(Test& t, unsigned depth) {
 
 bool expect_flat_normal(Test& t, const SurfaceVertex& vertex, const reference::Vector& expected) {
   const double off = reference::length(reference::vector_of(vertex.normal) - expected);
-  // R16F and the filter's 8 bits for the place between texels: a slope is right within some hundredths.
+  // R16F texels, and the filter's 8 bits between texels: a slope is right to within some hundredths.
   return t.expect(off < 0.05, "the normal of a displaced plane is off by " + as_text(off));
 }
 
-// A plane over which h is a ramp in s and another in t: the displaced surface is a plane, whose normal is known.
+// h is a ramp in s and another in t over a plane: the displaced surface is a plane, and its normal is known.
 void check_normals(Test& t) {
   gl.UseProgram(surface_program(t));
   height_map(16, 16, [](int x, int y) { return 0.05F * static_cast<float>(x) - 0.02F * static_cast<float>(y); });
@@ -65,7 +66,7 @@ void check_normals(Test& t) {
     if (!expect_flat_normal(t, vertex, flat_normal(0.05 * 16, -0.02 * 16))) return;
 }
 
-// Of curved and of flat triangles with bent normals; the height is there, and the same everywhere.
+// Curved and flat triangles with bent normals. The height is the same everywhere.
 void check_constant(Test& t, GLenum refinement) {
   gl.UseProgram(surface_program(t));
   height_map(16, 8, [](int /*x*/, int /*y*/) { return 0.75F; });
@@ -86,10 +87,10 @@ void check_constant(Test& t, GLenum refinement) {
   }
 }
 
-constexpr int half_wave = 8;  // texels upwards, and as many downwards
+constexpr int half_wave = 8;  // so many texels upwards, then as many downwards
 
-// Waves along the longer side. Two texels from where they turn, the slope over one texel is that of the wave; over as many as the
-// shorter side would have, it is not.
+// Waves along the longer side. Two texels from a turning point, the slope measured over one texel is the slope of the
+// wave. The slope measured over as many texels as the shorter side would have is not.
 void check_waves(Test& t, int width, int height) {
   gl.UseProgram(surface_program(t));
   const bool is_wide = width > height;
@@ -100,7 +101,7 @@ void check_waves(Test& t, int width, int height) {
   int looked_at = 0;
   for (const SurfaceVertex& vertex : displaced_flat(t, 5)) {
     const int texels = is_wide ? width : height;
-    // Texels have their values at their middles.
+    // Texels have their values at their centres.
     const double place = std::fmod(static_cast<double>(vertex.texture[is_wide ? 0 : 1]) * texels - 0.5, 2 * half_wave);
     const double from_turn = std::fmod(place, half_wave);
     if (from_turn < 2 || from_turn > half_wave - 2) continue;
@@ -125,7 +126,7 @@ void check_no_area(Test& t) {
       if (!t.expect_near(vertex.normal[i], mesh[0].normal[i], 1e-6, "without an area the normal stays")) return;
 }
 
-// Fixed function without any texture enabled: a triangle that is moved aside by its normals.
+// Fixed function without any enabled texture: the normals shift the triangle sideways.
 void check_untextured(Test& t) {
   height_map(4, 4, [](int, int) { return 1.0F; });
   const auto draw = [](float shift) {
@@ -142,7 +143,7 @@ void check_untextured(Test& t) {
   gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0.5F);
   for (const GLuint level : {0U, 2U}) {
     refine_uniformly(level);
-    t.expect_same_picture(picture_of([&] { draw(0); }), expected, "a triangle that is displaced aside", 2, 24);
+    t.expect_same_picture(picture_of([&] { draw(0); }), expected, "a triangle that is displaced sideways", 2, 24);
   }
 }
 
@@ -160,11 +161,11 @@ Cases displaced_normals_cases() {
     cases.push_back({.name = std::string("ark.displacement.normal.waves_") + leaf,
                      .clauses = {"11.R.7b-11", "11.R.7b-12"},
                      .plan = "A plane with waves of 16 texels: between its turns the normal is known by hand.",
-                     .wrong = "Slopes over more than a texel, or over a texel of the other side's size.",
+                     .wrong = "Slopes over more than a texel, or over a texel of the other side.",
                      .check = [width = width, height = height](Test& t) { check_waves(t, width, height); }});
   cases.push_back({.name = "ark.displacement.untextured",
                    .clauses = {"11.R.7b-7"},
-                   .plan = "Displace a triangle of the fixed function while no texture is enabled.",
+                   .plan = "Displace a fixed-function triangle while no texture is enabled.",
                    .wrong = "Nothing is displaced, as if there were no texture coordinates.",
                    .apis = compat_only,
                    .check = check_untextured});
@@ -174,11 +175,11 @@ Cases displaced_normals_cases() {
     cases.push_back({.name = std::string("ark.displacement.normal.constant_") + leaf,
                      .clauses = {"11.R.7b-13"},
                      .plan = "A height that is the same everywhere: positions move, normals stay.",
-                     .wrong = "The geometric normal of the displaced surface, which N is not.",
+                     .wrong = "The geometric normal of the displaced surface instead of N.",
                      .check = [mode = refinement](Test& t) { check_constant(t, mode); }});
   cases.push_back({.name = "ark.displacement.normal.no_area",
                    .clauses = {"11.R.7b-6"},
-                   .plan = "All corners in one place.",
+                   .plan = "All corners are at one place.",
                    .wrong = "0 / 0.",
                    .check = check_no_area});
   return cases;

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Displacement (11.R.7b). Textures are small, so that what a sampler returns is known.
+// Displacement (11.R.7b). Textures are small, so that the samplers' results are known.
+#include <fmt/core.h>
 #include <cmath>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/displacement/nearest_texture.h"
 #include "conformance/support/surface.h"
 
 namespace glark::conformance {
@@ -13,31 +15,23 @@ namespace {
 constexpr int size = 4;
 constexpr GLint unit = 3;
 
-// Values of 0 to 255, a different one for each texel and channel.
+// Values of 0 to 255, different for each texel and channel.
 float texel(int x, int y, int channel) {
   return static_cast<float>((37 * x + 59 * y + 83 * channel + 11 * x * y) % 256) / 255;
 }
 
-GLuint displacement_texture() {
+void bind_displacement_texture() {
   std::vector<GLubyte> texels;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
       for (int channel = 0; channel < 4; ++channel)
         texels.push_back(static_cast<GLubyte>(std::lround(255 * texel(x, y, channel))));
-  GLuint texture = 0;
-  gl.GenTextures(1, &texture);
-  gl.ActiveTexture(GL_TEXTURE0 + unit);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.ActiveTexture(GL_TEXTURE0);
-  return texture;
+  bind_nearest_texture(unit, size, texels);
 }
 
 int wrapped(int i, bool is_clamped) { return is_clamped ? std::clamp(i, 0, size - 1) : ((i % size) + size) % size; }
 
-// Section 8.14.2 of the OpenGL specification.
+// Based on: section 8.14.2 of the OpenGL specification.
 double sampled(double s, double t, int channel, bool is_linear, bool is_clamped) {
   const double x = s * size - (is_linear ? 0.5 : 0);
   const double y = t * size - (is_linear ? 0.5 : 0);
@@ -70,14 +64,14 @@ struct Displacing {
   unsigned depth = 3;
 };
 
-// No refined texture coordinate lies near the edge of a texel under NEAREST, where rounding decides.
+// With NEAREST, no refined texture coordinate lies near the edge of a texel, where rounding would decide.
 Mesh displaced_mesh() {
   Mesh mesh = bent_mesh();
   const Vec2 texture[4] = {{0.06F, 0.11F}, {0.93F, 0.07F}, {0.87F, 1.33F}, {-0.41F, 0.79F}};
   const std::size_t places[] = {0, 1, 2, 2, 3, 0};
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     mesh[i].texture = texture[places[i]];
-    // The other attribute: elsewhere.
+    // The other attribute has other texture coordinates.
     mesh[i].colour = {texture[places[i]][1] * 0.7F + 0.02F, texture[places[i]][0] * 0.8F - 0.31F, 9, 9};
   }
   return mesh;
@@ -148,19 +142,19 @@ void expect_displaced(Test& t, const Displacing& d, const Mesh& mesh, const std:
     const double height = d.scale * sampled(s, v, d.channel, d.is_linear, d.is_clamped) + d.bias;
     const reference::Vector expected = surface.position + height * reference::direction(surface.normal);
     const double off = reference::length(reference::vector_of(vertex.position) - expected);
-    // Filters have at least 8 bits for the place between two texels (the text has no number; GPUs have 8).
+    // Filters have at least 8 bits for the place between two texels. The text gives no number; GPUs have 8.
     if (!t.expect(off < (d.is_linear ? std::abs(d.scale) / 128 : 1e-5),
                   "the displaced position is off by " + as_text(off)))
       return;
     t.expect_near(reference::length(reference::vector_of(vertex.normal)), reference::length(surface.normal), 1e-4,
-                  "the displaced normal is as long as the refined one");
+                  "the displaced normal has the length of the refined one");
   }
 }
 
 void check_displacing(Test& t, const Displacing& d) {
   const GLuint program = surface_program(t);
   gl.UseProgram(program);
-  displacement_texture();
+  bind_displacement_texture();
   set_sampling(d);
   set_parameters(d);
   const Mesh mesh = displaced_mesh();
@@ -191,7 +185,7 @@ std::vector<Displacing> displacings() {
       {.leaf = "scale_bias",
        .clauses = {"11.R.7b-1", "11.R.7b-2"},
        .plan = "With a scale of -0.3 and a bias of 0.2.",
-       .wrong = "Scaled after the bias is added.",
+       .wrong = "Scaled after adding the bias.",
        .scale = -0.3F,
        .bias = 0.2F},
       {.leaf = "filter_linear",
@@ -206,7 +200,7 @@ std::vector<Displacing> displacings() {
        .is_clamped = true},
       {.leaf = "sampler",
        .clauses = {"11.R.7b-2"},
-       .plan = "With a sampler object that says otherwise than the texture.",
+       .plan = "With a sampler object whose parameters differ from the texture's.",
        .wrong = "The texture's own parameters.",
        .is_linear = true,
        .is_clamped = true,
@@ -224,11 +218,11 @@ std::vector<Displacing> displacings() {
       {.leaf = "depth_0",
        .clauses = {"11.R.7b-9"},
        .plan = "At depth 0 the corners are displaced.",
-       .wrong = "The draw is taken for one that needs no refinement.",
+       .wrong = "The draw is treated as one that needs no refinement.",
        .depth = 0},
       {.leaf = "scale_0",
        .clauses = {"11.R.7b-1"},
-       .plan = "With a scale of 0, the bias alone.",
+       .plan = "With a scale of 0, only the bias displaces.",
        .wrong = "A scale of 0 turns displacement off.",
        .scale = 0,
        .bias = 0.25F},
@@ -246,7 +240,7 @@ std::vector<Displacing> displacings() {
 
 void expect_not_displaced(Test& t, const SurfaceNames& names, GLenum refinement) {
   gl.UseProgram(surface_program(t, names));
-  displacement_texture();
+  bind_displacement_texture();
   const Mesh mesh = displaced_mesh();
   upload(mesh);
   gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
@@ -268,7 +262,7 @@ void expect_not_displaced(Test& t, const SurfaceNames& names, GLenum refinement)
 void check_names(Test& t, const char* name, bool is_coordinate) {
   if (!is_coordinate) return expect_not_displaced(t, {.texture = name}, GL_LINEAR_INPUTS_ARK);
   gl.UseProgram(surface_program(t, {.texture = name}));
-  displacement_texture();
+  bind_displacement_texture();
   const Displacing d{};
   set_parameters(d);
   const Mesh mesh = displaced_mesh();
@@ -278,7 +272,7 @@ void check_names(Test& t, const char* name, bool is_coordinate) {
 }
 
 void check_texture_matrix(Test& t) {
-  displacement_texture();
+  bind_displacement_texture();
   gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
   gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0.4F);
   refine_uniformly(3);
@@ -323,8 +317,7 @@ Cases displacement_cases() {
                                             {"vertex_place", false},
                                             {"other", false}})
     cases.push_back(
-        {.name = std::string("ark.displacement.names.") + (is_coordinate ? "found_" : "none_") +
-                 std::to_string(cases.size()),
+        {.name = fmt::format("ark.displacement.names.{}{}", (is_coordinate ? "found_" : "none_"), cases.size()),
          .clauses = is_coordinate ? std::vector<std::string>{"11.R.7b-10"} : std::vector<std::string>{"11.R.7b-7"},
          .plan = std::string("The vec2 input is called ") + name + ".",
          .wrong = "Only one spelling is known; or any vec2 is taken.",
@@ -334,11 +327,11 @@ Cases displacement_cases() {
   cases.push_back({.name = "ark.displacement.outputs",
                    .clauses = {"11.R.7b-1"},
                    .plan = "With LINEAR_OUTPUTS_ARK nothing is displaced.",
-                   .wrong = "Displaced all the same.",
+                   .wrong = "The vertices are displaced.",
                    .check = [](Test& t) { expect_not_displaced(t, {}, GL_LINEAR_OUTPUTS_ARK); }});
   cases.push_back({.name = "ark.displacement.texture_matrix",
                    .clauses = {"11.R.7b-4"},
-                   .plan = "A texture matrix that is not the identity changes nothing, fixed function.",
+                   .plan = "With the fixed function, a texture matrix other than the identity changes nothing.",
                    .wrong = "T is transformed by the matrix of unit 0, or of the displacement's unit.",
                    .apis = compat_only,
                    .check = check_texture_matrix});

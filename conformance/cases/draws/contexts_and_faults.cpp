@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Refined draws amid the rest of the GL: conditional rendering, several contexts and threads, and draws that go wrong.
+// Refined draws together with conditional rendering, with several contexts and threads, and draws that go wrong.
 #include <atomic>
 #include <thread>
 #include <utility>
@@ -15,7 +15,7 @@ namespace {
 
 void draw_triangle() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
 
-// Bends, so that its refinement is not what is drawn unrefined.
+// A vertex stage that bends, so that refined and unrefined pictures differ.
 const char bent_stage[] =
     "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour; out vec4 colour;\n"
     "void main() { colour = vertex_colour;\n"
@@ -54,7 +54,7 @@ void check_conditional(Test& t) {
 
 std::size_t count_refined(Test& t) { return capture(t, draw_triangle).size() / 3; }
 
-// Objects are shared, what the extension adds to a context is not.
+// Contexts share objects, but not the state that the extension adds to a context.
 void check_shared(Test& t) {
   const GLuint program = capture_program(t);
   gl.UseProgram(program);
@@ -72,7 +72,7 @@ void check_shared(Test& t) {
     t.require(t.context().make_current(), "the first context can be made current");
     t.expect_equal(count_refined(t), 4U, "triangles of the first context");
   }
-  // What the second context does to the buffer shows in the first.
+  // The second context's change of the buffer shows in the first.
   t.require(second->make_current(), "the second context can be made current");
   Mesh moved = one_triangle();
   moved[2].position = {0.5F, 0.25F, 0, 1};
@@ -83,7 +83,7 @@ void check_shared(Test& t) {
   gl.BindBuffer(GL_ARRAY_BUFFER, buffers.buffer);
   bool is_there = false;
   for (const CapturedVertex& vertex : capture(t, draw_triangle)) is_there = is_there || vertex.position[0] == 0.5F;
-  t.expect(is_there, "a refined draw has what another context wrote to its buffer");
+  t.expect(is_there, "a refined draw reads what another context wrote to its buffer");
 }
 
 struct Drawing {
@@ -92,7 +92,7 @@ struct Drawing {
   GLuint level;
 };
 
-// Draws often, clearing between; how many pictures differ from the first, and -1 where something else fails.
+// Draws often and clears in between. Returns how many pictures differ from the first, or -1 if something else fails.
 int draw_often(const Drawing& drawing) {
   std::string log;
   const GLuint program = try_program({.vertex = drawing.vertex, .fragment = drawing.fragment}, log);
@@ -136,8 +136,7 @@ struct Fault {
   const char* plan;
   void (*set)();
   void (*draw)();
-  bool has_client_memory =
-      false;  // in the compatibility profile it reads the application's memory, where there is none
+  bool has_client_memory = false;  // in the compatibility profile it reads the application's memory, and there is none
 };
 
 void bind_incomplete() {
@@ -175,18 +174,17 @@ const std::vector<Fault>& faults() {
       {"elements_0", "No index.", bind_indices, [] { gl.DrawElements(GL_TRIANGLES, 0, GL_UNSIGNED_SHORT, nullptr); }},
       {"elements_negative", "A negative number of indices.", bind_indices,
        [] { gl.DrawElements(GL_TRIANGLES, -1, GL_UNSIGNED_SHORT, nullptr); }},
-      {"elements_type", "Indices of a type that there is not.", bind_indices,
+      {"elements_type", "An index type that does not exist.", bind_indices,
        [] { gl.DrawElements(GL_TRIANGLES, 3, GL_FLOAT, nullptr); }},
       {"range_end", "A range that ends before it begins.", bind_indices,
        [] { gl.DrawRangeElements(GL_TRIANGLES, 3, 1, 3, GL_UNSIGNED_SHORT, nullptr); }},
-      {"mode", "A mode that there is not.", nothing, [] { gl.DrawArrays(0x77, 0, 3); }},
-      {"empty_buffer", "A count of 0 and a buffer without a byte.", empty_buffer,
-       [] { gl.DrawArrays(GL_TRIANGLES, 0, 0); }},
+      {"mode", "A mode that does not exist.", nothing, [] { gl.DrawArrays(0x77, 0, 3); }},
+      {"empty_buffer", "A count of 0 and an empty buffer.", empty_buffer, [] { gl.DrawArrays(GL_TRIANGLES, 0, 0); }},
       {"incomplete_framebuffer", "An incomplete framebuffer.", bind_incomplete, draw_triangle},
       {"mapped_buffer", "The array's buffer is mapped.", map_buffer, draw_triangle},
-      {"indirect_without_buffer", "An indirect draw without a buffer for it.", nothing,
+      {"indirect_without_buffer", "An indirect draw without an indirect buffer.", nothing,
        [] { gl.DrawArraysIndirect(GL_TRIANGLES, nullptr); }, true},
-      {"indirect_misaligned", "An indirect draw from an address that is no multiple of 4.", nothing,
+      {"indirect_misaligned", "An indirect draw from an address that is not a multiple of 4.", nothing,
        [] { gl.DrawArraysIndirect(GL_TRIANGLES, reinterpret_cast<const void*>(std::intptr_t{2})); }, true},
   };
   return all;
@@ -202,7 +200,7 @@ GLenum error_of(const Fault& fault) {
   return error;
 }
 
-// The unrefined draw in a context of its own.
+// Returns the picture of the unrefined draw, made in a context of its own.
 void check_fault(Test& t, const Fault& fault) {
   GLenum expected = GL_NO_ERROR;
   {
@@ -218,14 +216,14 @@ void check_fault(Test& t, const Fault& fault) {
   const Picture before = picture_of(draw_triangle);
   upload(one_triangle());
   const GLenum error = error_of(fault);
-  t.expect(error == expected, "the error of the refined draw is that of the unrefined one, " + error_name(expected) +
+  t.expect(error == expected, "the refined draw generates the error of the unrefined one, " + error_name(expected) +
                                   ", not " + error_name(error));
   upload(one_triangle());
-  t.expect_same_picture(picture_of(draw_triangle), before, "a refined draw after it");
-  t.expect_no_error("a refined draw after it");
+  t.expect_same_picture(picture_of(draw_triangle), before, "a refined draw afterwards");
+  t.expect_no_error("a refined draw afterwards");
 }
 
-// What is deleted while it is in use lives on (section 5.1.3 of the OpenGL specification).
+// An object that is deleted while in use lives on (section 5.1.3 of the OpenGL specification).
 void check_deleted(Test& t, bool is_program, bool is_refined) {
   const GLuint program = build_program(t, {.vertex = bent_stage});
   gl.UseProgram(program);
@@ -246,9 +244,9 @@ void check_deleted(Test& t, bool is_program, bool is_refined) {
   if (!is_program) gl.DeleteBuffers(2, names);
   gl.BindVertexArray(buffers.array);
   const Picture after = picture_of(draw);
-  // A program that lives only while it is used need not be refined.
+  // A program that lives only because it is in use need not be refined.
   const bool may_be_coarse = is_program && count_different(after, unrefined, 0) == 0;
-  t.expect_same_picture(after, may_be_coarse ? unrefined : before, "what is deleted and still in use");
+  t.expect_same_picture(after, may_be_coarse ? unrefined : before, "the deleted object is still in use");
   t.expect_no_error("drawing with deleted objects that are in use");
   gl.UseProgram(build_program(t, {.vertex = bent_stage}));
   t.expect_same_picture(picture_of(draw), before, "with a new program");
@@ -271,7 +269,7 @@ void check_indices(Test& t) {
   gl.DrawArrays(GL_TRIANGLES, 0x1000000, 3);
   gl.Finish();
   t.expect_no_error("indices out of range");
-  t.expect_same_picture(picture_of(draw_triangle), before, "a refined draw after it");
+  t.expect_same_picture(picture_of(draw_triangle), before, "a refined draw afterwards");
 }
 
 }  // namespace
@@ -280,23 +278,23 @@ Cases contexts_and_faults_cases() {
   Cases cases = {
       {.name = "ark.interplay.conditional_rendering",
        .clauses = {"10.R.2-1"},
-       .plan = "A refined draw within conditional rendering is drawn, or not, as the query says.",
-       .wrong = "The passes of the implementation ignore the condition, or draw nothing with it.",
+       .plan = "Conditional rendering draws a refined draw, or skips it, as the query says.",
+       .wrong = "The implementation's passes ignore the condition, or draw nothing with it.",
        .apis = desktop_apis,
        .check = check_conditional},
       {.name = "ark.interplay.share_group",
        .clauses = {"11.R.1-3"},
-       .plan = "Two contexts share a program and a buffer, each with a pool and a depth of its own, and draw in turn.",
-       .wrong = "The pool or the level of the other context; objects of one context used in the other.",
+       .plan = "Two contexts share a program and a buffer. Each has its own pool and depth, and they draw in turn.",
+       .wrong = "The pool or the level of the other context; objects of one context are used in the other.",
        .check = check_shared},
       {.name = "ark.interplay.threads",
        .clauses = {"11.R.1-3"},
-       .plan = "Two threads, a context each, draw 40 refined pictures at the same time.",
-       .wrong = "State in global variables: a picture of the other's depth, or a crash.",
+       .plan = "Two threads with a context each draw 40 refined pictures at the same time.",
+       .wrong = "State in global variables: a picture with the other's depth, or a crash.",
        .check = check_threads},
       {.name = "ark.robustness.indices",
        .clauses = {"11.R.11-1"},
-       .plan = "Indices out of range in a context with robust access: no crash.",
+       .plan = "Draw with indices out of range in a context with robust access: no crash.",
        .wrong = "A crash.",
        .check = check_indices},
   };
@@ -304,20 +302,20 @@ Cases contexts_and_faults_cases() {
     cases.push_back({.name = std::string("ark.robustness.deleted.") + (is_program ? "program" : "buffers"),
                      .clauses = is_program ? std::vector<std::string>{"10.R.2-1", "11.R.11-9"}
                                            : std::vector<std::string>{"10.R.2-1"},
-                     .plan =
-                         "Deletes the program, or vertex and index buffers of a vertex array that is not bound, and "
-                         "draws with them: they are still in use.",
-                     .wrong = "What the implementation keeps for them is gone: nothing is drawn, or unrefined.",
+                     .plan = "Delete the program, or the vertex and index buffers of a vertex array that is not bound, "
+                             "and draw with them: they are still in use.",
+                     .wrong = "The implementation drops its data for them: nothing is drawn, or the draw is unrefined.",
                      .control = [is_program](Test& t) { check_deleted(t, is_program, false); },
                      .check = [is_program](Test& t) { check_deleted(t, is_program, true); }});
   for (const Fault& fault : faults()) {
-    cases.push_back({.name = std::string("ark.robustness.draws.") + fault.leaf,
-                     .clauses = {"10.R.2-13"},
-                     .plan = std::string("The refined draw has the error of the unrefined one, and the next draw is as "
-                                         "ever. ") +
-                             fault.plan,
-                     .wrong = "No error, another one, or a crash; the state of the implementation's passes stays.",
-                     .check = [&fault](Test& t) { check_fault(t, fault); }});
+    cases.push_back(
+        {.name = std::string("ark.robustness.draws.") + fault.leaf,
+         .clauses = {"10.R.2-13"},
+         .plan = std::string(
+                     "The refined draw generates the error of the unrefined one, and the next draw works as usual. ") +
+                 fault.plan,
+         .wrong = "No error, another error, or a crash; the state of the implementation's passes remains.",
+         .check = [&fault](Test& t) { check_fault(t, fault); }});
     if (fault.has_client_memory) cases.back().apis = {Api::gl_core, Api::gles};
   }
   return cases;

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// DrawARP and DrawARPElementsARK, their errors, Begin and End, transform feedback draws, and what is not refined (10.R.2).
+// DrawARP and DrawARPElementsARK, Begin and End, and transform feedback draws (10.R.2).
+#include <fmt/core.h>
 #include <algorithm>
 #include <functional>
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/draws/ring.h"
+#include "conformance/cases/triangle_modes.h"
 #include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 
@@ -15,31 +18,7 @@ namespace {
 
 constexpr GLenum index_types[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT};
 
-struct Mode {
-  const char* name;
-  GLenum mode;
-  bool is_legacy;
-};
-constexpr Mode modes[] = {{"triangles", GL_TRIANGLES, false},       {"triangle_strip", GL_TRIANGLE_STRIP, false},
-                          {"triangle_fan", GL_TRIANGLE_FAN, false}, {"quads", GL_QUADS, true},
-                          {"quad_strip", GL_QUAD_STRIP, true},      {"polygon", GL_POLYGON, true}};
-
-Apis apis_of(const Mode& mode) { return mode.is_legacy ? compat_only : every_api; }
-
-// Twelve vertices about a ring, so that every mode gives triangles with an area; eighths, so that sums are exact.
-Mesh ring() {
-  const Vec2 places[] = {{-0.75F, -0.5F}, {-0.25F, -0.875F}, {0.25F, -0.75F},  {0.75F, -0.25F},
-                         {0.875F, 0.25F}, {0.5F, 0.625F},    {0.125F, 0.875F}, {-0.375F, 0.75F},
-                         {-0.75F, 0.5F},  {-0.875F, 0.125F}, {-0.5F, -0.125F}, {-0.625F, -0.375F}};
-  Mesh mesh(12);
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    const auto n = static_cast<float>(i);
-    mesh[i].position = {places[i][0], places[i][1], n / 16, 1};
-    mesh[i].colour = {n / 16, 1 - n / 16, static_cast<float>(i % 3) / 2, 1};
-    mesh[i].tag = static_cast<float>((i * 5 + i / 3) % 4);
-  }
-  return mesh;
-}
+Apis apis_of(const TriangleMode& mode) { return mode.is_legacy ? compat_only : every_api; }
 
 void set_up(Test& t) {
   use_readable_tags();
@@ -48,25 +27,9 @@ void set_up(Test& t) {
   refine_by_tags(3);
 }
 
-template <typename Index>
-void bind_indices_as() {
-  const Index indices[] = {11, 3, 5, 0, 7, 2, 9, 4, 1, 6, 8, 10};
-  GLuint buffer = 0;
-  gl.GenBuffers(1, &buffer);
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof(indices), indices, GL_STATIC_DRAW);
-}
-
-std::size_t bind_indices(GLenum type) {
-  if (type == GL_UNSIGNED_BYTE) bind_indices_as<GLubyte>();
-  if (type == GL_UNSIGNED_SHORT) bind_indices_as<GLushort>();
-  if (type == GL_UNSIGNED_INT) bind_indices_as<GLuint>();
-  return type == GL_UNSIGNED_BYTE ? 1 : type == GL_UNSIGNED_SHORT ? 2 : 4;
-}
-
 using Draw = std::function<void()>;
 
-// Sums of colours, which do not depend on the order of triangles.
+// Adds up colours, so that the order of triangles does not matter.
 Picture sum_of(const Draw& draw) {
   clear_surface();
   gl.Enable(GL_BLEND);
@@ -84,7 +47,7 @@ GLuint bending_program(Test& t) {
                                   "  gl_Position = vec4(position.xy + 0.2 * cos(4.0 * position.yx), 0.0, 1.0); }\n"});
 }
 
-// `arp` with ARK disabled is `draw` with ARK enabled, and leaves ARK disabled.
+// `arp` with ARK disabled draws what `draw` draws with ARK enabled, and leaves ARK disabled.
 void expect_arp_alone(Test& t, const Draw& draw, const Draw& arp, const std::string& what) {
   gl.Enable(GL_ARK);
   const Picture refined = sum_of(draw);
@@ -121,11 +84,11 @@ void check_elements(Test& t, GLenum mode) {
     const void* const at = reinterpret_cast<const void*>(2 * size);
     expect_arp(
         t, [=] { gl.DrawElements(mode, 8, type, at); }, [=] { gl.DrawARPElementsARK(mode, 8, type, at); },
-        std::to_string(8 * size) + " bits");
+        fmt::format("{} bits", 8 * size));
   }
 }
 
-// What is refined is a matter of each draw, also between BeginTransformFeedback and EndTransformFeedback.
+// Each draw decides whether it is refined, also between BeginTransformFeedback and EndTransformFeedback.
 void check_within_feedback(Test& t) {
   set_up(t);
   gl.Disable(GL_ARK);
@@ -184,7 +147,7 @@ void check_array_element(Test& t) {
       "ArrayElement");
 }
 
-// Vertices captured once are drawn again by their number, refined.
+// Captures vertices once, then draws that number of vertices, refined.
 void check_transform_feedback(Test& t, GLenum mode, GLsizei instances) {
   set_up(t);
   gl.Disable(GL_ARK);
@@ -211,148 +174,11 @@ void check_transform_feedback(Test& t, GLenum mode, GLsizei instances) {
   expect_refined(t, {}, draw, "as many vertices as were captured");
 }
 
-void expect_nothing_drawn(Test& t, GLenum error, const std::string& what, const std::function<void()>& draw) {
-  const GLboolean was_enabled = gl.IsEnabled(GL_ARK);
-  gl.ClearColor(0, 0, 1, 1);
-  gl.Clear(GL_COLOR_BUFFER_BIT);
-  const Picture before = read_picture(surface_size, surface_size);
-  draw();
-  t.expect_error(error, what);
-  t.expect_same_picture(read_picture(surface_size, surface_size), before, what + " draws nothing");
-  t.expect_equal(gl.IsEnabled(GL_ARK), was_enabled, what + " leaves ARK as it was");
-}
-
-void set_up_errors(Test& t, bool has_pool) {
-  gl.UseProgram(colour_program(t));
-  upload(ring());
-  bind_indices(GL_UNSIGNED_BYTE);
-  if (has_pool) refine_by_tags(3);
-}
-
-void check_bad_modes(Test& t) {
-  set_up_errors(t, true);
-  std::vector<GLenum> bad = {GL_POINTS,
-                             GL_LINES,
-                             GL_LINE_LOOP,
-                             GL_LINE_STRIP,
-                             GL_LINES_ADJACENCY,
-                             GL_LINE_STRIP_ADJACENCY,
-                             GL_PATCHES,
-                             GL_TRIANGLES_ADJACENCY,
-                             0x1234,
-                             GL_TRIANGLE_STRIP_ADJACENCY};
-  if (!t.is_compat()) bad.insert(bad.end(), {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON});
-  for (const GLenum mode : bad) {
-    const std::string name = "mode " + std::to_string(mode);
-    expect_nothing_drawn(t, GL_INVALID_ENUM, "DrawARP, " + name, [mode] { gl.DrawARP(mode, 0, 6); });
-    expect_nothing_drawn(t, GL_INVALID_ENUM, "DrawARPElementsARK, " + name,
-                         [mode] { gl.DrawARPElementsARK(mode, 6, GL_UNSIGNED_BYTE, nullptr); });
-  }
-}
-
-void check_before_init(Test& t) {
-  set_up_errors(t, false);
-  gl.DepthTag1i(0);
-  t.expect_no_error("set-up");
-  expect_nothing_drawn(t, GL_INVALID_OPERATION, "DrawARP", [] { gl.DrawARP(GL_TRIANGLES, 0, 6); });
-  expect_nothing_drawn(t, GL_INVALID_OPERATION, "DrawARPElementsARK",
-                       [] { gl.DrawARPElementsARK(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, nullptr); });
-}
-
-void check_in_list(Test& t) {
-  set_up_errors(t, true);
-  const GLuint list = gl.GenLists(1);
-  for (const GLenum how : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
-    gl.NewList(list, how);
-    expect_nothing_drawn(t, GL_INVALID_OPERATION, "DrawARP", [] { gl.DrawARP(GL_TRIANGLES, 0, 6); });
-    expect_nothing_drawn(t, GL_INVALID_OPERATION, "DrawARPElementsARK",
-                         [] { gl.DrawARPElementsARK(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, nullptr); });
-    gl.EndList();
-    expect_nothing_drawn(t, GL_NO_ERROR, "the list", [list] { gl.CallList(list); });
-  }
-}
-
-void check_other_errors(Test& t) {
-  set_up_errors(t, true);
-  for (const bool is_enabled : {true, false}) {
-    if (!is_enabled) gl.Disable(GL_ARK);
-    expect_nothing_drawn(t, GL_INVALID_VALUE, "a negative count", [] { gl.DrawARP(GL_TRIANGLES, 0, -3); });
-    expect_nothing_drawn(t, GL_INVALID_VALUE, "a negative first vertex", [] { gl.DrawARP(GL_TRIANGLES, -1, 3); });
-    expect_nothing_drawn(t, GL_INVALID_VALUE, "a negative count of indices",
-                         [] { gl.DrawARPElementsARK(GL_TRIANGLES, -1, GL_UNSIGNED_BYTE, nullptr); });
-    expect_nothing_drawn(t, GL_INVALID_ENUM, "indices that are floats",
-                         [] { gl.DrawARPElementsARK(GL_TRIANGLES, 6, GL_FLOAT, nullptr); });
-    expect_nothing_drawn(t, GL_INVALID_ENUM, "signed indices",
-                         [] { gl.DrawARPElementsARK(GL_TRIANGLES, 6, GL_SHORT, nullptr); });
-  }
-}
-
-void check_framebuffer_error(Test& t) {
-  set_up_errors(t, true);
-  GLuint framebuffer = 0;
-  gl.GenFramebuffers(1, &framebuffer);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  GLuint texture = 0;  // of no size: incomplete
-  gl.GenTextures(1, &texture);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-  t.expect_no_error("set-up");
-  gl.DrawARP(GL_TRIANGLES, 0, 6);
-  t.expect_error(GL_INVALID_FRAMEBUFFER_OPERATION, "DrawARP to an incomplete framebuffer");
-  gl.DrawARPElementsARK(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, nullptr);
-  t.expect_error(GL_INVALID_FRAMEBUFFER_OPERATION, "DrawARPElementsARK to an incomplete framebuffer");
-  gl.DrawArrays(GL_TRIANGLES, 0, 6);
-  t.expect_error(GL_INVALID_FRAMEBUFFER_OPERATION, "DrawArrays to an incomplete framebuffer");
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-}
-
-// Errors of ordinary commands while ARK is enabled, and commands that draw nothing give none.
-void check_ordinary_errors(Test& t) {
-  set_up_errors(t, true);
-  const auto expect = [&](GLenum error, const std::string& what, const std::function<void()>& draw) {
-    gl.Disable(GL_ARK);
-    expect_nothing_drawn(t, error, what + " without refinement", draw);
-    gl.Enable(GL_ARK);
-    expect_nothing_drawn(t, error, what, draw);
-  };
-  expect(GL_INVALID_ENUM, "mode 0x1234", [] { gl.DrawArrays(0x1234, 0, 3); });
-  expect(GL_INVALID_VALUE, "a negative count", [] { gl.DrawArrays(GL_TRIANGLES, 0, -1); });
-  expect(GL_INVALID_VALUE, "a negative number of instances", [] { gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, -1); });
-  expect(GL_INVALID_ENUM, "a type of indices", [] { gl.DrawElements(GL_TRIANGLES, 3, GL_FLOAT, nullptr); });
-  expect(GL_INVALID_VALUE, "a range that ends before it begins",
-         [] { gl.DrawRangeElements(GL_TRIANGLES, 5, 2, 3, GL_UNSIGNED_BYTE, nullptr); });
-  expect(GL_NO_ERROR, "no vertices", [] { gl.DrawArrays(GL_TRIANGLES, 0, 0); });
-  expect(GL_NO_ERROR, "too few vertices", [] { gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 2); });
-  expect(GL_NO_ERROR, "no instances", [] { gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, 0); });
-  expect(GL_NO_ERROR, "no indices", [] { gl.DrawElements(GL_TRIANGLES, 0, GL_UNSIGNED_BYTE, nullptr); });
-}
-
-Case error_case(const char* leaf, std::vector<std::string> clauses, const char* plan, void (*check)(Test&),
-                Apis apis = every_api) {
-  return {.name = std::string("ark.draw.errors.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = "No error; another one; the command draws all the same, or changes ARK.",
-          .apis = apis,
-          .check = check};
-}
-
 }  // namespace
 
 Cases draw_arp_cases() {
-  Cases cases = {
-      error_case("modes", {"10.R.2-10"}, "DrawARP and DrawARPElementsARK with every mode without triangles.",
-                 check_bad_modes),
-      error_case("before_init", {"10.R.2-11"}, "Both commands in a context without a pool.", check_before_init),
-      error_case("in_list", {"10.R.2-11"}, "Both commands while a display list is compiled.", check_in_list,
-                 compat_only),
-      error_case("arguments", {"10.R.2-12", "10.R.2-9"}, "Both commands with what DrawArrays and DrawElements reject.",
-                 check_other_errors),
-      error_case("framebuffer", {"10.R.2-12", "10.R.2-13"}, "Draws to a framebuffer that is not complete.",
-                 check_framebuffer_error),
-      error_case("ordinary", {"10.R.2-13"},
-                 "Ordinary commands that are rejected, or draw nothing, with and without ARK.", check_ordinary_errors)};
-  for (const Mode& mode : modes) {
+  Cases cases;
+  for (const TriangleMode& mode : triangle_modes) {
     const std::string wrong =
         "Unrefined while ARK is disabled; refined twice; ARK changes; the first vertex is ignored.";
     cases.push_back({.name = std::string("ark.draw.arp.arrays.") + mode.name,
@@ -370,7 +196,7 @@ Cases draw_arp_cases() {
     cases.push_back({.name = std::string("ark.draw.begin_end.") + mode.name,
                      .clauses = {"10.R.2-2", "10.R.1-13"},
                      .plan = "Capture vertices between Begin and End, each with its own tag.",
-                     .wrong = "Unrefined; one tag or one colour for the primitive.",
+                     .wrong = "Unrefined; one tag or one colour for the whole primitive.",
                      .apis = compat_only,
                      .check = [mode](Test& t) { check_begin_end(t, mode.mode); }});
     for (const GLsizei instances : {0, 2})
@@ -384,19 +210,20 @@ Cases draw_arp_cases() {
   }
   cases.push_back({.name = "ark.draw.begin_end.array_element",
                    .clauses = {"10.R.2-2"},
-                   .plan = "ArrayElement between Begin and End.",
+                   .plan = "Call ArrayElement between Begin and End.",
                    .wrong = "Unrefined; tags of other vertices.",
                    .apis = compat_only,
                    .check = check_array_element});
-  cases.push_back({.name = "ark.draw.arp.within_feedback",
-                   .clauses = {"10.R.2-1", "10.R.2-6"},
-                   .plan = "Capture DrawARP, and Enable(ARK) with a draw, in a capture that began with ARK disabled.",
-                   .wrong = "Unrefined, because the capture began so.",
-                   .check = check_within_feedback});
+  cases.push_back(
+      {.name = "ark.draw.arp.within_feedback",
+       .clauses = {"10.R.2-1", "10.R.2-6"},
+       .plan = "Within a capture that began with ARK disabled, capture DrawARP, and a draw after Enable(ARK).",
+       .wrong = "Unrefined, because ARK was disabled when the capture began.",
+       .check = check_within_feedback});
   cases.push_back({.name = "ark.draw.arp.elements.client_memory",
                    .clauses = {"10.R.2-8"},
                    .plan = "DrawARPElementsARK with indices in client memory.",
-                   .wrong = "The pointer is taken for an offset.",
+                   .wrong = "The pointer counts as an offset.",
                    .apis = compat_only,
                    .check = check_client_elements});
   return cases;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws that few programs make: with the number of commands on the GPU, from streams and separate buffers of transform feedback, of
-// more vertices than fit at once, with more inputs than most, in a hundred thousand pieces.
+// Draws that reach limits: the number of commands is on the GPU, vertices come from streams and separate buffers of
+// transform feedback, there are more vertices than fit at once, more inputs than usual, or a hundred thousand pieces.
+#include <fmt/core.h>
 #include <cmath>
 #include <cstring>
 
@@ -16,7 +17,7 @@ namespace {
 
 using Draw = std::function<void()>;
 
-// Side by side.
+// Triangles side by side.
 Mesh triangles_in_a_row(int count) {
   Mesh mesh;
   for (int i = 0; i < count; ++i)
@@ -38,7 +39,7 @@ GLuint bind_words(GLenum target, const std::vector<GLuint>& words) {
   return buffer;
 }
 
-// As `plain`, with `triangles` for the 4^depth of each of its own, whichever way to the depths there is.
+// The picture is `plain`, and each coarse triangle gives `triangles`, the 4^depth of every depth source.
 void expect_drawn(Test& t, const Picture& plain, GLuint triangles, const Draw& draw, const std::string& what) {
   for (const bool is_uniform : {true, false}) {
     is_uniform ? refine_uniformly(1) : refine_by_tags(2);
@@ -51,7 +52,7 @@ void expect_drawn(Test& t, const Picture& plain, GLuint triangles, const Draw& d
   t.expect_no_error(what);
 }
 
-// Two of four records, as a buffer says.
+// A buffer says that two of the four records are drawn.
 void check_indirect_count(Test& t, bool is_indexed) {
   if (t.version() < 46 && !t.has_extension("GL_ARB_indirect_parameters")) t.not_supported("no counts in a buffer");
   gl.UseProgram(colour_program(t));
@@ -62,11 +63,14 @@ void check_indirect_count(Test& t, bool is_indexed) {
   else
     bind_words(GL_DRAW_INDIRECT_BUFFER, {3, 1, 6, 0, 3, 1, 3, 0, 3, 1, 0, 0, 3, 1, 9, 0});
   bind_words(GL_PARAMETER_BUFFER, {9, 2});
-  const Draw draw = [is_indexed] {
+  const bool is_core = t.version() >= 46;
+  const auto draw_arrays = is_core ? gl.MultiDrawArraysIndirectCount : gl.MultiDrawArraysIndirectCountARB;
+  const auto draw_elements = is_core ? gl.MultiDrawElementsIndirectCount : gl.MultiDrawElementsIndirectCountARB;
+  const Draw draw = [is_indexed, draw_arrays, draw_elements] {
     if (is_indexed)
-      gl.MultiDrawElementsIndirectCount(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, 4, 4, 0);
+      draw_elements(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, 4, 4, 0);
     else
-      gl.MultiDrawArraysIndirectCount(GL_TRIANGLES, nullptr, 4, 4, 0);
+      draw_arrays(GL_TRIANGLES, nullptr, 4, 4, 0);
   };
   const Picture plain = picture_of(draw);
   t.expect_equal(count_generated(draw), 2U, "triangles of the unrefined draw");
@@ -98,7 +102,7 @@ void end_feedback() {
   gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
 }
 
-// An array of what was captured, with a tag of 1 for each vertex, and one colour.
+// A vertex array over the captured buffer, with a tag of 1 for each vertex and one colour.
 void read_from(GLuint buffer, std::size_t vertices) {
   GLuint array = 0;
   gl.GenVertexArrays(1, &array);
@@ -112,7 +116,7 @@ void read_from(GLuint buffer, std::size_t vertices) {
   gl.VertexAttrib4f(at_colour, 1, 0.5F, 0.25F, 1);
 }
 
-// Stream 0 has every vertex, stream 1 every vertex twice, in another place.
+// Stream 0 has every vertex. Stream 1 has every vertex twice, at another place.
 void check_stream(Test& t) {
   const GLuint program = build_program(
       t, {.vertex = "layout(location = 0) in vec4 position; void main() { gl_Position = position; }\n",
@@ -137,7 +141,7 @@ void check_stream(Test& t) {
   expect_drawn(t, plain, 6, draw, "triangles of stream 1");
 }
 
-// The buffers have room for what is captured, and for no more.
+// The buffers have just enough room.
 void check_separate(Test& t) {
   const GLuint program = build_program(
       t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour;\n"
@@ -198,8 +202,7 @@ GLuint many_program(Test& t) {
                                         "o6", "o7", "o8", "o9", "weights_out", "triangle_out"};
   for (std::size_t i = 0; i < many; ++i) {
     const std::string n = std::to_string(i);
-    declarations +=
-        "layout(location = " + std::to_string(many_locations[i]) + ") in vec4 i" + n + "; out vec4 o" + n + ";\n";
+    declarations += fmt::format("layout(location = {}) in vec4 i{}; out vec4 o{};\n", many_locations[i], n, n);
     body += "o" + n + " = i" + n + ";\n";
   }
   return build_program(t, {.vertex = declarations + "void main() { " + body + "}\n",
@@ -223,7 +226,7 @@ void expect_counts(Test& t, const Mesh& mesh, const std::vector<ManyVertex>& ver
   }
 }
 
-// The same program with other vertices from draw to draw: each input by bits.
+// Draws of one program with other vertices each time. Compares each input by bits.
 void check_many_inputs(Test& t, bool is_uniform) {
   const GLuint program = many_program(t);
   gl.UseProgram(program);
@@ -265,7 +268,7 @@ void check_many_inputs(Test& t, bool is_uniform) {
   }
 }
 
-// Edges of 15, 30.1 and 34.9 pixels, or of normals 120, 170 and 70 degrees apart, in every order.
+// Edges of 15, 30.1 and 34.9 pixels, or with normals 120, 170 and 70 degrees apart, in every order.
 void check_measured(Test& t, int count, bool by_degrees) {
   const float places[3][2] = {{10, 10}, {25, 10}, {28, 40}};
   const double angles[3] = {0, 120, -70};
@@ -304,7 +307,7 @@ void check_measured(Test& t, int count, bool by_degrees) {
   }
 }
 
-// Each pixel of the inside has one refined triangle; a level of more than a million.
+// Each pixel inside has one refined triangle, at a level with more than a million triangles.
 void check_covered_once(Test& t, int level) {
   gl.UseProgram(colour_program(t));
   Mesh mesh = one_triangle();
@@ -327,34 +330,36 @@ Cases draw_limits_cases() {
   for (const bool is_indexed : {false, true})
     cases.push_back(draw_case(
         std::string("indirect_count.") + (is_indexed ? "elements" : "arrays"), {"10.R.2-2"},
-        "A buffer says that two of four records are to be drawn.", "All four count, of which two have no vertices.",
+        "A buffer says that two of four records are to be drawn.",
+        "All four records count, though two of them have no vertices.",
         [is_indexed](Test& t) { check_indirect_count(t, is_indexed); }, desktop_apis));
-  cases.push_back(draw_case("feedback_stream", {"10.R.2-2"}, "Draw what stream 1 of a geometry shader has captured.",
+  cases.push_back(draw_case("feedback_stream", {"10.R.2-2"}, "Draw what stream 1 of a geometry shader captured.",
                             "As many vertices as stream 0 has.", check_stream, desktop_apis));
-  cases.push_back(draw_case("separate_feedback", {"10.R.2-2"},
-                            "Draw what was captured to two buffers, from one of them, which is full.",
-                            "As many vertices as would fit if they were interleaved.", check_separate, desktop_apis));
+  cases.push_back(
+      draw_case("separate_feedback", {"10.R.2-2"}, "Capture to two buffers, and draw from the one that is full.",
+                "As many vertices as would fit if the outputs were interleaved.", check_separate, desktop_apis));
   for (const GLenum mode : {GL_TRIANGLES, GL_QUADS})
-    cases.push_back(draw_case(std::string("begin_end.") + (mode == GL_QUADS ? "quads" : "triangles"), {"10.R.2-2"},
-                              "More than a hundred thousand triangles between one Begin and End, counted.",
-                              "Those beyond what is kept at once are lost, or one at each seam.",
-                              [mode](Test& t) { check_many_immediate(t, mode); }, compat_only));
+    cases.push_back(draw_case(
+        std::string("begin_end.") + (mode == GL_QUADS ? "quads" : "triangles"), {"10.R.2-2"},
+        "Count more than a hundred thousand triangles between one Begin and End.",
+        "Triangles beyond the implementation's buffer are lost, or one at each seam.",
+        [mode](Test& t) { check_many_immediate(t, mode); }, compat_only));
   for (const bool is_uniform : {true, false})
     cases.push_back(draw_case(std::string("many_inputs.") + (is_uniform ? "uniform" : "tags"), {"11.R.6-4", "11.R.6-2"},
-                              "Twelve inputs, other vertices from draw to draw: by bits.",
+                              "Twelve inputs and other vertices from draw to draw: compare by bits.",
                               "The inputs of the first draw, or of another triangle.",
                               [is_uniform](Test& t) { check_many_inputs(t, is_uniform); }));
   for (const int count : {6, 200})
     for (const bool by_degrees : {false, true})
       cases.push_back(draw_case(
-          std::string(by_degrees ? "degrees." : "pixels.") + std::to_string(count),
+          fmt::format("{}{}", by_degrees ? "degrees." : "pixels.", count),
           {by_degrees ? "11.R.4-8" : "11.R.4-4", "11.R.4-11"},
-          "Edges of three depths in every order, angles of more than 90 degrees among them, in small draws and large.",
-          "One edge has the depth of another; an angle counts as that to the opposite normal.",
+          "Edges of three depths in every order, with angles of more than 90 degrees, in small and large draws.",
+          "One edge has the depth of another; an angle counts as the angle to the opposite normal.",
           [count, by_degrees](Test& t) { check_measured(t, count, by_degrees); }));
   for (const int level : {9, 10})
-    cases.push_back(draw_case("covered_once.level_" + std::to_string(level), {"11.R.5-7", "11.R.5-8", "11.R.5-11"},
-                              "Add the colors of all refined triangles of a deep level.",
+    cases.push_back(draw_case(fmt::format("covered_once.level_{}", level), {"11.R.5-7", "11.R.5-8", "11.R.5-11"},
+                              "Add up the colours of all refined triangles of a deep level.",
                               "Parts are covered twice, or by triangles of another level.",
                               [level](Test& t) { check_covered_once(t, level); }));
   return cases;

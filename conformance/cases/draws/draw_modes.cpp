@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Every drawing command with every mode that has triangles (10.R.2): what it gives refined follows from what it gives unrefined.
+// Every drawing command in every mode that has triangles (10.R.2). The unrefined result determines the refined one.
+#include <fmt/core.h>
 #include <cstring>
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/triangle_modes.h"
 #include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 
@@ -15,7 +17,8 @@ namespace {
 constexpr GLsizei vertex_count = 24;
 constexpr GLenum index_types[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT};
 
-// Eighths, so that no sum is rounded; no two vertices are alike, nor lie on a line with a third that draws with them.
+// Coordinates are eighths, so that no sum is rounded. No two vertices are alike, and no three that draw together are
+// collinear.
 Mesh draw_mesh() {
   Mesh mesh(vertex_count);
   for (std::size_t i = 0; i < mesh.size(); ++i) {
@@ -29,7 +32,7 @@ Mesh draw_mesh() {
   return mesh;
 }
 
-// What the commands read: bound buffers, and where in them.
+// The commands' input: bound buffers, and offsets into them.
 struct Input {
   GLenum mode = GL_TRIANGLES;
   GLenum index_type = GL_UNSIGNED_SHORT;
@@ -44,7 +47,6 @@ struct Command {
   Apis apis;
   void (*draw)(const Input& input);
 };
-
 
 const void* indirect(std::size_t at) { return reinterpret_cast<const void*>(at * sizeof(GLuint)); }
 
@@ -67,7 +69,7 @@ void draw_multi_base_vertex(const Input& in) {
   gl.MultiDrawElementsBaseVertex(in.mode, count, in.index_type, at, 2, base);
 }
 
-// Numbers of the records of indirect draws, four and five to a record; see indirect_records().
+// Offsets of the records of indirect draws, in numbers of four or five to a record; see indirect_records().
 constexpr std::size_t arrays_record = 3;
 constexpr std::size_t elements_record = 11;
 
@@ -146,7 +148,7 @@ void set_up(Test& t) {
   use_readable_tags();
   gl.UseProgram(draw_program(t));
   upload(draw_mesh());
-  gl.VertexAttribDivisor(at_extra, 1);  // by instance, and from the base instance on
+  gl.VertexAttribDivisor(at_extra, 1);  // per instance, and starting at the base instance
   bind_records(t);
 }
 
@@ -161,7 +163,7 @@ Input input_of(GLenum mode, GLenum type) {
   return {mode, type, type == GL_UNSIGNED_BYTE ? 1U : type == GL_UNSIGNED_SHORT ? 2U : 4U};
 }
 
-// Before ARKinit; what is drawn unrefined after it may go the way of refined draws.
+// Runs before ARKinit: later unrefined draws may take the way of refined draws.
 std::vector<Picture> plain_pictures(const Command& command, GLenum mode) {
   std::vector<Picture> pictures;
   for (const GLenum type : index_types) {
@@ -180,11 +182,11 @@ void check_command(Test& t, const Command& command, GLenum mode) {
     const Input input = input_of(mode, index_types[i]);
     for (const int level : {-1, 0, 1, 2}) {
       refine_at(level);
-      const std::string what = (command.is_indexed ? std::to_string(8 * input.index_size) + " bits, " : std::string()) +
-                               (level < 0 ? std::string("tags") : "uniform depth " + std::to_string(level));
+      const std::string what = (command.is_indexed ? fmt::format("{} bits, ", 8 * input.index_size) : std::string()) +
+                               (level < 0 ? std::string("tags") : fmt::format("uniform depth {}", level));
       expect_refined(
           t, {.uniform_level = level}, [&] { command.draw(input); }, what);
-      // How a quadrilateral that crosses itself is cut may depend on whether it is captured.
+      // A quadrilateral that crosses itself may be cut in another way when it is captured.
       if (level != 1 && mode != GL_QUADS)
         t.expect_same_picture(picture_of([&] { command.draw(input); }), plain[i], what, 3, 60);
     }
@@ -200,31 +202,23 @@ void control_command(Test& t, const Command& command, GLenum mode) {
   t.expect(!vertices.empty(), "the unrefined command gives triangles");
 }
 
-struct Mode {
-  const char* name;
-  GLenum mode;
-};
-constexpr Mode modes[] = {{"triangles", GL_TRIANGLES},       {"triangle_strip", GL_TRIANGLE_STRIP},
-                          {"triangle_fan", GL_TRIANGLE_FAN}, {"quads", GL_QUADS},
-                          {"quad_strip", GL_QUAD_STRIP},     {"polygon", GL_POLYGON}};
-
-Case command_case(const Command& command, const Mode& mode) {
-  const bool is_legacy = mode.mode == GL_QUADS || mode.mode == GL_QUAD_STRIP || mode.mode == GL_POLYGON;
+Case command_case(const Command& command, const TriangleMode& mode) {
   return {.name = std::string("ark.draw.") + command.name + "." + mode.name,
-          .clauses = is_legacy ? std::vector<std::string>{"10.R.2-1", "10.R.2-2", "11.R.3-1", "11.R.3-5", "11.R.4-2"}
-                               : std::vector<std::string>{"10.R.2-1", "10.R.2-2", "11.R.3-1", "11.R.4-1", "11.R.4-2"},
+          .clauses = mode.is_legacy
+                         ? std::vector<std::string>{"10.R.2-1", "10.R.2-2", "11.R.3-1", "11.R.3-5", "11.R.4-2"}
+                         : std::vector<std::string>{"10.R.2-1", "10.R.2-2", "11.R.3-1", "11.R.4-1", "11.R.4-2"},
           .plan =
               "Capture the command unrefined, and refined by tags and at uniform depths 0 to 2, with every index "
               "type: number, vertices and area of the triangles follow from the coarse ones.",
           .wrong =
               "Unrefined; wrong vertices where the first vertex, the base vertex or the base instance is ignored; "
               "missing triangles of the last draw or instance; flipped triangles of a strip.",
-          .apis = is_legacy ? compat_only : command.apis,
+          .apis = mode.is_legacy ? compat_only : command.apis,
           .control = [&command, mode](Test& t) { control_command(t, command, mode.mode); },
           .check = [&command, mode](Test& t) { check_command(t, command, mode.mode); }};
 }
 
-// One command again and again, then another that differs in one argument: each gives the picture that it gives unrefined.
+// Repeats one command, then another that differs in one argument. Each gives its unrefined picture.
 void check_alternating(Test& t) {
   gl.UseProgram(colour_program(t));
   upload(draw_mesh());
@@ -258,9 +252,9 @@ void check_alternating(Test& t) {
       refine_by_tags(3);
     for (std::size_t i = 0; i < std::size(draws); ++i)
       for (int again = 0; again < 4; ++again)
-        t.expect_same_picture(picture(draws[i]), expected[i], "command " + std::to_string(i), 3, 60);
+        t.expect_same_picture(picture(draws[i]), expected[i], fmt::format("command {}", i), 3, 60);
     for (std::size_t i = 0; i < std::size(draws); ++i)
-      t.expect_same_picture(picture(draws[i]), expected[i], "command " + std::to_string(i) + " in turn", 3, 60);
+      t.expect_same_picture(picture(draws[i]), expected[i], fmt::format("command {} in turn", i), 3, 60);
   }
 }
 
@@ -289,7 +283,7 @@ void check_changed_tags(Test& t) {
     const auto expected = reference::minimum_triangles(reference::edge_depths({tags[0], tags[1], tags[2]}));
     for (int again = 0; again < 4; ++again) {
       draw();
-      t.expect_equal(std::int64_t{count_generated(draw)}, std::int64_t{expected}, "triangles with the tags of now");
+      t.expect_equal(std::int64_t{count_generated(draw)}, std::int64_t{expected}, "triangles with the current tags");
     }
   }
 }
@@ -297,21 +291,19 @@ void check_changed_tags(Test& t) {
 }  // namespace
 
 Cases draw_modes_cases() {
-  Cases cases = {
-      {.name = "ark.draw.again.other_command",
-       .clauses = {"10.R.2-2", "11.R.13-1"},
-       .plan = "Repeat commands that differ in one argument, one after the other and in turn, by tags and "
-               "uniformly: the pictures of the unrefined ones.",
-       .wrong = "What was kept of one command is taken for another with another base vertex, offset, count or "
-                "mode.",
-       .check = check_alternating},
-      {.name = "ark.draw.again.other_tags",
-       .clauses = {"10.R.1-18", "11.R.13-1"},
-       .plan = "Repeat a draw, and write other tags to its buffer in three ways.",
-       .wrong = "The tags that the buffer held before.",
-       .check = check_changed_tags}};
+  Cases cases = {{.name = "ark.draw.again.other_command",
+                  .clauses = {"10.R.2-2", "11.R.13-1"},
+                  .plan = "Repeat commands that differ in one argument, one after the other and in turn, by tags and "
+                          "uniformly: the pictures are the unrefined ones.",
+                  .wrong = "Data of one command is used for another with another base vertex, offset, count or mode.",
+                  .check = check_alternating},
+                 {.name = "ark.draw.again.other_tags",
+                  .clauses = {"10.R.1-18", "11.R.13-1"},
+                  .plan = "Repeat a draw, and write other tags to its buffer in three ways.",
+                  .wrong = "The tags that the buffer held before.",
+                  .check = check_changed_tags}};
   for (const Command& command : commands())
-    for (const Mode& mode : modes) cases.push_back(command_case(command, mode));
+    for (const TriangleMode& mode : triangle_modes) cases.push_back(command_case(command, mode));
   return cases;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws whose triangles a buffer counts, and queries that count them in every way that there is.
+// Draws whose vertex count is in a buffer, and every kind of query that counts primitives.
 #include <cstring>
 
 #include "conformance/cases/cases.h"
@@ -16,7 +16,7 @@ using Draw = std::function<void()>;
 
 constexpr GLsizei all_vertices = 12;
 
-// Four triangles in four places; the second pair repeats nothing of the first.
+// Four triangles at four places. The second pair repeats nothing of the first.
 Mesh four_triangles() {
   Mesh mesh;
   for (int i = 0; i < 4; ++i)
@@ -31,7 +31,7 @@ Mesh four_triangles() {
   return mesh;
 }
 
-// The four again and again, with tags of 1.
+// Repeats the four triangles, with tags of 1.
 Mesh many_triangles() {
   Mesh mesh;
   for (int i = 0; i < 100; ++i)
@@ -42,7 +42,7 @@ Mesh many_triangles() {
   return mesh;
 }
 
-// As the unrefined draw, with 4^2 triangles for each of its own, however often.
+// Each repeated draw gives the unrefined picture, with 4^2 triangles for each coarse one.
 void expect_drawn(Test& t, const Draw& draw, const std::string& what) {
   gl.Disable(GL_ARK);
   const Picture plain = picture_of(draw);
@@ -69,7 +69,7 @@ void set_up(Test& t) {
   upload(four_triangles(), false);
 }
 
-// Records eight words apart, with what would draw too much between them.
+// Records eight words apart. The words in between would draw too much.
 void check_stride(Test& t) {
   set_up(t);
   bind_words(GL_DRAW_INDIRECT_BUFFER, {3, 1, 0, 0, 9, 9, 9, 9, 6, 1, 3, 0, 0, 0, 0, 0, 3, 2, 9, 0});
@@ -83,7 +83,7 @@ void check_stride(Test& t) {
       t, [] { gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, 2, 28); }, "two indexed records");
 }
 
-// No record, one, and records that draw nothing among others that do.
+// No record, one record, and records that draw nothing among others that do.
 void check_empty_records(Test& t) {
   set_up(t);
   bind_words(GL_DRAW_INDIRECT_BUFFER, {0, 1, 0, 0, 3, 1, 3, 0, 3, 0, 0, 0, 6, 1, 6, 0});
@@ -114,7 +114,7 @@ void check_restart(Test& t) {
         t, [mode] { gl.DrawElements(mode, 14, GL_UNSIGNED_INT, nullptr); }, "a draw with restarts");
 }
 
-// Small restart indices are numbers of vertices in the patterns of an implementation, too.
+// Small restart indices are also vertex numbers in an implementation's patterns.
 void check_small_restart(Test& t) {
   set_up(t);
   gl.Enable(GL_PRIMITIVE_RESTART);
@@ -128,7 +128,7 @@ void check_small_restart(Test& t) {
   }
 }
 
-// What was bound and pointed at for such draws stays.
+// Buffers and pointers that such draws use stay bound.
 void check_bindings(Test& t) {
   set_up(t);
   gl.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
@@ -160,7 +160,7 @@ void check_bindings(Test& t) {
   t.expect_no_error("the draws");
 }
 
-// An indexed binding with an offset, read by a compute shader between refined draws.
+// A compute shader reads an indexed binding with an offset between refined draws.
 void check_storage_range(Test& t) {
   set_up(t);
   GLint alignment = 256;
@@ -200,39 +200,20 @@ void draw_in(GLenum target, GLuint query, const Draw& draw) {
   gl.EndQuery(target);
 }
 
+template <typename Result, void (*GladGLContext::*get)(GLuint, GLenum, Result*)>
+GLuint count_by(GLenum target, GLuint query, const Draw& draw) {
+  Result result = 0;
+  draw_in(target, query, draw);
+  (gl.*get)(query, GL_QUERY_RESULT, &result);
+  return static_cast<GLuint>(result);
+}
+
 const std::vector<Counting>& countings() {
   static const std::vector<Counting> all = {
-      {"unsigned",
-       [](GLenum target, GLuint query, const Draw& draw) {
-         GLuint result = 0;
-         draw_in(target, query, draw);
-         gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &result);
-         return result;
-       }},
-      {"signed",
-       [](GLenum target, GLuint query, const Draw& draw) {
-         GLint result = 0;
-         draw_in(target, query, draw);
-         gl.GetQueryObjectiv(query, GL_QUERY_RESULT, &result);
-         return static_cast<GLuint>(result);
-       },
-       desktop_apis},
-      {"unsigned_64",
-       [](GLenum target, GLuint query, const Draw& draw) {
-         GLuint64 result = 0;
-         draw_in(target, query, draw);
-         gl.GetQueryObjectui64v(query, GL_QUERY_RESULT, &result);
-         return static_cast<GLuint>(result);
-       },
-       desktop_apis},
-      {"signed_64",
-       [](GLenum target, GLuint query, const Draw& draw) {
-         GLint64 result = 0;
-         draw_in(target, query, draw);
-         gl.GetQueryObjecti64v(query, GL_QUERY_RESULT, &result);
-         return static_cast<GLuint>(result);
-       },
-       desktop_apis},
+      {"unsigned", count_by<GLuint, &GladGLContext::GetQueryObjectuiv>},
+      {"signed", count_by<GLint, &GladGLContext::GetQueryObjectiv>, desktop_apis},
+      {"unsigned_64", count_by<GLuint64, &GladGLContext::GetQueryObjectui64v>, desktop_apis},
+      {"signed_64", count_by<GLint64, &GladGLContext::GetQueryObjecti64v>, desktop_apis},
       {"no_wait",
        [](GLenum target, GLuint query, const Draw& draw) {
          GLuint result = 0;
@@ -257,7 +238,8 @@ const std::vector<Counting>& countings() {
   return all;
 }
 
-// The first refined draws of the context lie within the queries, and so do draws of other depths; one query object for all of them.
+// The context's first refined draws run within the queries, and so do draws of other depths. One query object serves
+// all of them.
 void check_counting(Test& t, const Counting& counting, bool is_discarded) {
   set_up(t);
   GLuint query = 0;
@@ -275,7 +257,7 @@ void check_counting(Test& t, const Counting& counting, bool is_discarded) {
         t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), GLuint{4} << (2 * level),
                        "triangles of depth " + as_text(level));
     }
-  // Edges of many pixels: all have the depth of the pool.
+  // Edges of many pixels, so that all have the depth of the pool.
   gl.ARKinit(2);
   gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
   gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 1);
@@ -310,30 +292,31 @@ Cases indirect_draws_cases() {
       {.name = "ark.draw.indirect.stride",
        .clauses = {"10.R.2-2"},
        .plan = "Records of indirect draws that are not tightly packed.",
-       .wrong = "What lies between them is taken for a record: too few triangles, or too many.",
+       .wrong = "The words in between count as a record: too few triangles, or too many.",
        .apis = desktop_apis,
        .check = check_stride},
       {.name = "ark.draw.indirect.empty",
        .clauses = {"10.R.2-2"},
-       .plan = "Several draws in one command, some of which have no triangle.",
+       .plan = "Several draws in one command. Some of them have no triangle.",
        .wrong = "The others are not refined, or not drawn.",
        .apis = desktop_apis,
        .check = check_empty_records},
       {.name = "ark.restart.counts.fixed",
        .clauses = {"10.R.2-2"},
-       .plan = "Restarts between triangles, strips and fans, in indirect draws and others: triangles and pictures.",
-       .wrong = "Triangles are counted as if there were no restart: some from nowhere are drawn.",
+       .plan =
+           "Restart between triangles, strips and fans, in indirect draws and others; compare triangles and pictures.",
+       .wrong = "Triangles are counted as if there were no restart: wrong ones appear.",
        .check = check_restart},
       {.name = "ark.restart.counts.small",
        .clauses = {"10.R.2-2", "11.R.5-7"},
        .plan = "Restart indices that are small numbers.",
-       .wrong = "Patterns that are drawn with indices restart, too.",
+       .wrong = "Restart also applies to the indices of patterns.",
        .apis = desktop_apis,
        .check = check_small_restart},
       {.name = "ark.draw.keeps.counted_bindings",
        .clauses = {"10.R.2-6", "10.R.2-2"},
-       .plan = "Bind a buffer to each target that has to do with counts, draw, and ask what is bound.",
-       .wrong = "What the implementation bound for its own passes stays.",
+       .plan = "Bind a buffer to each target that concerns counts, draw, and ask for the bindings.",
+       .wrong = "Bindings of the implementation's own passes remain.",
        .apis = desktop_apis,
        .check = check_bindings},
       {.name = "ark.draw.keeps.storage_ranges",
@@ -346,8 +329,8 @@ Cases indirect_draws_cases() {
       cases.push_back(
           {.name = std::string("ark.after_vertex.queries.") + counting.leaf + (is_discarded ? ".discarded" : ".drawn"),
            .clauses = {"chapter-14-8", "chapter-14-9"},
-           .plan = "One query object for draws of several depths, from the first one of the context on.",
-           .wrong = "Coarse triangles are counted in addition, or taken away twice.",
+           .plan = "One query object for draws of several depths, starting with the context's first draw.",
+           .wrong = "Coarse triangles are counted too, or subtracted twice.",
            .apis = counting.apis,
            .control = [&counting](Test& t) { control_counting(t, counting); },
            .check = [&counting, is_discarded](Test& t) { check_counting(t, counting, is_discarded); }});

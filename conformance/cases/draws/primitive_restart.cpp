@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Primitive restart: coarse triangles end and begin where those of the unrefined command do (11.R.3).
+// Primitive restart: it cuts refined draws where it cuts unrefined ones (11.R.3).
+#include <fmt/core.h>
 #include <utility>
 
 #include "conformance/cases/cases.h"
@@ -12,7 +13,7 @@ namespace {
 
 constexpr GLsizei index_count = 18;
 
-// Eighths and sixteenths, so that no sum is rounded; no two vertices are alike.
+// Coordinates are eighths and sixteenths, so that no sum is rounded. No two vertices are alike.
 Mesh restart_mesh() {
   Mesh mesh(24);
   for (std::size_t i = 0; i < mesh.size(); ++i) {
@@ -30,7 +31,7 @@ struct Restart {
   const char* leaf;
   bool is_fixed;      // PRIMITIVE_RESTART_FIXED_INDEX
   GLuint index;       // of the last of each type, if fixed
-  bool is_on = true;  // off: the index is a vertex
+  bool is_on = true;  // off: the restart index is an ordinary vertex
 };
 
 constexpr GLenum index_types[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT};
@@ -57,7 +58,7 @@ struct Command {
   void (*draw)(GLenum mode, GLenum type);
 };
 
-// The base vertex is added after the index is compared with the one that restarts.
+// The index is compared with the restart index before the base vertex is added.
 const Command commands[] = {
     {"elements", [](GLenum mode, GLenum type) { gl.DrawElements(mode, index_count, type, nullptr); }},
     {"base_vertex", [](GLenum mode, GLenum type) { gl.DrawElementsBaseVertex(mode, index_count, type, nullptr, 7); }},
@@ -84,8 +85,8 @@ void check_restart(Test& t, const Restart& restart, GLenum mode) {
         }
         expect_refined(
             t, {.uniform_level = level}, [&] { command.draw(mode, type); },
-            std::string(command.leaf) + (level < 0 ? ", tags, type " : ", uniform, type ") +
-                std::to_string(type - GL_UNSIGNED_BYTE));
+            fmt::format("{}{}{}", command.leaf, (level < 0 ? ", tags, type " : ", uniform, type "),
+                        type - GL_UNSIGNED_BYTE));
       }
   }
 }
@@ -129,15 +130,14 @@ Cases primitive_restart_cases() {
   for (const Restart& restart : restarts)
     for (const Mode& mode : modes) {
       const bool is_legacy = mode.mode == GL_QUADS || mode.mode == GL_QUAD_STRIP;
-      cases.push_back(
-          {.name = std::string("ark.restart.") + restart.leaf + "." + mode.name,
-           .clauses = {"10.R.2-1", "11.R.3-1"},
-           .plan = "Indexed draws whose indices have runs of 4, 5, 0 and 6 vertices, of every index type, "
-                   "with a base vertex and instances: the refined triangles are those of the unrefined draw.",
-           .wrong = "The index that restarts is taken for a vertex; it is compared after the base vertex is "
-                    "added; a triangle across a restart; strips keep their parity.",
-           .control = [restart, mode](Test& t) { control_restart(t, restart, mode.mode); },
-           .check = [restart, mode](Test& t) { check_restart(t, restart, mode.mode); }});
+      cases.push_back({.name = std::string("ark.restart.") + restart.leaf + "." + mode.name,
+                       .clauses = {"10.R.2-1", "11.R.3-1"},
+                       .plan = "Draw indices in runs of 4, 5, 0 and 6 vertices, with every index type, a base vertex "
+                               "and instances: the refined triangles are those of the unrefined draw.",
+                       .wrong = "The restart index counts as a vertex; it is compared after the base vertex is added; "
+                                "a triangle across a restart; strips keep their parity.",
+                       .control = [restart, mode](Test& t) { control_restart(t, restart, mode.mode); },
+                       .check = [restart, mode](Test& t) { check_restart(t, restart, mode.mode); }});
       if (is_legacy)
         cases.back().apis = compat_only;
       else if (!restart.is_fixed)

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Rasterization state applies to refined triangles, and pictures of them are those that the reference rasterizer draws.
+// Rasterization state applies to refined triangles. Their pictures are those of the reference rasterizer.
+#include <fmt/core.h>
 #include <cmath>
 
 #include "conformance/cases/cases.h"
@@ -12,10 +13,10 @@
 namespace glark::conformance {
 namespace {
 
-
 void draw_three() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
 
-// The GL snaps window coordinates to 2^-SUBPIXEL_BITS; pixels whose centre lies within one such step of an edge are left out.
+// The GL snaps window coordinates to 2^-SUBPIXEL_BITS. The comparison leaves out pixels whose centre lies within one
+// such step of an edge.
 double uncertainty() {
   GLint bits = 4;
   gl.GetIntegerv(GL_SUBPIXEL_BITS, &bits);
@@ -27,7 +28,7 @@ void expect_raster(Test& t, const reference::Raster& raster, const Picture& actu
   if (different == 0) return static_cast<void>(t.expect(true, what));
   t.attach("expected", raster.picture());
   t.attach("actual", actual);
-  t.fail(std::string(what) + ": " + std::to_string(different) + " pixels away from edges differ");
+  t.fail(fmt::format("{}: {} pixels away from edges differ", what, different));
 }
 
 reference::RasterVertex raster_vertex(const Vec4& position, const Vec4& colour) { return {position, colour}; }
@@ -48,7 +49,7 @@ struct ColouredVertex {
   Vec4 colour;
 };
 
-// The program in use gives colours; refined triangles are computed here, from the vertices' weights.
+// The program in use writes colours. The case computes the refined triangles from the vertices' weights.
 void check_refined(Test& t, GLenum refinement) {
   Mesh mesh = bent_mesh();
   for (std::size_t i = 0; i < mesh.size(); ++i)
@@ -98,7 +99,7 @@ int count_lit(const Picture& picture) {
   return count;
 }
 
-// At uniform depth 2, the wire frame is that of 16 triangles: drawn here as lines.
+// At uniform depth 2 the wire frame is that of 16 triangles, which the case draws as lines.
 void check_polygon_mode_line(Test& t) {
   gl.UseProgram(build_program(t, {.vertex = "layout(location = 0) in vec4 position; out vec4 colour;\n"
                                             "void main() { colour = vec4(1.0); gl_Position = position; }\n"}));
@@ -124,7 +125,7 @@ void check_polygon_mode_line(Test& t) {
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   const Picture actual = picture_of(draw_three);
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  // A line drawn in pieces lights other pixels where it is steep by rounding: each within a pixel.
+  // A line drawn in pieces may light other pixels: rounding shifts a steep line by up to a pixel.
   int away = 0;
   for (int y = 1; y + 1 < surface_size; ++y)
     for (int x = 1; x + 1 < surface_size; ++x) {
@@ -137,7 +138,7 @@ void check_polygon_mode_line(Test& t) {
   const int lit = count_lit(actual);
   const int wanted = count_lit(expected);
   if (!t.expect(lit > wanted * 9 / 10 && lit < wanted * 11 / 10,
-                "the wire frame has " + std::to_string(lit) + " pixels, the lines have " + std::to_string(wanted))) {
+                fmt::format("the wire frame has {} pixels, the lines have {}", lit, wanted))) {
     t.attach("expected", expected);
     t.attach("actual", actual);
   }
@@ -152,7 +153,7 @@ void check_polygon_mode_point(Test& t) {
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   // (2^3 + 1) (2^3 + 2) / 2 vertices.
   const int lit = count_lit(points);
-  t.expect(lit >= 42 && lit <= 45, "45 vertices are points, but for two in one pixel: " + std::to_string(lit));
+  t.expect(lit >= 42 && lit <= 45, fmt::format("45 vertices are points, except for two in one pixel: {}", lit));
 }
 
 void check_edge_flags(Test& t) {
@@ -170,7 +171,7 @@ void check_edge_flags(Test& t) {
   refine_uniformly(2);
   const int lit = count_lit(picture_of(draw));
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  t.expect(lit > 400, "every edge of a refined triangle is drawn, " + std::to_string(lit) + " pixels");
+  t.expect(lit > 400, fmt::format("every edge of a refined triangle is drawn, {} pixels", lit));
 }
 
 void check_culling(Test& t, GLenum refinement) {
@@ -209,10 +210,10 @@ void check_polygon_offset(Test& t) {
   draw_three();
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   draw_three();
-  t.expect_equal(count_lit(read_picture(surface_size, surface_size)), 0, "the same depths are not less");
+  t.expect_equal(count_lit(read_picture(surface_size, surface_size)), 0, "equal depths are not less");
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   draw_three();
-  t.expect_equal(count_lit(read_picture(surface_size, surface_size)), once, "with an offset they are, everywhere");
+  t.expect_equal(count_lit(read_picture(surface_size, surface_size)), once, "with an offset they are less, everywhere");
 }
 
 void check_two_sided(Test& t) {
@@ -235,8 +236,8 @@ void check_two_sided(Test& t) {
     }
     gl.End();
   });
-  t.expect(picture.at(surface_size * 3 / 4, surface_size / 2)[0] == 255, "the right triangle shows its front");
-  t.expect(picture.at(surface_size / 4, surface_size / 2)[1] == 255, "the left one its back");
+  t.expect(picture.at(surface_size * 3 / 4, surface_size / 2)[0] == 255, "the right triangle shows its front colour");
+  t.expect(picture.at(surface_size / 4, surface_size / 2)[1] == 255, "the left triangle shows its back colour");
 }
 
 void check_clip_distances(Test& t, GLenum refinement, bool is_redeclared = true) {
@@ -274,7 +275,8 @@ void check_clip_planes(Test& t, GLenum refinement) {
   t.expect_same_picture(picture_of(draw), expected, "clipped by a plane", 2, 20);
 }
 
-// The sources' indices are set by the API, not in the shader. Drawn is one output times the other, over a colour that goes.
+// The API sets the outputs' source indices, not the shader. The result is one output times the other; the colour
+// underneath vanishes.
 void check_two_sources(Test& t, GLenum refinement) {
   const GLuint program = build_program(
       t,
@@ -310,7 +312,7 @@ constexpr Area raster_case{"ark.rasterized."};
 Cases rasterization_cases() {
   Cases cases = {
       raster_case(
-          "two_sources.inputs", {"11.R.10-2"}, "Blend with a second source whose index the API has set.",
+          "two_sources.inputs", {"11.R.10-2"}, "Blend with a second source whose index the API sets.",
           "The outputs have other indices in the program that draws refined triangles.",
           [](Test& t) { check_two_sources(t, GL_LINEAR_INPUTS_ARK); }, desktop_apis),
       raster_case(
@@ -318,50 +320,52 @@ Cases rasterization_cases() {
           "The outputs have other indices in the program that draws refined triangles.",
           [](Test& t) { check_two_sources(t, GL_LINEAR_OUTPUTS_ARK); }, desktop_apis),
       raster_case("polygon_mode.line", {"chapter-14-11", "chapter-14-12"},
-                  "The wire frame at depth 2 is that of 16 triangles, drawn here as lines.",
+                  "The wire frame at depth 2 is that of 16 triangles, which the case draws as lines.",
                   "The outline of the coarse triangle.", check_polygon_mode_line, desktop_apis),
       raster_case("polygon_mode.point", {"chapter-14-11"}, "45 points at depth 3.", "Three points.",
                   check_polygon_mode_point, desktop_apis),
       raster_case("edge_flags", {"chapter-14-12"},
-                  "Edge flags are FALSE: unrefined nothing is drawn, refined every edge.",
-                  "Edge flags of the corners are kept, or refined.", check_edge_flags, compat_only),
+                  "Edge flags are FALSE: nothing is drawn unrefined, every edge is drawn refined.",
+                  "The corners' edge flags are kept or refined.", check_edge_flags, compat_only),
       raster_case("culling.inputs", {"chapter-14-13"},
-                  "Front and back faces culled, both orientations of the triangle and of FrontFace.",
-                  "Refined triangles are turned.", [](Test& t) { check_culling(t, GL_LINEAR_INPUTS_ARK); }),
+                  "Front and back faces are culled, with both orientations of the triangle and of FrontFace.",
+                  "Refined triangles have the wrong orientation.",
+                  [](Test& t) { check_culling(t, GL_LINEAR_INPUTS_ARK); }),
       raster_case("culling.outputs", {"chapter-14-13"}, "The same with LINEAR_OUTPUTS_ARK.",
-                  "Refined triangles are turned.", [](Test& t) { check_culling(t, GL_LINEAR_OUTPUTS_ARK); }),
+                  "Refined triangles have the wrong orientation.",
+                  [](Test& t) { check_culling(t, GL_LINEAR_OUTPUTS_ARK); }),
       raster_case("polygon_offset", {"chapter-14-13", "11.R.13-1"},
-                  "A second pass of the same draw has the same depths, and lesser ones with an offset.",
-                  "Offset is lost; depths of two passes differ.", check_polygon_offset),
+                  "A second pass of the same draw has the same depths, and smaller depths with an offset.",
+                  "The offset is lost; depths of two passes differ.", check_polygon_offset),
       raster_case("two_sided", {"chapter-14-13"}, "Two triangles, one of each orientation, with front and back colors.",
-                  "All show their front.", check_two_sided, compat_only),
-      raster_case("clip_plane.inputs", {"chapter-14-14"}, "A user clip plane, fixed function.", "Not clipped.",
-                  [](Test& t) { check_clip_planes(t, GL_LINEAR_INPUTS_ARK); }, compat_only),
-      raster_case("clip_plane.outputs", {"chapter-14-14", "11.R.6-9"}, "A user clip plane, outputs refined.",
-                  "The clip vertex is not refined.", [](Test& t) { check_clip_planes(t, GL_LINEAR_OUTPUTS_ARK); },
-                  compat_only),
+                  "All triangles show their front colour.", check_two_sided, compat_only),
+      raster_case(
+          "clip_plane.inputs", {"chapter-14-14"}, "A user clip plane with the fixed function.", "Not clipped.",
+          [](Test& t) { check_clip_planes(t, GL_LINEAR_INPUTS_ARK); }, compat_only),
+      raster_case(
+          "clip_plane.outputs", {"chapter-14-14", "11.R.6-9"}, "A user clip plane with refined outputs.",
+          "The clip vertex is not refined.", [](Test& t) { check_clip_planes(t, GL_LINEAR_OUTPUTS_ARK); }, compat_only),
       raster_case(
           "clip_distance.inputs", {"chapter-14-14"}, "Two clip distances.", "Not clipped.",
           [](Test& t) { check_clip_distances(t, GL_LINEAR_INPUTS_ARK); }, desktop_apis),
       raster_case(
-          "clip_distance.outputs", {"chapter-14-14", "11.R.6-9"}, "Two clip distances, outputs refined.",
-          "Not clipped, or only by the first.", [](Test& t) { check_clip_distances(t, GL_LINEAR_OUTPUTS_ARK); },
-          desktop_apis),
+          "clip_distance.outputs", {"chapter-14-14", "11.R.6-9"}, "Two clip distances with refined outputs.",
+          "Not clipped, or clipped only by the first distance.",
+          [](Test& t) { check_clip_distances(t, GL_LINEAR_OUTPUTS_ARK); }, desktop_apis),
       raster_case(
           "clip_distance.outputs_of_language", {"chapter-14-14", "11.R.6-9"},
-          "Two clip distances as the language declares them, outputs refined.", "The distances of one corner.",
+          "Two clip distances as the language declares them, with refined outputs.", "The distances of one corner.",
           [](Test& t) { check_clip_distances(t, GL_LINEAR_OUTPUTS_ARK, false); }, desktop_apis),
   };
   const std::pair<const char*, GLenum> refinements[] = {{"picture.inputs", GL_LINEAR_INPUTS_ARK},
                                                         {"picture.outputs", GL_LINEAR_OUTPUTS_ARK},
                                                         {"picture.curved", GL_CURVED_PN_ARK}};
   for (const auto& [leaf, refinement] : refinements) {
-    Case made = raster_case(
-        leaf, {"overview-2", "11.R.7-1"},
-        "A mesh with tags, drawn with depth test, is compared with the picture that the suite's own rasterizer draws "
-        "of the vertices that the reference gives; only pixels within a subpixel step of an edge are left out.",
-        "A missing triangle, a triangle elsewhere, colors of the wrong corner.",
-        [refinement = refinement](Test& t) { check_refined(t, refinement); });
+    Case made = raster_case(leaf, {"overview-2", "11.R.7-1"},
+                            "Draw a mesh with tags and a depth test. Compare with the suite's own rasterizer, which "
+                            "draws the vertices of the reference, except for pixels within a subpixel step of an edge.",
+                            "A missing triangle, a triangle at the wrong place, colours of the wrong corner.",
+                            [refinement = refinement](Test& t) { check_refined(t, refinement); });
     made.control = check_coarse;
     cases.push_back(made);
   }

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Generated scenes: off is identity, linear is invisible, closed meshes are closed, and no state is left behind.
+// Generated scenes: disabled refinement changes nothing, linear refinement is invisible, closed meshes stay closed, and
+// no state changes.
+#include <fmt/core.h>
 #include <cmath>
 #include <map>
 
@@ -49,8 +51,8 @@ Picture picture_of(GLsizei count) {
   return read_picture(surface_size, surface_size);
 }
 
-// Pixels that differ and are farther than a subpixel step from every edge of the coarse mesh. Where triangles overlap at nearly the
-// same depth, either may win: these scenes have none that meet at less than a rounding.
+// Counts pixels that differ and lie farther than a subpixel step from every edge of the coarse mesh. Where triangles
+// overlap at nearly the same depth, either may win; these scenes have none that meet at less than a rounding.
 void expect_same_inside(Test& t, const Mesh& mesh, const Picture& actual, const Picture& expected, const char* what) {
   reference::Raster raster(surface_size, surface_size, 0.25);
   for (std::size_t i = 0; i + 2 < mesh.size(); i += 3)
@@ -64,49 +66,55 @@ void expect_same_inside(Test& t, const Mesh& mesh, const Picture& actual, const 
       for (std::size_t k = 0; k < 4; ++k) is_same = is_same && std::abs(a[k] - e[k]) <= 2;
       different += is_same || raster.is_uncertain(x, y) ? 0 : 1;
     }
-  // Along the line in which two triangles pierce each other depth decides, which rounding may turn.
-  if (t.expect(different <= 8, std::string(what) + ": " + std::to_string(different) + " pixels differ")) return;
+  // Where two triangles pierce each other, depth decides, and rounding may change it.
+  if (t.expect(different <= 8, fmt::format("{}: {} pixels differ", what, different))) return;
   t.attach("expected", expected);
   t.attach("actual", actual);
 }
 
+struct Scene {
+  Mesh mesh;
+  Picture unrefined;
+
+  GLsizei count() const { return static_cast<GLsizei>(mesh.size()); }
+};
+
+// Leaves ARK disabled.
+Scene set_up_random_scene(Test& t) {
+  gl.UseProgram(colour_program(t));
+  Scene scene{random_mesh(t), {}};
+  upload(scene.mesh);
+  random_state(t);
+  gl.Disable(GL_ARK);
+  scene.unrefined = picture_of(scene.count());
+  return scene;
+}
+
 void check_invisible(Test& t, GLenum refinement, bool is_uniform) {
   for (int round = 0; round < 3; ++round) {
-    gl.UseProgram(colour_program(t));
-    const Mesh mesh = random_mesh(t);
-    upload(mesh);
-    random_state(t);
-    const auto count = static_cast<GLsizei>(mesh.size());
-    gl.Disable(GL_ARK);
-    const Picture expected = picture_of(count);
+    const Scene scene = set_up_random_scene(t);
     if (is_uniform)
       refine_uniformly(static_cast<GLuint>(t.random_int(1, 4)), refinement);
     else
       refine_by_tags(5, refinement);
-    expect_same_inside(t, mesh, picture_of(count), expected, "refined and unrefined");
+    expect_same_inside(t, scene.mesh, picture_of(scene.count()), scene.unrefined, "refined and unrefined");
   }
 }
 
 void check_identity(Test& t) {
   for (int round = 0; round < 4; ++round) {
-    gl.UseProgram(colour_program(t));
-    const Mesh mesh = random_mesh(t);
-    upload(mesh);
-    random_state(t);
-    const auto count = static_cast<GLsizei>(mesh.size());
-    gl.Disable(GL_ARK);
-    const Picture expected = picture_of(count);
+    const Scene scene = set_up_random_scene(t);
     refine_by_tags(5, GL_CURVED_PN_ARK);
-    picture_of(count);
+    picture_of(scene.count());
     gl.Disable(GL_ARK);
-    t.expect_same_picture(picture_of(count), expected, "ARK disabled");
+    t.expect_same_picture(picture_of(scene.count()), scene.unrefined, "ARK disabled");
     refine_uniformly(4);
     gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 0);
-    t.expect_same_picture(picture_of(count), expected, "a depth of 0");
+    t.expect_same_picture(picture_of(scene.count()), scene.unrefined, "a depth of 0");
   }
 }
 
-// An octahedron, each of whose corners has one tag and one normal.
+// An octahedron. Each corner has one tag and one normal.
 Mesh octahedron() {
   const Vec3 corners[6] = {{0.7F, 0.1F, 0},  {-0.8F, 0, 0.1F}, {0, 0.75F, -0.1F},
                            {0.1F, -0.7F, 0}, {0, 0.1F, 0.8F},  {0.1F, 0, -0.7F}};
@@ -138,12 +146,13 @@ GLuint turned_program(Test& t, GLint& angle) {
   return program;
 }
 
-// On a closed surface every line of sight enters as often as it leaves: front and back faces cover each pixel equally often.
+// Every line of sight enters a closed surface as often as it leaves: front and back faces cover each pixel equally
+// often.
 void check_closed(Test& t, GLenum refinement, bool is_welded) {
   GLint angle = -1;
   gl.UseProgram(turned_program(t, angle));
   Mesh mesh = octahedron();
-  // With a normal of its own for each face, only welding keeps it closed.
+  // Each face has its own normals: only welding keeps the surface closed.
   for (std::size_t i = 0; is_welded && i < mesh.size(); ++i) mesh[i].normal[i / 3 % 3] += 0.8F;
   upload(mesh);
   refine_by_tags(5, refinement);
@@ -158,7 +167,7 @@ void check_closed(Test& t, GLenum refinement, bool is_welded) {
     gl.CullFace(GL_FRONT);
     const Picture back = picture_of(static_cast<GLsizei>(mesh.size()));
     t.expect(front.at(surface_size / 2, surface_size / 2)[0] > 0, "the mesh is drawn");
-    if (!t.expect_same_picture(back, front, "front and back faces, view " + std::to_string(view))) return;
+    if (!t.expect_same_picture(back, front, fmt::format("front and back faces, view {}", view))) return;
   }
 }
 
@@ -166,7 +175,7 @@ struct Snapshot {
   std::map<GLenum, std::vector<GLint>> values;
 };
 
-// What a refined draw could leave behind. Values of 1 to 4 integers each.
+// State that a refined draw could change. Values of 1 to 4 integers each.
 Snapshot snapshot(const Test& t) {
   std::vector<GLenum> names = {GL_CURRENT_PROGRAM,
                                GL_VERTEX_ARRAY_BINDING,
@@ -291,11 +300,8 @@ void check_state(Test& t, const Kind& kind) {
   gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 5, 2);
   t.expect_no_error("refined draws");
   const Snapshot after = snapshot(t);
-  for (const auto& [name, values] : before.values) {
-    std::ostringstream text;
-    text << "state 0x" << std::hex << name << " is what it was";
-    t.expect(after.values.at(name) == values, text.str());
-  }
+  for (const auto& [name, values] : before.values)
+    t.expect(after.values.at(name) == values, fmt::format("state {:#x} has the value it had before", name));
 }
 
 }  // namespace
@@ -303,23 +309,23 @@ void check_state(Test& t, const Kind& kind) {
 Cases scenes_cases() {
   Cases cases;
   for (int seed = 0; seed < seeds; ++seed) {
-    const std::string end = "." + std::to_string(seed);
+    const std::string end = fmt::format(".{}", seed);
     for (const bool is_uniform : {false, true})
       for (const GLenum refinement : {GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK})
-        cases.push_back(
-            {.name = std::string("ark.scenes.invisible.") +
-                     (refinement == GL_LINEAR_INPUTS_ARK ? "inputs." : "outputs.") + (is_uniform ? "uniform" : "tags") +
-                     end,
-             .clauses = {"11.R.6-14"},
-             .plan = "Random triangles in random state, with a vertex stage that is linear: refined and unrefined are "
-                     "the same picture, but for pixels within a quarter of a pixel of an edge.",
-             .wrong = "A missing triangle, a wrong corner, perspective lost.",
-             .check = [refinement, is_uniform](Test& t) { check_invisible(t, refinement, is_uniform); }});
+        cases.push_back({.name = std::string("ark.scenes.invisible.") +
+                                 (refinement == GL_LINEAR_INPUTS_ARK ? "inputs." : "outputs.") +
+                                 (is_uniform ? "uniform" : "tags") + end,
+                         .clauses = {"11.R.6-14"},
+                         .plan = "Random triangles in random state with a linear vertex stage: the refined picture is "
+                                 "the unrefined one, except for pixels within a quarter of a pixel of an edge.",
+                         .wrong = "A missing triangle, a wrong corner, no perspective.",
+                         .check = [refinement, is_uniform](Test& t) { check_invisible(t, refinement, is_uniform); }});
     cases.push_back(
         {.name = "ark.scenes.identity" + end,
          .clauses = {"11.R.11-8", "11.R.1-12"},
-         .plan = "Random triangles in random state: ARK disabled again, or a depth of 0, give the same bits.",
-         .wrong = "State of a refined draw stays behind.",
+         .plan =
+             "Random triangles in random state: with ARK disabled again, or with a depth of 0, the bits are the same.",
+         .wrong = "State of a refined draw remains.",
          .check = check_identity});
   }
   const std::pair<const char*, GLenum> refinements[] = {{"inputs", GL_LINEAR_INPUTS_ARK},
@@ -327,15 +333,16 @@ Cases scenes_cases() {
                                                         {"curved", GL_CURVED_PN_ARK},
                                                         {"tagged", GL_SCALAR_TAGGED_PN_ARK}};
   for (const auto& [leaf, refinement] : refinements)
-    cases.push_back({.name = std::string("ark.scenes.closed.") + leaf,
-                     .clauses = {"11.R.8-3", "overview-4"},
-                     .plan = "A closed mesh with a tag at each corner, from seven directions: front and back faces "
-                             "cover each pixel equally often.",
-                     .wrong = "A crack of one ulp, a T-junction, a missing or turned triangle.",
-                     .check = [refinement = refinement](Test& t) { check_closed(t, refinement, false); }});
+    cases.push_back(
+        {.name = std::string("ark.scenes.closed.") + leaf,
+         .clauses = {"11.R.8-3", "overview-4"},
+         .plan = "A closed mesh with a tag at each corner, from seven directions: front and back faces "
+                 "cover each pixel equally often.",
+         .wrong = "A crack of one ulp, a T-junction, a missing triangle, or one with the wrong orientation.",
+         .check = [refinement = refinement](Test& t) { check_closed(t, refinement, false); }});
   cases.push_back({.name = "ark.scenes.closed.welded",
                    .clauses = {"11.R.15-3"},
-                   .plan = "The same with a normal of its own for each face, welded.",
+                   .plan = "The same with separate normals for each face, welded.",
                    .wrong = "Seams open.",
                    .check = [](Test& t) { check_closed(t, GL_CURVED_PN_ARK, true); }});
   for (const Kind& kind : {Kind{"inputs_uniform", GL_LINEAR_INPUTS_ARK, true, false, false, false},
@@ -347,8 +354,8 @@ Cases scenes_cases() {
                            {"displaced", GL_LINEAR_INPUTS_ARK, true, false, false, true}})
     cases.push_back({.name = std::string("ark.scenes.state.") + kind.leaf,
                      .clauses = {"11.R.10-2"},
-                     .plan = "All state that could be touched is read before and after refined draws of this kind.",
-                     .wrong = "A binding, an array or a parameter is left as the refined draw needed it.",
+                     .plan = "Read all state that could change before and after refined draws of this kind.",
+                     .wrong = "A binding, an array or a parameter keeps the value that the refined draw needed.",
                      .check = [kind](Test& t) { check_state(t, kind); }});
   return cases;
 }

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws that are not refined (11.R.11): drawn all the same, without an error.
+// Draws that are not refined (11.R.11): they are drawn unrefined, without an error.
 #include "conformance/cases/cases.h"
 #include "conformance/support/surface.h"
 
 namespace glark::conformance {
 namespace {
-
 
 void expect_unrefined(Test& t, const std::function<void()>& draw, const char* what) {
   const Picture expected = picture_of(draw);
@@ -97,7 +96,7 @@ void draw_fixed() {
   gl.End();
 }
 
-// Refined, the triangle would be out of sight.
+// A refined triangle would be out of sight.
 void hide_when_refined(Test& t) {
   const char* const source = "void refine() { gl_Vertex.xyz += vec3(5.0); }";
   gl.RefinementShaderSourceARK(0, 1, &source, nullptr);
@@ -114,7 +113,7 @@ void check_feedback(Test& t) {
   gl.RenderMode(GL_FEEDBACK);
   draw_fixed();
   const GLint count = gl.RenderMode(GL_RENDER);
-  // A token, the number of vertices, two coordinates for each.
+  // The format: a token, the number of vertices, two coordinates for each.
   t.expect_equal(count, 8, "values in the feedback buffer");
   t.expect_equal(buffer[0], static_cast<GLfloat>(GL_POLYGON_TOKEN), "the token");
   t.expect_equal(buffer[1], 3.0F, "the vertices");
@@ -133,7 +132,7 @@ void check_selection(Test& t) {
   t.expect(buffer[0] == 1 && buffer[3] == 17, "the name of the triangle");
 }
 
-// A hit record has the least and the greatest depth of what was drawn: curved, the triangle would bulge.
+// A hit record has the least and the greatest depth of the drawn primitives. A curved triangle would bulge.
 void check_selected_depths(Test& t, GLenum source) {
   gl.UseProgram(surface_program(t));
   Mesh mesh = one_triangle({2, 2, 2});
@@ -189,30 +188,18 @@ void check_assembly(Test& t) {
 }
 
 void check_pipeline(Test& t) {
-  const std::string head = glsl_head(t);
-  const std::string block = t.is_gles() ? "" : "out gl_PerVertex { vec4 gl_Position; };\n";
-  const std::string vertex =
-      head + block +
-      "layout(location = 0) in vec4 position; layout(location = 3) in vec4 tint;\n"
-      "layout(location = 0) out vec4 colour; void main() { colour = tint; gl_Position = position; }\n";
-  const std::string fragment =
-      head +
-      "layout(location = 0) in vec4 colour; layout(location = 0) out vec4 pixel; void main() { pixel = colour; }\n";
-  const char* const texts[] = {vertex.c_str(), fragment.c_str()};
-  const GLuint stages[] = {gl.CreateShaderProgramv(GL_VERTEX_SHADER, 1, &texts[0]),
-                           gl.CreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &texts[1])};
-  GLuint pipeline = 0;
-  gl.GenProgramPipelines(1, &pipeline);
-  gl.UseProgramStages(pipeline, GL_VERTEX_SHADER_BIT, stages[0]);
-  gl.UseProgramStages(pipeline, GL_FRAGMENT_SHADER_BIT, stages[1]);
-  gl.BindProgramPipeline(pipeline);
+  bind_pipeline(t,
+                "layout(location = 0) in vec4 position; layout(location = 3) in vec4 tint;\n"
+                "layout(location = 0) out vec4 colour; void main() { colour = tint; gl_Position = position; }\n",
+                "layout(location = 0) in vec4 colour; layout(location = 0) out vec4 pixel;\n"
+                "void main() { pixel = colour; }\n");
   upload(one_triangle());
   const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
   const Picture expected = picture_of(draw);
   refine_uniformly(3);
   const Picture actual = picture_of(draw);
   t.expect_no_error("a draw with a pipeline object");
-  // Refined or not, it is the same picture.
+  // The refined and the unrefined picture are the same.
   t.expect_same_picture(actual, expected, "a linear vertex stage in a pipeline object", 2, 12);
 }
 
@@ -288,39 +275,43 @@ Cases unrefined_draws_cases() {
       made("tessellation.patches", {"11.R.11-3", "tessellation-1"},
            "Patches through tessellation shaders, while ARK is enabled.", "Nothing is drawn.", check_patches),
       made("tessellation.triangles", {"11.R.11-3", "tessellation-2"},
-           "Triangles with a tessellation program are an error, as ever.", "They are refined.",
+           "Triangles with a tessellation program are an error, with and without ARK.", "They are refined.",
            check_tessellated_triangles),
       made("render_mode.feedback", {"11.R.11-4", "issues-20"}, "One triangle in the feedback buffer.", "Refined ones.",
            check_feedback, compat_only),
-      made("render_mode.select", {"11.R.11-4"}, "One hit record.", "None, as nothing is drawn.", check_selection,
-           compat_only),
-      made("render_mode.select_depths.tags", {"11.R.11-4"}, "Depths in the hit record of a triangle to be curved.",
-           "Those of the curved one.", [](Test& t) { check_selected_depths(t, GL_DEPTH_TAG_ARK); }, compat_only),
-      made("render_mode.select_depths.uniform", {"11.R.11-4"}, "The same, of a uniform depth.",
-           "Those of the curved one.", [](Test& t) { check_selected_depths(t, GL_UNIFORM_DEPTH_ARK); },
-           compat_only),
+      made("render_mode.select", {"11.R.11-4"}, "One hit record.", "No hit record, as nothing is drawn.",
+           check_selection, compat_only),
+      made(
+          "render_mode.select_depths.tags", {"11.R.11-4"},
+          "Read the depths in the hit record of a triangle that would be curved.", "The depths of the curved triangle.",
+          [](Test& t) { check_selected_depths(t, GL_DEPTH_TAG_ARK); }, compat_only),
+      made(
+          "render_mode.select_depths.uniform", {"11.R.11-4"}, "The same, of a uniform depth.",
+          "The depths of the curved triangle.", [](Test& t) { check_selected_depths(t, GL_UNIFORM_DEPTH_ARK); },
+          compat_only),
       made("refinement_shader.syntax", {"11.R.11-1", "11.R.11-5", "11.R.9-30"},
            "The refinement shader has a syntax error.", "An error, or nothing is drawn.",
            [](Test& t) { check_bad_refinement_shader(t, "void refine() { position += ; }"); }),
-      made("refinement_shader.inactive_input", {"11.R.11-5", "11.R.9-17"}, "It uses what is no input.",
-           "An error, or nothing is drawn.",
+      made("refinement_shader.inactive_input", {"11.R.11-5", "11.R.9-17"},
+           "The refinement shader reads something that is not an input.", "An error, or nothing is drawn.",
            [](Test& t) { check_bad_refinement_shader(t, "void refine() { position.x += no_such_input; }"); }),
-      made("refinement_shader.no_refine", {"11.R.11-5", "11.R.9-12"}, "It has no function refine.", "Nothing is drawn.",
-           [](Test& t) { check_bad_refinement_shader(t, "float other() { return 1.0; }"); }),
+      made("refinement_shader.no_refine", {"11.R.11-5", "11.R.9-12"}, "The refinement shader has no function refine.",
+           "Nothing is drawn.", [](Test& t) { check_bad_refinement_shader(t, "float other() { return 1.0; }"); }),
       made("assembly", {"programs-1", "11.R.11-5"}, "VERTEX_PROGRAM_ARB is enabled.",
-           "The fixed-function vertex stage is refined in its place.", check_assembly, compat_only),
-      made("pipeline", {"11.R.11-6"}, "A program pipeline object, refined or not.", "Nothing is drawn.",
+           "The fixed-function vertex stage is refined instead.", check_assembly, compat_only),
+      made("pipeline", {"11.R.11-6"}, "A program pipeline object; the draw may be refined or not.", "Nothing is drawn.",
            check_pipeline),
-      made("doubles", {"11.R.11-6"}, "Double-precision inputs, refined or not.", "They read as 0.", check_doubles,
-           desktop_apis),
-      made("subroutines", {"11.R.11-6"}, "Subroutines, refined or not.", "Nothing is drawn.", check_subroutines,
-           desktop_apis),
-      made("depth_0.inputs", {"11.R.11-8"}, "UNIFORM_DEPTH_LEVEL_ARK of 0: the same bits.",
+      made("doubles", {"11.R.11-6"}, "Double-precision inputs; the draw may be refined or not.", "They read as 0.",
+           check_doubles, desktop_apis),
+      made("subroutines", {"11.R.11-6"}, "Subroutines; the draw may be refined or not.", "Nothing is drawn.",
+           check_subroutines, desktop_apis),
+      made("depth_0.inputs", {"11.R.11-8"}, "With UNIFORM_DEPTH_LEVEL_ARK of 0, the bits are the same.",
            "Last bits of colors change.", [](Test& t) { check_depth_0(t, GL_LINEAR_INPUTS_ARK); }),
       made("depth_0.outputs", {"11.R.11-8"}, "The same with LINEAR_OUTPUTS_ARK.", "Last bits of colors change.",
            [](Test& t) { check_depth_0(t, GL_LINEAR_OUTPUTS_ARK); }),
-      made("disabled", {"11.R.1-12", "10.R.2-1"}, "ARK disabled after a refined draw: the same bits as before.",
-           "Something stays refined.", check_disabled),
+      made("disabled", {"11.R.1-12", "10.R.2-1"},
+           "ARK is disabled after a refined draw: the bits are the same as before.", "Something stays refined.",
+           check_disabled),
   };
   for (const OtherMode& mode : {OtherMode{"points", GL_POINTS},
                                 {"lines", GL_LINES},
@@ -328,7 +319,7 @@ Cases unrefined_draws_cases() {
                                 {"line_loop", GL_LINE_LOOP},
                                 {"lines_adjacency", GL_LINES_ADJACENCY}})
     cases.push_back(made(std::string("mode.") + mode.leaf, {"11.R.11-2", "10.R.2-3"},
-                         "This mode, with ARK enabled and not: the same bits.",
+                         "Draw in this mode with and without ARK: the bits are the same.",
                          "Lines are divided, or nothing is drawn.", [mode](Test& t) { check_mode(t, mode.mode); }));
   return cases;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What is not refined: points, lines, rectangles, evaluator meshes, bitmaps, pixels (10.R.2); and draws without vertex arrays'
-// attributes that a picture shows unchanged.
+// Primitives that are not refined: points, lines, rectangles, evaluator meshes, bitmaps, pixels (10.R.2). Also draws
+// without attributes from vertex arrays, whose picture must not change.
 #include <utility>
 
 #include "conformance/cases/cases.h"
@@ -11,8 +11,7 @@
 namespace glark::conformance {
 namespace {
 
-
-// A vertex stage that bends what lies between corners: refinement would show.
+// A vertex stage that bends whatever lies between corners, so that refinement shows.
 const char bending[] =
     "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour; out vec4 colour;\n"
     "void main() { colour = vertex_colour; vec2 p = position.xy;\n"
@@ -61,7 +60,7 @@ void check_primitive_picture(Test& t, GLenum mode) {
   t.expect_no_error("drawing");
 }
 
-// That the bending program shows refinement where there is some.
+// Checks that the bending program shows refinement at all.
 void control_bending(Test& t) {
   gl.UseProgram(build_program(t, {.vertex = bending}));
   upload(fan_mesh(), false);
@@ -133,7 +132,7 @@ void check_pixels(Test& t) {
   });
 }
 
-// Ordinary and adjacency primitives that a context of any API has; and those of the compatibility profile are all above.
+// Primitives of every API, ordinary and with adjacency. The cases above have those of the compatibility profile.
 struct Mode {
   const char* name;
   GLenum mode;
@@ -149,7 +148,7 @@ Case unchanged_case(const char* leaf, const char* plan, void (*check)(Test&)) {
   return {.name = std::string("ark.draw.unrefined.") + leaf,
           .clauses = {"10.R.2-4"},
           .plan = plan,
-          .wrong = "It is refined, so that its sides bend; an error; nothing is drawn.",
+          .wrong = "The primitive is refined, so its sides bend; an error; nothing is drawn.",
           .apis = compat_only,
           .check = check};
 }
@@ -158,9 +157,10 @@ Case unchanged_case(const char* leaf, const char* plan, void (*check)(Test&)) {
 
 Cases unrefined_primitives_cases() {
   Cases cases = {
-      unchanged_case("rect", "Draw Rectf with a program that bends what is refined.", check_rect),
-      unchanged_case("rect_of_list", "The same from a display list, compiled after ARKinit.", check_rect_of_list),
-      unchanged_case("evaluator_mesh", "Draw an evaluator mesh with a program that bends what is refined.",
+      unchanged_case("rect", "Draw Rectf with a program that bends refined primitives.", check_rect),
+      unchanged_case("rect_of_list", "The same from a display list that was compiled after ARKinit.",
+                     check_rect_of_list),
+      unchanged_case("evaluator_mesh", "Draw an evaluator mesh with a program that bends refined primitives.",
                      check_evaluator),
       unchanged_case("bitmap", "Draw a bitmap.", check_bitmap),
       unchanged_case("pixels", "DrawPixels and CopyPixels.", check_pixels),
@@ -174,7 +174,7 @@ Cases unrefined_primitives_cases() {
   const auto add_picture = [&](const Mode& mode) {
     cases.push_back({.name = std::string("ark.draw.unrefined.picture.") + mode.name,
                      .clauses = {"10.R.2-3"},
-                     .plan = "Draw with a program that bends what is refined; the picture is the one without ARK.",
+                     .plan = "Draw with a program that bends refined primitives: the picture is the one without ARK.",
                      .wrong = "Bent primitives; nothing.",
                      .apis = every_api,
                      .control = control_bending,

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What comes after the vertex stage of a refined draw: geometry shaders, transform feedback, queries.
+// The stages after the vertex stage of a refined draw: geometry shaders, transform feedback, queries.
+#include <fmt/core.h>
 #include <set>
 
 #include "conformance/cases/cases.h"
@@ -9,7 +10,6 @@
 
 namespace glark::conformance {
 namespace {
-
 
 void draw_two() { gl.DrawArrays(GL_TRIANGLES, 0, 6); }
 
@@ -49,9 +49,9 @@ void check_geometry(Test& t) {
   t.expect_equal(vertices.size(), 2U * 64 * 3, "the geometry shader is executed once for each refined triangle");
   std::set<GLint> numbers;
   for (const GeometryVertex& vertex : vertices) numbers.insert(vertex.primitive);
-  // Which number a triangle has is left open; two of one coarse triangle cannot have the same.
-  t.expect(numbers.size() >= 64,
-           "gl_PrimitiveIDIn numbers refined triangles, " + std::to_string(numbers.size()) + " numbers");
+  // The text leaves the number of a triangle open, but two triangles of one coarse triangle cannot have the same
+  // number.
+  t.expect(numbers.size() >= 64, fmt::format("gl_PrimitiveIDIn numbers refined triangles, {} numbers", numbers.size()));
   t.expect(!numbers.empty() && *numbers.begin() >= 0 && *numbers.rbegin() < 128,
            "below the number of refined triangles");
 }
@@ -97,7 +97,7 @@ void check_primitive_id(Test& t) {
   std::set<int> numbers;
   for (int y = 0; y < surface_size; ++y)
     for (int x = 0; x < surface_size; ++x) numbers.insert(picture.at(x, y)[0]);
-  t.expect_equal(numbers.size(), 16U, "the numbers of refined triangles that fragments see");
+  t.expect_equal(numbers.size(), 16U, "the triangle numbers that fragments read");
   t.expect(*numbers.rbegin() == 15, "from 0 to 15");
 }
 
@@ -109,7 +109,7 @@ void check_queries(Test& t) {
     GLuint buffer = 0;
     gl.GenBuffers(1, &buffer);
     gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
-    // Space for 100 triangles of the 128.
+    // The buffer has room for 100 of the 128 triangles.
     gl.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 100 * 3 * sizeof(CapturedVertex), nullptr, GL_STREAM_READ);
     gl.BeginTransformFeedback(GL_TRIANGLES);
     draw();
@@ -119,12 +119,12 @@ void check_queries(Test& t) {
   t.expect_equal(counted(GL_PRIMITIVES_GENERATED, draw_two), 128U, "primitives generated without transform feedback");
   if (t.is_gles()) {
     t.expect_equal(counted(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, [&] { draw_two(); }), 0U,
-                   "nothing is written without it");
+                   "nothing is written without transform feedback");
     return;
   }
   t.expect_equal(counted(GL_PRIMITIVES_GENERATED, [&] { with_feedback(draw_two); }), 128U, "primitives generated");
   t.expect_equal(counted(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, [&] { with_feedback(draw_two); }), 100U,
-                 "primitives written, where the buffer has space for 100");
+                 "primitives written if the buffer has room for 100");
 }
 
 void check_first_draw_in_query(Test& t) {
@@ -132,7 +132,7 @@ void check_first_draw_in_query(Test& t) {
   upload(bent_mesh());
   refine_uniformly(1, GL_CURVED_PN_ARK);
   gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
-  // Whatever is built or measured for the first time is done within the query.
+  // Anything that is built or measured for the first time is built within the query.
   t.expect_equal(counted(GL_PRIMITIVES_GENERATED, draw_two), 8U, "primitives of a first draw");
   gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK);
   t.expect_equal(counted(GL_PRIMITIVES_GENERATED, draw_two), 2U, "primitives of a draw with tags of 0");
@@ -150,10 +150,10 @@ void check_occlusion(Test& t) {
   const GLuint actual = counted(target, draw);
   t.expect(expected > 0, "the triangle is drawn");
   t.expect(std::abs(static_cast<int>(actual) - static_cast<int>(expected)) <= 12,
-           "samples passed: " + std::to_string(actual) + ", unrefined " + std::to_string(expected));
+           fmt::format("samples passed: {}, unrefined {}", actual, expected));
 }
 
-// Several draws into one transform feedback, paused and resumed between.
+// Several draws into one transform feedback, paused and resumed in between.
 void check_feedback_draws(Test& t) {
   gl.UseProgram(capture_program(t));
   upload(bent_mesh());
@@ -167,7 +167,7 @@ void check_feedback_draws(Test& t) {
     gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 0);
     draw_three();
   });
-  t.require(vertices.size() == 12U + 3, "four triangles, none while paused, one: " + std::to_string(vertices.size()));
+  t.require(vertices.size() == 12U + 3, fmt::format("four triangles, none while paused, one: {}", vertices.size()));
   for (const CapturedVertex& vertex : vertices) t.expect_equal(vertex.triangle, 0.0F, "the triangle of both draws");
 }
 
@@ -192,7 +192,7 @@ void check_feedback_order(Test& t) {
   upload(mesh);
   refine_uniformly(3);
   const auto vertices = capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 60); });
-  t.require(vertices.size() == 20U * 64 * 3, "all are refined");
+  t.require(vertices.size() == 20U * 64 * 3, "all triangles are refined");
   for (std::size_t i = 0; i < vertices.size(); ++i)
     if (const std::size_t coarse = i / 192;
         !t.expect_equal(vertices[i].triangle, static_cast<float>(coarse), "coarse triangles keep their order"))
@@ -264,25 +264,25 @@ constexpr Area after_case{"ark.after_vertex."};
 Cases after_vertex_stage_cases() {
   return {
       after_case("geometry.count", {"chapter-14-1", "chapter-14-2", "chapter-14-3"},
-                 "A geometry shader passes triangles on with gl_PrimitiveIDIn: 128 of them, numbered.",
-                 "It sees coarse triangles, or the number of the coarse one.", check_geometry),
+                 "A geometry shader passes triangles and gl_PrimitiveIDIn on: 128 triangles, numbered.",
+                 "The shader gets coarse triangles, or their numbers.", check_geometry),
       after_case("geometry.points", {"chapter-14-1", "chapter-14-2"},
-                 "A geometry shader makes a point of each refined triangle.", "One for each coarse triangle.",
+                 "A geometry shader makes one point of each refined triangle.", "One point for each coarse triangle.",
                  check_geometry_points),
       after_case("geometry.picture", {"chapter-14-2"}, "The picture through a geometry shader is the unrefined one.",
-                 "The geometry shader is left out, or gets other varyings.", check_geometry_picture),
+                 "The geometry shader is skipped, or gets other varyings.", check_geometry_picture),
       after_case("primitive_id.fragment", {"chapter-14-3"}, "The fragment shader writes gl_PrimitiveID.",
                  "The number of the coarse triangle.", check_primitive_id),
       after_case("queries.primitives", {"chapter-14-8"},
-                 "PRIMITIVES_GENERATED and PRIMITIVES_WRITTEN, also where the buffer is too small.",
+                 "PRIMITIVES_GENERATED and PRIMITIVES_WRITTEN, also if the buffer is too small.",
                  "Coarse triangles are counted.", check_queries),
       after_case("queries.nothing_else", {"chapter-14-9"}, "The first draw of a context lies within a query.",
-                 "Passes that the implementation makes are counted.", check_first_draw_in_query),
-      after_case("queries.samples", {"chapter-14-9"}, "Samples passed, refined and unrefined.",
+                 "Passes of the implementation itself are counted.", check_first_draw_in_query),
+      after_case("queries.samples", {"chapter-14-9"}, "Compare the samples passed, refined and unrefined.",
                  "Samples are counted twice.", check_occlusion),
       after_case("feedback.draws", {"chapter-14-5"},
-                 "Refined and unrefined draws into one transform feedback, paused between.",
-                 "A draw overwrites the one before; what is paused is captured.", check_feedback_draws),
+                 "Refined and unrefined draws go into one transform feedback, with a pause in between.",
+                 "A draw overwrites the one before; draws during the pause are captured.", check_feedback_draws),
       after_case("feedback.disabled", {"chapter-14-5"},
                  "ARK is disabled between two draws into one transform feedback.", "The second draw is lost.",
                  check_feedback_disabled),
@@ -290,11 +290,10 @@ Cases after_vertex_stage_cases() {
                  "Sorted.", check_feedback_order),
       after_case("feedback.separate", {"chapter-14-5"}, "Two varyings into two buffers.",
                  "Only the first buffer is written.", check_feedback_separate),
-      after_case(
-          "feedback.mode", {"chapter-14-6"},
-          "Triangles into transform feedback of lines are an error, refined as unrefined; so are lines into that of "
-          "triangles.",
-          "No error; or lines are captured.", check_feedback_mode),
+      after_case("feedback.mode", {"chapter-14-6"},
+                 "Triangles are an error in transform feedback of lines, refined and unrefined; so are lines in "
+                 "transform feedback of triangles.",
+                 "No error; or lines are captured.", check_feedback_mode),
   };
 }
 

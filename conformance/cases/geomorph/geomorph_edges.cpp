@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Geomorphing (11.R.14): the depths of edges in 64ths, and the vertices on them.
+// Geomorphing (11.R.14): the depths of edges in 64ths, and the vertices on edges.
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -37,7 +38,7 @@ void expect_tags(Test& t, const std::array<float, 3>& tags, const Depths3& depth
 
 constexpr float one = 1.0F / 64;
 
-// Tags that are multiples of 1/64, no two edges alike.
+// Tags that are multiples of 1/64. No two edges are alike.
 void check_formula(Test& t, GLenum refinement) {
   gl.UseProgram(morph_program(t));
   const std::array<float, 3> tags[] = {
@@ -48,7 +49,7 @@ void check_formula(Test& t, GLenum refinement) {
 
 void check_depth_rounding(Test& t) {
   gl.UseProgram(morph_program(t));
-  // (1 + 1/64 + 2) / 2 = 1 + 32/64 + 1/128, down to 1 + 32/64; and so on.
+  // (1 + 1/64 + 2) / 2 = 1 + 32/64 + 1/128 is rounded down to 1 + 32/64, and so on.
   expect_tags(t, {1 + one, 2, 1}, {1.5, 1.5, 1}, GL_LINEAR_INPUTS_ARK);
   expect_tags(t, {one, 0, 2 * one}, {0, one, one}, GL_LINEAR_INPUTS_ARK);
   expect_tags(t, {2 + one, 2, 2 + 3 * one}, {2, 2 + one, 2 + 2 * one}, GL_LINEAR_INPUTS_ARK);
@@ -69,7 +70,7 @@ void check_clamped_tags(Test& t) {
   expect_edges(t, capture_morph(t, mesh), mesh, {2.75, 1.25, 1.5}, "tags beyond 0 and the pool's level of 3");
 }
 
-// Whole depths: the outputs of GEOMORPH_ARK FALSE, and all vertices of 11.R.5.
+// With whole depths, the outputs are those of GEOMORPH_ARK FALSE, and the vertices are those of 11.R.5.
 void check_whole(Test& t) {
   gl.UseProgram(morph_program(t));
   for (const Depths3& depths : {Depths3{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {1, 2, 2}, {2, 3, 4}, {0, 1, 1}, {4, 4, 2}}) {
@@ -92,7 +93,7 @@ void check_whole(Test& t) {
   }
 }
 
-// Whatever GEOMORPH_ARK is, by bits.
+// GEOMORPH_ARK does not matter here; compares by bits.
 void check_uniform(Test& t) {
   gl.UseProgram(morph_program(t));
   const Mesh mesh = morph_triangle({0.25F, 1.5F, 2.75F});
@@ -110,7 +111,7 @@ void check_uniform(Test& t) {
   }
 }
 
-// On the screen, too, where an implementation may take another way than with transform feedback.
+// Draws to the screen too: an implementation may refine in another way than with transform feedback.
 void check_current_tag(Test& t) {
   gl.UseProgram(morph_program(t));
   const Mesh mesh = morph_triangle({0, 0, 0});
@@ -122,10 +123,10 @@ void check_current_tag(Test& t) {
     gl.VertexAttrib1f(static_cast<GLuint>(attribute), tag);
     const std::string what = "a current tag of " + as_text(tag);
     expect_edges(t, capture_morph(t, mesh), mesh, {tag, tag, tag}, what);
-    // Each edge of the pattern is divided by 2^ceil(tag), and as many corners have two triangles fewer at least.
+    // Each edge of the pattern is divided by 2^ceil(tag), and at least as many corners have two triangles fewer.
     const GLuint least = 3 * (1U << static_cast<unsigned>(std::ceil(tag))) - 2;
     const GLuint drawn = count_generated([] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
-    t.expect(drawn >= least, what + ": " + std::to_string(drawn) + " triangles, at least " + std::to_string(least));
+    t.expect(drawn >= least, fmt::format("{}: {} triangles, at least {}", what, drawn, least));
   }
 }
 
@@ -161,7 +162,7 @@ void check_interior_ignored(Test& t) {
   }
 }
 
-// gl_Position follows (11.R.8), too: between the points of the curve at k - 1, k and k + 1.
+// gl_Position follows (11.R.8) too: it lies between the points of the curve at k - 1, k and k + 1.
 void check_curve(Test& t) {
   gl.UseProgram(morph_program(t));
   const std::array<float, 3> tags = {1.5F, 2.25F, 3};
@@ -184,13 +185,13 @@ void check_curve(Test& t) {
     const reference::Vector expected =
         k % 2 == 0 ? curve(k) : ((1 - s) / 2) * curve(k - 1) + ((1 - s) / 2) * curve(k + 1) + s * curve(k);
     if (!t.expect(reference::length(reference::vector_of(vertex.position) - expected) < 3e-6,
-                  "step " + std::to_string(k) + " of a curved edge lies where (11.R.8) puts it"))
+                  fmt::format("step {} of a curved edge lies where (11.R.8) puts it", k)))
       return;
   }
   t.expect(seen > steps, "the edge has vertices");
 }
 
-// Outputs that are linear along an edge already: those of (11.R.1).
+// Outputs that are already linear along an edge: those of (11.R.1).
 void check_linear_outputs(Test& t) {
   gl.UseProgram(morph_program(t));
   const std::array<float, 3> tags = {0.5F, 1.75F, 3};
@@ -204,7 +205,7 @@ void check_linear_outputs(Test& t) {
     const Vec2 to = mesh[(edge + 1) % 3].texture;
     const auto found = found_on_edge(vertices, from, to);
     t.expect_equal(found.size(), (std::size_t{1} << static_cast<int>(std::ceil(depths[edge]))) + 1,
-                   "vertices on edge " + std::to_string(edge));
+                   fmt::format("vertices on edge {}", edge));
     const Vec4 a = bend_of(from);
     const Vec4 b = bend_of(to);
     for (const PlaceAndBend& vertex : found) {
@@ -234,14 +235,14 @@ void check_flat(Test& t) {
   morph_by_tags(pool);
   const auto vertices = capture_as<FlatVertex>(t, 60000, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
   t.require(vertices.size() > 9, "the triangle is refined");
-  // Corner 2 provokes: (1, 4).
+  // Corner 2 is the provoking one: (1, 4).
   for (const FlatVertex& vertex : vertices) {
     if (!t.expect_equal(vertex.value, 5.0F, "a flat output has the value of the provoking corner")) return;
     if (!t.expect_equal(vertex.number, 249, "an integer output has the value of the provoking corner")) return;
   }
 }
 
-// The edges that meet in the centroid of a quadrilateral have the mean of the outer depths, rounded down to 1/64.
+// Edges that meet in the centroid of a quadrilateral have the mean of the outer depths, rounded down to 1/64.
 void check_centroid(Test& t) {
   gl.UseProgram(morph_program(t));
   const float tags[4] = {1, 1 + 10 * one, 2 + 4 * one, 2.5F};
@@ -273,39 +274,39 @@ Cases geomorph_edges_cases() {
   Cases cases = {
       morph_case("edge.rounded_down", {"11.R.14-3"}, "Sums of tags that are odd multiples of 1/64.",
                  "Rounded to nearest, up, or not at all.", check_depth_rounding),
-      morph_case("tag.rounded", {"11.R.14-3", "10.R.1-3"}, "Tags between two multiples of 1/64.",
-                 "Cut off; not rounded; rounded to whole numbers.", check_tag_rounding),
+      morph_case("tag.rounded", {"11.R.14-3", "10.R.1-3"}, "Tags between two multiples of 1/64 are rounded.",
+                 "Truncated; not rounded; rounded to whole numbers.", check_tag_rounding),
       morph_case("tag.clamped", {"11.R.14-3", "10.R.1-3"}, "Tags below 0 and above the pool's level.",
                  "Depths that the pool does not have.", check_clamped_tags),
-      morph_case(
-          "whole", {"11.R.14-13", "11.R.14-19", "11.R.14-11"},
-          "Whole depths: every vertex that the pattern has without GEOMORPH_ARK is there, with the same outputs.",
-          "Odd vertices stay on the coarser level; another interior.", check_whole),
+      morph_case("whole", {"11.R.14-13", "11.R.14-19", "11.R.14-11"},
+                 "With whole depths, every vertex of the pattern without GEOMORPH_ARK is there, with the same outputs.",
+                 "Odd vertices stay on the coarser level; another interior.", check_whole),
       morph_case("uniform", {"11.R.14-1"}, "UNIFORM_DEPTH_ARK has the same bits with GEOMORPH_ARK.",
-                 "A vertex more inside; fractions of tags.", check_uniform),
-      morph_case("off", {"11.R.14-1"}, "Fractional tags without GEOMORPH_ARK are whole.", "Always morphed.", check_off),
+                 "An additional vertex inside; fractions of tags.", check_uniform),
+      morph_case("off", {"11.R.14-1"}, "Without GEOMORPH_ARK, fractional tags are rounded to whole ones.",
+                 "Always morphed.", check_off),
       morph_case("current_tag", {"11.R.14-1", "11.R.14-5"},
                  "Fractional current depth tags, on the screen and with transform feedback.",
-                 "A current tag, of which all triangles of a draw have the same, is rounded.", check_current_tag),
+                 "A current tag, which all triangles of a draw share, is rounded.", check_current_tag),
       morph_case("interior_ignored", {"11.R.14-8"}, "Both interiors give the same triangles.",
                  "The smooth interior has more.", check_interior_ignored),
       morph_case("edge.position", {"11.R.14-10", "11.R.14-2"}, "gl_Position on a curved edge of depth 1.875.",
-                 "The position is not morphed, only what follows from it is.", check_curve),
+                 "The position is not morphed, only the outputs that depend on it.", check_curve),
       morph_case("linear_outputs", {"11.R.14-14"}, "With LINEAR_OUTPUTS_ARK outputs are linear along an edge.",
-                 "Outputs of a vertex stage that was executed inside the edge.", check_linear_outputs),
+                 "The outputs of a vertex stage that ran inside the edge.", check_linear_outputs),
       morph_case("flat", {"11.R.14-14"}, "A flat output and an integer have the provoking corner's values.",
-                 "Means of values.", check_flat)};
+                 "Means of the values.", check_flat)};
   for (const auto& [leaf, refinement] : {std::pair<const char*, GLenum>{"linear", GL_LINEAR_INPUTS_ARK},
                                          {"curved", GL_CURVED_PN_ARK},
                                          {"tagged", GL_SCALAR_TAGGED_PN_ARK}})
     cases.push_back(morph_case(std::string("edge.formula.") + leaf,
                                {"11.R.14-1", "11.R.14-5", "11.R.14-9", "11.R.14-10", "11.R.14-11"},
-                               "Seven triples of tags in 64ths: the number of vertices on each edge and their outputs, "
-                               "by bits; even ones have the output of the stage.",
-                               "The blend the wrong way round; s of another edge; depths rounded to whole ones.",
+                               "Seven triples of tags in 64ths: compare the number of vertices on each edge and their "
+                               "outputs by bits. Even vertices have the stage's output.",
+                               "The blend is reversed; s of another edge; depths rounded to whole ones.",
                                [mode = refinement](Test& t) { check_formula(t, mode); }));
   cases.push_back(morph_case("centroid", {"11.R.14-3", "11.R.4-16"}, "A quadrilateral split at its centroid.",
-                             "The face depth is whole, or rounded to nearest.", check_centroid));
+                             "The face depth is whole, or rounded to the nearest.", check_centroid));
   cases.back().apis = compat_only;
   return cases;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Geomorphing (11.R.14): the interior, coverage, continuity, and shared edges.
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -26,7 +27,7 @@ std::string text_of_depths(const Depths3& depths) {
   return "depths " + as_text(depths[0]) + " " + as_text(depths[1]) + " " + as_text(depths[2]);
 }
 
-// Twice the area with its sign, of places.
+// Twice the signed area of three places.
 double area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (static_cast<double>(b[0]) - a[0]) * (static_cast<double>(c[1]) - a[1]) -
          (static_cast<double>(c[0]) - a[0]) * (static_cast<double>(b[1]) - a[1]);
@@ -48,7 +49,7 @@ std::size_t inside_count(int depth) {
   return (steps - 1) * (steps - 2) / 2;
 }
 
-// max(l, min(m, 3)), whole.
+// max(l, min(m, 3)), a whole number.
 void check_interior_depth(Test& t) {
   gl.UseProgram(morph_program(t));
   const std::pair<Depths3, int> expected[] = {{{2, 2, 2}, 2}, {{3, 3, 3}, 3}, {{5, 5, 5}, 5}, {{0, 2, 2}, 2},
@@ -57,13 +58,13 @@ void check_interior_depth(Test& t) {
   for (const auto& [depths, interior] : expected) {
     const Mesh mesh = morph_triangle(tags_for(depths));
     const std::size_t inside = places_inside(morphed(t, mesh), mesh).size();
-    const std::string what = text_of_depths(depths) + ": " + std::to_string(inside) +
-                             " vertices inside, of a depth of " + std::to_string(interior);
+    const std::string what =
+        fmt::format("{}: {} vertices inside, of a depth of {}", text_of_depths(depths), inside, interior);
     if (std::min({depths[0], depths[1], depths[2]}) >= interior) {
       t.expect(inside == inside_count(interior), what);
       continue;
     }
-    // Next to a shallower edge some may have moved into one place.
+    // Next to a shallower edge, several vertices may have moved to one place.
     t.expect(inside <= inside_count(interior) && inside > inside_count(interior - 1), what);
   }
 }
@@ -109,13 +110,14 @@ void check_middle(Test& t) {
   }
 }
 
-// Every refined triangle lies the right way round, and every edge inside has one on either side: the triangle is covered once.
+// Every refined triangle has the right orientation, and every inner edge has one triangle on either side: the triangle
+// is covered once.
 void expect_covered(Test& t, const Mesh& mesh, const std::vector<MorphVertex>& vertices, const std::string& what) {
   double sum = 0;
   std::map<std::pair<Vec2, Vec2>, int> edges;
   for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {
     const double one = area(vertices[i].place, vertices[i + 1].place, vertices[i + 2].place);
-    if (!t.expect(one > -1e-6, what + ": no refined triangle is turned over")) return;
+    if (!t.expect(one > -1e-6, what + ": no refined triangle has the wrong orientation")) return;
     sum += one;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2 from = vertices[i + k].place;
@@ -154,7 +156,7 @@ void check_coverage(Test& t) {
   }
 }
 
-// The outputs over a place in the triangle, as they are interpolated in the refined triangle that covers it.
+// The outputs at a place in the triangle, interpolated in the refined triangle that covers it.
 Vec4 surface_at(const std::vector<MorphVertex>& vertices, const Vec2& place) {
   Vec4 best = {NAN, NAN, NAN, NAN};
   double most = -1;
@@ -202,7 +204,8 @@ double greatest_step(Test& t, const Depths3& before, const Depths3& after) {
   return greatest;
 }
 
-// The least step that an implementation without a morph makes between two levels is 8 times the greatest that is allowed here.
+// An implementation without a morph makes steps between two levels that are at least 8 times the greatest step allowed
+// here.
 void check_continuity(Test& t) {
   gl.UseProgram(morph_program(t));
   constexpr double one = 1.0 / 64;
@@ -211,7 +214,7 @@ void check_continuity(Test& t) {
     t.expect(step <= most, text_of_depths(before) + " to " + text_of_depths(after) + ": the surface moves by " +
                                as_text(step) + ", not at most " + as_text(most));
   };
-  // Outputs are quadratic, and 16 at most: chords of a whole edge are up to 4 off.
+  // Outputs are quadratic, and at most 16: the chord of a whole edge is off by up to 4.
   for (const int level : {0, 1, 2}) {
     const double most = 0.5 * std::exp2(-2 * level);
     const double d = level;
@@ -261,13 +264,13 @@ std::set<EdgeValues> edge_of(Test& t, const Mesh& mesh) {
   std::set<EdgeValues> found;
   for (EdgeValues values : capture_as<EdgeValues>(t, 60000, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); })) {
     if (values[4] + values[5] != 1.0F) continue;
-    for (float& value : values) value += 0.0F;  // 0 and -0 are one
+    for (float& value : values) value += 0.0F;  // makes -0 equal to 0
     found.insert(values);
   }
   return found;
 }
 
-// Two triangles that share an edge, with fractional tags, different third corners and the ends in either order.
+// Two triangles share an edge, with fractional tags, different third corners, and the ends in either order.
 void check_shared(Test& t, GLenum refinement) {
   edge_program(t);
   morph_by_tags(5, refinement);
@@ -283,9 +286,8 @@ void check_shared(Test& t, GLenum refinement) {
     const auto a = edge_of(t, here);
     const auto b = edge_of(t, there);
     t.require(a.size() >= 2, "an edge has its ends");
-    if (!t.expect(a == b, "tags " + as_text(first.tag) + " and " + as_text(second.tag) + ": " +
-                              std::to_string(a.size()) + " and " + std::to_string(b.size()) +
-                              " vertices on both sides of an edge, the same by bits"))
+    if (!t.expect(a == b, fmt::format("tags {} and {}: {} and {} vertices on both sides of an edge, the same by bits",
+                                      as_text(first.tag), as_text(second.tag), a.size(), b.size())))
       return;
   }
 }
@@ -296,18 +298,20 @@ constexpr Area morph_case{"ark.geomorph."};
 
 Cases geomorph_interior_cases() {
   Cases cases = {
-      morph_case("inside.depth", {"11.R.14-16"}, "Whole depths, ten triples: how many vertices lie inside.",
+      morph_case("inside.depth", {"11.R.14-16"}, "Whole depths, ten triples: count the vertices inside.",
                  "The least depth; the second least without the limit of 3; the greatest.", check_interior_depth),
-      morph_case("inside.one", {"11.R.14-17"}, "Interiors of a depth of at most 1 have one vertex, depths of 0 none.",
-                 "None below 1; one for depths of 0.", check_one_inside),
-      morph_case("inside.middle", {"11.R.14-18"}, "Its outputs, with six triples of depths.",
-                 "s from the least depth; the stage's output in the centre from the beginning.", check_middle),
+      morph_case("inside.one", {"11.R.14-17"},
+                 "Interiors of a depth of at most 1 have one vertex; depths of 0 have none.",
+                 "No vertex below 1; one vertex for depths of 0.", check_one_inside),
+      morph_case("inside.middle", {"11.R.14-18"}, "The outputs of the inner vertex, with six triples of depths.",
+                 "s comes from the least depth; the stage's output in the centre from the beginning.", check_middle),
       morph_case("coverage", {"11.R.14-7"},
-                 "Ten triples: areas have the sum of the triangle's, and every edge two sides.",
-                 "A hole or a T-junction inside; triangles turned over.", check_coverage),
-      morph_case("continuity", {"11.R.14-13"},
-                 "A step of 1/64 in one or all depths, at whole depths and between them, moves the surface a little.",
-                 "The interior pops when a depth passes a whole number.", check_continuity)};
+                 "Ten triples: the areas add up to the triangle's, and every edge has two sides.",
+                 "A hole or a T-junction inside; triangles with the wrong orientation.", check_coverage),
+      morph_case(
+          "continuity", {"11.R.14-13"},
+          "A step of 1/64 in one or all depths, at whole depths and between them, moves the surface only a little.",
+          "The interior pops when a depth passes a whole number.", check_continuity)};
   for (const auto& [leaf, refinement] : {std::pair<const char*, GLenum>{"linear", GL_LINEAR_INPUTS_ARK},
                                          {"curved", GL_CURVED_PN_ARK},
                                          {"tagged", GL_SCALAR_TAGGED_PN_ARK},

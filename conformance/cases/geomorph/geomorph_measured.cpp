@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Geomorphing (11.R.14) with measured depths, and the budget of triangles.
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,9 +13,9 @@
 namespace glark::conformance {
 namespace {
 
-constexpr GLint measure = 4;  // pixels or degrees
+constexpr GLint measure = 4;  // in pixels or degrees
 
-// Edge 0 is `size` pixels long and lies along the lower border; its normals are `size` degrees apart.
+// Edge 0 is `size` pixels long and lies along the lower border. Its normals are `size` degrees apart.
 Mesh measured_triangle(double size) {
   Mesh mesh = morph_triangle({0, 0, 0});
   const auto length = static_cast<float>(2 * size / surface_size);
@@ -28,7 +29,8 @@ Mesh measured_triangle(double size) {
   return mesh;
 }
 
-// Of edge 0, from the number of its vertices and how far its odd ones have gone; 0 where there are none.
+// The depth of edge 0, from the number of its vertices and from how far its odd vertices have moved; 0 if there are
+// none.
 double found_depth(Test& t, const std::vector<MorphVertex>& vertices, const Mesh& mesh) {
   const Vec2 from = mesh[0].texture;
   const Vec2 to = mesh[1].texture;
@@ -61,7 +63,7 @@ void check_growth(Test& t, bool by_degrees) {
   measure_with(by_degrees ? 0 : measure, by_degrees ? measure : 0);
   double before = -1;
   double size_before = 0;
-  // From less than the measure to 16 times as much, 16 steps an octave.
+  // From less than the measure to 16 times as much, in 16 steps an octave.
   for (int step = -8; step <= 64; ++step) {
     const double size = measure * std::exp2((step + 0.25) / 16.0);
     const Mesh mesh = measured_triangle(size);
@@ -74,7 +76,8 @@ void check_growth(Test& t, bool by_degrees) {
     t.expect_near(64 * depth, std::round(64 * depth), 1e-3, what + ": 64 times the depth is whole");
     if (before >= 0) {
       t.expect(depth >= before, what + ": the depth grows with what is measured");
-      // Straight from level to level it would be 4/64, or 6/64 if it grew with the size itself.
+      // A depth that grows linearly from level to level would differ by 4/64, one that grows with the size itself by
+      // 6/64.
       t.expect(depth - before <= 8.0 / 64,
                as_text(size_before) + " to " + what + ": the depth grows by " + as_text(depth - before));
     }
@@ -86,7 +89,7 @@ void check_growth(Test& t, bool by_degrees) {
 constexpr int ladder = 64;  // triangles
 constexpr int octave = 32;  // steps of the ladder for a factor of 2
 
-// Edges 0 from 8 to 32 times the measure of 2 pixels: the first that has depth 4 says what c is.
+// Edges 0 of 8 to 32 times the measure of 2 pixels: the first that has depth 4 gives c.
 Mesh ladder_mesh() {
   Mesh mesh;
   for (int i = 0; i < ladder; ++i) {
@@ -99,7 +102,7 @@ Mesh ladder_mesh() {
 
 struct Frame {
   std::size_t triangles;
-  int first;  // the first of the ladder with an edge 0 of more than 8 steps, or `ladder`
+  int first;  // the first of the ladder whose edge 0 has more than 8 segments, or `ladder`
 };
 
 Frame draw_frame(Test& t) {
@@ -114,7 +117,7 @@ Frame draw_frame(Test& t) {
   return frame;
 }
 
-// The ladder tells log2 c to 1/32.
+// The ladder gives log2 c to within 1/32.
 void check_budget(Test& t) {
   gl.UseProgram(capture_program(t));
   upload(ladder_mesh());
@@ -127,14 +130,14 @@ void check_budget(Test& t) {
   t.expect_equal(before.first, 0, "the first of the ladder with depth 4, in the frame after the budget is set");
   for (int i = 0; i < 32; ++i) {
     const Frame frame = draw_frame(t);
-    t.expect(std::abs(frame.first - before.first) <= octave / 16 + 1,
-             "frame " + std::to_string(i) + ": the logarithm of c changes by " +
-                 as_text(std::abs(frame.first - before.first)) + "/32");
+    t.expect(
+        std::abs(frame.first - before.first) <= octave / 16 + 1,
+        fmt::format("frame {}: the logarithm of c changes by {}/32", i, as_text(std::abs(frame.first - before.first))));
     before = frame;
   }
   t.expect(before.first > octave / 2, "c has become greater");
   t.expect(before.triangles <= static_cast<std::size_t>(budget),
-           std::to_string(before.triangles) + " triangles with a budget of " + std::to_string(budget));
+           fmt::format("{} triangles with a budget of {}", before.triangles, budget));
 }
 
 }  // namespace
@@ -144,13 +147,13 @@ Cases geomorph_measured_cases() {
   for (const bool by_degrees : {false, true})
     cases.push_back({.name = std::string("ark.geomorph.measured.") + (by_degrees ? "degrees" : "pixels"),
                      .clauses = {"11.R.14-4"},
-                     .plan = "An edge that grows from a size without refinement to 16 times the measure, in 72 steps.",
-                     .wrong = "Whole depths; a depth above the one of 11.R.4; a jump from one level to the next.",
+                     .plan = "An edge grows from a size without refinement to 16 times the measure, in 72 steps.",
+                     .wrong = "Whole depths; a depth above that of 11.R.4; a jump from one level to the next.",
                      .check = [by_degrees](Test& t) { check_growth(t, by_degrees); }});
   cases.push_back({.name = "ark.geomorph.budget",
                    .clauses = {"11.R.14-20"},
-                   .plan = "64 triangles whose edges tell what c is, with a budget of a third of their triangles.",
-                   .wrong = "c jumps to its value in one frame; it never settles.",
+                   .plan = "The edges of 64 triangles show c, with a budget of a third of their triangles.",
+                   .wrong = "c jumps to its value in one frame, or never settles.",
                    .check = check_budget});
   return cases;
 }

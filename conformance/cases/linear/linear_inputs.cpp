@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Refined inputs (11.R.6): every type of input against (11.R.1), by bits.
+// Refined inputs (11.R.6): every type of input compared with (11.R.1), by bits.
+#include <fmt/core.h>
 #include <cmath>
 
 #include "conformance/cases/cases.h"
@@ -20,7 +21,7 @@ struct InputType {
   const char* declaration;  // of the input "a"
   std::size_t locations;
   GLint components;       // of one location
-  const char* component;  // GLSL: the one with the index i
+  const char* component;  // in GLSL: the element with the index i
   bool is_array = false;
 };
 
@@ -40,7 +41,7 @@ const InputType input_types[] = {
 
 std::size_t components_of(const InputType& type) { return type.locations * static_cast<std::size_t>(type.components); }
 
-// No two alike, of both signs, with all bits of the mantissa in use and magnitudes far apart.
+// All values differ, have both signs, use all bits of the mantissa, and are of very different magnitudes.
 std::array<Values, 3> random_values(Test& t) {
   std::array<Values, 3> corners;
   for (Values& corner : corners)
@@ -82,8 +83,8 @@ void upload_values(const std::array<Values, 3>& corners, const InputType& type) 
   }
 }
 
-// Where a language cannot forbid contraction, one rounding less is allowed: half a unit in the last place of the product that
-// is not rounded, at most.
+// A language that cannot forbid contraction may leave out one rounding: at most half a unit in the last place of the
+// unrounded product.
 bool is_refined(Test& t, float actual, const Vec3& weights, float a0, float a1, float a2) {
   const float expected = reference::refined(weights, a0, a1, a2);
   if (actual == expected) return true;
@@ -102,9 +103,9 @@ void check_values(Test& t, const std::vector<unsigned char>& bytes, const std::a
     for (std::size_t i = 0; i < components; ++i) {
       const float actual = floats[vertex + 8 + i];
       if (!t.expect(is_refined(t, actual, weights, corners[0][i], corners[1][i], corners[2][i]),
-                    "component " + std::to_string(i) + " at (" + as_text(weights[0]) + ", " + as_text(weights[1]) +
-                        ", " + as_text(weights[2]) + ") has the bits of (11.R.1): " + as_text(actual) + " instead of " +
-                        as_text(reference::refined(weights, corners[0][i], corners[1][i], corners[2][i]))))
+                    fmt::format("component {} at ({}, {}, {}) has the bits of (11.R.1): {} instead of {}", i,
+                                as_text(weights[0]), as_text(weights[1]), as_text(weights[2]), as_text(actual),
+                                as_text(reference::refined(weights, corners[0][i], corners[1][i], corners[2][i])))))
         return;
     }
   }
@@ -131,13 +132,12 @@ Case type_case(const InputType& type) {
           .clauses = is_plain ? std::vector<std::string>{"11.R.6-1", "11.R.6-2", "11.R.6-4", "11.R.6-5"}
                               : std::vector<std::string>{"11.R.6-2", "11.R.6-4", "11.R.6-6"},
           .plan =
-              "Give a triangle with tags 5, 2, 3 random values of this type, capture what the vertex stage reads, and "
-              "compare each component with (11.R.1), every operation rounded by itself.",
+              "Give a triangle with tags 5, 2, 3 random values of this type, capture the vertex stage's input, and "
+              "compare each component with (11.R.1), with every operation rounded separately.",
           .wrong =
               "Contracted, or summed in another order: last bits differ. Columns or elements after the first keep a "
               "corner's value. A normalized vector has another length.",
-          .apis = type.is_array ? desktop_apis
-                                : every_api,
+          .apis = type.is_array ? desktop_apis : every_api,
           .check = [type](Test& t) { check_type(t, type); }};
 }
 
@@ -181,7 +181,7 @@ void check_corners(Test& t, GLenum refinement) {
   t.expect(seen[0] > 0 && seen[1] > 0 && seen[2] > 0, "all corners are drawn");
 }
 
-// The vertices on the first edge, by their distance from `from`.
+// The vertices on the first edge, sorted by their distance from `from`.
 std::vector<PlainVertex> edge_vertices(Test& t, const Mesh& mesh, std::size_t from, std::size_t steps) {
   upload(mesh);
   std::vector<PlainVertex> edge(steps + 1);
@@ -209,7 +209,7 @@ void check_edge_order(Test& t, GLenum refinement) {
     const auto back = edge_vertices(t, turned, 1, 32);
     for (std::size_t i = 0; i <= 32; ++i)
       t.expect(there[i].value == back[i].value && there[i].position == back[i].position,
-               "step " + std::to_string(i) + " of the edge has the same bits from both ends");
+               fmt::format("step {} of the edge has the same bits from both ends", i));
   }
 }
 
@@ -218,7 +218,7 @@ struct DifferenceVertex {
   Vec3 weights;
 };
 
-// 1e10 times what is beyond 1, -3, 2, 5, -1, 7 at the corners.
+// The corners exceed 1, -3, 2, 5, -1 and 7 by very little: the difference times 1e10.
 constexpr double near_by[6] = {1, -3, 2, 5, -1, 7};
 constexpr double differences[3][6] = {{1, 0, 4, -2, 3, -6}, {3, 2, -5, 8, 0, 1}, {-7, -5, 2, 6, -4, 9}};
 
@@ -226,7 +226,7 @@ struct DoubleType {
   const char* leaf;
   const char* declaration;  // of the input "d"
   GLuint columns, rows;
-  const char* component;  // GLSL: the one with the index i
+  const char* component;  // in GLSL: the element with the index i
 };
 constexpr DoubleType double_types[] = {{"doubles", "dvec2 d", 1, 2, "d[i]"},
                                        {"double_matrix", "dmat2x3 d", 2, 3, "d[i / 3][i % 3]"},
@@ -247,7 +247,8 @@ GLuint difference_program(Test& t, const DoubleType& type) {
           .captured = {"difference", "weights_out"}});
 }
 
-// Refined or not (11.R.11); where they are, by (11.R.1) with the precision of the type: what differs is lost in single precision.
+// The draw may be unrefined (11.R.11). If it is refined, the values are those of (11.R.1) in the type's precision;
+// single precision would lose the difference.
 void check_doubles(Test& t, const DoubleType& type) {
   gl.UseProgram(difference_program(t, type));
   upload(one_triangle());
@@ -265,7 +266,7 @@ void check_doubles(Test& t, const DoubleType& type) {
   }
   refine_uniformly(3);
   const auto vertices = capture_as<DifferenceVertex>(t, 1000, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
-  t.require(vertices.size() == 3 || vertices.size() == std::size_t{3} * 64, "refined, or left as it is");
+  t.require(vertices.size() == 3 || vertices.size() == std::size_t{3} * 64, "refined, or left unrefined");
   for (const DifferenceVertex& vertex : vertices)
     for (std::size_t i = 0; i < std::size_t{type.columns} * type.rows; ++i) {
       double expected = 0;
@@ -302,7 +303,7 @@ Cases linear_inputs_cases() {
                      .clauses = {"11.R.6-4", "11.R.6-6", "11.R.11-6"},
                      .plan = std::string("An input ") + type.declaration +
                              " whose corners differ by 1e-10, if the implementation refines it.",
-                     .wrong = "Refined in single precision, so that the differences are gone; columns overlap.",
+                     .wrong = "Refined in single precision, so the differences are gone; columns overlap.",
                      .apis = desktop_apis,
                      .check = [&type](Test& t) { check_doubles(t, type); }});
   cases.push_back(corner_case("inputs", GL_LINEAR_INPUTS_ARK));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Refined outputs, and values that do not change within a coarse triangle (11.R.6).
+// Refined outputs, and values that are constant within a coarse triangle (11.R.6).
+#include <fmt/core.h>
 #include <cmath>
 
 #include "conformance/cases/cases.h"
@@ -11,7 +12,7 @@
 namespace glark::conformance {
 namespace {
 
-// gl_Position, weights, then some floats of what is looked at.
+// gl_Position, weights, then the floats under test.
 constexpr std::size_t most_floats = 20;
 struct OutputVertex {
   Vec4 position;
@@ -19,7 +20,7 @@ struct OutputVertex {
   std::array<float, most_floats> r;
 };
 
-// Its corners' outputs are far from linear in the inputs, and exact: the inputs are multiples of 1/4 below 4.
+// The corners' outputs are far from linear in the inputs, and exact: the inputs are multiples of 1/4 below 4.
 struct OutputKind {
   const char* leaf;
   const char* declarations;
@@ -28,7 +29,6 @@ struct OutputKind {
   std::size_t count;
   Apis apis = every_api;
 };
-
 
 const OutputKind output_kinds[] = {
     {"vec4", "out vec4 r;", "r = a * a;", {"r"}, 4},
@@ -74,7 +74,7 @@ Mesh exact_triangle() {
   return mesh;
 }
 
-// What `count` floats a vertex the three corners give without refinement.
+// The `count` floats of each corner without refinement.
 std::vector<OutputVertex> captured(Test& t, std::size_t count, const std::function<void()>& draw) {
   const std::size_t stride = 7 + count;
   const auto bytes = capture_bytes(t, stride * sizeof(float), 3, 4000, GL_TRIANGLES, draw);
@@ -109,15 +109,14 @@ void check_output(Test& t, const OutputKind& kind) {
 }
 
 Case output_case(const OutputKind& kind) {
-  return {
-      .name = std::string("ark.linear.outputs.") + kind.leaf,
-      .clauses = {"11.R.6-8", "11.R.6-9"},
-      .plan =
-          "A vertex stage squares its inputs. Capture the unrefined corners, then refine outputs by tags 4, 2, 1, and "
-          "compare gl_Position and this output with (11.R.1) of the corners'.",
-      .wrong = "Squares of refined inputs; only the first element or member refined; this output left out.",
-      .apis = kind.apis,
-      .check = [kind](Test& t) { check_output(t, kind); }};
+  return {.name = std::string("ark.linear.outputs.") + kind.leaf,
+          .clauses = {"11.R.6-8", "11.R.6-9"},
+          .plan =
+              "A vertex stage squares its inputs. Capture the unrefined corners, refine outputs by tags 4, 2, 1, and "
+              "compare gl_Position and this output with (11.R.1) of the corners' outputs.",
+          .wrong = "Squares of refined inputs; only the first element or member is refined; this output is left out.",
+          .apis = kind.apis,
+          .check = [kind](Test& t) { check_output(t, kind); }};
 }
 
 void check_executed_again(Test& t) {
@@ -133,7 +132,7 @@ void check_executed_again(Test& t) {
     }
 }
 
-// A compiler may drop an input from an expression that it finds to be 0: what stands in its place must not be NaN.
+// A compiler may drop an input from an expression that it finds to be 0. The value in its place must not be NaN.
 void check_removed_input(Test& t, GLenum refinement) {
   const GLuint program = build_program(
       t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 3) in vec4 a;\n"
@@ -192,7 +191,7 @@ struct DrawForm {
   bool is_compat = false;
 };
 
-// Table 13.2 of OpenGL 4.6.
+// Based on: table 13.2 of OpenGL 4.6.
 const DrawForm draw_forms[] = {
     {"triangles", GL_TRIANGLES, 9, {2, 5, 8}, {0, 3, 6}},
     {"triangle_strip", GL_TRIANGLE_STRIP, 5, {2, 3, 4}, {0, 1, 2}},
@@ -225,14 +224,14 @@ struct Provoking {
   const char* wrong;
 };
 
-// i: integers as inputs; flat: a flat output, of a float input.
+// i: integer inputs; flat: a flat output that comes from a float input.
 const Provoking provoking_kinds[] = {
     {"integer_input",
      "flat out vec4 f;",
      "i_out = i; u_out = u; f = vec4(0.0);",
      GL_LINEAR_INPUTS_ARK,
      {"11.R.6-7"},
-     "Corner 0 is always taken, or integers are interpolated."},
+     "Always corner 0, or interpolated integers."},
     {"integer_input_nonflat",
      "out vec4 f;",
      "i_out = i; u_out = u; f = vec4(i.xyxy);",
@@ -244,13 +243,13 @@ const Provoking provoking_kinds[] = {
      "i_out = i; u_out = u; f = c * c;",
      GL_LINEAR_INPUTS_ARK,
      {"11.R.6-12"},
-     "A flat output is that of the refined triangle's own corner: facets appear."},
+     "A flat output of the refined triangle's own corner: facets appear."},
     {"outputs",
      "flat out vec4 f;",
      "i_out = i; u_out = u; f = c * c;",
      GL_LINEAR_OUTPUTS_ARK,
      {"11.R.6-10"},
-     "Flat outputs are interpolated; the wrong convention."},
+     "Interpolated flat outputs; the wrong convention."},
 };
 
 void upload_integers(const Mesh& mesh) {
@@ -297,21 +296,19 @@ void check_provoking(Test& t, const DrawForm& form, const Provoking& kind, bool 
       if (is_colour) holds = holds && std::abs(vertices[k].flat[i] - c * c) < 1e-6F;
       if (is_integer && i % 2 == 0) holds = holds && vertices[k].flat[i] == static_cast<float>(expected);
     }
-    if (!t.expect(holds, "triangle " + std::to_string(triangle) + " has the values of vertex " + std::to_string(from)))
-      return;
+    if (!t.expect(holds, fmt::format("triangle {} has the values of vertex {}", triangle, from))) return;
   }
 }
 
 Case provoking_case(const DrawForm& form, const Provoking& kind, bool is_first) {
-  return {
-      .name = std::string("ark.linear.provoking.") + kind.leaf + "." + form.leaf + (is_first ? ".first" : ".last"),
-      .clauses = kind.clauses,
-      .plan =
-          "Vertices with different integers and colours are drawn in this mode under this convention, at depth 2; the "
-          "captured values of every refined triangle are those of the provoking vertex of its coarse triangle.",
-      .wrong = kind.wrong,
-      .apis = is_first ? desktop_apis : every_api,
-      .check = [form, kind, is_first](Test& t) { check_provoking(t, form, kind, is_first); }};
+  return {.name = std::string("ark.linear.provoking.") + kind.leaf + "." + form.leaf + (is_first ? ".first" : ".last"),
+          .clauses = kind.clauses,
+          .plan =
+              "Draw vertices with different integers and colours in this mode under this convention, at depth 2. The "
+              "captured values of every refined triangle are those of its coarse triangle's provoking vertex.",
+          .wrong = kind.wrong,
+          .apis = is_first ? desktop_apis : every_api,
+          .check = [form, kind, is_first](Test& t) { check_provoking(t, form, kind, is_first); }};
 }
 
 }  // namespace
@@ -325,23 +322,21 @@ Cases linear_outputs_cases() {
   cases.push_back({.name = "ark.linear.inputs.executed_again",
                    .clauses = {"11.R.6-4", "overview-5"},
                    .plan = "A vertex stage squares its input: captured values are squares of refined inputs.",
-                   .wrong = "Outputs are refined whatever REFINEMENT_ARK says.",
+                   .wrong = "Outputs are refined whatever REFINEMENT_ARK is.",
                    .check = check_executed_again});
   for (const bool of_outputs : {false, true})
-    cases.push_back(
-        {.name = std::string("ark.linear.") + (of_outputs ? "outputs" : "inputs") + ".removed_input",
-         .clauses = {of_outputs ? "11.R.6-8" : "11.R.6-4"},
-         .plan =
-             "A vertex stage adds normal.z - normal.z, which a compiler may remove with the input. Outputs are those "
-             "of the corners, refined.",
-         .wrong = "The input is left without a value: outputs are NaN, or of no meaning.",
-         .check = [of_outputs](Test& t) {
-           check_removed_input(t, of_outputs ? GL_LINEAR_OUTPUTS_ARK : GL_LINEAR_INPUTS_ARK);
-         }});
+    cases.push_back({.name = std::string("ark.linear.") + (of_outputs ? "outputs" : "inputs") + ".removed_input",
+                     .clauses = {of_outputs ? "11.R.6-8" : "11.R.6-4"},
+                     .plan = "A vertex stage adds normal.z - normal.z, and a compiler may remove this with the input. "
+                             "Outputs are those of the corners, refined.",
+                     .wrong = "The input is left without a value: outputs are NaN, or undefined.",
+                     .check = [of_outputs](Test& t) {
+                       check_removed_input(t, of_outputs ? GL_LINEAR_OUTPUTS_ARK : GL_LINEAR_INPUTS_ARK);
+                     }});
   cases.push_back({.name = "ark.linear.outputs.noperspective",
                    .clauses = {"11.R.6-11"},
                    .plan = "Corners have w of 1, 2 and 1/2. A noperspective output is compared with the formula.",
-                   .wrong = "It is refined by (11.R.1), as if it were perspective.",
+                   .wrong = "The output is refined by (11.R.1), as if it were perspective.",
                    .apis = desktop_apis,
                    .check = check_noperspective});
   return cases;

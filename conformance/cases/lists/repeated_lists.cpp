@@ -31,7 +31,7 @@ void refine() {
   gl.Enable(GL_ARK);
 }
 
-// Fixed function: the list has vertices alone, what else they have is current at the call.
+// Fixed function: the list has only vertices. Their other attributes are current at the call.
 void check_inherited(Test& t) {
   const GLuint list = gl.GenLists(1);
   refine();
@@ -50,7 +50,7 @@ void check_inherited(Test& t) {
     }
 }
 
-// The last values of a list are current after each call, also where its triangles need not be captured again.
+// After each call the list's last values are current, even if an implementation need not capture its triangles again.
 void check_left_behind(Test& t) {
   const GLuint list = gl.GenLists(1);
   refine();
@@ -78,7 +78,7 @@ void check_left_behind(Test& t) {
   }
 }
 
-// Four lists of different numbers of triangles, their names in every type.
+// Four lists with different numbers of triangles, named in every type.
 void check_names(Test& t) {
   const GLuint base = 300;
   refine();
@@ -87,7 +87,8 @@ void check_names(Test& t) {
       gl.DepthTag1i(i - 1);
       triangle();
     });
-  for (GLuint i = 0; i < 4; ++i) compile_as(base + 256 * (i + 1), triangle);  // what little-endian names would be
+  for (GLuint i = 0; i < 4; ++i)
+    compile_as(base + 256 * (i + 1), triangle);  // the value if the names were little-endian
   gl.ListBase(base);
   const GLubyte bytes[] = {1, 3};
   const GLbyte signed_bytes[] = {1, 3};
@@ -116,7 +117,7 @@ void check_names(Test& t) {
   t.expect_no_error("the lists");
 }
 
-// A list base that is compiled counts from the call on.
+// A compiled ListBase counts from the call on.
 void check_compiled_base(Test& t) {
   const GLubyte name[] = {1};
   refine();
@@ -143,10 +144,10 @@ void check_pool_while_compiling(Test& t) {
     gl.ARKinit(2);
   });
   t.expect_equal(integer_of(GL_POOL_LEVEL_ARK), 2, "the level of ARKinit within a list");
-  t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "the tag, which is not above it");
+  t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "the tag, which is not above the level");
   gl.ARKinit(4);
   t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "the tag with a deeper pool");
-  t.expect_equal(count_generated(triangle), 16U, "triangles with it");
+  t.expect_equal(count_generated(triangle), 16U, "triangles with this tag");
   gl.DepthTag1i(3);
   gl.CallList(1);
   t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 3, "the list does not set it");
@@ -170,12 +171,12 @@ void compile_stack_lists() {
   });
   compile_as(nested_pop, [&] {
     triangle();
-    gl.CallLists(1, GL_UNSIGNED_BYTE, names);  // with the list base of the call
+    gl.CallLists(1, GL_UNSIGNED_BYTE, names);  // with the list base at the time of the call
   });
   compile_as(other_push, [] { gl.PushAttrib(GL_CURRENT_BIT); });
 }
 
-// Push while ARK is `before`, set it to the opposite, pop: what it is then.
+// Pushes while ARK is `before`, sets ARK to the opposite, pops. Returns the state after that.
 void expect_restored(Test& t, const std::function<void()>& push, const std::function<void()>& pop, bool is_saved,
                      const std::string& what) {
   for (const bool before : {true, false}) {
@@ -221,41 +222,33 @@ void check_stack(Test& t, bool is_compiled_late) {
   t.expect_no_error("the calls");
 }
 
-Case list_case(const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-               void (*check)(Test&)) {
-  return {.name = std::string("ark.list.again.") + leaf,
-          .clauses = std::move(clauses),
-          .plan = plan,
-          .wrong = wrong,
-          .apis = compat_only,
-          .check = check};
-}
+constexpr Area list_case{.prefix = "ark.list.again.", .apis = compat_only};
 
 }  // namespace
 
 Cases repeated_lists_cases() {
   return {
       list_case("inherited", {"chapter-21-4", "chapter-21-5"},
-                "Call a list of vertices alone with several colors and tags, four times each.",
+                "Call a list that has only vertices with several colours and tags, four times each.",
                 "The values of an earlier call.", check_inherited),
       list_case("left_behind", {"chapter-21-2", "10.R.1-13"},
-                "Call a list that sets colors and tags before and between its vertices, and look at what is current.",
+                "Call a list that sets colours and tags before and between its vertices, and check the current values.",
                 "Only the first calls leave the list's values.", check_left_behind),
       list_case("names", {"chapter-21-4", "chapter-21-5"},
-                "CallLists with names of each type, at once and from a list, with two list bases.",
-                "Groups of bytes in the wrong order; a list base of the time of compilation.", check_names),
+                "Call CallLists with names of each type, directly and from a list, with two list bases.",
+                "Groups of bytes in the wrong order; the list base at compilation.", check_names),
       list_case("compiled_base", {"chapter-21-4"},
-                "ListBase in a list: CallLists before the list is called, and after.",
-                "The base counts while it is compiled, or never.", check_compiled_base),
-      list_case("pool", {"chapter-21-7", "11.R.1-6"}, "ARKinit with a lower level while a list is compiled.",
+                "ListBase in a list: call CallLists before the list is called, and after.",
+                "The base counts during compilation, or never.", check_compiled_base),
+      list_case("pool", {"chapter-21-7", "11.R.1-6"}, "Call ARKinit with a lower level while a list is compiled.",
                 "The current tag stays above the pool, or the list sets it.", check_pool_while_compiling),
       list_case(
           "attributes", {"chapter-22-1"},
           "PushAttrib and PopAttrib in lists, in lists that these call, and outside, with ARK changed in between.",
-          "What lists do to the stack is not noticed: ARK stays, or is that of another level.",
+          "Changes that lists make to the stack are not noticed: ARK stays, or is that of another level.",
           [](Test& t) { check_stack(t, true); }),
       list_case("attributes_before_init", {"chapter-22-1"}, "The same lists, compiled before ARKinit.",
-                "Lists that may be drawn unrefined are not looked at.", [](Test& t) { check_stack(t, false); })};
+                "Lists that may be drawn unrefined are not inspected.", [](Test& t) { check_stack(t, false); })};
 }
 
 }  // namespace glark::conformance

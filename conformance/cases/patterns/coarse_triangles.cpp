@@ -1,27 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Into which coarse triangles a draw is decomposed (11.R.3): the order of corners, the provoking corner, the split at centroids.
+// How a draw is split into coarse triangles (11.R.3): the order of corners, the provoking corner, the split at
+// centroids.
+#include <fmt/core.h>
 #include <numeric>
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/triangle_modes.h"
 #include "conformance/support/refined_draw.h"
 
 namespace glark::conformance {
 namespace {
 
-
-struct Mode {
-  const char* name;
-  GLenum mode;
-  bool is_legacy;
-};
-constexpr Mode modes[] = {{"triangles", GL_TRIANGLES, false},       {"triangle_strip", GL_TRIANGLE_STRIP, false},
-                          {"triangle_fan", GL_TRIANGLE_FAN, false}, {"quads", GL_QUADS, true},
-                          {"quad_strip", GL_QUAD_STRIP, true},      {"polygon", GL_POLYGON, true}};
-
-// Convex and counter-clockwise about the origin, of sixteenths.
+// A convex polygon, counter-clockwise about the origin. Coordinates are sixteenths.
 Mesh polygon() {
   const Vec2 places[] = {{-0.875F, -0.25F}, {-0.5F, -0.75F}, {0.125F, -0.875F}, {0.625F, -0.625F},
                          {0.875F, 0.0F},    {0.75F, 0.5F},   {0.25F, 0.8125F},  {-0.5F, 0.625F}};
@@ -34,7 +27,7 @@ Mesh polygon() {
   return mesh;
 }
 
-// Two rows, for strips.
+// Two rows of vertices, for strips.
 Mesh ladder() {
   Mesh mesh = polygon();
   for (std::size_t i = 0; i < mesh.size(); ++i) {
@@ -48,7 +41,7 @@ Mesh ladder() {
 
 Mesh mesh_for(GLenum mode) { return mode == GL_TRIANGLE_STRIP || mode == GL_QUAD_STRIP ? ladder() : polygon(); }
 
-// Values whose sums are rounded: in another order of corners some have other bits.
+// Sums of these values are rounded, so another order of corners gives other bits.
 void check_corner_order(Test& t, GLenum mode) {
   use_readable_tags();
   gl.UseProgram(draw_program(t));
@@ -94,7 +87,7 @@ void check_provoking(Test& t, GLenum mode, bool is_first) {
   t.expect_same_picture(flat_picture(mode), plain, "flat colours by tags", 1, 60);
 }
 
-// In a plain context the two conventions differ, so that the pictures tell.
+// Without refinement the two conventions differ, so pictures can tell them apart.
 void control_provoking(Test& t) {
   if (t.is_gles()) return t.expect(true, "one convention"), void();
   gl.UseProgram(flat_program(t));
@@ -105,7 +98,7 @@ void control_provoking(Test& t) {
   t.expect(count_different(first, flat_picture(GL_TRIANGLE_FAN), 4) > 1000, "the conventions differ");
 }
 
-// The vertices of each primitive in the order of its boundary.
+// The vertices of each primitive, in the order of its boundary.
 std::vector<std::vector<std::size_t>> boundaries(GLenum mode, std::size_t count) {
   std::vector<std::vector<std::size_t>> all;
   if (mode == GL_POLYGON) {
@@ -133,7 +126,7 @@ DrawVertex centroid_of(const Mesh& mesh, const std::vector<std::size_t>& boundar
   return centroid;
 }
 
-// n triangles about each centroid; the edges that meet there have the mean depth, rounded down.
+// n triangles about each centroid. The edges that meet there have the mean depth, rounded down.
 std::vector<CoarseTriangle> split(const Mesh& mesh, GLenum mode, std::size_t count, int pool_level) {
   std::vector<CoarseTriangle> triangles;
   for (const auto& boundary : boundaries(mode, count)) {
@@ -173,8 +166,8 @@ void check_centroid(Test& t, GLenum mode) {
       t, uniform, [mode] { gl.DrawArrays(mode, 0, 8); }, "eight vertices, uniformly");
 }
 
-// Values that no sum or quotient leaves exact: the order of the sum, the division and the place of the centroid among the corners
-// show in the last bits.
+// No sum or quotient of these values is exact. The last bits show the order of the sum, the division, and the place of
+// the centroid among the corners.
 void check_centroid_bits(Test& t, GLenum mode, std::size_t count) {
   use_readable_tags();
   gl.UseProgram(draw_program(t));
@@ -190,11 +183,11 @@ void check_centroid_bits(Test& t, GLenum mode, std::size_t count) {
     split_at_centroids(4);
     expect_triangles(
         t, split(mesh, mode, count, 4), [=] { gl.DrawArrays(mode, 0, static_cast<GLsizei>(count)); },
-        std::to_string(count) + " vertices");
+        fmt::format("{} vertices", count));
   }
 }
 
-// Edges that differ much from the face depth: triples that tags of vertices alone do not give.
+// Edges that differ much from the face depth: triples that vertex tags alone do not give.
 void check_steep_depths(Test& t) {
   use_readable_tags();
   gl.UseProgram(draw_program(t));
@@ -209,7 +202,7 @@ void check_steep_depths(Test& t) {
       t, split(mesh, GL_QUADS, 8, 6), [] { gl.DrawArrays(GL_QUADS, 0, 8); }, "two quadrilaterals");
 }
 
-// How many triangles `draw` has at uniform depth 1, with a program that may not be split: 4 for each coarse one.
+// How many triangles `draw` has at uniform depth 1, with a program that may not be split: 4 for each coarse triangle.
 std::size_t count_at_one(Test& t, const std::function<void()>& draw) {
   refine_uniformly(1);
   gl.ARKParameteriARK(GL_POLYGON_SPLIT_ARK, GL_POLYGON_CENTROID_ARK);
@@ -312,12 +305,12 @@ Cases exception_cases() {
 
 Cases coarse_triangles_cases() {
   Cases cases = exception_cases();
-  for (const Mode& mode : modes) {
+  for (const TriangleMode& mode : triangle_modes) {
     const std::string name = mode.name;
     cases.push_back({.name = "ark.coarse.corners." + name,
                      .clauses = {"11.R.3-2"},
-                     .plan = "Refine values whose sums are rounded, and compare all bits with those that the order of "
-                             "transform feedback gives.",
+                     .plan = "Refine values whose sums are rounded, and compare all bits with those in the order of "
+                             "transform feedback.",
                      .wrong = "Corners in another order: some vertices differ in the last bit.",
                      .apis = mode.is_legacy ? compat_only : desktop_apis,
                      .check = [mode](Test& t) { check_corner_order(t, mode.mode); }});
@@ -336,14 +329,14 @@ Cases coarse_triangles_cases() {
                        .clauses = {"11.R.3-6", "11.R.3-7", "11.R.3-8", "11.R.4-16"},
                        .plan = "Capture primitives of eight vertices that are split at their centroids.",
                        .wrong = "The triangles of POLYGON_TRIANGLES_ARK; a centroid of other vertices; inner edges of "
-                                "another depth; boundary in the wrong order.",
+                                "another depth; the boundary in the wrong order.",
                        .apis = compat_only,
                        .check = [mode](Test& t) { check_centroid(t, mode.mode); }});
     else
       cases.push_back({.name = "ark.coarse.centroid.not_of_" + name,
                        .clauses = {"11.R.3-10"},
                        .plan = "Refine triangles while POLYGON_CENTROID_ARK is set.",
-                       .wrong = "Triangles split in three.",
+                       .wrong = "Triangles are split in three.",
                        .check = [mode](Test& t) { check_triangles_stay(t, mode.mode); }});
   }
   for (const auto& [leaf, mode, count] : {std::tuple<const char*, GLenum, std::size_t>{"polygon_5", GL_POLYGON, 5},
@@ -353,13 +346,13 @@ Cases coarse_triangles_cases() {
                                           {"quad_strip", GL_QUAD_STRIP, 8}})
     cases.push_back({.name = std::string("ark.coarse.centroid.bits.") + leaf,
                      .clauses = {"11.R.3-7", "11.R.3-8"},
-                     .plan = "Primitives of random vertices, split at the centroid, captured: equal by bits.",
-                     .wrong = "Summed from the last vertex, multiplied by 1 / n, or with another corner order.",
+                     .plan = "Capture primitives of random vertices, split at the centroid: they are equal by bits.",
+                     .wrong = "Summed from the last vertex, multiplied by 1 / n, or in another order of corners.",
                      .apis = compat_only,
                      .check = [mode = mode, count = count](Test& t) { check_centroid_bits(t, mode, count); }});
   cases.push_back({.name = "ark.coarse.centroid.steep",
                    .clauses = {"11.R.4-16", "11.R.5-1"},
-                   .plan = "One edge of depth 6 among edges of 0: the inner edges have the mean.",
+                   .plan = "One edge of depth 6 among edges of depth 0: the inner edges have the mean.",
                    .wrong = "The depth of the centroid's mean tag; rounded up.",
                    .apis = compat_only,
                    .check = check_steep_depths});
@@ -369,13 +362,12 @@ Cases coarse_triangles_cases() {
                    .wrong = "A centroid of vertices of two polygons.",
                    .apis = compat_only,
                    .check = check_restart});
-  cases.push_back(
-      {.name = "ark.coarse.centroid.flat_shading",
-       .clauses = {"11.R.3-9", "11.R.3-12"},
-       .plan = "Count the triangles of two quadrilaterals in the fixed-function stage with either ShadeModel.",
-       .wrong = "Split with FLAT.",
-       .apis = compat_only,
-       .check = check_flat_shading});
+  cases.push_back({.name = "ark.coarse.centroid.flat_shading",
+                   .clauses = {"11.R.3-9", "11.R.3-12"},
+                   .plan = "Count the triangles of two fixed-function quadrilaterals with either ShadeModel.",
+                   .wrong = "Split with FLAT.",
+                   .apis = compat_only,
+                   .check = check_flat_shading});
   return cases;
 }
 

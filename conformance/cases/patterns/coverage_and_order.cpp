@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Order (11.R.12), repeatability (11.R.13), and watertightness: every pixel inside a mesh is drawn exactly once.
+// Order (11.R.12), repeatability (11.R.13), and watertightness: the draw covers every pixel inside a mesh exactly once.
+#include <fmt/core.h>
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +12,7 @@
 namespace glark::conformance {
 namespace {
 
-// Bends, and keeps what lies on the border of the surface there.
+// A vertex stage that bends the inside of the surface and keeps its border.
 const char bending_stage[] =
     "layout(location = 0) in vec4 position; layout(location = 1) in vec3 normal;\n"
     "layout(location = 3) in vec4 vertex_colour; out vec4 colour;\n"
@@ -19,7 +20,7 @@ const char bending_stage[] =
     "  colour = max(vertex_colour, vec4(1e-9 * normal.z));\n"
     "  gl_Position = vec4(p + 0.12 * inside * sin(3.0 * p.yx), 0.25 * p.x + 0.1 * cos(3.0 * p.y), 1.0); }\n";
 
-// n x n quadrilaterals over the whole surface, jittered inside, two triangles each; tags belong to places.
+// n x n quadrilaterals over the whole surface, jittered inside, with two triangles each. Each place has one tag.
 Mesh grid(Test& t, int n, int greatest_tag) {
   std::vector<MeshVertex> vertices;
   for (int y = 0; y <= n; ++y)
@@ -91,7 +92,7 @@ void control_covering(Test& t) {
   t.expect_same_picture(additive_picture(mesh), once, "every pixel is drawn exactly once unrefined", 1);
 }
 
-// An octahedron, whose faces are curved and have random tags: every ray that enters leaves.
+// An octahedron with curved faces and random tags: every ray that enters leaves.
 Mesh octahedron(Test& t) {
   const Vec3 places[] = {{0.8F, 0.05F, 0}, {-0.75F, 0.1F, 0}, {0.03F, 0.8F, 0.1F},
                          {0, -0.7F, 0},    {0.1F, 0, 0.8F},   {0, 0.04F, -0.75F}};
@@ -129,7 +130,7 @@ void check_closed(Test& t, GLenum refinement, GLenum interior) {
   t.expect_same_picture(back, front, "as many back faces as front faces in every pixel", 1);
 }
 
-// Triangles one above the other, in this order: the last one shows.
+// Triangles on top of each other, in this order: the last one shows.
 Mesh stack() {
   Mesh mesh;
   for (int i = 0; i < 4; ++i) {
@@ -162,7 +163,7 @@ void check_coarse_order(Test& t, int level) {
   t.expect(in_order, "transform feedback has the coarse triangles in order");
 }
 
-// Two commands, refined in whatever way: the second one shows.
+// Two commands with any refinement: the second one shows.
 void check_command_order(Test& t, GLenum source) {
   gl.UseProgram(colour_program(t));
   Mesh mesh = stack();
@@ -184,7 +185,8 @@ struct Repeat {
   GLenum source;
 };
 
-// A pass for depth, and one for colours with another fragment stage and an EQUAL test: every pixel is drawn exactly once.
+// A depth pass, then a colour pass with another fragment stage and an EQUAL test. Together they draw every pixel
+// exactly once.
 void check_equal_pass(Test& t, const Repeat& repeat) {
   const GLuint depth_only =
       build_program(t, {.vertex = bending_stage,
@@ -270,7 +272,7 @@ Cases coverage_and_order_cases() {
                        }});
   for (const int level : {1, 3, 6, 8})
     cases.push_back(
-        {.name = "ark.order.coarse.level_" + std::to_string(level),
+        {.name = fmt::format("ark.order.coarse.level_{}", level),
          .clauses = {"11.R.12-2"},
          .plan = "Draw four overlapping triangles by one command, without a depth test: the last one shows.",
          .wrong = "Refined triangles of different coarse ones are mixed.",
@@ -281,7 +283,7 @@ Cases coverage_and_order_cases() {
     cases.push_back({.name = std::string("ark.order.commands.") + name,
                      .clauses = {"11.R.12-1"},
                      .plan = "Draw four overlapping triangles by four commands: the last one shows.",
-                     .wrong = "Commands are gathered and drawn in another order.",
+                     .wrong = "Commands are collected and drawn in another order.",
                      .check = [source = source](Test& t) { check_command_order(t, source); }});
   for (const Repeat& repeat : {Repeat{"linear.tags", GL_LINEAR_INPUTS_ARK, GL_DEPTH_TAG_ARK},
                                Repeat{"linear.uniform", GL_LINEAR_INPUTS_ARK, GL_UNIFORM_DEPTH_ARK},

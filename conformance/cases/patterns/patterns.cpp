@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What every pattern is (11.R.5), read back through transform feedback and judged in exact arithmetic.
+// The properties of every pattern (11.R.5), captured and judged in exact arithmetic.
+#include <fmt/core.h>
 #include <algorithm>
 #include <set>
 
@@ -15,7 +16,7 @@ using reference::Depths;
 using reference::Weights;
 using Tags = std::array<int, 3>;
 
-// One coarse triangle for each triple of tags, each numbered and with weights; the places do not matter.
+// One coarse triangle for each triple of tags, numbered and with weights. Their places do not matter.
 Mesh mesh_of(const std::vector<Tags>& triples) {
   Mesh mesh;
   for (const Tags& tags : triples) {
@@ -44,7 +45,7 @@ std::vector<Tags> triples_to(int level) {
   return triples;
 }
 
-// Tags above 7 in one corner or two, such that the depth inside stays small.
+// Tags above 7 at one or two corners, such that the depth inside stays small.
 std::vector<Tags> deep_triples() {
   return {{11, 11, 0}, {0, 11, 11}, {11, 0, 11}, {11, 10, 1}, {2, 10, 11}, {9, 0, 9},  {10, 3, 0},
           {0, 0, 11},  {0, 11, 0},  {11, 0, 0},  {8, 1, 2},   {7, 8, 2},   {4, 8, 10}, {5, 11, 3}};
@@ -68,8 +69,8 @@ Case pattern_case(const std::string& leaf, std::vector<std::string> clauses, con
           .clauses = std::move(clauses),
           .plan = plan,
           .wrong =
-              "Missing or doubled triangles, a vertex inside an edge, flipped triangles, vertices off their places, "
-              "the pattern of the depths in another order.",
+              "Missing or doubled triangles, a vertex inside an edge, flipped triangles, misplaced vertices, the "
+              "pattern of the depths in another order.",
           .check = [triples = std::move(triples), interior, pool_level](Test& t) {
             refine_by_tags(pool_level);
             gl.ARKParameteriARK(GL_PATTERN_INTERIOR_ARK,
@@ -84,7 +85,7 @@ void check_uniform_count(Test& t) {
   for (int level = 0; level <= 4; ++level) {
     refine_uniformly(static_cast<GLuint>(level));
     const auto vertices = capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
-    t.expect_equal(vertices.size(), std::size_t{3} << (2 * level), "vertices at depth " + std::to_string(level));
+    t.expect_equal(vertices.size(), std::size_t{3} << (2 * level), fmt::format("vertices at depth {}", level));
   }
 }
 
@@ -94,7 +95,7 @@ void check_unrefined_count(Test& t) {
   t.expect_equal(capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); }).size(), 3U, "vertices of the coarse triangle");
 }
 
-// Every pattern with three equal depths that can be captured quickly.
+// Every pattern with three equal depths that is small enough to capture quickly.
 void check_uniform(Test& t, GLenum interior, GLenum source) {
   gl.UseProgram(capture_program(t));
   Mesh mesh = one_triangle();
@@ -106,11 +107,11 @@ void check_uniform(Test& t, GLenum interior, GLenum source) {
     gl.ARKParameteriARK(GL_PATTERN_INTERIOR_ARK, static_cast<GLint>(interior));
     const auto weights = weights_of(t, capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); }));
     const std::string fault = reference::fault_of_minimum(weights, {level, level, level});
-    t.expect(fault.empty(), "uniform depth " + std::to_string(level) + ": " + fault);
+    t.expect(fault.empty(), fmt::format("uniform depth {}: {}", level, fault));
   }
 }
 
-// The finest that a pool holds: counted, not captured.
+// The finest pattern of a pool is counted, not captured.
 void check_deepest(Test& t, GLuint level) {
   GLint deepest = 0;
   gl.GetIntegerv(GL_MAX_DEPTH_ARK, &deepest);
@@ -128,10 +129,10 @@ void check_deepest(Test& t, GLuint level) {
   GLuint count = 0;
   gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
   gl.DeleteQueries(1, &query);
-  t.expect_equal(count, 1U << (2 * level), "triangles at uniform depth " + std::to_string(level));
+  t.expect_equal(count, 1U << (2 * level), fmt::format("triangles at uniform depth {}", level));
 }
 
-// The levels of a smaller pool have the patterns of a greater one.
+// The levels of a smaller pool have the same patterns as those of a greater pool.
 void check_small_pools(Test& t) {
   for (int level = 0; level <= 5; ++level) {
     refine_by_tags(static_cast<GLuint>(level));
@@ -145,7 +146,7 @@ void check_unchanged(Test& t) {
   const auto before = draw_patterns(t, triples);
   for (const GLenum interior : {GL_SMOOTH_INTERIOR_ARK, GL_MINIMUM_INTERIOR_ARK}) {
     gl.ARKParameteriARK(GL_PATTERN_INTERIOR_ARK, static_cast<GLint>(interior));
-    draw_patterns(t, {{2, 4, 4}, {4, 4, 4}});  // others in between
+    draw_patterns(t, {{2, 4, 4}, {4, 4, 4}});  // with other levels in between
   }
   const std::vector<Tags> turned = {triples[3], triples[1], triples[0], triples[2]};
   const auto after = draw_patterns(t, turned);
@@ -154,7 +155,7 @@ void check_unchanged(Test& t) {
     t.expect(after[i] == before[was[i]], "the triangles of a pattern, and their corners, keep their order");
 }
 
-// Of each weight, the greatest depth is the finest multiple.
+// Each weight is a multiple of the greatest depth's step.
 void check_multiples(Test& t) {
   refine_by_tags(5);
   const std::vector<Tags> triples = triples_to(5);
@@ -169,13 +170,13 @@ void check_multiples(Test& t) {
   }
 }
 
-// Where every pair of edge depths meets, both triangles have the same vertices: three tags against every fourth.
+// Each case pairs three tags with every fourth tag. Where two edges meet, both triangles have the same vertices.
 void check_neighbours(Test& t) {
   refine_by_tags(3);
   std::vector<Tags> triples;
   for (const Tags& tags : triples_to(3)) {
     triples.push_back(tags);
-    triples.push_back({tags[1], tags[0], (tags[2] + 2) % 4});  // across edge 0, turned
+    triples.push_back({tags[1], tags[0], (tags[2] + 2) % 4});  // on the other side of edge 0, rotated
   }
   const auto patterns = draw_patterns(t, triples);
   for (std::size_t i = 0; i < triples.size(); i += 2) {
@@ -197,7 +198,7 @@ Cases uniform_cases() {
           {.name = std::string("ark.pattern.uniform.") + (by_tags ? "tags_" : "level_") +
                    (is_smooth ? "smooth" : "minimum"),
            .clauses = {"11.R.5-10", "11.R.5-11", "11.R.5-15"},
-           .plan = "Capture one triangle with three equal depths, 0 to 7; the vertices and the shape of every triangle "
+           .plan = "Capture one triangle with three equal depths, 0 to 7. The vertices and the shape of every triangle "
                    "are known exactly.",
            .wrong = "A missing or flipped triangle; triangles split along another diagonal; additional vertices with "
                     "the smooth interior.",
@@ -220,7 +221,8 @@ Cases patterns_cases() {
   smooth.emplace_back("11.R.5-14");
   Cases cases = uniform_cases();
   const std::string all = "Capture a triangle for every triple of tags from 0 to 4 and judge each pattern exactly.";
-  const std::string deep = "Capture triples of tags up to 11 whose inside stays coarse and judge each pattern exactly.";
+  const std::string deep =
+      "Capture triples of tags up to 11 whose inside stays coarse, and judge each pattern exactly.";
   cases.push_back(pattern_case("triples.minimum", minimum, all, triples_to(4), Interior::minimum, 4));
   cases.push_back(pattern_case("triples.smooth", smooth, all, triples_to(4), Interior::smooth, 4));
   cases.push_back(pattern_case("deep.minimum", minimum, deep, deep_triples(), Interior::minimum, 11));
@@ -228,7 +230,7 @@ Cases patterns_cases() {
   cases.push_back({.name = "ark.pattern.uniform.count",
                    .clauses = {"11.R.5-11"},
                    .plan = "Capture one triangle at uniform depths 0 to 4 and count.",
-                   .wrong = "2^d or 3^d triangles; a level too few.",
+                   .wrong = "2^d or 3^d triangles; one level too few.",
                    .control = check_unrefined_count,
                    .check = check_uniform_count});
   cases.push_back({.name = "ark.pattern.uniform.deep_count",
@@ -238,13 +240,12 @@ Cases patterns_cases() {
                    .control = check_unrefined_count,
                    .check = [](Test& t) { check_deepest(t, 9); }});
   for (const GLuint level : {10U, 11U})
-    cases.push_back(
-        {.name = "ark.pattern.uniform.deep_count_" + std::to_string(level),
-         .clauses = {"11.R.5-11"},
-         .plan = "Count the primitives of one triangle at a uniform depth of " + std::to_string(level) + ".",
-         .wrong = "A limit on triangles; a product of 16-bit numbers; a record that is too small.",
-         .control = check_unrefined_count,
-         .check = [level](Test& t) { check_deepest(t, level); }});
+    cases.push_back({.name = fmt::format("ark.pattern.uniform.deep_count_{}", level),
+                     .clauses = {"11.R.5-11"},
+                     .plan = fmt::format("Count the primitives of one triangle at a uniform depth of {}.", level),
+                     .wrong = "A limit on triangles; a product of 16-bit numbers; a record that is too small.",
+                     .control = check_unrefined_count,
+                     .check = [level](Test& t) { check_deepest(t, level); }});
   cases.push_back({.name = "ark.pattern.small_pools",
                    .clauses = {"11.R.5-1", "11.R.5-12"},
                    .plan = "Judge patterns with the greatest depth of pools of level 0 to 5.",
@@ -258,13 +259,13 @@ Cases patterns_cases() {
        .check = check_unchanged});
   cases.push_back({.name = "ark.pattern.minimum.multiples",
                    .clauses = {"11.R.5-13"},
-                   .plan = "Look at every weight of 150 patterns to level 5.",
+                   .plan = "Check every weight of 150 patterns up to level 5.",
                    .wrong = "Weights such as 1/3 inside.",
                    .check = check_multiples});
   cases.push_back(
       {.name = "ark.pattern.neighbours",
        .clauses = {"11.R.5-5", "11.R.8-4"},
-       .plan = "Compare the vertices along the edge of two triangles that share it, turned, for all pairs of tags.",
+       .plan = "Compare the vertices along the common edge of two triangles, rotated, for all pairs of tags.",
        .wrong = "The greater or the lesser tag for an edge; an edge takes the depth of another edge.",
        .check = check_neighbours});
   return cases;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Two coarse triangles that share an edge have the same refined vertices along it, bit for bit (11.R.8, 11.R.4).
+// Two coarse triangles with a common edge have the same refined vertices along it, bit for bit (11.R.8, 11.R.4).
+#include <fmt/core.h>
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -80,7 +81,7 @@ struct Pairs {
   std::vector<int> depths;  // of each shared edge
 };
 
-// All pairs of tags at the ends, in every rotation of the corners of both triangles, the ends in either order.
+// All pairs of tags at the ends, every rotation of the corners of both triangles, and the ends in either order.
 Pairs random_pairs(Test& t, int level, const Variant& variant) {
   Pairs pairs;
   for (int a = 0; a <= level; ++a)
@@ -98,7 +99,7 @@ Pairs random_pairs(Test& t, int level, const Variant& variant) {
         }
         std::array<MeshVertex, 3> other = {second, first, random_vertex(t, t.random_int(0, level), pair)};
         if ((a + b) % 2 != 0)
-          std::swap(other[0], other[1]);  // the ends in the same order: the other way round in space
+          std::swap(other[0], other[1]);  // the ends in the same order, so that the orientation in space is reversed
         add_triangle(pairs.there, other, static_cast<std::size_t>(t.random_int(0, 2)));
         pairs.depths.push_back(reference::edge_depth(a, b));
       }
@@ -111,9 +112,9 @@ std::vector<std::set<Values>> edges_of(const std::vector<Values>& vertices, std:
   for (Values values : vertices) {
     if (values[along_index] + values[along_index + 1] != 1.0F) continue;
     const auto pair = static_cast<std::size_t>(values[pair_index] + 0.5F);
-    for (float& value : values) value += 0.0F;  // 0 and -0 are one
+    for (float& value : values) value += 0.0F;  // makes -0 equal to 0
     if (positions_only) std::fill(values.begin() + 4, values.begin() + along_index, 0.0F);
-    values[pair_index] = 0;  // refined with other values at the third corner only where there is a difference anyway
+    values[pair_index] = 0;  // other values at the third corner matter only if there is a difference anyway
     if (pair < count) edges[pair].insert(values);
   }
   return edges;
@@ -158,12 +159,12 @@ void expect_same_edges(Test& t, const Pairs& pairs, const Variant& variant, bool
     wrong += !has_tags || here[i].size() == (std::size_t{1} << pairs.depths[i]) + 1 ? 0 : 1;
     if (!has_tags && here[i].size() < 2) ++wrong;
   }
-  t.expect(different == 0, what + ": " + std::to_string(different) + " of " + std::to_string(here.size()) +
-                               " edges differ between their two triangles");
-  t.expect(wrong == 0, what + ": " + std::to_string(wrong) + " edges have another number of vertices than 2^d + 1");
+  t.expect(different == 0,
+           fmt::format("{}: {} of {} edges differ between their two triangles", what, different, here.size()));
+  t.expect(wrong == 0, fmt::format("{}: {} edges have another number of vertices than 2^d + 1", what, wrong));
 }
 
-// A mesh of both triangles of each pair, in one command, must give the same vertices as two commands.
+// One command for both triangles of each pair must give the same vertices as two commands.
 void expect_one_command(Test& t, const Pairs& pairs, const Variant& variant) {
   if (variant.extra != Extra::none) return;
   Pairs joined = pairs;
@@ -173,7 +174,7 @@ void expect_one_command(Test& t, const Pairs& pairs, const Variant& variant) {
     joined.here.insert(joined.here.end(), pairs.here.begin() + at, pairs.here.begin() + at + 3);
     joined.here.insert(joined.here.end(), pairs.there.begin() + at, pairs.there.begin() + at + 3);
   }
-  // Were there a difference between both triangles, an edge had more vertices.
+  // If both triangles differed, an edge would have more vertices.
   expect_same_edges(t, joined, variant, true, "both triangles in one command");
 }
 
@@ -226,16 +227,15 @@ const std::vector<Variant>& variants() {
 
 Cases shared_edges_cases() {
   const std::string wrong =
-      "Differences in the last bit, where weights or products are taken in the order of the corners; "
-      "another number of vertices.";
+      "Last bits differ because weights or products follow the order of the corners; another number of vertices.";
   Cases cases;
   for (const Variant& variant : variants()) {
     for (const GLenum interior : {GL_MINIMUM_INTERIOR_ARK, GL_SMOOTH_INTERIOR_ARK})
       cases.push_back({.name = std::string("ark.edges.") + variant.name +
                                (interior == GL_SMOOTH_INTERIOR_ARK ? ".smooth" : ".minimum"),
                        .clauses = variant.clauses,
-                       .plan = "Capture 108 pairs of random triangles with an edge in common, all pairs of tags at its "
-                               "ends, corners rotated; compare all bits along the edge.",
+                       .plan = "Capture 108 pairs of random triangles with a common edge, with all pairs of tags at "
+                               "its ends and rotated corners; compare all bits along the edge.",
                        .wrong = wrong,
                        .check = [&variant, interior](Test& t) { check_edges(t, variant, interior); }});
     cases.push_back({.name = std::string("ark.edges.") + variant.name + ".uniform",

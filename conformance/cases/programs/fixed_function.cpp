@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The fixed-function vertex stage: refined outputs give the unrefined picture, refined inputs that of a finer mesh, which the
-// case draws itself.
+// The fixed-function vertex stage: refined outputs give the unrefined picture, refined inputs give the picture of a
+// finer mesh that the case draws itself.
 #include <cmath>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/programs/finer_triangle.h"
+#include "conformance/cases/programs/linear_texture.h"
 #include "conformance/support/capture.h"
 
 namespace glark::conformance {
@@ -32,19 +34,8 @@ void light() {
   gl.Enable(GL_NORMALIZE);
 }
 
-void texture() {
-  const GLubyte texels[] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};
-  GLuint name = 0;
-  gl.GenTextures(1, &name);
-  gl.BindTexture(GL_TEXTURE_2D, name);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.Enable(GL_TEXTURE_2D);
-}
-
 void generate(GLint mode) {
-  texture();
+  enable_linear_texture();
   for (const GLenum coordinate : {GL_S, GL_T}) {
     const GLfloat plane[] = {coordinate == GL_S ? 0.7F : 0.2F, coordinate == GL_S ? 0.1F : 0.9F, 0.5F, 0.3F};
     gl.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, mode);
@@ -72,7 +63,7 @@ void color_material(GLenum face, GLenum parameter) {
   gl.Enable(GL_COLOR_MATERIAL);
 }
 
-// Light that falls on the side that the viewer does not see otherwise.
+// The light falls on the side that the viewer cannot see otherwise.
 void seen_from_behind() {
   const GLfloat position[] = {0.3F, 0.2F, -1.5F, 1};
   gl.Lightfv(GL_LIGHT0, GL_POSITION, position);
@@ -86,15 +77,13 @@ void filter(GLenum target) {
   gl.Enable(target);
 }
 
-constexpr GLubyte texels_of_two[] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};
-
 void cube_map(GLint mode) {
   GLuint name = 0;
   gl.GenTextures(1, &name);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, name);
   for (GLenum face = 0; face < 6; ++face)
     gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                  texels_of_two + 4 * (face % 4));
+                  four_texels + 4 * (face % 4));
   filter(GL_TEXTURE_CUBE_MAP);
   if (mode == 0) return;
   for (const GLenum coordinate : {GL_S, GL_T, GL_R}) {
@@ -106,19 +95,19 @@ void cube_map(GLint mode) {
 // Only unit 1 has a texture.
 void second_unit() {
   gl.ActiveTexture(GL_TEXTURE1);
-  texture();
+  enable_linear_texture();
   gl.ActiveTexture(GL_TEXTURE0);
 }
 
 void generate_depth_coordinates() {
   const GLfloat plane[] = {0.4F, 0.3F, 0.2F, 1.2F};
-  texture();
+  enable_linear_texture();
   gl.TexGeni(GL_Q, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
   gl.TexGenfv(GL_Q, GL_OBJECT_PLANE, plane);
   gl.Enable(GL_TEXTURE_GEN_Q);
 }
 
-// Eye coordinates are not clip coordinates.
+// With a frustum, eye coordinates differ from clip coordinates.
 void look_through_frustum() {
   gl.MatrixMode(GL_PROJECTION);
   gl.Frustum(-0.5, 0.5, -0.5, 0.5, 0.5, 10);
@@ -175,7 +164,7 @@ const Stage stages[] = {
     {"light.separate_specular",
      [] {
        light();
-       texture();
+       enable_linear_texture();
        gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
      }},
     {"color_material",
@@ -245,7 +234,7 @@ const Stage stages[] = {
     {"texture.unit_1", second_unit},
     {"texture.two_units",
      [] {
-       texture();
+       enable_linear_texture();
        second_unit();
      }},
     {"texture.second_matrix",
@@ -263,17 +252,17 @@ const Stage stages[] = {
     {"texture.projective", generate_depth_coordinates},
     {"texture.1d",
      [] {
-       gl.TexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels_of_two);
+       gl.TexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, four_texels);
        filter(GL_TEXTURE_1D);
      }},
     {"texture.3d",
      [] {
-       gl.TexImage3D(GL_TEXTURE_3D, 0, GL_RGBA, 2, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels_of_two);
+       gl.TexImage3D(GL_TEXTURE_3D, 0, GL_RGBA, 2, 2, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, four_texels);
        filter(GL_TEXTURE_3D);
      }},
     {"texture.rectangle",
      [] {
-       gl.TexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels_of_two);
+       gl.TexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, four_texels);
        filter(GL_TEXTURE_RECTANGLE);
        gl.MatrixMode(GL_TEXTURE);
        gl.Scalef(2, 2, 1);
@@ -291,10 +280,10 @@ const Stage stages[] = {
        light();
        gl.Disable(GL_NORMALIZE);
      }},
-    {"texture.coordinates", texture},
+    {"texture.coordinates", enable_linear_texture},
     {"texture.matrix",
      [] {
-       texture();
+       enable_linear_texture();
        gl.MatrixMode(GL_TEXTURE);
        gl.Rotatef(30, 0, 0, 1);
        gl.Scalef(1.5F, 0.7F, 1);
@@ -328,72 +317,12 @@ const Stage stages[] = {
      true},
 };
 
-struct Corner {
-  std::array<float, 3> position;
-  std::array<float, 3> normal;
-  std::array<float, 3> colour;
-  std::array<float, 3> secondary;
-  std::array<float, 2> texture;
-  float fog;
-};
-
-const Corner corners[3] = {{{-0.8F, -0.7F, 0.2F}, {-0.6F, -0.4F, 0.8F}, {1, 0.2F, 0}, {0, 0.3F, 0.1F}, {0, 0.1F}, 0.2F},
-                           {{0.8F, -0.6F, -0.3F}, {0.7F, -0.1F, 0.9F}, {0.1F, 1, 0.3F}, {0.4F, 0, 0}, {1, 0}, 0.7F},
-                           {{-0.1F, 0.8F, 0.4F}, {0.1F, 0.9F, 0.5F}, {0.2F, 0, 1}, {0, 0, 0.5F}, {0.3F, 1}, 1.3F}};
-
-template <std::size_t n>
-std::array<float, n> mixed(const std::array<float, 3>& w, const std::array<float, n>& a, const std::array<float, n>& b,
-                           const std::array<float, n>& c) {
-  std::array<float, n> result{};
-  for (std::size_t i = 0; i < n; ++i) result[i] = (w[0] * a[i] + w[1] * b[i]) + w[2] * c[i];
-  return result;
-}
-
-void vertex(const std::array<float, 3>& w) {
-  const auto colour = mixed(w, corners[0].colour, corners[1].colour, corners[2].colour);
-  const auto secondary = mixed(w, corners[0].secondary, corners[1].secondary, corners[2].secondary);
-  const auto normal = mixed(w, corners[0].normal, corners[1].normal, corners[2].normal);
-  const auto texture_at = mixed(w, corners[0].texture, corners[1].texture, corners[2].texture);
-  const auto position = mixed(w, corners[0].position, corners[1].position, corners[2].position);
-  gl.Color3f(colour[0], colour[1], colour[2]);
-  gl.SecondaryColor3f(secondary[0], secondary[1], secondary[2]);
-  gl.Normal3f(normal[0], normal[1], normal[2]);
-  gl.TexCoord2f(texture_at[0], texture_at[1]);
-  gl.MultiTexCoord2f(GL_TEXTURE1, texture_at[1], 1 - texture_at[0]);
-  gl.FogCoordf((w[0] * corners[0].fog + w[1] * corners[1].fog) + w[2] * corners[2].fog);
-  gl.Vertex3f(position[0], position[1], position[2]);
-}
-
-// 4^level triangles of the coarse one.
-Picture finer_picture(int level) {
-  clear_surface();
-  const int n = 1 << level;
-  const auto at = [n](int i, int j) {
-    const auto u = static_cast<float>(i) / static_cast<float>(n);
-    const auto v = static_cast<float>(j) / static_cast<float>(n);
-    vertex({1 - u - v, u, v});
-  };
-  gl.Begin(GL_TRIANGLES);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; i + j < n; ++j) {
-      at(i, j);
-      at(i + 1, j);
-      at(i, j + 1);
-      if (i + j + 1 >= n) continue;
-      at(i + 1, j);
-      at(i + 1, j + 1);
-      at(i, j + 1);
-    }
-  gl.End();
-  return read_picture(surface_size, surface_size);
-}
-
 void check_stage(Test& t, const Stage& stage, bool is_inputs) {
   stage.set();
   const Picture expected = finer_picture(is_inputs && !stage.has_flat_shading ? 3 : 0);
   t.expect(count_different(expected, Picture(surface_size, surface_size), 0) > 500, "the triangle is drawn");
   refine_uniformly(3, is_inputs ? GL_LINEAR_INPUTS_ARK : GL_LINEAR_OUTPUTS_ARK);
-  // Rounding of colors, and of the outline: a pixel centre within rounding of an edge may fall to either side.
+  // Colours are rounded. A pixel centre within rounding of the outline may fall to either side.
   t.expect_same_picture(finer_picture(0), expected, is_inputs ? "refined inputs" : "refined outputs", 3, 24);
 }
 
@@ -407,16 +336,18 @@ Cases fixed_function_cases() {
           {.name = std::string("ark.fixed_function.") + stage.leaf + ".outputs",
            .clauses = stage.has_flat_shading ? std::vector<std::string>{"11.R.6-10", "11.R.6-13"}
                                              : std::vector<std::string>{"11.R.6-8", "11.R.6-9"},
-           .plan = "With this state, refined outputs give the unrefined picture.",
-           .wrong = "A color, texture coordinate or fog coordinate is lost, or computed anew for each refined vertex.",
+           .plan = "In this state, refined outputs give the unrefined picture.",
+           .wrong =
+               "A colour, texture coordinate or fog coordinate is lost, or computed again for each refined vertex.",
            .apis = compat_only,
            .check = [stage](Test& t) { check_stage(t, stage, false); }});
     cases.push_back(
         {.name = std::string("ark.fixed_function.") + stage.leaf + ".inputs",
          .clauses = stage.has_flat_shading ? std::vector<std::string>{"11.R.6-12", "11.R.6-13"}
                                            : std::vector<std::string>{"11.R.6-4", "11.R.6-5", "11.R.10-1"},
-         .plan = "With this state, refined inputs give the picture of 64 triangles that the case draws itself.",
-         .wrong = "The fixed-function stage is imitated wrongly; normals are normalized where they should not be.",
+         .plan = "In this state, refined inputs give the picture of 64 triangles that the case draws itself.",
+         .wrong =
+             "The implementation imitates the fixed-function stage wrongly; it normalizes normals where it should not.",
          .apis = compat_only,
          .check = [stage](Test& t) { check_stage(t, stage, true); }});
   }

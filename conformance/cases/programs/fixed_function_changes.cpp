@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The state of the fixed-function vertex stage that changes between refined draws: each draw reads what it is then (11.R.10).
+// Changes of fixed-function vertex state between refined draws: each draw reads the current state (11.R.10).
 #include "conformance/cases/cases.h"
+#include "conformance/cases/programs/linear_texture.h"
 #include "conformance/support/capture.h"
 
 namespace glark::conformance {
@@ -34,17 +35,6 @@ void light() {
   gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, 4);
 }
 
-void texture() {
-  const GLubyte texels[] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};
-  GLuint name = 0;
-  gl.GenTextures(1, &name);
-  gl.BindTexture(GL_TEXTURE_2D, name);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.Enable(GL_TEXTURE_2D);
-}
-
 struct Change {
   const char* leaf;
   void (*set_up)();
@@ -54,14 +44,14 @@ struct Change {
 const Change changes[] = {
     {"tex_gen",
      [] {
-       texture();
+       enable_linear_texture();
        gl.Enable(GL_TEXTURE_GEN_S);
        gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
      },
      [] { gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP); }},
     {"tex_gen_plane",
      [] {
-       texture();
+       enable_linear_texture();
        gl.Enable(GL_TEXTURE_GEN_S);
        gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
      },
@@ -81,7 +71,7 @@ const Change changes[] = {
     {"separate_specular",
      [] {
        light();
-       texture();
+       enable_linear_texture();
      },
      [] { gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR); }},
     {"color_material",
@@ -101,7 +91,7 @@ const Change changes[] = {
        gl.Fogfv(GL_FOG_COLOR, colour);
      },
      [] { gl.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD); }},
-    {"texture_matrix", texture,
+    {"texture_matrix", enable_linear_texture,
      [] {
        gl.MatrixMode(GL_TEXTURE);
        gl.Rotatef(35, 0, 0, 1);
@@ -132,7 +122,7 @@ void check_change(Test& t, const Change& change) {
   t.expect_no_error("the draws");
 }
 
-// A uniform that a list sets, and one that is set while the list is compiled and not executed.
+// A list sets one uniform. Another is set while the list is compiled but not executed.
 void check_list_uniforms(Test& t) {
   const GLuint program = build_program(t, {.vertex = "uniform vec4 tint; out vec4 colour;\n"
                                                      "void main() { colour = tint; gl_Position = gl_Vertex; }\n"});
@@ -164,7 +154,7 @@ void check_list_uniforms(Test& t) {
   t.expect_no_error("the lists");
 }
 
-// Materials among the vertices of a list are left behind by every call.
+// Materials among the vertices of a list stay current after every call.
 void check_list_materials(Test& t) {
   const GLfloat red[] = {1, 0, 0, 1};
   const GLfloat blue[] = {0, 0, 1, 1};
@@ -203,14 +193,14 @@ Cases fixed_function_changes_cases() {
   for (const Change& change : changes)
     cases.push_back(change_case(
         change.leaf, {"11.R.10-1", "11.R.6-8"},
-        "Draw refined, change this state alone, and draw again: refined outputs give the unrefined picture.",
-        "The vertex stage is that of the first refined draw.", [change](Test& t) { check_change(t, change); },
+        "Draw refined, change only this state, and draw again: refined outputs give the unrefined picture.",
+        "The vertex stage reads the state of the first refined draw.", [change](Test& t) { check_change(t, change); },
         compat_only));
   cases.push_back(change_case("list_uniforms", {"11.R.10-1", "chapter-21-4"},
                               "Call lists that set a uniform of the program in use, with and without vertices.",
-                              "The value that was set outside of the list.", check_list_uniforms, compat_only));
+                              "The value that was set outside the list.", check_list_uniforms, compat_only));
   cases.push_back(change_case("list_materials", {"11.R.10-1", "chapter-21-4"},
-                              "Call a list that sets a material between its vertices, again and again.",
+                              "Call a list that sets a material between its vertices several times.",
                               "Only the first calls leave the material.", check_list_materials, compat_only));
   return cases;
 }

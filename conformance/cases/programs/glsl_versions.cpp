@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // One scene in every version of the shading languages.
+#include <fmt/core.h>
+
 #include "conformance/cases/cases.h"
 #include "conformance/support/surface.h"
 
@@ -30,8 +32,8 @@ std::vector<Version> versions() {
 }
 
 GLuint version_program(Test& t, const Version& version) {
-  const std::string head = "#version " + std::to_string(version.number) + version.profile + "\n" +
-                           (version.api == Api::gles ? "precision highp float;\n" : "");
+  const std::string head = fmt::format("#version {}{}\n{}", version.number, version.profile,
+                                       (version.api == Api::gles ? "precision highp float;\n" : ""));
   const std::string in = version.has_in_out ? "in" : "attribute";
   const std::string out = version.has_in_out ? "out" : "varying";
   Sources sources;
@@ -78,7 +80,7 @@ void check_outputs(Test& t, const Version& version) {
 
 void check_inputs(Test& t, const Version& version) {
   version_program(t, version);
-  // The square of a linear weight is not linear: a finer mesh shows it.
+  // The square of a linear weight is not linear, so a finer mesh shows.
   const Mesh mesh = one_triangle();
   Mesh finer;
   constexpr int n = 8;
@@ -112,13 +114,12 @@ void check_curved(Test& t, const Version& version) {
 
 Case version_case(const Version& version, const char* leaf, std::vector<std::string> clauses,
                   void (*check)(Test&, const Version&)) {
-  std::string name =
-      "ark.glsl." + std::string(name_of(version.api)) + "_" + std::to_string(version.number) + "." + leaf;
+  std::string name = fmt::format("ark.glsl.{}_{}.{}", name_of(version.api), version.number, leaf);
   for (char& c : name) c = c == '-' ? '_' : c;
   return {.name = name,
           .clauses = std::move(clauses),
           .plan = "A vertex shader of this version: " + std::string(leaf) + ".",
-          .wrong = "What is added to the shader is not in its version: it is drawn unrefined.",
+          .wrong = "The implementation's additions do not suit this version: the shader is drawn unrefined.",
           .apis = {version.api},
           .check = [version, check](Test& t) { check(t, version); }};
 }

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a vertex stage reads where it is set in a roundabout way: by another context, through a program pipeline, by subroutines,
-// by commands that differ in what they make of the same bytes.
+// Indirect inputs of a vertex stage: set by another context, through a program pipeline, by subroutines, or by commands
+// that read the same bytes in different ways.
 #include "conformance/cases/cases.h"
 #include "conformance/support/capture.h"
 
 namespace glark::conformance {
 namespace {
-
 
 void draw() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
 
@@ -28,7 +27,7 @@ const char tinted_stage[] =
     "layout(location = 0) in vec4 position; uniform vec4 tint; out vec4 colour;\n"
     "void main() { colour = tint; gl_Position = position; }\n";
 
-// The other context has the program in use since before it was first refined.
+// The other context has had the program in use since before its first refined draw.
 void check_other_context(Test& t) {
   const GLuint program = build_program(t, {.vertex = tinted_stage});
   const GLint tint = gl.GetUniformLocation(program, "tint");
@@ -52,26 +51,16 @@ void check_other_context(Test& t) {
   }
 }
 
-// Uniform* of the active program of a pipeline object.
+// Uniform* sets uniforms of the active program of a pipeline object.
 void check_pipeline_uniforms(Test& t) {
-  const std::string block = t.is_gles() ? "" : "out gl_PerVertex { vec4 gl_Position; };\n";
-  const std::string vertex = glsl_head(t) + block +
-                             "layout(location = 0) in vec4 position; uniform vec4 tint;\n"
-                             "layout(location = 0) out vec4 colour;\n"
-                             "void main() { colour = tint; gl_Position = position; }\n";
-  const std::string fragment = glsl_head(t) +
-                               "layout(location = 0) in vec4 colour; layout(location = 0) out vec4 pixel;\n"
-                               "void main() { pixel = colour; }\n";
-  const char* const texts[] = {vertex.c_str(), fragment.c_str()};
-  const GLuint stages[] = {gl.CreateShaderProgramv(GL_VERTEX_SHADER, 1, &texts[0]),
-                           gl.CreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &texts[1])};
-  GLuint pipeline = 0;
-  gl.GenProgramPipelines(1, &pipeline);
-  gl.UseProgramStages(pipeline, GL_VERTEX_SHADER_BIT, stages[0]);
-  gl.UseProgramStages(pipeline, GL_FRAGMENT_SHADER_BIT, stages[1]);
-  gl.ActiveShaderProgram(pipeline, stages[0]);
-  gl.BindProgramPipeline(pipeline);
-  const GLint tint = gl.GetUniformLocation(stages[0], "tint");
+  const Pipeline pipeline = bind_pipeline(t,
+                                          "layout(location = 0) in vec4 position; uniform vec4 tint;\n"
+                                          "layout(location = 0) out vec4 colour;\n"
+                                          "void main() { colour = tint; gl_Position = position; }\n",
+                                          "layout(location = 0) in vec4 colour; layout(location = 0) out vec4 pixel;\n"
+                                          "void main() { pixel = colour; }\n");
+  gl.ActiveShaderProgram(pipeline.name, pipeline.vertex_program);
+  const GLint tint = gl.GetUniformLocation(pipeline.vertex_program, "tint");
   upload(one_triangle());
   refine_uniformly(2);
   for (const float green : {1.0F, 0.25F, 0.75F}) {
@@ -81,7 +70,7 @@ void check_pipeline_uniforms(Test& t) {
   t.expect_no_error("the draws");
 }
 
-// Subroutines are context state that a change of programs resets.
+// Subroutines are context state. A change of programs resets them.
 void check_subroutines(Test& t) {
   const GLuint program = build_program(
       t, {.vertex = "subroutine vec4 Tint(vec4 c); subroutine uniform Tint tint;\n"
@@ -113,7 +102,7 @@ void check_subroutines(Test& t) {
   t.expect_no_error("the draws");
 }
 
-// Normalized and not: bytes of 1 are next to black, or white.
+// Normalized and not normalized: bytes of 1 are almost black, or white.
 void check_same_bytes(Test& t, bool is_uniform) {
   gl.UseProgram(colour_program(t));
   upload(one_triangle({2, 2, 2}));
@@ -128,6 +117,34 @@ void check_same_bytes(Test& t, bool is_uniform) {
       }
 }
 
+// The linked source is the compiled one.
+void check_source_not_compiled(Test& t) {
+  const std::string fragment = glsl_head(t) + Sources{}.fragment;
+  const auto vertex = [&t](const char* colour) {
+    return glsl_head(t) + "layout(location = 0) in vec4 position; out vec4 colour;\nvoid main() { colour = " + colour +
+           "; gl_Position = position; }\n";
+  };
+  const std::string compiled = vertex("vec4(0.0, 1.0, 0.0, 1.0)");
+  const std::string later = vertex("vec4(1.0, 0.0, 0.0, 1.0)");
+  const GLuint program = gl.CreateProgram();
+  GLuint shaders[2];
+  for (int i = 0; i < 2; ++i) {
+    shaders[i] = gl.CreateShader(i == 0 ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
+    const char* const text = i == 0 ? compiled.c_str() : fragment.c_str();
+    gl.ShaderSource(shaders[i], 1, &text, nullptr);
+    gl.CompileShader(shaders[i]);
+    gl.AttachShader(program, shaders[i]);
+  }
+  const char* const text = later.c_str();
+  gl.ShaderSource(shaders[0], 1, &text, nullptr);
+  gl.LinkProgram(program);
+  gl.UseProgram(program);
+  upload(one_triangle());
+  const Picture plain = picture_of(draw);
+  refine_uniformly(2);
+  t.expect_same_picture(picture_of(draw), plain, "the compiled source, refined", 1, 30);
+}
+
 constexpr Area stage_case{"ark.stage.shared."};
 
 }  // namespace
@@ -140,14 +157,17 @@ Cases indirect_inputs_cases() {
       stage_case("pipeline_uniforms", {"11.R.10-1"}, "Uniform* of the active program of a pipeline object.",
                  "The value of the first refined draw.", check_pipeline_uniforms),
       stage_case("subroutines", {"11.R.10-1", "10.R.2-6"},
-                 "Choose subroutines, and draw refined and unrefined by turns.",
-                 "A refined draw leaves the subroutines that a program has at first.", check_subroutines, desktop_apis)};
+                 "Choose subroutines, and draw refined and unrefined in turn.",
+                 "A refined draw leaves the program's initial subroutines.", check_subroutines, desktop_apis)};
+  cases.push_back(Area{"ark.stage."}(
+      "source_not_compiled", {"11.R.10-1"}, "Give the vertex shader another source after compiling it, then link.",
+      "The refined draw uses the source that was never compiled.", check_source_not_compiled));
   for (const bool is_uniform : {true, false})
     cases.push_back(stage_case(
         std::string("same_bytes.") + (is_uniform ? "uniform" : "tags"), {"10.R.2-1"},
-        "Repeat a draw with current values by two commands that are given the same bytes.",
-        "The value that the other command made of them.", [is_uniform](Test& t) { check_same_bytes(t, is_uniform); },
-        desktop_apis));
+        "Repeat a draw, and set current values by two commands with the same bytes.",
+        "The value that the other command sets for these bytes.",
+        [is_uniform](Test& t) { check_same_bytes(t, is_uniform); }, desktop_apis));
   return cases;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/programs/refinement_source.h"
 #include "conformance/support/capture.h"
 #include "conformance/support/state.h"
 
@@ -16,21 +17,9 @@ namespace {
 constexpr char good[] = "void refine() { position.x += 1.0; }";
 constexpr char broken[] = "void refine() { position.x += not_declared; }";
 
-GLint property(GLuint program, GLenum name) {
-  GLint value = -7;
-  gl.GetRefinementivARK(program, name, &value);
-  return value;
-}
-
-GLint source_length(GLuint program) { return property(program, GL_REFINEMENT_SOURCE_LENGTH_ARK); }
-
-void give(GLuint program, const char* source) { gl.RefinementShaderSourceARK(program, 1, &source, nullptr); }
-
-GLint length_of(const char* source) { return static_cast<GLint>(std::strlen(source)) + 1; }
-
 GLuint make_shader() { return gl.CreateShader(GL_VERTEX_SHADER); }
 
-// Of captured triangles: their number, and how far they moved to the right.
+// The number of captured triangles, and how far they moved to the right.
 struct Drawn {
   std::size_t triangles = 0;
   float shift = 0;
@@ -104,7 +93,7 @@ void check_bad_program(Test& t, const BadProgram& bad) {
   for (const GLenum name : {GL_REFINEMENT_STATUS_ARK, GL_REFINEMENT_LOG_LENGTH_ARK, GL_REFINEMENT_SOURCE_LENGTH_ARK})
     expect_refused(
         t, bad.error, "GetRefinementivARK",
-        [&] { t.expect_equal(property(program, name), -7, "what GetRefinementivARK left"); }, used);
+        [&] { t.expect_equal(property(program, name), -7, "GetRefinementivARK left the value alone"); }, used);
   GLsizei length = -7;
   char log[8] = "abc";
   expect_refused(
@@ -125,7 +114,8 @@ void check_counts_and_names(Test& t) {
   for (const int name : {0, GL_LINK_STATUS, GL_INFO_LOG_LENGTH, GL_REFINEMENT_ARK, 0x6F1F, 0x6F27})
     expect_refused(
         t, GL_INVALID_ENUM, "GetRefinementivARK of " + as_text(name),
-        [&] { t.expect_equal(property(program, static_cast<GLenum>(name)), -7, "what it left"); }, program);
+        [&] { t.expect_equal(property(program, static_cast<GLenum>(name)), -7, "the query left the value alone"); },
+        program);
   GLsizei length = -7;
   char log[8] = "abc";
   for (const GLsizei size : {-1, std::numeric_limits<GLsizei>::min()})
@@ -171,7 +161,7 @@ void check_removed(Test& t) {
   expect_draw(t, 4, 0, "without one");
   give(program, broken);
   gl.RefinementShaderSourceARK(program, 0, nullptr, nullptr);
-  expect_draw(t, 4, 0, "after a broken one was taken away");
+  expect_draw(t, 4, 0, "after a broken one was removed");
   const char* const empty[] = {"", "void refine() {"};
   const GLint lengths[] = {-1, 0};
   give(program, good);
@@ -252,33 +242,6 @@ void check_broken(Test& t) {
   expect_draw(t, 4, 1, "once repaired");
 }
 
-void check_log(Test& t) {
-  const GLuint program = set_up_draw(t);
-  give(program, broken);
-  property(program, GL_REFINEMENT_STATUS_ARK);
-  const GLint with_null = property(program, GL_REFINEMENT_LOG_LENGTH_ARK);
-  t.require(with_null > 8, "a log of some length");
-  std::vector<char> whole(static_cast<std::size_t>(with_null) + 8, '~');
-  GLsizei length = -7;
-  gl.GetRefinementInfoLogARK(program, with_null, &length, whole.data());
-  t.expect_equal(length, with_null - 1, "the length without the null terminator");
-  t.expect_equal(std::strlen(whole.data()), std::size_t(with_null) - 1, "where the terminator is");
-  t.expect_equal(int{whole[std::size_t(with_null)]}, int{'~'}, "nothing after it is written");
-  for (const GLsizei size : {1, 2, 5, with_null - 1}) {
-    std::vector<char> part(static_cast<std::size_t>(with_null) + 8, '~');
-    gl.GetRefinementInfoLogARK(program, size, &length, part.data());
-    t.expect_equal(length, size - 1, "the length with a bufSize of " + as_text(size));
-    t.expect_equal(std::string(part.data()), std::string(whole.data(), std::size_t(size) - 1), "the beginning");
-    t.expect_equal(int{part[std::size_t(size)]}, int{'~'}, "nothing behind bufSize is written");
-  }
-  char none = '~';
-  gl.GetRefinementInfoLogARK(program, 0, &length, &none);
-  t.expect_equal(int{none}, int{'~'}, "nothing is written with a bufSize of 0");
-  gl.GetRefinementInfoLogARK(program, with_null, nullptr, whole.data());
-  t.expect_equal(std::strlen(whole.data()), std::size_t(with_null) - 1, "with a length of NULL");
-  t.expect_no_error("the queries");
-}
-
 struct Source {
   const char* leaf;
   const char* clause;
@@ -334,37 +297,37 @@ Cases refinement_shader_api_cases() {
       {.name = "ark.shader.errors.values",
        .clauses = {"11.R.9-8", "11.R.9-32", "11.R.9-35", "errors-19", "errors-22", "errors-23", "errors-2"},
        .plan = "Negative counts, unknown properties and negative sizes; source and log stay.",
-       .wrong = "A negative count takes the shader away; -1 is taken for a great size.",
+       .wrong = "A negative count removes the shader; -1 counts as a large size.",
        .check = check_counts_and_names},
       {.name = "ark.shader.strings",
        .clauses = {"11.R.9-1", "11.R.9-2", "11.R.9-3", "11.R.9-31", "functions-8"},
-       .plan = "The same source in several strings, with lengths, without, and with negative ones; the strings change "
-               "after the call.",
-       .wrong = "A space or a line break between strings; a length that is ignored; the pointer is kept.",
+       .plan = "Give the same source in several strings, with lengths, without, and with negative ones; the strings "
+               "change after the call.",
+       .wrong = "A space or a line break between strings; a length is ignored; the pointer is kept.",
        .control = control,
        .check = check_strings},
       {.name = "ark.shader.removed",
        .clauses = {"11.R.9-37"},
-       .plan = "A count of 0 after a good and after a broken source, and a draw after each.",
-       .wrong = "An empty source, which has no refine.",
+       .plan = "Pass a count of 0 after a good and after a broken source, and draw after each.",
+       .wrong = "An empty source without refine.",
        .control = control,
        .check = check_removed},
       {.name = "ark.shader.replaced",
        .clauses = {"11.R.9-6"},
-       .plan = "Draw with no refinement shader, with one, another, and the first again.",
-       .wrong = "The first stays until LinkProgram; sources are added to each other.",
+       .plan = "Draw with no refinement shader, with one, with another, and with the first again.",
+       .wrong = "The first source stays until LinkProgram; sources are appended to each other.",
        .control = control,
        .check = check_replaced},
       {.name = "ark.shader.relinked",
        .clauses = {"11.R.9-6"},
        .plan = "Link the program again and draw.",
-       .wrong = "LinkProgram takes the refinement shader away.",
+       .wrong = "LinkProgram removes the refinement shader.",
        .control = control,
        .check = check_relinked},
       {.name = "ark.shader.before_link",
        .clauses = {"11.R.9-6", "11.R.9-29"},
        .plan = "Give a program its refinement shader before it has shaders, and link it.",
-       .wrong = "INVALID_OPERATION; forgotten; the status of before is kept.",
+       .wrong = "INVALID_OPERATION; the source is forgotten; the earlier status is kept.",
        .check = check_before_link},
       {.name = "ark.shader.failed_link",
        .clauses = {"11.R.9-29"},
@@ -373,42 +336,36 @@ Cases refinement_shader_api_cases() {
        .check = check_failed_link},
       {.name = "ark.shader.broken",
        .clauses = {"11.R.9-7", "11.R.9-28", "11.R.9-30", "11.R.9-27"},
-       .plan =
-           "A source with an error: no GL error, no log until it is built, an unrefined draw, the status FALSE; then a "
-           "good one.",
-       .wrong = "Compiled at once; refined without the shader; the draw gives an error.",
+       .plan = "A source with an error: no GL error, no log until it is built, an unrefined draw, the status FALSE. "
+               "Then a good source.",
+       .wrong = "Compiled at once; refined without the shader; the draw generates an error.",
        .control = control,
        .check = check_broken},
-      {.name = "ark.shader.log",
-       .clauses = {"11.R.9-30", "11.R.9-33", "11.R.9-34", "functions-9", "functions-10", "11.R.9-26"},
-       .plan = "Get the log into buffers that are just long enough, too short, and of no length.",
-       .wrong = "One byte behind the buffer; a length with the terminator; nothing without a length.",
-       .check = check_log},
       {.name = "ark.shader.shared",
        .clauses = {"11.R.9-2", "11.R.9-6", "state-28"},
        .plan =
            "Give a program its refinement shader in one context, draw in another of the share group, replace it there, "
            "and draw in the first.",
-       .wrong = "A source for each context; the first goes on with the old one.",
+       .wrong = "A separate source for each context; the first context continues with the old one.",
        .control = control,
        .check = check_shared},
   };
   for (const BadProgram& bad : bad_programs()) {
     cases.push_back({.name = std::string("ark.shader.errors.program.") + bad.leaf,
                      .clauses = bad.clauses,
-                     .plan =
-                         "The three commands with such a name: the error, nothing is written, and the program in use "
-                         "keeps its source and log.",
-                     .wrong = "The program in use is meant; the other error.",
+                     .plan = "Call the three commands with such a name: they generate the error and write nothing, and "
+                             "the program in use keeps its source and log.",
+                     .wrong = "The commands affect the program in use; another error.",
                      .check = [bad](Test& t) { check_bad_program(t, bad); }});
     if (!bad.is_compat) cases.back().apis = {Api::gl_core, Api::gles};
   }
   for (const Source& source : sources())
-    cases.push_back({.name = std::string("ark.shader.source.") + source.leaf,
-                     .clauses = {source.clause, "11.R.9-28", "state-29", "11.R.9-31"},
-                     .plan = std::string("Ask for the status with the source \"") + source.source + "\".",
-                     .wrong = "TRUE for whatever is linked; refine is found by its name in a comment or not at all.",
-                     .check = [source](Test& t) { check_source(t, source); }});
+    cases.push_back(
+        {.name = std::string("ark.shader.source.") + source.leaf,
+         .clauses = {source.clause, "11.R.9-28", "state-29", "11.R.9-31"},
+         .plan = std::string("Ask for the status with the source \"") + source.source + "\".",
+         .wrong = "TRUE for everything that links; a search for the name refine finds it in a comment, or not at all.",
+         .check = [source](Test& t) { check_source(t, source); }});
   return cases;
 }
 

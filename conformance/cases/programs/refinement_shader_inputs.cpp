@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What refine() sees and what it may change, through transform feedback (11.R.9).
+// The inputs that refine() reads and the variables that it may change, captured (11.R.9).
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -16,7 +16,7 @@ namespace {
 
 using Captured = std::vector<CapturedVertex>;
 
-// Two triangles without symmetry, of which no coordinates are the same.
+// Two triangles without symmetry. No two coordinates are the same.
 Mesh two_triangles() {
   Mesh mesh(6);
   const Vec4 positions[] = {{-0.75F, -0.625F, 0.25F, 1}, {0.5F, -0.5F, -0.25F, 1}, {-0.25F, 0.75F, 0.5F, 1},
@@ -53,7 +53,7 @@ void control(Test& t) {
     t.expect(vertices[i].position == mesh[i].position && vertices[i].weights == mesh[i].weights, "vertices as given");
 }
 
-// By triangle and weights, for comparisons that do not depend on the order.
+// Sorted by triangle and weights, so that comparisons do not depend on the order.
 using Key = std::array<float, 4>;
 std::multimap<Key, CapturedVertex> sorted(const Captured& vertices) {
   std::multimap<Key, CapturedVertex> all;
@@ -154,7 +154,7 @@ void check_written(Test& t) {
   Captured expected = capture(t, draw_two);
   for (CapturedVertex& vertex : expected) vertex.position = {vertex.position[0] + 1, 2 * vertex.position[1], 0.5F, 2};
   set_up(t, "void refine() { position = vec4(position.x + 1.0, 2.0 * position.y, 0.5, 2.0); }");
-  t.expect(same(capture(t, draw_two), expected), "the vertex stage reads what refine left, applied once");
+  t.expect(same(capture(t, draw_two), expected), "the vertex stage reads the values that refine left, applied once");
 }
 
 void check_input_of_another(Test& t) {
@@ -175,12 +175,12 @@ void check_depth_zero(Test& t, bool is_uniform) {
   for (const CapturedVertex& vertex : vertices)
     t.expect(std::any_of(mesh.begin(), mesh.end(),
                          [&](const MeshVertex& corner) { return vertex.position[0] == corner.position[0] + 1; }),
-             "every vertex is moved");
+             "every vertex moves");
   gl.ARKinit(0);
-  t.expect(capture(t, draw_two).front().position[0] == vertices.front().position[0], "so with a pool of level 0");
+  t.expect(capture(t, draw_two).front().position[0] == vertices.front().position[0], "the same with a pool of level 0");
 }
 
-// Vertex stages that are not linear tell apart whether inputs or outputs are refined.
+// A vertex stage that is not linear shows whether inputs or outputs are refined.
 Captured draw_squares(Test& t, GLenum refinement, bool has_shader) {
   const GLuint program =
       build_program(t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 2) in vec3 weights;\n"
@@ -202,10 +202,10 @@ void check_linear_outputs(Test& t) {
   const Captured inputs = draw_squares(t, GL_LINEAR_INPUTS_ARK, true);
   t.expect(same(draw_squares(t, GL_LINEAR_OUTPUTS_ARK, true), inputs), "LINEAR_OUTPUTS_ARK with a refinement shader");
   t.expect(!same(draw_squares(t, GL_LINEAR_OUTPUTS_ARK, false), draw_squares(t, GL_LINEAR_INPUTS_ARK, false)),
-           "without one, both differ");
+           "without a refinement shader, both differ");
 }
 
-// Matrices and integers: corners, and the provoking corner's integers.
+// Matrices and integers: the corners, and the provoking corner's integers.
 void check_types(Test& t) {
   const GLuint program = build_program(
       t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 1) in ivec2 number;\n"
@@ -301,32 +301,31 @@ Cases refinement_shader_inputs_cases() {
   Cases cases{
       look("barycentric", {"11.R.9-14", "11.R.9-15"},
            "Compare ark_barycentric with an input that is (1, 0, 0), (0, 1, 0) and (0, 0, 1) at the corners.",
-           "(u, v, w); of another corner; 0 at the edges.", check_barycentric),
-      look("corners", {"11.R.9-14", "11.R.9-15"},
-           "Write one component of ark_corner_position of each corner to transform feedback.",
-           "Corners of the refined triangle, or in another order, or of the other coarse triangle.", check_corners),
+           "(u, v, w); weights of another corner; 0 at the edges.", check_barycentric),
+      look("corners", {"11.R.9-14", "11.R.9-15"}, "Capture one component of ark_corner_position of each corner.",
+           "Corners of the refined triangle, in another order, or of the other coarse triangle.", check_corners),
       look("corners_indexed", {"11.R.9-15"}, "The same for an indexed draw, and count the vertices of each triangle.",
-           "Corners by number of the vertex, not by index.", check_corners_of_indices),
+           "Corners by vertex number, not by index.", check_corners_of_indices),
       look("refined", {"11.R.9-15", "11.R.9-13"}, "Copy the position to another input and compare both outputs.",
            "The value of corner 0 or of the provoking corner.", check_refined_value),
       look("curved", {"11.R.9-15", "11.R.9-13"},
-           "With CURVED_PN_ARK a refinement shader that does nothing, and one that copies the position.",
-           "A refinement shader makes refinement linear; it runs before the curve.", check_curved_value),
+           "With CURVED_PN_ARK, use a refinement shader that does nothing, and one that copies the position.",
+           "A refinement shader makes refinement linear, or runs before the curve.", check_curved_value),
       look("written", {"11.R.9-13", "11.R.9-15", "overview-6"},
            "Move, scale and replace components, and compare with the draw without a refinement shader.",
-           "Executed twice; after the vertex stage; at new vertices only.", check_written),
+           "Executed twice; after the vertex stage; only at new vertices.", check_written),
       look("another", {"11.R.9-14", "11.R.9-15"}, "One input moves another.",
-           "Inputs that refine writes only are given.", check_input_of_another),
+           "Inputs that refine() only writes are missing.", check_input_of_another),
       look("depth_zero", {"11.R.9-18"}, "Draw with tags of 0, and with a pool of level 0.",
-           "Coarse triangles pass by the refinement shader.", [](Test& t) { check_depth_zero(t, false); }),
+           "Coarse triangles bypass the refinement shader.", [](Test& t) { check_depth_zero(t, false); }),
       look("uniform_depth_zero", {"11.R.9-18"}, "Draw with a uniform depth of 0.",
            "A uniform depth of 0 is drawn as without the extension.", [](Test& t) { check_depth_zero(t, true); }),
       look("linear_outputs", {"11.R.9-19"},
-           "A vertex stage that squares positions: LINEAR_OUTPUTS_ARK with a refinement shader gives what "
-           "LINEAR_INPUTS_ARK gives, bit for bit.",
-           "Outputs are refined, and the refinement shader runs at the corners only or not at all.",
+           "With a vertex stage that squares positions, LINEAR_OUTPUTS_ARK with a refinement shader gives the result "
+           "of LINEAR_INPUTS_ARK, bit for bit.",
+           "Outputs are refined, and the refinement shader runs only at the corners or not at all.",
            check_linear_outputs),
-      look("types", {"11.R.9-14", "11.R.9-15"}, "A matrix, a float and integers: corners, and writing them.",
+      look("types", {"11.R.9-14", "11.R.9-15"}, "Read the corners of a matrix, a float and integers, and write them.",
            "Columns exchanged; integers of corner 0.", check_types),
   };
   for (const Version& version : versions)

@@ -18,7 +18,7 @@ void control(Test& t) {
   t.expect_equal(capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); }).size(), 3U, "vertices of the coarse draw");
 }
 
-// A program in use that refine() writes `weights` of, and a triangle at depth 1.
+// A program in which refine() writes `weights`, and a triangle at depth 1.
 GLuint set_up(Test& t, const std::string& refinement) {
   const GLuint program = capture_program(t);
   gl.UseProgram(program);
@@ -107,7 +107,7 @@ void check_locations(Test& t) {
   const GLint first = locate(t, program, "first");
   const GLint second = locate(t, program, "second");
   t.expect(first != second, "two uniforms, two locations");
-  t.expect_equal(gl.GetUniformLocation(program, "third"), -1, "the location of what is not declared");
+  t.expect_equal(gl.GetUniformLocation(program, "third"), -1, "the location of an undeclared name");
   gl.Uniform1f(first, 1);
   gl.ProgramUniform1f(program, second, 2);
   expect_weights(t, {1, 2, 3}, "set by Uniform1f and ProgramUniform1f");
@@ -158,7 +158,7 @@ void check_one_uniform(Test& t) {
   gl.Uniform1f(before, 3);
   set_refinement_shader(t, program, "uniform float scale; void refine() { weights = vec3(scale, 1.0, twice(scale)); }");
   t.expect_equal(gl.GetUniformLocation(program, "scale"), before, "the location of the uniform that both declare");
-  expect_weights(t, {3, 1, 6}, "the value from before");
+  expect_weights(t, {3, 1, 6}, "the earlier value");
   gl.Uniform1f(before, 5);
   expect_weights(t, {5, 1, 10}, "set for both");
   for (const CapturedVertex& vertex : capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); }))
@@ -204,11 +204,11 @@ void check_not_active(Test& t) {
   expect_weights(t, {1, 2, 4}, "the uniform's value");
   GLint longest = 0;
   gl.GetProgramiv(program, GL_ACTIVE_UNIFORM_MAX_LENGTH, &longest);
-  t.expect(active_uniforms(program) == before, "the active uniforms are those from before");
-  t.expect_equal(longest, longest_before, "so is the length of the longest name");
+  t.expect(active_uniforms(program) == before, "the active uniforms are the same as before");
+  t.expect_equal(longest, longest_before, "and the length of the longest name");
   GLint resources = 0;
   gl.GetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &resources);
-  t.expect_equal(resources, static_cast<GLint>(before.size()), "so is the number of resources");
+  t.expect_equal(resources, static_cast<GLint>(before.size()), "and the number of resources");
 }
 
 void check_block(Test& t) {
@@ -265,8 +265,34 @@ void check_locations_survive(Test& t) {
   gl.ARKinit(2);
   expect_weights(t, {1, 0, 1}, "after other parameters were set");
   gl.Uniform1f(first, 2);
-  expect_weights(t, {2, 0, 2}, "set by the location from before");
+  expect_weights(t, {2, 0, 2}, "set by the earlier location");
   t.expect_equal(gl.GetUniformLocation(program, "first"), first, "the location");
+}
+
+// The uniform is set once, under one refinement parameter, and read under all others.
+void check_uniform_stays(Test& t) {
+  const GLuint program = colour_program(t);
+  gl.UseProgram(program);
+  upload(one_triangle());
+  refine_uniformly(2);
+  set_refinement_shader(t, program, "uniform vec4 shift;\nvoid refine() { position.xy += shift.zw; }\n");
+  const auto picture = [] { return picture_of([] { gl.DrawArrays(GL_TRIANGLES, 0, 3); }); };
+  const Picture unmoved = picture();
+  gl.Uniform4f(gl.GetUniformLocation(program, "shift"), 9, 9, 0.25F, -0.125F);
+  const Picture moved = picture();
+  t.expect(count_different(moved, unmoved, 8) > 500, "the uniform shows");
+  struct Parameter {
+    GLenum name;
+    GLenum value;
+  };
+  for (const Parameter& parameter :
+       {Parameter{GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK}, Parameter{GL_REFINEMENT_ARK, GL_CURVED_PN_ARK},
+        Parameter{GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK}, Parameter{GL_REFINEMENT_ARK, GL_LINEAR_OUTPUTS_ARK},
+        Parameter{GL_GEOMORPH_ARK, GL_TRUE}, Parameter{GL_WELD_ARK, GL_TRUE},
+        Parameter{GL_REFINEMENT_ARK, GL_LINEAR_INPUTS_ARK}, Parameter{GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK}}) {
+    gl.ARKParameteriARK(parameter.name, static_cast<GLint>(parameter.value));
+    t.expect_same_picture(picture(), moved, "with parameter " + as_text(parameter.name), 4, 60);
+  }
 }
 
 constexpr Area look{"ark.shader.uniform.", control};
@@ -276,18 +302,19 @@ constexpr Area look{"ark.shader.uniform.", control};
 Cases refinement_shader_uniforms_cases() {
   Cases cases{
       look("locations", {"11.R.9-21"},
-           "Two uniforms, set by Uniform1f and ProgramUniform1f, with the program in use and not, and between draws.",
-           "-1; INVALID_OPERATION; a value that reaches the next link only.", check_locations),
+           "Two uniforms, set by Uniform1f and ProgramUniform1f, while the program is in use and while it is not, and "
+           "between draws.",
+           "-1; INVALID_OPERATION; the value only counts after the next link.", check_locations),
       look("relinked", {"11.R.9-21", "11.R.9-22", "11.R.9-6"},
            "Link again, build, locate and set; then the same with another refinement shader.",
-           "No locations after LinkProgram; those of the first refinement shader.", check_relinked),
+           "No locations after LinkProgram; locations of the first refinement shader.", check_relinked),
       look("locations_kept", {"11.R.9-22"}, "Change refinement parameters and set a uniform by its old location.",
            "Another refinement program has other locations.", check_locations_survive),
       look("both_declare", {"11.R.9-23", "11.R.9-20"},
            "A uniform of the vertex shader that the refinement shader declares, too: one location, one value.",
-           "Two uniforms of a name; a redeclaration is an error; the value from before is lost.", check_one_uniform),
+           "Two uniforms of the same name; a redeclaration is an error; the earlier value is lost.", check_one_uniform),
       look("vertex_shader", {"11.R.9-20"}, "Use a uniform and a function of the vertex shader without declaring them.",
-           "The refinement shader is compiled by itself.", check_uses_of_vertex_shader),
+           "The refinement shader is compiled separately.", check_uses_of_vertex_shader),
       look("not_active", {"11.R.9-24"}, "Ask for all active uniforms before and after.",
            "The refinement program's uniforms are counted.", check_not_active),
       look("block", {"11.R.9-20"}, "A uniform block with a binding of its own, and a change of its buffer.",
@@ -295,10 +322,14 @@ Cases refinement_shader_uniforms_cases() {
       look("texture", {"11.R.9-20", "11.R.9-21"}, "Two samplers, set to units 2 and 5, then to the same.",
            "Unit 0 for all samplers.", check_texture),
   };
+  cases.push_back(
+      Area{"ark.shader.uniform."}("stays", {"11.R.9-21", "11.R.9-22"},
+                                  "Set a uniform of the refinement shader once, and change every refinement parameter.",
+                                  "The uniform is 0 in the programs of other parameters.", check_uniform_stays));
   for (const UniformType& type : types()) {
     cases.push_back(look(std::string("type.") + type.leaf, {"11.R.9-20", "11.R.9-21"},
                          "Set a uniform of this type that the refinement shader declares, and draw.",
-                         "Only floats are passed on; a matrix is transposed; an array's first element only.",
+                         "Only floats are passed on; a matrix is transposed; only the first element of an array.",
                          [type](Test& t) { check_type(t, type); }));
   }
   return cases;

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Uniforms of every type in a vertex stage that is refined, set before its first refined draw and after it (11.R.10).
+// Uniforms of every type in a refined vertex stage, set before its first refined draw and after it (11.R.10).
+#include <fmt/core.h>
+
 #include "conformance/cases/cases.h"
 #include "conformance/support/capture.h"
 
@@ -12,7 +14,7 @@ using Values = std::array<GLfloat, 64>;
 
 struct Type {
   const char* name;
-  int columns;  // 1 of what is no matrix
+  int columns;  // 1 if it is no matrix
   int rows;
   char scalar;  // f, i, u, b
 };
@@ -24,23 +26,23 @@ constexpr Type types[] = {
     {"bvec4", 1, 4, 'b'},  {"mat2", 2, 2, 'f'},   {"mat3", 3, 3, 'f'},   {"mat4", 4, 4, 'f'},   {"mat2x3", 2, 3, 'f'},
     {"mat2x4", 2, 4, 'f'}, {"mat3x2", 3, 2, 'f'}, {"mat3x4", 3, 4, 'f'}, {"mat4x2", 4, 2, 'f'}, {"mat4x3", 4, 3, 'f'}};
 
-// A number that each component of the uniform changes, for a triangle and its colours.
+// A number that each component of the uniform changes. It shifts a triangle and its colours.
 std::string sum_of(const Type& type, const std::string& name, int first_weight) {
   std::string sum;
   for (int column = 0; column < type.columns; ++column)
     for (int row = 0; row < type.rows; ++row) {
-      const std::string element = name + (type.columns > 1 ? "[" + std::to_string(column) + "]" : "") +
-                                  (type.rows > 1 ? "[" + std::to_string(row) + "]" : "");
+      const std::string element = name + (type.columns > 1 ? fmt::format("[{}]", column) : "") +
+                                  (type.rows > 1 ? fmt::format("[{}]", row) : "");
       const int weight = first_weight + type.rows * column + row;
-      sum += (sum.empty() ? "float(" : " + float(") + element + ") * " + std::to_string(weight) + ".0";
+      sum += fmt::format("{}{}) * {}.0", (sum.empty() ? "float(" : " + float("), element, weight);
     }
   return sum;
 }
 
 GLuint program_of(Test& t, const Type& type, int elements) {
   std::string sum = sum_of(type, elements == 1 ? "value" : "value[0]", 1);
-  for (int i = 1; i < elements; ++i) sum += " + " + sum_of(type, "value[" + std::to_string(i) + "]", 1 + 16 * i);
-  const std::string array = elements == 1 ? "" : "[" + std::to_string(elements) + "]";
+  for (int i = 1; i < elements; ++i) sum += " + " + sum_of(type, fmt::format("value[{}]", i), 1 + 16 * i);
+  const std::string array = elements == 1 ? "" : fmt::format("[{}]", elements);
   return build_program(t, {.vertex = std::string("layout(location = 0) in vec4 position; out vec4 colour; uniform ") +
                                      std::string(type.scalar == 'b' ? "" : "highp ") + type.name + " value" + array +
                                      ";\nvoid main() { float sum = (" + sum +
@@ -100,7 +102,7 @@ void check_type(Test& t, const Type& type, int elements) {
   const GLuint program = program_of(t, type, elements);
   upload(one_triangle());
   refine_uniformly(2);
-  // The first value is there before the program is refined for the first time, the others come after it.
+  // The first value is set before the program's first refined draw, the others after it.
   Picture last(surface_size, surface_size);
   gl.UseProgram(program);
   for (int round = 0; round < 3; ++round) {
@@ -126,7 +128,7 @@ Cases uniform_types_cases() {
           {.name = std::string("ark.stage.uniform.") + type.name + (elements == 1 ? ".single" : ".array"),
            .clauses = {"11.R.10-1"},
            .plan = "Colours follow from a uniform that is set before the first refined draw, and twice after.",
-           .wrong = "The value of another type, element or component; the first or the last value alone.",
+           .wrong = "The value of another type, element or component; only the first or the last value.",
            .check = [&type, elements](Test& t) { check_type(t, type, elements); }});
   return cases;
 }

@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the vertex stage of a refined draw reads (11.R.10): uniforms, blocks, textures, and built-in inputs.
+// Resources that the vertex stage of a refined draw reads (11.R.10): uniforms, blocks, textures, fixed-function state.
 #include <algorithm>
 #include <set>
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/programs/recorded_value.h"
 #include "conformance/support/refined_draw.h"
 
 namespace glark::conformance {
 namespace {
 
-// A stage whose colour comes from a resource, whose captured values say so for every refined vertex.
+// A resource from which the vertex stage takes its colour. The captured colour of every refined vertex shows whether it
+// was read.
 struct Resource {
   const char* name;
   const char* declarations;
@@ -63,16 +65,6 @@ constexpr Resource resources[] = {
     {"storage_block", "layout(std430, binding = 2) buffer Store { vec4 first; vec4 second; };", "second", bind_storage},
     {"texture", "uniform sampler2D image;", "textureLod(image, vec2(0.5), 0.0)", bind_texture}};
 
-using Record = std::array<float, 8>;  // gl_Position and a value
-
-GLuint record_program(Test& t, const std::string& declarations, const std::string& value) {
-  return build_program(t, {.vertex = "layout(location = 0) in vec4 position; out vec4 colour;\n" + declarations +
-                                     "\nvoid main() { gl_Position = position; colour = " + value + "; }\n",
-                           .captured = {"gl_Position", "colour"}});
-}
-
-void draw_one() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
-
 void check_resource(Test& t, const Resource& resource, GLenum refinement) {
   GLint blocks = 1;
   if (resource.bind == bind_storage) gl.GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &blocks);
@@ -89,7 +81,7 @@ void check_resource(Test& t, const Resource& resource, GLenum refinement) {
       return t.fail("the value read is " + as_text(record[4]) + " " + as_text(record[5]) + " " + as_text(record[6]));
 }
 
-// After a change of the resource, the next draw sees it.
+// The draw after a change of the resource reads the new value.
 void check_changed_uniform(Test& t) {
   const GLuint program = record_program(t, "uniform vec4 u;", "u");
   gl.UseProgram(program);
@@ -106,7 +98,7 @@ void check_changed_uniform(Test& t) {
   }
 }
 
-// The block is given another binding, and a binding another buffer, between draws.
+// Between draws, the block gets another binding, and a binding gets another buffer.
 void check_changed_block(Test& t) {
   const GLuint program = record_program(t, "layout(std140) uniform Block { vec4 value; };", "value");
   gl.UseProgram(program);
@@ -169,7 +161,7 @@ void lit_triangle() {
   gl.End();
 }
 
-// A capability is enabled and disabled between refined draws, each of which gives what the unrefined one gives.
+// Enables and disables a capability between refined draws. Each draw gives the same picture as the unrefined one.
 void check_changed_capability(Test& t, const std::vector<GLenum>& before, GLenum capability) {
   const GLfloat colour[] = {0.1F, 0.8F, 0.6F, 1};
   const GLfloat position[] = {0.2F, 0.4F, 1, 0};
@@ -197,7 +189,7 @@ void check_changed_capability(Test& t, const std::vector<GLenum>& before, GLenum
   }
 }
 
-// The refinement shader of the fixed-function stage moves the triangle, whatever that stage does.
+// The refinement shader of the fixed-function stage moves the triangle, in any state of that stage.
 void check_fixed_function_shader(Test& t) {
   const char* const source = "void refine() { gl_Vertex.xyz += vec3(5.0); }";
   refine_uniformly(2);
@@ -240,115 +232,13 @@ void check_program_kept(Test& t) {
   upload(one_triangle({2, 3, 1}));
   refine_by_tags(3);
   draw_one();
-  t.expect(properties() == before, "properties and locations are what they were");
+  t.expect(properties() == before, "properties and locations are the same as before");
   GLint current = 0;
   gl.GetIntegerv(GL_CURRENT_PROGRAM, &current);
   t.expect_equal(static_cast<GLuint>(current), program, "CURRENT_PROGRAM");
   GLfloat v = 0;
   gl.GetUniformfv(program, gl.GetUniformLocation(program, "v"), &v);
   t.expect_equal(v, 0.5F, "the value of a uniform");
-}
-
-// Outputs of the three corners, refined by (11.R.1).
-void expect_corner_values(Test& t, const std::vector<Record>& records, const std::array<float, 3>& values,
-                          const std::string& what) {
-  std::set<float> expected;
-  for (const reference::Weights& at : reference::minimum_vertices({2, 2, 2}))
-    expected.insert(reference::refined(values[0], values[1], values[2], at));
-  std::set<float> found;
-  for (const Record& record : records) found.insert(record[4]);
-  t.expect_equal(records.size(), 48U, what + ": refined vertices");
-  t.expect(found == expected, what + ": the numbers of the corners, refined");
-}
-
-void check_vertex_id(Test& t) {
-  const GLuint program = record_program(t, "", "vec4(float(gl_VertexID * gl_VertexID))");
-  gl.UseProgram(program);
-  Mesh mesh = one_triangle();
-  mesh.insert(mesh.begin(), 4, mesh[0]);
-  upload(mesh);
-  refine_uniformly(2);
-  expect_corner_values(t, capture_as<Record>(t, 1000, [] { gl.DrawArrays(GL_TRIANGLES, 4, 3); }), {16, 25, 36},
-                       "DrawArrays");
-  const GLubyte indices[] = {3, 1, 2};
-  GLuint buffer = 0;
-  gl.GenBuffers(1, &buffer);
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof(indices), indices, GL_STATIC_DRAW);
-  expect_corner_values(
-      t, capture_as<Record>(t, 1000, [] { gl.DrawElementsBaseVertex(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, nullptr, 3); }),
-      {36, 16, 25}, "DrawElementsBaseVertex");
-}
-
-// A refinement shader is ignored where the stage reads gl_VertexID, and its status stays.
-void check_vertex_id_shader(Test& t) {
-  const GLuint program = record_program(t, "", "vec4(float(gl_VertexID))");
-  gl.UseProgram(program);
-  upload(one_triangle());
-  refine_uniformly(2);
-  const auto sorted = [&] {
-    auto records = capture_as<Record>(t, 1000, draw_one);
-    std::sort(records.begin(), records.end());
-    return records;
-  };
-  const auto without = sorted();
-  set_refinement_shader(t, program, "void refine() { position.xyz += 5.0; }\n");
-  t.expect(sorted() == without, "the refinement shader is ignored");
-}
-
-void check_draw_parameters(Test& t) {
-  if (!t.has_extension("GL_ARB_shader_draw_parameters")) t.not_supported("no GL_ARB_shader_draw_parameters");
-  std::string log;
-  const std::string stage =
-      "#version 430\n#extension GL_ARB_shader_draw_parameters : require\n"
-      "layout(location = 0) in vec4 position; out vec4 colour;\n"
-      "void main() { gl_Position = position;\n"
-      "  colour = vec4(gl_BaseVertexARB, gl_BaseInstanceARB, gl_DrawIDARB, gl_InstanceID); }\n";
-  const GLuint program =
-      try_program({.vertex = stage,
-                   .fragment = "#version 430\nin vec4 colour; out vec4 pixel; void main() { pixel = colour; }",
-                   .captured = {"gl_Position", "colour"}},
-                  log);
-  if (program == 0) t.internal_error(log);
-  gl.UseProgram(program);
-  Mesh mesh = one_triangle();
-  mesh.insert(mesh.begin(), 2, mesh[0]);
-  upload(mesh);
-  const GLuint indices[] = {0, 1, 2};
-  GLuint buffer = 0;
-  gl.GenBuffers(1, &buffer);
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof(indices), indices, GL_STATIC_DRAW);
-  const GLuint records[] = {3, 1, 0, 2, 5, 3, 2, 0, 2, 7};
-  gl.GenBuffers(1, &buffer);
-  gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer);
-  gl.BufferData(GL_DRAW_INDIRECT_BUFFER, sizeof(records), records, GL_STATIC_DRAW);
-  const auto values = [&] {
-    std::set<std::array<float, 4>> all;
-    for (const Record& record : capture_as<Record>(
-             t, 1000, [] { gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, 2, 0); }))
-      all.insert({record[4], record[5], record[6], record[7]});
-    return all;
-  };
-  const auto unrefined = values();
-  const std::set<std::array<float, 4>> expected = {{2, 5, 0, 0}, {2, 7, 1, 0}, {2, 7, 1, 1}};
-  if (unrefined != expected)
-    t.not_supported("gl_BaseVertex, gl_BaseInstance or gl_DrawID are wrong without refinement");
-  refine_uniformly(1);
-  t.expect(values() == expected, "the values of the coarse vertices, at every refined one");
-}
-
-void check_instance_id(Test& t, GLenum refinement) {
-  gl.UseProgram(record_program(t, "", "vec4(float(gl_InstanceID))"));
-  upload(one_triangle());
-  refine_uniformly(2, refinement);
-  std::array<int, 3> counts{};
-  for (const Record& record : capture_as<Record>(t, 1000, [] { gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, 3); })) {
-    const auto instance = static_cast<std::size_t>(record[4]);
-    if (instance > 2 || static_cast<float>(instance) != record[4]) return t.fail("an instance " + as_text(record[4]));
-    ++counts[instance];
-  }
-  for (const int count : counts) t.expect_equal(count, 48, "refined vertices of an instance");
 }
 
 void check_fixed_function(Test& t) {
@@ -372,6 +262,8 @@ void check_fixed_function(Test& t) {
   t.expect_same_picture(picture(), plain, "matrices and colours", 2, 40);
 }
 
+constexpr Area stage_case{"ark.stage."};
+
 }  // namespace
 
 Cases vertex_stage_inputs_cases() {
@@ -381,18 +273,12 @@ Cases vertex_stage_inputs_cases() {
       cases.push_back({.name = std::string("ark.stage.reads.") + resource.name +
                                (refinement == GL_LINEAR_INPUTS_ARK ? ".inputs" : ".outputs"),
                        .clauses = {"11.R.10-1"},
-                       .plan = "The vertex stage writes what it reads to transform feedback.",
-                       .wrong = "Zeros; what another binding or location has.",
+                       .plan = "Capture the value that the vertex stage reads.",
+                       .wrong = "Zeros; the value of another binding or location.",
                        .check = [&resource, refinement](Test& t) { check_resource(t, resource, refinement); }});
   const auto add = [&](const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                       void (*check)(Test&), Apis apis) {
-    cases.push_back({.name = std::string("ark.stage.") + leaf,
-                     .clauses = std::move(clauses),
-                     .plan = plan,
-                     .wrong = wrong,
-                     .apis = apis,
-                     .check = check});
-  };
+                       void (*check)(Test&),
+                       Apis apis) { cases.push_back(stage_case(leaf, std::move(clauses), plan, wrong, check, apis)); };
   add("reads.changed_uniform", {"11.R.10-1"}, "Change a uniform between draws.", "The value of the first draw.",
       check_changed_uniform, every_api);
   add("reads.fixed_function", {"11.R.10-1"}, "Draw with matrices of the fixed-function stage.", "Other matrices.",
@@ -405,14 +291,15 @@ Cases vertex_stage_inputs_cases() {
         {"normalize", {GL_LIGHTING, GL_LIGHT0}, GL_NORMALIZE},
         {"fog", {}, GL_FOG},
         {"color_sum", {}, GL_COLOR_SUM}})
-    cases.push_back({.name = std::string("ark.stage.reads.changed_") + leaf,
-                     .clauses = {"11.R.10-1"},
-                     .plan = "Enable and disable it between refined draws, and compare with unrefined ones.",
-                     .wrong = "The state of the first draw.",
-                     .apis = compat_only,
-                     .check = [before = before, capability = capability](Test& t) {
-                       check_changed_capability(t, before, capability);
-                     }});
+    cases.push_back(
+        {.name = std::string("ark.stage.reads.changed_") + leaf,
+         .clauses = {"11.R.10-1"},
+         .plan = "Enable and disable the capability between refined draws, and compare with unrefined draws.",
+         .wrong = "The state of the first draw.",
+         .apis = compat_only,
+         .check = [before = before, capability = capability](Test& t) {
+           check_changed_capability(t, before, capability);
+         }});
   add("reads.changed_storage_block", {"11.R.10-1"}, "Change the binding of a storage block between draws.",
       "The binding of the first draw.", check_changed_storage, desktop_apis);
   add("refinement_shader_of_fixed_function", {"11.R.9-4"},
@@ -421,20 +308,6 @@ Cases vertex_stage_inputs_cases() {
       "The shader is lost when state changes.", check_fixed_function_shader, compat_only);
   add("program_kept", {"11.R.10-2"}, "Query the program before and after a refined draw.",
       "More uniforms; another current program; locations that moved.", check_program_kept, every_api);
-  add("vertex_id", {"11.R.10-3", "11.R.10-4"},
-      "The stage squares gl_VertexID; its outputs are refined from the corners.",
-      "Numbers of refined vertices; the square of a refined number.", check_vertex_id, every_api);
-  add("vertex_id.refinement_shader", {"11.R.10-4"}, "A refinement shader beside gl_VertexID.",
-      "It is executed; the status becomes FALSE.", check_vertex_id_shader, every_api);
-  add("draw_parameters", {"11.R.10-3", "11.R.10-5"}, "Two indirect draws with base vertices and base instances.",
-      "Values of the implementation's own draws.", check_draw_parameters, desktop_apis);
-  for (const GLenum refinement : {GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK})
-    cases.push_back(
-        {.name = std::string("ark.stage.instance_id.") + (refinement == GL_LINEAR_INPUTS_ARK ? "inputs" : "outputs"),
-         .clauses = {"11.R.10-5"},
-         .plan = "Three instances write gl_InstanceID.",
-         .wrong = "Numbers of instances of the implementation's own.",
-         .check = [refinement](Test& t) { check_instance_id(t, refinement); }});
   return cases;
 }
 

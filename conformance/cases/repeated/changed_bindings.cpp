@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws that are repeated while something else than the contents of their buffers changes: where they begin, which corner is the first,
-// which object has the name. What an implementation kept of the draw before holds no longer.
+// Draws that are repeated after a change that is not in a buffer: where the draw begins, which corner comes first,
+// which object has the name. An implementation must not use what it kept of the earlier draw.
 #include <cstring>
 
 #include "conformance/cases/cases.h"
@@ -29,7 +29,7 @@ Mesh two_triangles() {
 
 void draw_all() { gl.DrawArrays(GL_TRIANGLES, 0, vertices); }
 
-// Refined however often as unrefined, which is returned.
+// Compares several refined draws with the unrefined one, and returns the latter.
 Picture expect_as_unrefined(Test& t, const Draw& draw, const std::string& what) {
   std::vector<Picture> refined;
   for (int again = 0; again < repeats; ++again) refined.push_back(picture_of(draw));
@@ -53,7 +53,7 @@ void refine(bool is_uniform, GLenum refinement = GL_LINEAR_INPUTS_ARK) {
   is_uniform ? refine_uniformly(2, refinement) : refine_by_tags(3, refinement);
 }
 
-// Colours in a buffer that stays mapped: no command of the GL tells that they change.
+// Colours in a buffer that stays mapped: no GL command announces their change.
 void check_persistent(Test& t, bool is_uniform) {
   if (t.version() < 44 && !t.has_extension("GL_ARB_buffer_storage")) t.not_supported("no buffers that stay mapped");
   gl.UseProgram(colour_program(t));
@@ -77,7 +77,7 @@ void check_persistent(Test& t, bool is_uniform) {
   expect_change(t, draw_all, write, "a write to memory that stays mapped");
 }
 
-// One colour an instance; one instance, whose colour is that of the base.
+// One colour for each instance. A single instance takes its colour from the base instance.
 void check_base_instance(Test& t, bool is_indexed) {
   gl.UseProgram(colour_program(t));
   upload(two_triangles());
@@ -100,7 +100,7 @@ void check_base_instance(Test& t, bool is_indexed) {
         t, draw, [&base, next] { base = next; }, "another base instance");
 }
 
-// In strips the convention decides in which order every other triangle has its corners.
+// In strips, the convention decides the order of corners of every other triangle.
 void check_convention(Test& t, GLenum mode, GLenum refinement) {
   gl.UseProgram(build_program(
       t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour;\n"
@@ -125,7 +125,7 @@ void check_convention(Test& t, GLenum mode, GLenum refinement) {
         t, draw, [convention] { gl.ProvokingVertex(convention); }, "the other convention");
 }
 
-// A new object, to which some implementations give the name of the deleted one, has no arrays but for the positions.
+// Some implementations give a new object the deleted one's name. The new object has only the array of positions.
 void check_object_again(Test& t, bool is_uniform) {
   gl.UseProgram(colour_program(t));
   const MeshBuffers first = upload(two_triangles());
@@ -155,7 +155,7 @@ void check_object_again(Test& t, bool is_uniform) {
     t.expect_equal(count_generated(draw_all), 32U, "triangles with another current tag");
 }
 
-// Depths that differ by so much that a smooth interior may have vertices of its own; it need not.
+// Depths differ by so much that a smooth interior may have vertices of its own. It need not.
 void check_interior(Test& t) {
   gl.UseProgram(colour_program(t));
   const std::array<int, 3> tags = {6, 6, 1};
@@ -171,13 +171,13 @@ void check_interior(Test& t) {
         if (interior == GL_MINIMUM_INTERIOR_ARK)
           t.expect_equal(count, least, "triangles with the least interior, again");
         else
-          t.expect(count >= least, "a smooth interior has further vertices, or none");
+          t.expect(count >= least, "a smooth interior has additional vertices, or none");
       }
     }
 }
 
-// The usual way: what was captured are the vertices that are drawn. There are more instances than an implementation may have room
-// for at first.
+// Captures vertices and draws them, as programs usually do. There are more instances than an implementation may have
+// room for at first.
 void check_feedback_instances(Test& t) {
   gl.UseProgram(
       build_program(t, {.vertex = "layout(location = 0) in vec4 position; out vec4 colour; out vec4 place;\n"
@@ -208,7 +208,7 @@ void check_feedback_instances(Test& t) {
   GLsizei instances = 16;
   const auto draw = [&] { gl.DrawTransformFeedbackInstanced(GL_TRIANGLES, object, instances); };
   refine_uniformly(1);
-  expect_as_unrefined(t, draw, "instances of what was captured");
+  expect_as_unrefined(t, draw, "instances of captured vertices");
   gl.Enable(GL_RASTERIZER_DISCARD);
   for (const GLsizei next : {16, 3, 60000}) {
     instances = next;
@@ -226,21 +226,19 @@ Cases changed_bindings_cases() {
   for (const bool is_uniform : {true, false}) {
     const std::string leaf = is_uniform ? ".uniform" : ".tags";
     cases.push_back(again_case(
-        "persistent" + leaf, {"10.R.2-1", "11.R.13-1"},
-        "Repeat a draw, write to its colours where they are mapped, and repeat it.",
-        "The colours that the draw had before.", [is_uniform](Test& t) { check_persistent(t, is_uniform); }, desktop_apis));
-    cases.push_back(
-        again_case("object" + leaf, {"10.R.1-28", "10.R.2-1"},
-                   "Repeat a draw, delete the vertex array object, make one with fewer arrays, and repeat it "
-                   "with two current values.",
-                   "The arrays, or tags, of the deleted object that had the name; the first current value.",
-                   [is_uniform](Test& t) { check_object_again(t, is_uniform); }));
+        "persistent" + leaf, {"10.R.2-1", "11.R.13-1"}, "Repeat a draw, write to its mapped colours, and repeat it.",
+        "The earlier colours of the draw.", [is_uniform](Test& t) { check_persistent(t, is_uniform); }, desktop_apis));
+    cases.push_back(again_case("object" + leaf, {"10.R.1-28", "10.R.2-1"},
+                               "Repeat a draw, delete the vertex array object, make one with fewer arrays, and repeat "
+                               "the draw with two current values.",
+                               "The arrays or tags of the deleted object with the same name; the first current value.",
+                               [is_uniform](Test& t) { check_object_again(t, is_uniform); }));
   }
   for (const bool is_indexed : {false, true})
     cases.push_back(again_case(
         std::string("base_instance") + (is_indexed ? ".indexed" : ".arrays"), {"10.R.2-2"},
-        "Repeat a draw of one instance with one base instance after the other.",
-        "The attributes of the base instance before.", [is_indexed](Test& t) { check_base_instance(t, is_indexed); },
+        "Repeat a draw of one instance, each time with another base instance.",
+        "The attributes of the earlier base instance.", [is_indexed](Test& t) { check_base_instance(t, is_indexed); },
         desktop_apis));
   for (const auto& [leaf, mode] : {std::pair<const char*, GLenum>{"strip", GL_TRIANGLE_STRIP},
                                    {"fan", GL_TRIANGLE_FAN},
@@ -248,14 +246,15 @@ Cases changed_bindings_cases() {
     cases.push_back(again_case(
         std::string("convention.") + leaf, {"11.R.3-2", "11.R.6-10"},
         "Repeat a draw with flat outputs, change the provoking vertex convention, and repeat it.",
-        "The order of corners, or the flat values, of the convention before.",
+        "The order of corners, or the flat values, of the earlier convention.",
         [mode = mode](Test& t) { check_convention(t, mode, GL_LINEAR_OUTPUTS_ARK); }, desktop_apis));
   cases.push_back(again_case("interior", {"11.R.5-12", "11.R.5-13"},
                              "Repeat a draw whose depths differ by five, with either interior in turn.",
-                             "The interior that the draw had before.", check_interior));
+                             "The earlier interior of the draw.", check_interior));
   cases.push_back(again_case("feedback_instances", {"10.R.2-2"},
-                             "Draw instances of captured vertices: the picture, and how many triangles.",
-                             "One instance; as many as there was memory for.", check_feedback_instances, desktop_apis));
+                             "Draw instances of captured vertices, and check the picture and the number of triangles.",
+                             "One instance; as many instances as there was memory for.", check_feedback_instances,
+                             desktop_apis));
   return cases;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws that are repeated while something changes that they read: an implementation may keep what it found out about a draw (11.R.13),
-// but no longer than it holds. What a change gives is what the same GL draws unrefined after it.
+// Draws that are repeated after a change of what they read. An implementation may keep what it found out about a draw
+// (11.R.13), but must drop it after such a change. The expected picture is the unrefined one after the change.
 #include <cstring>
 
 #include "conformance/cases/cases.h"
@@ -19,7 +19,7 @@ using Colours = std::array<GLuint, vertices>;  // RGBA8, red in the lowest byte
 constexpr Colours before = {0xff0000ff, 0xff00ff00, 0xffff0000, 0xff00ffff, 0xffffff00, 0xffff00ff};
 constexpr Colours after = {0xff404040, 0xff0000ff, 0xffffffff, 0xffff8000, 0xff0080ff, 0xff00ff40};
 
-// Two triangles side by side; the colours come from a buffer of their own.
+// Two triangles side by side. Their colours come from a separate buffer.
 struct Scene {
   GLuint array = 0;
   GLuint colours = 0;
@@ -58,7 +58,7 @@ Scene make_scene() {
   return scene;
 }
 
-// Of the buffer's contents; it is bound to GL_ARRAY_BUFFER.
+// Colours in the buffer, which is bound to GL_ARRAY_BUFFER.
 void copy(Test&, Scene& scene) {
   make_buffer(after, GL_COPY_READ_BUFFER);
   gl.BindBuffer(GL_COPY_WRITE_BUFFER, scene.colours);
@@ -90,7 +90,7 @@ GLuint compute_program(Test& t, const std::string& source) {
   return program;
 }
 
-// The second half of the buffer to the first.
+// Copies the second half of the buffer to the first.
 void store(Test& t, Scene& scene) {
   GLint program = 0;
   gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
@@ -103,7 +103,7 @@ void store(Test& t, Scene& scene) {
   gl.UseProgram(static_cast<GLuint>(program));
 }
 
-// By transform feedback of an unrefined draw of points.
+// Writes the buffer by transform feedback of an unrefined draw of points.
 void feed_back(Test& t, Scene& scene) {
   GLint program = 0;
   gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
@@ -134,7 +134,7 @@ void delete_buffer(Test&, Scene& scene) {
   point_at(0);
 }
 
-// Its name comes again in most implementations.
+// Most implementations give the new buffer the same name.
 void delete_array(Test&, Scene& scene) {
   gl.DeleteVertexArrays(1, &scene.array);
   scene.array = upload(two_triangles()).array;
@@ -185,7 +185,7 @@ constexpr Change changes[] = {
 
 void draw_all() { gl.DrawArrays(GL_TRIANGLES, 0, vertices); }
 
-// Before and after the change the refined draws, however often, look as the unrefined one.
+// Before and after the change, repeated refined draws look like the unrefined one.
 void expect_same_again(Test& t, const std::string& when) {
   std::vector<Picture> refined;
   for (int again = 0; again < repeats; ++again) refined.push_back(picture_of(draw_all));
@@ -274,20 +274,21 @@ Cases changed_buffers_cases() {
       {.name = "ark.draw.again.tag_array",
        .clauses = {"10.R.1-21", "10.R.1-26", "10.R.1-29", "11.R.13-1"},
        .plan = "Repeat a draw with a tag array, move its pointer, disable it, set the current tag, enable it.",
-       .wrong = "The depths that the draw had before.",
+       .wrong = "The earlier depths of the draw.",
        .check = check_tag_array},
       {.name = "ark.draw.again.pool",
        .clauses = {"11.R.1-5", "11.R.5-12", "11.R.13-1"},
-       .plan = "Repeat a draw with either interior and four pools: the patterns of now.",
-       .wrong = "The patterns of the interior, or of the pool, that the draw had before.",
+       .plan = "Repeat a draw with either interior and four pools: it has the current patterns.",
+       .wrong = "The patterns of the earlier interior or pool.",
        .check = check_pool}};
   for (const Change& change : changes)
     for (const bool is_uniform : {true, false})
       cases.push_back(
           {.name = std::string("ark.draw.again.") + change.leaf + (is_uniform ? ".uniform" : ".tags"),
            .clauses = {"10.R.2-1", "11.R.13-1"},
-           .plan = "Repeat a draw, change what its vertex array reads, and repeat it: as the unrefined draw.",
-           .wrong = "The vertices that the draw had before.",
+           .plan =
+               "Repeat a draw, change what its vertex array reads, and repeat it: it looks like the unrefined draw.",
+           .wrong = "The earlier vertices of the draw.",
            .control = [&change](Test& t) { control_change(t, change); },
            .check = [&change, is_uniform](Test& t) { check_change(t, change, is_uniform); }});
   return cases;

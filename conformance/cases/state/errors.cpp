@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/triangle_modes.h"
 #include "conformance/support/capture.h"
 #include "conformance/support/state.h"
 
@@ -14,7 +15,6 @@ namespace {
 struct Mode {
   const char* leaf;
   GLenum mode;
-  bool is_compat_only = false;
 };
 
 constexpr Mode other_modes[] = {
@@ -31,11 +31,6 @@ constexpr Mode other_modes[] = {
     {"great", 0xFFFFFFFFU},
 };
 
-constexpr Mode triangle_modes[] = {
-    {"triangles", GL_TRIANGLES}, {"triangle_strip", GL_TRIANGLE_STRIP}, {"triangle_fan", GL_TRIANGLE_FAN},
-    {"quads", GL_QUADS, true},   {"quad_strip", GL_QUAD_STRIP, true},   {"polygon", GL_POLYGON, true},
-};
-
 void set_up_draw(Test& t) {
   gl.UseProgram(colour_program(t));
   const GLushort indices[] = {0, 1, 2, 0};
@@ -47,7 +42,7 @@ void set_up_draw(Test& t) {
   clear_surface();
 }
 
-// Neither error, nor state, nor a pixel.
+// Expects no error, no change of state, and no pixel.
 void expect_no_draw(Test& t, GLenum error, const std::string& what, const std::function<void()>& draw) {
   const Picture before = read_picture(surface_size, surface_size);
   expect_refused(t, error, what, draw);
@@ -65,14 +60,14 @@ void check_mode(Test& t, GLenum mode) {
   }
 }
 
-Case refused_mode(const Mode& mode, bool is_compat_only) {
+Case refused_mode(const std::string& leaf, GLenum mode, bool is_compat_only) {
   std::vector<std::string> clauses{"errors-15"};
   if (is_compat_only) clauses.emplace_back("core-2");
-  Case result{.name = std::string("ark.error.draw.mode.") + mode.leaf,
+  Case result{.name = "ark.error.draw.mode." + leaf,
               .clauses = std::move(clauses),
-              .plan = "DrawARP and DrawARPElementsARK with this mode: INVALID_ENUM, and nothing is drawn.",
-              .wrong = "Drawn unrefined, as DrawArrays would.",
-              .check = [mode](Test& t) { check_mode(t, mode.mode); }};
+              .plan = "Call DrawARP and DrawARPElementsARK with this mode: INVALID_ENUM, and nothing is drawn.",
+              .wrong = "Drawn unrefined, as by DrawArrays.",
+              .check = [mode](Test& t) { check_mode(t, mode); }};
   if (is_compat_only) result.apis = {Api::gl_core, Api::gles};
   return result;
 }
@@ -84,7 +79,7 @@ void check_draw_before_init(Test& t, GLenum mode) {
                  [&] { gl.DrawARPElementsARK(mode, 3, GL_UNSIGNED_SHORT, nullptr); });
   gl.ARKinit(0xFFFF);
   t.expect_error(GL_INVALID_VALUE, "an ARKinit that fails");
-  expect_no_draw(t, GL_INVALID_OPERATION, "DrawARP after it", [&] { gl.DrawARP(mode, 0, 3); });
+  expect_no_draw(t, GL_INVALID_OPERATION, "DrawARP afterwards", [&] { gl.DrawARP(mode, 0, 3); });
   gl.ARKinit(0);
   gl.DrawARP(mode, 0, 3);
   gl.DrawARPElementsARK(mode, 3, GL_UNSIGNED_SHORT, nullptr);
@@ -92,13 +87,13 @@ void check_draw_before_init(Test& t, GLenum mode) {
   t.expect_equal(int{gl.IsEnabled(GL_ARK)}, int{GL_FALSE}, "IsEnabled(ARK)");
 }
 
-Case draw_before_init(const Mode& mode) {
-  Case result{.name = std::string("ark.error.draw.before_init.") + mode.leaf,
+Case draw_before_init(const TriangleMode& mode) {
+  Case result{.name = std::string("ark.error.draw.before_init.") + mode.name,
               .clauses = {"errors-16"},
-              .plan = "DrawARP and DrawARPElementsARK before ARKinit, and after one that failed.",
+              .plan = "Call DrawARP and DrawARPElementsARK before ARKinit, and after an ARKinit that failed.",
               .wrong = "Drawn unrefined.",
               .check = [mode](Test& t) { check_draw_before_init(t, mode.mode); }};
-  if (mode.is_compat_only) result.apis = compat_only;
+  if (mode.is_legacy) result.apis = compat_only;
   return result;
 }
 
@@ -167,7 +162,7 @@ struct Command {
 void get_nothing(Test& t, GLuint program) {
   GLint value = -7;
   gl.GetRefinementivARK(program, GL_REFINEMENT_SOURCE_LENGTH_ARK, &value);
-  t.expect_equal(value, -7, "what GetRefinementivARK left");
+  t.expect_equal(value, -7, "GetRefinementivARK left the value alone");
 }
 
 void get_no_log(Test& t) {
@@ -197,7 +192,7 @@ const std::vector<Command>& commands() {
       {"is_enabled", "11.R.1-12",
        [](Test& t) { t.expect_equal(int{gl.IsEnabled(GL_ARK)}, int{GL_FALSE}, "IsEnabled"); }},
       {"get_integer", "tokens-14",
-       [](Test& t) { t.expect_equal(integer_of(GL_POOL_LEVEL_ARK), -77777, "what GetIntegerv left"); }},
+       [](Test& t) { t.expect_equal(integer_of(GL_POOL_LEVEL_ARK), -77777, "GetIntegerv left the value alone"); }},
   };
   return all;
 }
@@ -237,7 +232,36 @@ void check_tag_between(Test& t) {
   t.expect_same_picture(actual, expected, "the primitive that was begun");
   draw_with([] { gl.DepthTag1i(4); });
   t.expect_error(GL_INVALID_VALUE, "a tag above the level between Begin and End");
-  t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "the tag after it");
+  t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "the tag afterwards");
+}
+
+void draw_triangle() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
+
+// Earlier errors are neither lost nor blamed on the draw.
+void check_pending(Test& t) {
+  gl.UseProgram(colour_program(t));
+  upload(one_triangle());
+  clear_surface();
+  gl.Enable(0x1234);
+  refine_uniformly(2);
+  draw_triangle();
+  t.expect_error(GL_INVALID_ENUM, "the earlier error, after the first refined draw");
+  t.expect_no_error("no other error");
+  const Picture first = read_picture(surface_size, surface_size);
+  t.expect(count_different(first, Picture(surface_size, surface_size), 8) > 1000,
+           "the triangle is drawn in spite of the error");
+  for (int again = 0; again < 4; ++again) {
+    clear_surface();
+    gl.LineWidth(-1);
+    draw_triangle();
+    t.expect_error(GL_INVALID_VALUE, "the earlier error, after a repeated draw");
+    t.expect_no_error("no other error");
+    t.expect_same_picture(read_picture(surface_size, surface_size), first, "the repeated draw");
+    gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, -1);
+    gl.ARKinit(3);
+    t.expect_error(GL_INVALID_VALUE, "the earlier error, after ARKinit");
+    t.expect_no_error("no other error");
+  }
 }
 
 }  // namespace
@@ -246,44 +270,48 @@ Cases errors_cases() {
   Cases cases{
       {.name = "ark.error.draw.counts",
        .clauses = {"errors-17", "errors-2"},
-       .plan = "Negative first and count; counts below 3 are no error.",
-       .wrong = "A negative first is passed on, and reads before the buffer.",
+       .plan = "Pass a negative first and count; counts below 3 are no error.",
+       .wrong = "A negative first is passed on, and the draw reads before the buffer.",
        .check = check_counts},
       {.name = "ark.error.draw.index_types",
        .clauses = {"errors-18"},
-       .plan = "DrawARPElementsARK with types that are no type of indices.",
-       .wrong = "Signed integers are taken for unsigned ones.",
+       .plan = "Call DrawARPElementsARK with types that are not index types.",
+       .wrong = "Signed integers count as unsigned ones.",
        .check = check_index_types},
       {.name = "ark.error.draw.compiling",
        .clauses = {"errors-16"},
-       .plan = "DrawARP and DrawARPElementsARK while a list is compiled, and while it is executed, too.",
+       .plan = "Call DrawARP and DrawARPElementsARK while a list is compiled, also with COMPILE_AND_EXECUTE.",
        .wrong = "The draw is compiled; or it is executed at once.",
        .apis = compat_only,
        .check = check_compiling},
       {.name = "ark.error.indexed_capability",
        .clauses = {"errors-6", "tokens-1", "tokens-10"},
-       .plan = "Enablei, Disablei and IsEnabledi of both capabilities, for index 0, too.",
-       .wrong = "Index 0 is taken for Enable.",
+       .plan = "Call Enablei, Disablei and IsEnabledi for both capabilities, also with index 0.",
+       .wrong = "Index 0 counts as Enable.",
        .check = check_indexed_capabilities},
+      {.name = "ark.error.pending",
+       .clauses = {"10.R.2-13", "errors-2"},
+       .plan = "An error is pending before a refined draw: afterwards it is pending once.",
+       .wrong = "The error is lost, doubled, or blamed on the draw, which then draws nothing.",
+       .check = check_pending},
       {.name = "ark.error.begin_end.depth_tag",
        .clauses = {"errors-1", "errors-11", "10.R.1-13"},
-       .plan = "DepthTag1i between Begin and End is no error, but for a tag above the level.",
-       .wrong = "INVALID_OPERATION; the vertices get lost.",
+       .plan = "DepthTag1i between Begin and End is no error, except for a tag above the level.",
+       .wrong = "INVALID_OPERATION; the vertices are lost.",
        .apis = compat_only,
        .check = check_tag_between},
   };
-  for (const Mode& mode : other_modes) cases.push_back(refused_mode(mode, false));
-  for (const Mode& mode : triangle_modes) {
-    if (mode.is_compat_only) cases.push_back(refused_mode(mode, true));
+  for (const Mode& mode : other_modes) cases.push_back(refused_mode(mode.leaf, mode.mode, false));
+  for (const TriangleMode& mode : triangle_modes) {
+    if (mode.is_legacy) cases.push_back(refused_mode(mode.name, mode.mode, true));
     cases.push_back(draw_before_init(mode));
   }
   for (const Command& command : commands())
     cases.push_back({.name = std::string("ark.error.begin_end.") + command.leaf,
                      .clauses = {command.clause, "errors-2"},
-                     .plan =
-                         "Call it between two vertices of a triangle: INVALID_OPERATION, nothing is written, no state "
-                         "changes, and the triangle is drawn.",
-                     .wrong = "It is executed; another error comes first; the triangle is lost.",
+                     .plan = "Call the command between two vertices of a triangle: INVALID_OPERATION, nothing is "
+                             "written, no state changes, and the triangle is drawn.",
+                     .wrong = "The command is executed; another error comes first; the triangle is lost.",
                      .apis = compat_only,
                      .check = [command](Test& t) { check_begin_end(t, command); }});
   return cases;

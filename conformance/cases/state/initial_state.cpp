@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The initial value of every state of the extension ("New State"), in a new context and in one that shares with one in use.
+// The initial value of every state of the extension ("New State"), in a new context and in one that shares objects with
+// a context in use.
 #include "conformance/cases/cases.h"
 #include "conformance/support/program.h"
 #include "conformance/support/state.h"
@@ -12,7 +13,7 @@ namespace {
 struct Initial {
   GLenum name;
   double value;
-  GLenum below = 0;  // `value` is to be added to the value of this one
+  GLenum below = 0;  // the value of this limit is added to `value`
   std::vector<std::string> further = {};
 };
 
@@ -64,7 +65,7 @@ Case initial_case(const Initial& initial) {
   return {.name = std::string("ark.state.defaults.") + state.leaf,
           .clauses = std::move(clauses),
           .plan = "Ask a new context by GetFloatv and by GetIntegerv.",
-          .wrong = "0 for every state; an initial value that is set by ARKinit only.",
+          .wrong = "0 for every state; only ARKinit sets an initial value.",
           .check = [initial](Test& t) {
             const double expected = expected_of(initial);
             t.expect_equal(double{number_of(initial.name)}, expected, "GetFloatv");
@@ -130,9 +131,9 @@ Case context_case(const char* leaf, bool is_shared) {
   return {.name = std::string("ark.state.context.") + leaf,
           .clauses = {"11.R.1-3", "11.R.1-4", "11.R.1-13"},
           .plan =
-              "Set every state, make another context current: it has the initial values. Change them there; the first "
-              "context has its own still.",
-          .wrong = "State that is global, or belongs to the share group: a pool level of 5 in the second context.",
+              "Set every state and make another context current: it has the initial values. Change them there: the "
+              "first context still has its own.",
+          .wrong = "State is global, or belongs to the share group: a pool level of 5 in the second context.",
           .check = [is_shared](Test& t) { check_sharing_context(t, is_shared); }};
 }
 
@@ -149,13 +150,13 @@ Cases initial_state_cases() {
                .check = check_capabilities},
               {.name = "ark.state.defaults.after_init",
                .clauses = {"11.R.1-2", "11.R.1-8"},
-               .plan = "Compare all state before and after the first ARKinit: the pool level alone has changed.",
+               .plan = "Compare all state before and after the first ARKinit: only the pool level has changed.",
                .wrong = "ARKinit enables refinement, or sets the parameters.",
                .check = check_init_sets_the_level_only},
               {.name = "ark.state.defaults.program",
                .clauses = {"state-30", "state-31", "11.R.9-31"},
-               .plan = "Ask a new program, and the fixed function, for the lengths of refinement source and log.",
-               .wrong = "1, for the null terminator of nothing.",
+               .plan = "Ask for the lengths of refinement source and log of a new program, and of the fixed function.",
+               .wrong = "1, for the terminator of an empty string.",
                .check = check_program},
               context_case("separate", false),
               context_case("shared", true)};

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Table 11.R: what every parameter accepts, at both ends, and what it refuses (11.R.2).
+// Table 11.R: the values that every parameter accepts, at both ends of its range, and the values that it refuses
+// (11.R.2).
+#include <fmt/core.h>
 #include <algorithm>
 #include <limits>
 
@@ -54,7 +56,7 @@ Values no_coordinates(Test& t) {
   return values;
 }
 
-// Tokens of all the other parameters are refused, too.
+// Adds the tokens of all other parameters to the refused values.
 Values no_tokens(const Values& own) {
   Values values{0, 1, -1, greatest};
   for (GLint token = 0x6F11; token <= 0x6F1E; ++token)
@@ -152,7 +154,7 @@ std::vector<Parameter> parameters() {
   return all;
 }
 
-// What follows from the parameter is no change of other state.
+// Other state that depends on the parameter may change with it.
 void forget(Snapshot& snapshot, const Parameter& parameter) {
   snapshot.erase(parameter.leaf);
   if (parameter.name != GL_DEPTH_TAG_ATTRIBUTE_ARK) return;
@@ -166,7 +168,7 @@ Case accepts(const Parameter& parameter) {
   return {.name = std::string("ark.parameter.") + parameter.leaf + ".accepts",
           .clauses = {"11.R.2-2", "11.R.2-3", parameter.clause},
           .plan =
-              "With every state set, set the parameter to each value or to both ends of its range, and read it back; "
+              "Set every state. Then set the parameter to each value or to both ends of its range, and read it back: "
               "nothing else changes.",
           .wrong = "The last value is refused; another parameter is set.",
           .check = [parameter](Test& t) {
@@ -175,7 +177,7 @@ Case accepts(const Parameter& parameter) {
             forget(before, parameter);
             for (const GLint value : parameter.accepted(t)) {
               gl.ARKParameteriARK(parameter.name, value);
-              t.expect_no_error("setting to " + std::to_string(value));
+              t.expect_no_error(fmt::format("setting to {}", value));
               t.expect_equal(integer_of(parameter.name), value, "the parameter");
             }
             expect_unchanged(t, take_snapshot(t), before, "other state");
@@ -185,40 +187,41 @@ Case accepts(const Parameter& parameter) {
 Case refuses(const Parameter& parameter) {
   return {.name = std::string("ark.parameter.") + parameter.leaf + ".refuses",
           .clauses = parameter.error_clauses,
-          .plan = "With every state set, give it values that it does not accept.",
-          .wrong = "No error; the other error; clamped to the range; the initial value is set.",
+          .plan = "Set every state. Then give the parameter values that it does not accept.",
+          .wrong = "No error; another error; clamped to the range; the initial value is set.",
           .check = [parameter](Test& t) {
             set_everything(t);
             for (const GLint value : parameter.refused(t))
-              expect_refused(t, parameter.error, "value " + std::to_string(value),
+              expect_refused(t, parameter.error, fmt::format("value {}", value),
                              [&] { gl.ARKParameteriARK(parameter.name, value); });
           }};
 }
 
 Case before_init(const Parameter& parameter) {
-  return {.name = std::string("ark.parameter.") + parameter.leaf + ".before_init",
-          .clauses = {"11.R.2-33", "11.R.1-8"},
-          .plan = "Set it before the first ARKinit, read it back, call ARKinit twice and read it back again.",
-          .wrong = "INVALID_OPERATION; ARKinit resets the parameters.",
-          .check = [parameter](Test& t) {
-            const bool is_level = parameter.name == GL_UNIFORM_DEPTH_LEVEL_ARK;
-            const Values values = is_level ? Values{0} : parameter.accepted(t);
-            for (const GLint value : values) {
-              gl.ARKParameteriARK(parameter.name, value);
-              t.expect_no_error("setting to " + std::to_string(value));
-              t.expect_equal(integer_of(parameter.name), value, "before ARKinit");
-            }
-            gl.ARKParameteriARK(parameter.name, values.front());
-            for (const GLuint level : {3U, 1U}) {
-              gl.ARKinit(level);
-              t.expect_equal(integer_of(parameter.name), values.front(), "after ARKinit");
-            }
-          }};
+  return {
+      .name = std::string("ark.parameter.") + parameter.leaf + ".before_init",
+      .clauses = {"11.R.2-33", "11.R.1-8"},
+      .plan = "Set the parameter before the first ARKinit and read it back. Call ARKinit twice and read it back again.",
+      .wrong = "INVALID_OPERATION; ARKinit resets the parameters.",
+      .check = [parameter](Test& t) {
+        const bool is_level = parameter.name == GL_UNIFORM_DEPTH_LEVEL_ARK;
+        const Values values = is_level ? Values{0} : parameter.accepted(t);
+        for (const GLint value : values) {
+          gl.ARKParameteriARK(parameter.name, value);
+          t.expect_no_error(fmt::format("setting to {}", value));
+          t.expect_equal(integer_of(parameter.name), value, "before ARKinit");
+        }
+        gl.ARKParameteriARK(parameter.name, values.front());
+        for (const GLuint level : {3U, 1U}) {
+          gl.ARKinit(level);
+          t.expect_equal(integer_of(parameter.name), values.front(), "after ARKinit");
+        }
+      }};
 }
 
 void check_level_before_init(Test& t) {
   for (const GLint value : {1, -1, 11, greatest})
-    expect_refused(t, GL_INVALID_VALUE, "level " + std::to_string(value) + " before ARKinit",
+    expect_refused(t, GL_INVALID_VALUE, fmt::format("level {} before ARKinit", value),
                    [&] { gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, value); });
   gl.ARKinit(0);
   expect_refused(t, GL_INVALID_VALUE, "level 1 of a pool of level 0",
@@ -236,7 +239,7 @@ void check_unknown_names(Test& t) {
                            GL_DEPTH_TAG_ARRAY_ARK, GL_DEPTH_TAG_ARRAY_TYPE_ARK, GL_DEPTH_TAG_ARRAY_STRIDE_ARK,
                            GL_DEPTH_TAG_ARRAY_POINTER_ARK, GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK, GL_LINEAR_INPUTS_ARK,
                            GL_UNIFORM_DEPTH_ARK, GL_REFINEMENT_STATUS_ARK, 0, 0x6F0A, 0x6F3F, GL_TEXTURE_2D})
-    expect_refused(t, GL_INVALID_ENUM, "ARKParameteriARK of " + std::to_string(name),
+    expect_refused(t, GL_INVALID_ENUM, fmt::format("ARKParameteriARK of {}", name),
                    [&] { gl.ARKParameteriARK(static_cast<GLenum>(name), 1); });
 }
 
@@ -265,32 +268,33 @@ void check_float_values(Test& t) {
     for (const GLfloat value : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(), -Limits::quiet_NaN()})
       expect_refused(t, GL_INVALID_VALUE, "infinite or not a number", [&] { gl.ARKParameterfARK(name, value); });
   }
-  t.expect_equal(number_of(GL_DISPLACEMENT_SCALE_ARK), 0.1F, "the scale after the bias was set");
+  t.expect_equal(number_of(GL_DISPLACEMENT_SCALE_ARK), 0.1F, "the scale after the bias is set");
 }
 
 }  // namespace
 
 Cases parameters_cases() {
-  Cases cases{{.name = "ark.parameter.uniform_depth_level.pool",
-               .clauses = {"11.R.2-23", "11.R.2-6"},
-               .plan = "Before ARKinit 0 alone is accepted, then the level of the pool is the limit.",
-               .wrong = "MAX_DEPTH_ARK is the limit; -1, the level of no pool, makes 0 an error.",
-               .check = check_level_before_init},
-              {.name = "ark.parameter.unknown",
-               .clauses = {"11.R.2-22", "errors-7", "11.R.2-1", "functions-2"},
-               .plan = "Names that are no parameters: state that is read only, values, numbers between the tokens.",
-               .wrong = "No error for a name that GetIntegerv knows.",
-               .check = check_unknown_names},
-              {.name = "ark.parameter.number.unknown",
-               .clauses = {"11.R.2-30", "errors-9", "11.R.2-27", "functions-3"},
-               .plan = "Give ARKParameterfARK every parameter that is no number.",
-               .wrong = "ARKParameterfARK passes on to ARKParameteriARK.",
-               .check = check_float_names},
-              {.name = "ark.parameter.number.values",
-               .clauses = {"11.R.2-28", "11.R.2-31", "errors-9"},
-               .plan = "Set both numbers to fractions and the ends of the range; infinities and NaN are refused.",
-               .wrong = "Infinity is accepted, as comparisons with limits do; scale and bias exchanged.",
-               .check = check_float_values}};
+  Cases cases{
+      {.name = "ark.parameter.uniform_depth_level.pool",
+       .clauses = {"11.R.2-23", "11.R.2-6"},
+       .plan = "Before ARKinit only 0 is accepted; afterwards the level of the pool is the limit.",
+       .wrong = "MAX_DEPTH_ARK is the limit; -1, the level without a pool, makes 0 an error.",
+       .check = check_level_before_init},
+      {.name = "ark.parameter.unknown",
+       .clauses = {"11.R.2-22", "errors-7", "11.R.2-1", "functions-2"},
+       .plan = "Names that are not parameters: read-only state, values, numbers between the tokens.",
+       .wrong = "No error for a name that GetIntegerv knows.",
+       .check = check_unknown_names},
+      {.name = "ark.parameter.number.unknown",
+       .clauses = {"11.R.2-30", "errors-9", "11.R.2-27", "functions-3"},
+       .plan = "Give ARKParameterfARK every parameter that is not a floating-point number.",
+       .wrong = "ARKParameterfARK passes on to ARKParameteriARK.",
+       .check = check_float_names},
+      {.name = "ark.parameter.number.values",
+       .clauses = {"11.R.2-28", "11.R.2-31", "errors-9"},
+       .plan = "Set both numbers to fractions and the ends of the range; infinities and NaN are refused.",
+       .wrong = "Infinity is accepted, because comparisons with limits accept it; scale and bias are exchanged.",
+       .check = check_float_values}};
   for (const Parameter& parameter : parameters()) {
     cases.push_back(accepts(parameter));
     if (parameter.error != GL_NO_ERROR)

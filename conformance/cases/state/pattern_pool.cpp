@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The pattern pool: ARKinit, and Enable and Disable of ARK (11.R.1).
+#include <fmt/core.h>
+
 #include "conformance/cases/cases.h"
 #include "conformance/support/capture.h"
 #include "conformance/support/state.h"
@@ -25,7 +27,7 @@ void check_levels(Test& t) {
   t.expect(most >= 11, "MAX_DEPTH_ARK is at least 11");
   for (GLint level = 0; level <= most; ++level) {
     gl.ARKinit(static_cast<GLuint>(level));
-    t.expect_no_error("ARKinit(" + std::to_string(level) + ")");
+    t.expect_no_error(fmt::format("ARKinit({})", level));
     t.expect_equal(integer_of(GL_POOL_LEVEL_ARK), level, "POOL_LEVEL_ARK");
     gl.DepthTag1i(static_cast<GLuint>(level));
     t.expect_no_error("DepthTag1i of the level");
@@ -100,7 +102,7 @@ void check_attribute_lowered(Test& t) {
   gl.ARKinit(2);
   expect_tag(t, 2, "above the level");
   gl.ARKinit(6);
-  expect_tag(t, 2, "that VertexAttrib had set, after the level was raised again");
+  expect_tag(t, 2, "the value that VertexAttrib set, after the level was raised again");
 }
 
 void check_attribute_kept(Test& t) {
@@ -109,7 +111,7 @@ void check_attribute_kept(Test& t) {
   gl.DepthTag1i(5);
   gl.VertexAttrib4f(attribute, 1.25F, 6, 7, 8);
   gl.ARKinit(2);
-  expect_tag(t, 1, "that is below the level");
+  expect_tag(t, 1, "a value below the level");
   t.expect(current_value(attribute) == std::vector<float>{1.25F, 6, 7, 8}, "the attribute is left alone");
   gl.ARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, 5);
   gl.DepthTag1i(2);
@@ -174,66 +176,67 @@ Cases pattern_pool_cases() {
   return {
       {.name = "ark.pool.levels",
        .clauses = {"11.R.1-1", "11.R.1-2", "11.R.1-9", "functions-1", "limits-1", "tokens-4", "tokens-5"},
-       .plan = "ARKinit of every level from 0 to MAX_DEPTH_ARK; the depth tag may be as great as the level.",
-       .wrong = "MAX_DEPTH_ARK itself is refused; a level of 0 is.",
+       .plan = "Call ARKinit with every level from 0 to MAX_DEPTH_ARK. The depth tag may be as large as the level.",
+       .wrong = "MAX_DEPTH_ARK itself is refused; a level of 0 is refused.",
        .check = check_levels},
       {.name = "ark.pool.finest",
        .clauses = {"11.R.1-2", "limits-1"},
-       .plan = "With a pool of level MAX_DEPTH_ARK draw a triangle with the tags 11, 11 and 0, and count.",
+       .plan = "With a pool of level MAX_DEPTH_ARK, draw a triangle with the tags 11, 11 and 0, and count.",
        .wrong = "An edge of depth 11 has fewer segments.",
        .control = draws_one_triangle,
        .check = check_finest},
       {.name = "ark.pool.too_great",
        .clauses = {"11.R.1-9", "errors-3"},
-       .plan = "Levels above MAX_DEPTH_ARK before and after a successful ARKinit: INVALID_VALUE, and no state changes.",
+       .plan = "Pass levels above MAX_DEPTH_ARK before and after a successful ARKinit: INVALID_VALUE, and no state "
+               "changes.",
        .wrong = "Clamped; a signed comparison accepts 0x80000000; POOL_LEVEL_ARK is -1 again.",
        .check = check_great_levels},
       {.name = "ark.pool.kept_after_error",
        .clauses = {"11.R.1-9", "errors-2"},
-       .plan = "Draw before and after an ARKinit that fails: the same number of triangles.",
-       .wrong = "The pool is gone: the coarse triangle.",
+       .plan = "Draw before and after an ARKinit that fails: the number of triangles is the same.",
+       .wrong = "The pool is gone: only the coarse triangle.",
        .control = draws_one_triangle,
        .check = check_draws_after_refusal},
       {.name = "ark.pool.replaced",
        .clauses = {"11.R.1-5"},
        .plan = "With tags above all levels draw with pools of level 2, 4, 1, 0 and 3.",
-       .wrong = "The first pool stays, or grows only; refinement is disabled by ARKinit.",
+       .wrong = "The first pool stays, or only grows; ARKinit disables refinement.",
        .control = draws_one_triangle,
        .check = check_replaced},
       {.name = "ark.pool.lowers_tag",
        .clauses = {"11.R.1-6"},
-       .plan = "Lower the level below the current depth tag and raise it again: the tag has been set.",
-       .wrong = "The tag is clamped when it is read only, and comes back; it becomes 0.",
+       .plan = "Lower the level below the current depth tag and raise it again: ARKinit has set the tag.",
+       .wrong = "The tag is only clamped when it is read, and comes back; it becomes 0.",
        .check = check_tag_lowered},
       {.name = "ark.pool.lowers_attribute",
        .clauses = {"11.R.1-6", "10.R.1-16"},
        .plan = "The same with a tag that VertexAttrib4f set.",
-       .wrong = "A tag that DepthTag1i did not set is not known.",
+       .wrong = "Only a tag that DepthTag1i set counts.",
        .check = check_attribute_lowered},
       {.name = "ark.pool.keeps_attribute",
        .clauses = {"11.R.1-6", "11.R.1-8"},
-       .plan = "DepthTag1i sets a great tag, VertexAttrib4f a small one; then the same with another attribute's value.",
-       .wrong = "The tag that DepthTag1i set last is compared with the level, not the current one.",
+       .plan = "DepthTag1i sets a large tag, VertexAttrib4f a small one; then the same with another attribute's value.",
+       .wrong = "The last tag of DepthTag1i is compared with the level instead of the current one.",
        .check = check_attribute_kept},
       {.name = "ark.pool.lowers_uniform_level",
        .clauses = {"11.R.1-7"},
        .plan = "Lower the level below UNIFORM_DEPTH_LEVEL_ARK and raise it again.",
-       .wrong = "Clamped when it is read only; 0; raised with the level.",
+       .wrong = "Clamped only when it is read; 0; raised with the level.",
        .check = check_level_lowered},
       {.name = "ark.pool.changes_nothing_else",
        .clauses = {"11.R.1-8"},
-       .plan = "With every state set call ARKinit with a higher and a lower level, and compare all state.",
-       .wrong = "Parameters are reset; refinement is disabled; the array is.",
+       .plan = "Set every state, call ARKinit with a higher and a lower level, and compare all state.",
+       .wrong = "Parameters are reset; refinement or the array is disabled.",
        .check = check_nothing_else},
       {.name = "ark.pool.enable_first",
        .clauses = {"11.R.1-14", "errors-2", "errors-5"},
-       .plan = "Enable(ARK) before ARKinit, and after one that failed.",
-       .wrong = "Enabled without a pool; Disable gives an error, too.",
+       .plan = "Call Enable(ARK) before ARKinit, and after an ARKinit that failed.",
+       .wrong = "Enabled without a pool; Disable generates an error too.",
        .check = check_enable_first},
       {.name = "ark.pool.enable",
        .clauses = {"11.R.1-12", "11.R.1-13"},
        .plan = "Count triangles before Enable(ARK), after it and after Disable(ARK).",
-       .wrong = "Refined from ARKinit on.",
+       .wrong = "Refined as soon as ARKinit is called.",
        .control = draws_one_triangle,
        .check = check_enable_draws},
   };

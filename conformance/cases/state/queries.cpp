@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the queries of the GL answer for the extension's state ("New Tokens", chapter 22), and for the values of its tokens.
+// Answers of GL queries for the extension's state ("New Tokens", chapter 22) and for the values of its tokens.
+#include <fmt/core.h>
+
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "conformance/cases/cases.h"
@@ -11,7 +14,7 @@
 namespace glark::conformance {
 namespace {
 
-// What state.cpp's set_everything sets.
+// The values that set_everything() of support/state.cpp sets.
 double value_set(GLenum name, const EverythingSet& objects) {
   switch (name) {
     case GL_MAX_DEPTH_ARK: return integer_of(GL_MAX_DEPTH_ARK);
@@ -63,7 +66,7 @@ void expect_answers(Test& t, GLenum name, double value) {
   t.expect_no_error("the queries");
 }
 
-// One value is written, not four.
+// The query writes one value, not four.
 void expect_one_value(Test& t, GLenum name) {
   GLint integers[4] = {-77, -77, -77, -77};
   gl.GetIntegerv(name, integers);
@@ -94,11 +97,11 @@ Case query_case(const StateName& state) {
   return {.name = std::string("ark.query.state.") + state.leaf,
           .clauses = {group_of(state.name), state.clause},
           .plan =
-              "Set every state to a value of its own, and ask for this one by GetBooleanv, GetIntegerv, "
-              "GetInteger64v, GetFloatv and, where it exists, GetDoublev.",
+              "Give every state a different value, and ask for this one by GetBooleanv, GetIntegerv, GetInteger64v, "
+              "GetFloatv and, if it exists, GetDoublev.",
           .wrong =
-              "INVALID_ENUM, or an untouched pointer, from all queries but GetIntegerv; -1 cut to 0; four values "
-              "written; a number cut, not rounded, to an integer.",
+              "INVALID_ENUM, or an untouched pointer, from all queries but GetIntegerv; -1 truncated to 0; four values "
+              "written; a number truncated to an integer instead of rounded.",
           .check = [state](Test& t) {
             expect_one_value(t, state.name);
             expect_answers(t, state.name, double{number_of(state.name)});
@@ -128,7 +131,7 @@ void check_negative(Test& t) {
     expect_answers(t, name, -1);
 }
 
-// The values of the tokens are written out here: the header that the suite was built with cannot hide a wrong one.
+// The values of the tokens are written out here, so that a wrong value in the registry cannot hide itself.
 struct TokenValue {
   GLenum value;
   GLenum of_header;
@@ -157,26 +160,22 @@ const char* group_of_parameter(GLenum parameter) {
   }
 }
 
-std::string hexadecimal(GLenum value) {
-  std::ostringstream text;
-  text << std::hex << value;
-  return text.str();
-}
-
 Case value_case(const TokenValue& token) {
-  return {.name = "ark.query.token.x" + hexadecimal(token.value),
-          .clauses = {token.clause, group_of_parameter(token.parameter)},
-          .plan = "Give the parameter this value, written as a number, and read it back; so by the header's name.",
-          .wrong = "Another value of the token; INVALID_ENUM.",
-          .check = [token](Test& t) {
-            t.expect_equal(token.of_header, token.value, "the header's value");
-            for (const TokenValue& other : parameter_values())
-              if (other.parameter == token.parameter && other.value != token.value)
-                gl.ARKParameteriARK(token.parameter, static_cast<GLint>(other.value));
-            gl.ARKParameteriARK(token.parameter, static_cast<GLint>(token.value));
-            t.expect_no_error("ARKParameteriARK");
-            t.expect_equal(integer_of(token.parameter), static_cast<GLint>(token.value), "the parameter");
-          }};
+  return {
+      .name = fmt::format("ark.query.token.x{:x}", token.value),
+      .clauses = {token.clause, group_of_parameter(token.parameter)},
+      .plan =
+          "Give the parameter this value, written as a number, and read it back; then the same with the token's name.",
+      .wrong = "Another value of the token; INVALID_ENUM.",
+      .check = [token](Test& t) {
+        t.expect_equal(token.of_header, token.value, "the token's value");
+        for (const TokenValue& other : parameter_values())
+          if (other.parameter == token.parameter && other.value != token.value)
+            gl.ARKParameteriARK(token.parameter, static_cast<GLint>(other.value));
+        gl.ARKParameteriARK(token.parameter, static_cast<GLint>(token.value));
+        t.expect_no_error("ARKParameteriARK");
+        t.expect_equal(integer_of(token.parameter), static_cast<GLint>(token.value), "the parameter");
+      }};
 }
 
 void check_names(Test& t) {
@@ -186,15 +185,15 @@ void check_names(Test& t) {
   const EverythingSet objects = set_everything(t);
   for (std::size_t i = 0; i < std::size(values); ++i) {
     const StateName& state = extension_state()[i];
-    t.expect_equal(state.name, values[i], std::string("the header's value of ") + state.leaf);
+    t.expect_equal(state.name, values[i], std::string("the value of token ") + state.leaf);
     t.expect_equal(double{number_of(values[i])}, value_set(state.name, objects), state.leaf);
   }
   t.expect_equal(pointer_of(0x6F07), reinterpret_cast<const void*>(std::size_t{4}), "GetPointerv(0x6F07)");
   const GLuint program = gl.CreateProgram();
-  for (const GLenum name : {0x6F22, 0x6F21, 0x6F20}) {  // the status last: it writes a log
+  for (const GLenum name : {0x6F22, 0x6F21, 0x6F20}) {  // the status comes last, since it writes a log
     GLint value = -7;
     gl.GetRefinementivARK(program, name, &value);
-    t.expect_equal(value, 0, "GetRefinementivARK(0x" + hexadecimal(name) + ")");
+    t.expect_equal(value, 0, fmt::format("GetRefinementivARK({:#x})", name));
   }
   t.expect_no_error("queries by number");
 }
@@ -234,11 +233,11 @@ void check_not_accepted(Test& t) {
   for (const GLenum name : {GL_DEPTH_TAG_ARRAY_POINTER_ARK, GL_LINEAR_INPUTS_ARK, GL_UNIFORM_DEPTH_ARK,
                             GL_REFINEMENT_STATUS_ARK, GL_MINIMUM_INTERIOR_ARK, 0x6F3F}) {
     gl.GetIntegerv(static_cast<GLenum>(name), &value);
-    t.expect_error(GL_INVALID_ENUM, "GetIntegerv of 0x" + hexadecimal(static_cast<GLenum>(name)));
-    t.expect_equal(value, -7, "what GetIntegerv left");
+    t.expect_error(GL_INVALID_ENUM, fmt::format("GetIntegerv of {:#x}", name));
+    t.expect_equal(value, -7, "GetIntegerv left the value alone");
   }
   for (const GLenum name : {GL_POOL_LEVEL_ARK, GL_GEOMORPH_ARK, GL_WELD_ARK, GL_DEPTH_TAG_ARK}) {
-    const std::string token = " of 0x" + hexadecimal(static_cast<GLenum>(name));
+    const std::string token = fmt::format(" of {:#x}", name);
     t.expect_equal(int{gl.IsEnabled(static_cast<GLenum>(name))}, int{GL_FALSE}, "IsEnabled" + token);
     t.expect_error(GL_INVALID_ENUM, "IsEnabled" + token);
     gl.Enable(static_cast<GLenum>(name));
@@ -270,23 +269,47 @@ void check_is_enabled(Test& t) {
   }
 }
 
+void check_strings(Test& t) {
+  GLint count = 0;
+  gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  t.require(count > 0, "there are extensions");
+  GLint64 long_count = 0;
+  GLfloat number = 0;
+  gl.GetInteger64v(GL_NUM_EXTENSIONS, &long_count);
+  gl.GetFloatv(GL_NUM_EXTENSIONS, &number);
+  t.expect_equal(long_count, GLint64{count}, "GetInteger64v");
+  t.expect_equal(number, static_cast<GLfloat>(count), "GetFloatv");
+  int named = 0;
+  for (GLint i = 0; i < count; ++i) {
+    const auto* const name = reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+    if (!t.expect(name != nullptr, "extension " + as_text(i) + " has a name")) return;
+    named += std::strcmp(name, "GL_ARK_adaptive_refinement") == 0 ? 1 : 0;
+  }
+  t.expect_equal(named, 1, "the extension is named once");
+  t.expect_no_error("names within the number of extensions");
+  for (const GLuint index : {static_cast<GLuint>(count), static_cast<GLuint>(count) + 1, 0xffffffffU}) {
+    t.expect(gl.GetStringi(GL_EXTENSIONS, index) == nullptr, "no name beyond the last");
+    t.expect_error(GL_INVALID_VALUE, "an index beyond the last");
+  }
+}
+
 }  // namespace
 
 Cases queries_cases() {
   Cases cases{
       {.name = "ark.query.number.scale",
        .clauses = {"state-18", "tokens-29"},
-       .plan = "Set DISPLACEMENT_SCALE_ARK to fractions, whole numbers and great numbers and ask by every query.",
-       .wrong = "Kept as an integer; cut to an integer by GetIntegerv; FALSE for a fraction.",
+       .plan = "Set DISPLACEMENT_SCALE_ARK to fractions, whole numbers and large numbers, and ask by every query.",
+       .wrong = "Kept as an integer; truncated to an integer by GetIntegerv; FALSE for a fraction.",
        .check = [](Test& t) { check_numbers(t, GL_DISPLACEMENT_SCALE_ARK); }},
       {.name = "ark.query.number.bias",
        .clauses = {"state-19", "tokens-29"},
-       .plan = "Set DISPLACEMENT_BIAS_ARK to fractions, whole numbers and great numbers and ask by every query.",
-       .wrong = "Kept as an integer; cut to an integer by GetIntegerv; FALSE for a fraction.",
+       .plan = "Set DISPLACEMENT_BIAS_ARK to fractions, whole numbers and large numbers, and ask by every query.",
+       .wrong = "Kept as an integer; truncated to an integer by GetIntegerv; FALSE for a fraction.",
        .check = [](Test& t) { check_numbers(t, GL_DISPLACEMENT_BIAS_ARK); }},
       {.name = "ark.query.great_integers",
        .clauses = {"state-10", "state-12", "11.R.2-10", "11.R.2-12", "tokens-14"},
-       .plan = "Set EDGE_PIXELS_ARK and TRIANGLE_BUDGET_ARK to the greatest integer and ask by every query.",
+       .plan = "Set EDGE_PIXELS_ARK and TRIANGLE_BUDGET_ARK to the greatest integer, and ask by every query.",
        .wrong = "Kept in 16 bits or as a float.",
        .check = check_great_integers},
       {.name = "ark.query.negative",
@@ -296,24 +319,29 @@ Cases queries_cases() {
        .check = check_negative},
       {.name = "ark.query.token.names",
        .clauses = name_clauses(),
-       .plan = "Compare the header's values with those of the text, and ask for each state by its number.",
+       .plan = "Compare the tokens' values with those of the text, and ask for each state by its number.",
        .wrong = "Two tokens exchanged.",
        .check = check_names},
       {.name = "ark.query.array",
        .clauses = {"chapter-22-5", "tokens-12", "10.R.1-2"},
-       .plan = "Compare the array's states with those of the generic attribute, however it was specified, and after "
-               "DEPTH_TAG_ATTRIBUTE_ARK was changed.",
-       .wrong = "A copy that DepthTagPointerARK makes; the buffer bound now in place of the one when it was specified.",
+       .plan = "Compare the array's states with those of the generic attribute, with every way to specify it, and "
+               "after a change of DEPTH_TAG_ATTRIBUTE_ARK.",
+       .wrong = "A copy that DepthTagPointerARK makes; the current buffer instead of the buffer at specification.",
        .check = check_array_states},
       {.name = "ark.query.not_accepted",
        .clauses = {"tokens-1", "tokens-12", "tokens-14"},
-       .plan = "Tokens of the extension given to commands that do not accept them: INVALID_ENUM.",
+       .plan = "Give tokens of the extension to commands that do not accept them: INVALID_ENUM.",
        .wrong = "Every number of the block is accepted.",
        .check = check_not_accepted},
+      {.name = "ark.query.strings",
+       .clauses = {"name-1"},
+       .plan = "Ask for the number of extensions in every way, then for names beyond the last.",
+       .wrong = "One query gives the number without this extension; any index gives a name.",
+       .check = check_strings},
       {.name = "ark.query.is_enabled",
        .clauses = {"tokens-1", "tokens-10", "11.R.1-12", "state-1", "state-23"},
        .plan = "Enable twice and disable once, for both capabilities; ask by IsEnabled and every query.",
-       .wrong = "A counter; IsEnabled and GetBooleanv of different states.",
+       .wrong = "A counter; IsEnabled and GetBooleanv read different state.",
        .check = check_is_enabled},
   };
   for (const StateName& state : extension_state()) cases.push_back(query_case(state));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A refined draw is a draw, and no more (10.R.2): whatever state it needs for itself is the application's again afterwards.
+// A refined draw only draws (10.R.2): afterwards all state is the application's again.
+#include <fmt/core.h>
 #include <cstddef>
 #include <map>
 
@@ -15,7 +16,7 @@ using Values = std::map<std::string, std::vector<GLint>>;
 
 struct Name {
   GLenum name;
-  int version = 0;  // of the desktop GL; 0: everywhere
+  int version = 0;  // of the desktop GL; 0: every version
   bool is_compat_only = false;
 };
 
@@ -96,7 +97,7 @@ Values state(const Test& t) {
       for (const GLenum query : queries) {
         GLint value = -12345;
         gl.GetIntegeri_v(query, i, &value);
-        values[what + std::string(" binding ") + std::to_string(i)].push_back(value);
+        values[fmt::format("{} binding {}", what, i)].push_back(value);
       }
   return values;
 }
@@ -105,8 +106,8 @@ void expect_kept(Test& t, const Values& before, const std::string& what) {
   const Values after = state(t);
   for (const auto& [name, values] : before) {
     std::string text = what + ": state " + name;
-    for (const GLint value : values) text += " " + std::to_string(value);
-    for (const GLint value : after.at(name)) text += ", " + std::to_string(value);
+    for (const GLint value : values) text += fmt::format(" {}", value);
+    for (const GLint value : after.at(name)) text += fmt::format(", {}", value);
     t.expect(after.at(name) == values, text);
   }
   t.expect_no_error(what);
@@ -121,7 +122,7 @@ GLuint buffer_at(GLenum target) {
   return buffer;
 }
 
-// None of it is initial state, and none of it bears on the draw.
+// No value is an initial one, and no value has an effect on the draw.
 void occupy(const Test& t) {
   for (const GLenum target :
        {GL_DRAW_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER})
@@ -187,10 +188,10 @@ void set_way(const Way& way) {
   if (way.capability != 0) gl.Enable(way.capability);
 }
 
-// The first draw builds what it needs, and the later ones find it: each has to leave state alone.
+// The first draw builds its programs and buffers, later draws find them. Each draw has to leave state alone.
 void expect_draws_keep(Test& t, const Way& way, const std::function<void()>& draw) {
   const Values before = state(t);
-  t.expect_equal(before.at(std::to_string(GL_DEBUG_OUTPUT))[0], 1, "DEBUG_OUTPUT, which the set-up has enabled");
+  t.expect_equal(before.at(std::to_string(GL_DEBUG_OUTPUT))[0], 1, "DEBUG_OUTPUT, which the set-up enables");
   for (const char* const which : {"the first draw", "the second draw", "the third draw"}) {
     GLuint query = 0;
     if (way.is_counted) {
@@ -226,7 +227,7 @@ void check_way(Test& t, const Way& way, bool has_elements) {
   });
 }
 
-// Lit by a light whose specular colour is separate, on both sides; the colour sum is what the program asked for: nothing.
+// Two-sided lighting with a separate specular colour. The colour sum has what the program asked for: nothing.
 void check_fixed_function(Test& t, GLenum source, GLenum mode) {
   const GLfloat specular[] = {0.6F, 0.5F, 0.4F, 1};
   for (const GLenum capability : {GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE}) gl.Enable(static_cast<GLenum>(capability));
@@ -249,7 +250,8 @@ void check_fixed_function(Test& t, GLenum source, GLenum mode) {
   expect_draws_keep(t, way, [mode] { gl.DrawARP(mode, 0, 4); });
 }
 
-// Faces in different modes, edge flags, points that are attenuated, and texture coordinates of a unit that is not the active one.
+// Faces in different modes, edge flags, attenuated points, and texture coordinates of a unit that is not the active
+// one.
 void check_drawn_modes(Test& t, GLenum source, bool is_front_lines) {
   const GLfloat attenuation[] = {1, 0.5F, 0};
   const Mesh mesh = tagged_mesh();
@@ -277,7 +279,7 @@ void check_drawn_modes(Test& t, GLenum source, bool is_front_lines) {
   set_way(way);
   gl.DepthTag1i(2);
   occupy(t);
-  gl.Disable(GL_PRIMITIVE_RESTART);  // with it a draw may be looked at less closely
+  gl.Disable(GL_PRIMITIVE_RESTART);  // an implementation may look less closely at such a draw
   t.expect_no_error("set-up");
   expect_draws_keep(t, way, [] { gl.DrawARP(GL_TRIANGLE_STRIP, 0, 5); });
 }
@@ -287,14 +289,14 @@ void check_drawn_modes(Test& t, GLenum source, bool is_front_lines) {
 Cases restored_state_cases() {
   Cases cases;
   const char* const wrong =
-      "A program, a buffer, a range of a binding, a transform feedback object or a capability is left as the "
-      "refinement needed it.";
+      "A program, a buffer, a range of a binding, a transform feedback object or a capability keeps the value that the "
+      "refinement needed.";
   for (const Way& way : ways)
     for (const bool has_elements : {false, true})
       cases.push_back({.name = std::string("ark.draw.keeps.") + (has_elements ? "elements." : "arrays.") + way.leaf,
                        .clauses = {has_elements ? "10.R.2-8" : "10.R.2-6", "11.R.10-2"},
-                       .plan = "Give bindings and capabilities values of their own, draw three times in this way, and "
-                               "read all after each.",
+                       .plan = "Give bindings and capabilities values other than the initial ones, draw three times in "
+                               "this way, and read all of them after each draw.",
                        .wrong = wrong,
                        .check = [way, has_elements](Test& t) { check_way(t, way, has_elements); }});
   for (const auto& [leaf, source, mode] :
@@ -303,7 +305,7 @@ Cases restored_state_cases() {
         {"quads", GL_UNIFORM_DEPTH_ARK, GL_QUADS}})
     cases.push_back({.name = std::string("ark.draw.keeps.fixed_function.") + leaf,
                      .clauses = {"10.R.2-6", "11.R.10-2"},
-                     .plan = "The same with lighting of both sides and a separate specular color.",
+                     .plan = "The same with two-sided lighting and a separate specular colour.",
                      .wrong = wrong,
                      .apis = compat_only,
                      .check = [source = source, mode = mode](Test& t) { check_fixed_function(t, source, mode); }});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The current depth tag: DepthTag1i, the attribute that carries it, and what CURRENT_DEPTH_TAG_ARK says (10.R.1).
+// The current depth tag: DepthTag1i, the attribute that carries it, and the value of CURRENT_DEPTH_TAG_ARK (10.R.1).
 #include <algorithm>
 #include <limits>
 
@@ -71,7 +71,7 @@ void check_rounding(Test& t, const Rounding& rounding) {
   t.expect_no_error("the queries");
 }
 
-// By a draw, with tags and, for comparison, at a uniform depth, which takes no notice of them.
+// Draws with tags and, for comparison, at a uniform depth, which ignores tags.
 void check_drawn(Test& t, const Rounding& rounding) {
   gl.UseProgram(capture_program(t));
   upload(one_triangle(), false);
@@ -101,7 +101,7 @@ Case drawn_case(const Rounding& rounding) {
       .check = [rounding](Test& t) { check_drawn(t, rounding); }};
 }
 
-// Tags of 4, 1 and 2 between Begin and End: 12 triangles, whatever was current before.
+// Tags of 4, 1 and 2 between Begin and End give 12 triangles, whatever tag was current before.
 void check_drawn_between(Test& t) {
   gl.UseProgram(capture_program(t));
   refine_by_tags(4);
@@ -130,7 +130,7 @@ Case rounding_case(const Rounding& rounding) {
           .clauses = {"10.R.1-16", "10.R.1-2"},
           .plan = "Set the attribute to " + as_text(rounding.value) +
                   " by VertexAttrib4f and ask for CURRENT_DEPTH_TAG_ARK, without a pool and with one of level 5.",
-          .wrong = "What DepthTag1i set last; rounded to even, or down; not clamped.",
+          .wrong = "The last value of DepthTag1i; rounded to even, or down; not clamped.",
           .check = [rounding](Test& t) { check_rounding(t, rounding); }};
 }
 
@@ -194,7 +194,7 @@ void check_draw_after_change(Test& t) {
   t.expect_equal(vertices(), 4U, "triangles with the tag that VertexAttrib1f set");
 }
 
-// What a vertex shader reads from the attribute.
+// The value that a vertex shader reads from the attribute.
 void check_input(Test& t) {
   const std::string location = std::to_string(tag_attribute());
   const GLuint program =
@@ -216,7 +216,7 @@ void check_input(Test& t) {
     t.expect(std::count(fine.begin(), fine.end(), expected) == 3, "three vertices read " + as_text(expected));
 }
 
-// Whatever was current, DepthTag1i makes it a floating-point value.
+// DepthTag1i always makes the current value a floating-point one.
 void check_after_integers(Test& t) {
   draws_one_triangle(t);
   gl.ARKinit(4);
@@ -233,9 +233,8 @@ Cases current_tag_cases() {
   Cases cases{
       {.name = "ark.tag.command.sets_attribute",
        .clauses = {"10.R.1-10", "10.R.1-11", "10.R.1-12", "functions-4", "tokens-6", "10.R.1-2"},
-       .plan = "Fill the attribute with other values, call DepthTag1i and ask for all four components; for two "
-               "attributes.",
-       .wrong = "(d, 0, 0, 0); components that stay; an integer's bits.",
+       .plan = "Give the attribute other values, call DepthTag1i and ask for all four components, for two attributes.",
+       .wrong = "(d, 0, 0, 0); components that stay; the bits of an integer.",
        .check = check_sets_attribute},
       {.name = "ark.tag.command.nothing_else",
        .clauses = {"10.R.1-12"},
@@ -244,7 +243,7 @@ Cases current_tag_cases() {
        .check = check_nothing_else},
       {.name = "ark.tag.command.limit",
        .clauses = {"10.R.1-15", "errors-11"},
-       .plan = "Tags at the pool's level and above it, before ARKinit and with pools of level 0, 4 and 11.",
+       .plan = "Set tags at the pool's level and above it, before ARKinit and with pools of level 0, 4 and 11.",
        .wrong = "Clamped without an error; MAX_DEPTH_ARK is the limit; 0 is refused before ARKinit.",
        .check = check_limit},
       {.name = "ark.tag.command.after_integers",
@@ -255,14 +254,14 @@ Cases current_tag_cases() {
        .check = check_after_integers},
       {.name = "ark.tag.current.array",
        .clauses = {"10.R.1-16", "10.R.1-11"},
-       .plan = "Draw with the array, disable it and draw with the current tag; the array leaves it alone.",
+       .plan = "Draw with the array, disable it and draw with the current tag, which the array does not change.",
        .wrong = "The last tag of the array becomes the current one.",
        .control = draws_one_triangle,
        .check = check_array_makes_no_difference},
       {.name = "ark.tag.attribute.kept",
        .clauses = {"10.R.1-29", "11.R.2-7"},
-       .plan = "Change DEPTH_TAG_ATTRIBUTE_ARK, look at the tag and the array that it names now, and change it back.",
-       .wrong = "Value or array are copied to the other attribute, or reset.",
+       .plan = "Change DEPTH_TAG_ATTRIBUTE_ARK, check the tag and the array that it now names, and change it back.",
+       .wrong = "The value or the array is copied to the other attribute, or reset.",
        .check = check_attribute_changed},
       {.name = "ark.tag.attribute.draw",
        .clauses = {"10.R.1-29", "10.R.1-2", "11.R.2-7"},
@@ -273,7 +272,7 @@ Cases current_tag_cases() {
       {.name = "ark.tag.attribute.input",
        .clauses = {"10.R.1-8"},
        .plan = "A vertex shader writes the attribute to transform feedback: 1.3, -2.6 and 9.75, and their means.",
-       .wrong = "It reads rounded or clamped values; or the same value at all refined vertices.",
+       .wrong = "The shader reads rounded or clamped values, or the same value at all refined vertices.",
        .control = draws_one_triangle,
        .check = check_input},
   };
@@ -299,7 +298,7 @@ Cases current_tag_cases() {
   cases.push_back(
       {.name = "ark.tag.drawn.between",
        .clauses = {"10.R.1-13", "10.R.2-2"},
-       .plan = "Another tag at each vertex between Begin and End: count on the screen and in transform feedback.",
+       .plan = "Set another tag at each vertex between Begin and End; count on the screen and in transform feedback.",
        .wrong = "The tag at Begin, or the last one, for all vertices.",
        .apis = compat_only,
        .control =

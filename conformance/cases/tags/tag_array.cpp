@@ -37,7 +37,7 @@ void draws_one_triangle(Test& t) {
   t.expect_equal(triangles_drawn(t), 1U, "triangles of the coarse draw");
 }
 
-// The tags 4, 1 and 2 at `begin` + i * `stride`; everything else would make another number of triangles.
+// The tags 4, 1 and 2 at `begin` + i * `stride`. Any other bytes would give another number of triangles.
 std::vector<unsigned char> tags_at(const TagType& type, std::size_t begin, std::size_t stride) {
   std::vector<unsigned char> bytes(begin + 3 * stride + 8, 3);
   const GLuint tags[] = {4, 1, 2};
@@ -89,7 +89,7 @@ void check_client_memory(Test& t, const TagType& type) {
   t.expect_equal(triangles_drawn(t), triangles_of_tags, "triangles");
 }
 
-// All that VertexAttribPointer sets is set to something else first.
+// Everything that VertexAttribPointer sets has another value before.
 void spoil(GLuint attribute) {
   gl.VertexAttribIPointer(attribute, 3, GL_SHORT, 40, offset(16));
   gl.VertexAttribBinding(attribute, 2);
@@ -145,7 +145,7 @@ void check_strides(Test& t) {
                  [&] { gl.DepthTagPointerARK(GL_UNSIGNED_BYTE, limit + 1, nullptr); });
 }
 
-// Both commands, and the same error.
+// Both commands generate the same error.
 void expect_alike(Test& t, const std::string& what, const std::function<void()>& general,
                   const std::function<void()>& ours) {
   general();
@@ -225,25 +225,24 @@ Cases tag_array_cases() {
   Cases cases{
       {.name = "ark.tag_array.types",
        .clauses = {"10.R.1-19", "10.R.1-23", "errors-12"},
-       .plan = "Types that VertexAttribPointer takes, and others: INVALID_ENUM.",
+       .plan = "Pass types that VertexAttribPointer takes, and others: INVALID_ENUM.",
        .wrong = "BYTE or HALF_FLOAT are passed on.",
        .check = check_other_types},
       {.name = "ark.tag_array.strides",
        .clauses = {"10.R.1-24", "errors-13"},
-       .plan = "Negative strides, the greatest one and the next; the array stays what it was.",
-       .wrong = "The limit itself is refused; the type is kept of a call that failed.",
+       .plan = "Pass negative strides, the greatest stride and the next one; the array stays as it was.",
+       .wrong = "The limit itself is refused; a failed call changes the type.",
        .check = check_strides},
       {.name = "ark.tag_array.client_memory_errors",
        .clauses = {"10.R.1-25", "errors-14"},
-       .plan =
-           "VertexAttribPointer and DepthTagPointerARK with and without vertex array object, buffer and pointer: the "
-           "same error or none.",
+       .plan = "Call VertexAttribPointer and DepthTagPointerARK with and without vertex array object, buffer and "
+               "pointer: the error is the same.",
        .wrong = "Client memory is accepted in a vertex array object.",
        .check = check_client_memory_errors},
       {.name = "ark.tag_array.enable",
        .clauses = {"10.R.1-26"},
        .plan = "Enable and disable the array in both ways, ask in both ways, and compare all state.",
-       .wrong = "A flag beside that of the attribute.",
+       .wrong = "A separate flag beside the attribute's.",
        .check = check_enables},
       {.name = "ark.tag_array.client_state",
        .clauses = {"10.R.1-27", "tokens-10"},
@@ -257,7 +256,7 @@ Cases tag_array_cases() {
                      .clauses = {"10.R.1-18", "10.R.1-19", "10.R.1-20", "10.R.1-22"},
                      .plan = "Draw with tags at several offsets and strides in a buffer whose other bytes are other "
                              "tags, and count.",
-                     .wrong = "The stride between tags is one off, or 0 is taken for 0; normalized: all tags are 0.",
+                     .wrong = "The stride is off by one, or 0 counts as 0 bytes; normalized, all tags are 0.",
                      .control = draws_one_triangle,
                      .check = [type](Test& t) { check_draw(t, type); }});
     cases.push_back({.name = std::string("ark.tag_array.client_memory.") + type.leaf,
@@ -269,9 +268,10 @@ Cases tag_array_cases() {
     cases.push_back(
         {.name = std::string("ark.tag_array.equivalent.") + type.leaf,
          .clauses = {"10.R.1-17", "10.R.1-21", "10.R.1-22", "functions-5", "tokens-7", "tokens-8", "tokens-9"},
-         .plan = "Spoil all array state of two attributes, call DepthTagPointerARK for one and "
+         .plan = "Give all array state of two attributes other values, call DepthTagPointerARK for one and "
                  "VertexAttribPointer for the other, and compare.",
-         .wrong = "Normalized; INTEGER, divisor, binding or relative offset of before; enabled by the way.",
+         .wrong =
+             "Normalized; INTEGER, divisor, binding or relative offset stays as it was; the call enables the array.",
          .check = [type](Test& t) { check_equivalent(t, type); }});
   }
   return cases;

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Where the depth tag of a vertex comes from, and how it is rounded (10.R.1): arrays of every type, stride and offset, buffers
-// and client memory, values by instance, current values.
+// Sources of the depth tag of a vertex, and how tags are rounded (10.R.1): arrays of every type, stride and offset,
+// buffers and client memory, values per instance, current values.
+#include <fmt/core.h>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 
 namespace glark::conformance {
@@ -18,7 +20,7 @@ using reference::Depths;
 
 constexpr int pool = 6;
 
-// Triangles whose corners all have tags that these arrays give, by `tags_at` of the vertex.
+// Triangles whose corners all have tags that these arrays give; `tags_at` gives the tag of a vertex.
 Mesh numbered_mesh(std::size_t triangles) {
   Mesh mesh(3 * triangles);
   const Mesh one = one_triangle();
@@ -34,10 +36,9 @@ void expect_depths(Test& t, const std::vector<float>& values, const std::functio
     std::array<int, 3> tags{};
     for (std::size_t k = 0; k < 3; ++k) tags[k] = reference::depth_tag(values[3 * i + k], pool);
     const Depths expected = reference::edge_depths(tags);
-    t.expect(found[i] == expected, what + ": triangle " + std::to_string(i) + " with the values " +
-                                       as_text(values[3 * i]) + ", " + as_text(values[3 * i + 1]) + ", " +
-                                       as_text(values[3 * i + 2]) + " has the depths " + text_of(found[i]) + ", not " +
-                                       text_of(expected));
+    t.expect(found[i] == expected, fmt::format("{}: triangle {} with the values {}, {}, {} has the depths {}, not {}",
+                                               what, i, as_text(values[3 * i]), as_text(values[3 * i + 1]),
+                                               as_text(values[3 * i + 2]), text_of(found[i]), text_of(expected)));
   }
 }
 
@@ -74,7 +75,8 @@ constexpr Type types[] = {{"unsigned_byte", GL_UNSIGNED_BYTE, 1},
                           {"unsigned_int", GL_UNSIGNED_INT, 4},
                           {"float", GL_FLOAT, 4}};
 
-// `values` with this stride (0: closely), from `offset` on. The bytes between and before would make other tags.
+// Writes `values` from `offset` on with this stride (0: tightly packed). The bytes in between and before would give
+// other tags.
 std::vector<unsigned char> packed(const Type& type, const std::vector<float>& values, std::size_t stride,
                                   std::size_t offset) {
   const std::size_t step = stride == 0 ? type.size : stride;
@@ -116,8 +118,8 @@ Case array_case(const Type& type, const char* leaf, std::size_t stride, std::siz
           .clauses = {"10.R.1-18", "10.R.1-19", "10.R.1-20", "10.R.1-22", "10.R.1-26"},
           .plan = "Give fifteen tags by an array of this type, stride and offset and find the depths of all edges.",
           .wrong =
-              "Normalized values give depth 0; a stride of 0 repeats the first value; an ignored offset or stride "
-              "gives the tags of other vertices.",
+              "Normalized values give depth 0; a stride of 0 repeats the first value; the offset or the stride is "
+              "ignored, which gives the tags of other vertices.",
           .check = [&type, stride, offset](Test& t) { check_array(t, type, stride, offset); }};
 }
 
@@ -132,7 +134,7 @@ Cases array_cases() {
   return cases;
 }
 
-// Large values of the unsigned types are clamped, not wrapped or taken for negative ones.
+// Large values of unsigned types are clamped. They do not wrap, and are not taken for negative ones.
 void check_large(Test& t, const Type& type, const std::vector<double>& numbers) {
   set_up(t, numbers.size() / 3);
   std::vector<unsigned char> bytes(numbers.size() * type.size);
@@ -157,7 +159,7 @@ void check_floats(Test& t, const std::vector<float>& values) {
   expect_depths(t, values, arrays(values.size()), "floating-point tags");
 }
 
-// Each value with itself and with a tag of 1: floor((a + 1) / 2) tells odd from even.
+// Pairs each value with itself and with a tag of 1: floor((a + 1) / 2) tells odd from even.
 std::vector<float> beside_one(const std::vector<float>& values) {
   std::vector<float> all;
   for (const float value : values) all.insert(all.end(), {value, value, 1.0F});
@@ -184,21 +186,21 @@ Cases rounding_cases() {
       float_case("halves", {"10.R.1-4"}, "Tags of 0.5, 1.5, to 5.5.",
                  "Rounded down; or to even, so that 2.5 becomes 2.", {0.5F, 1.5F, 2.5F, 3.5F, 4.5F, 5.5F}),
       float_case("beside_halves", {"10.R.1-3", "10.R.1-4"}, "The floating-point numbers next to each half.",
-                 "floor(x + 0.5) in single precision takes the number below 0.5 up to 1.",
+                 "floor(x + 0.5) in single precision rounds the number below 0.5 up to 1.",
                  {below(0.5F), above(0.5F), below(1.5F), above(1.5F), below(2.5F), above(2.5F), below(4.5F)}),
-      float_case("negative", {"10.R.1-3"}, "Negative tags, near 0 and far from it.",
+      float_case("negative", {"10.R.1-3"}, "Negative tags, close to 0 and far from it.",
                  "The absolute value; wrapped to a large unsigned number.",
                  {-0.0F, -0.25F, -0.5F, -0.75F, -1, -2, -100, -3e9F, -1e38F}),
-      float_case("above_pool", {"10.R.1-3"}, "Tags about and above the level of the pool.", "Not clamped; wrapped.",
+      float_case("above_pool", {"10.R.1-3"}, "Tags around and above the level of the pool.", "Not clamped; wrapped.",
                  {5.49F, 6, 6.4F, 6.6F, 7, 12, 255, 65536, 4294967296.0F, 3e38F}),
-      float_case("nan", {"10.R.1-5"}, "Tags that are not numbers, of both signs.",
-                 "The greatest depth; the triangle is lost.", {nan, -nan, nan}),
-      float_case("infinite", {"10.R.1-3"}, "Infinite tags are clamped.", "Taken for not a number.", {inf, -inf, inf}),
-      float_case("tiny", {"10.R.1-3"}, "Numbers below the normal ones.", "Rounded up.",
+      float_case("nan", {"10.R.1-5"}, "Tags that are NaN, of both signs.", "The greatest depth; the triangle is lost.",
+                 {nan, -nan, nan}),
+      float_case("infinite", {"10.R.1-3"}, "Infinite tags are clamped.", "Infinity counts as NaN.", {inf, -inf, inf}),
+      float_case("tiny", {"10.R.1-3"}, "Denormalized numbers.", "Rounded up.",
                  {std::numeric_limits<float>::denorm_min(), 1e-40F, -1e-40F})};
 }
 
-// The first component counts, whatever the others hold.
+// Only the first component counts.
 void check_components(Test& t) {
   const std::vector<float> values = {0, 3, 5, 2, 1, 6};
   for (GLint components = 1; components <= 4; ++components) {
@@ -211,7 +213,7 @@ void check_components(Test& t) {
     bind_bytes(packed(types[3], wide, 0, 0));
     gl.VertexAttribPointer(tag_attribute(), components, GL_FLOAT, GL_FALSE, 0, nullptr);
     gl.EnableVertexAttribArray(tag_attribute());
-    expect_depths(t, values, arrays(6), std::to_string(components) + " components");
+    expect_depths(t, values, arrays(6), fmt::format("{} components", components));
   }
 }
 
@@ -230,7 +232,7 @@ void check_other_types(Test& t) {
   expect_depths(t, {1, 100 / 255.0F, 1, 150 / 255.0F, 1, 1}, arrays(6), "normalized bytes");
 }
 
-// By VertexAttribFormat and bindings of buffers, with an offset in each.
+// VertexAttribFormat and buffer bindings, with an offset in each.
 void check_format(Test& t) {
   const std::vector<float> values = {1, 3, 6, 0, 5, 2};
   set_up(t, 2);
@@ -246,7 +248,7 @@ void check_client_memory(Test& t) {
   const auto& values = whole_tags();
   for (const Type& type : types) {
     set_up(t, values.size() / 3);
-    gl.BindVertexArray(0);  // where there are other attributes from client memory, too
+    gl.BindVertexArray(0);  // if other attributes come from client memory too
     const Mesh mesh = numbered_mesh(values.size() / 3);
     gl.BindBuffer(GL_ARRAY_BUFFER, 0);
     gl.VertexAttribPointer(at_position, 4, GL_FLOAT, GL_FALSE, sizeof(MeshVertex), mesh[0].position.data());
@@ -263,6 +265,27 @@ void check_client_memory(Test& t) {
   }
 }
 
+// The program reads the tags as a vec4. Its other components would give other depths.
+void check_wide_tags(Test& t) {
+  const GLuint program = build_program(
+      t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 5) in vec4 tag; out vec4 colour;\n"
+                    "void main() { colour = tag; gl_Position = position; }\n"});
+  gl.UseProgram(program);
+  upload(one_triangle(), false);
+  gl.ARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, at_tag);
+  const GLfloat tags[] = {1, 3, 0, 4, 2, 0, 4, 1, 3, 4, 1, 0};
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, sizeof(tags), tags, GL_STATIC_DRAW);
+  gl.VertexAttribPointer(at_tag, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+  gl.EnableVertexAttribArray(at_tag);
+  refine_by_tags(4);
+  const std::int64_t expected = reference::minimum_triangles(reference::edge_depths({1, 2, 3}));
+  t.expect_equal(std::int64_t{count_generated([] { gl.DrawArrays(GL_TRIANGLES, 0, 3); })}, expected,
+                 "triangles of tags in vectors");
+}
+
 }  // namespace
 
 Cases tag_array_formats_cases() {
@@ -276,17 +299,23 @@ Cases tag_array_formats_cases() {
     cases.push_back({.name = std::string("ark.tags.array.") + each.first->name + ".large",
                      .clauses = {"10.R.1-3", "10.R.1-22"},
                      .plan = "Large values of an unsigned type are clamped to the level of the pool.",
-                     .wrong = "Taken for negative numbers; the lowest byte alone.",
+                     .wrong = "Large values count as negative numbers; only the lowest byte counts.",
                      .check = [each](Test& t) { check_large(t, *each.first, each.second); }});
   cases.push_back({.name = "ark.tags.array.components",
                    .clauses = {"10.R.1-2", "10.R.1-3"},
-                   .plan = "VertexAttribPointer gives the attribute one to four components; the first is the tag.",
-                   .wrong = "Another component; a stride for one component.",
+                   .plan = "VertexAttribPointer gives the attribute one to four components. The first is the tag.",
+                   .wrong = "Another component; a stride of one component.",
                    .check = check_components});
+  cases.push_back(
+      {.name = "ark.tags.readable.vector",
+       .clauses = {"10.R.1-3", "10.R.1-8"},
+       .plan = "The program reads the tags' attribute as a vec4 with something else in the other components.",
+       .wrong = "Another component gives the tag.",
+       .check = check_wide_tags});
   cases.push_back({.name = "ark.tags.array.other_types",
                    .clauses = {"10.R.1-2", "10.R.1-3"},
                    .plan = "VertexAttribPointer gives signed shorts and normalized bytes.",
-                   .wrong = "Normalized bytes are not normalized; signed ones are taken for unsigned.",
+                   .wrong = "Normalized bytes are not normalized; signed values count as unsigned ones.",
                    .check = check_other_types});
   cases.push_back({.name = "ark.tags.array.format",
                    .clauses = {"10.R.1-2", "10.R.1-26"},
@@ -296,7 +325,7 @@ Cases tag_array_formats_cases() {
   cases.push_back({.name = "ark.tags.array.client_memory",
                    .clauses = {"10.R.1-20", "10.R.1-27"},
                    .plan = "Take tags of each type from client memory, enabled by EnableClientState.",
-                   .wrong = "The pointer is taken for an offset; EnableClientState is an error.",
+                   .wrong = "The pointer counts as an offset; EnableClientState generates an error.",
                    .apis = compat_only,
                    .check = check_client_memory});
   return cases;

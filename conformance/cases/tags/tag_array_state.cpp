@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The depth tag array as state of vertex array objects, and what else applies to an array of an attribute (10.R.1).
+// The depth tag array as state of vertex array objects, and other state of an attribute's array (10.R.1).
 #include "conformance/cases/cases.h"
 #include "conformance/support/capture.h"
 #include "conformance/support/counted.h"
@@ -20,7 +20,7 @@ std::size_t triangles_of(Test& t, const Draw& draw) {
 
 void draw_one() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
 
-// Three times the triangle, with vertex tags 1, 2 and 3.
+// The triangle three times, with vertex tags 1, 2 and 3.
 Mesh three_triangles() {
   Mesh mesh;
   for (int tag = 1; tag <= 3; ++tag)
@@ -34,7 +34,7 @@ void refine() {
   gl.Enable(GL_ARK);
 }
 
-// The tags 1, 2, 3 and 4, one for each instance, in a buffer of their own.
+// The tags 1, 2, 3 and 4, one for each instance, in a separate buffer.
 void tags_of_instances() {
   const GLubyte tags[] = {1, 2, 3, 4};
   GLuint buffer = 0;
@@ -80,7 +80,7 @@ void check_objects(Test& t) {
   gl.BindVertexArray(second);
   gl.Disable(GL_DEPTH_TAG_ARRAY_ARK);
   gl.BindVertexArray(first);
-  t.expect_equal(int{gl.IsEnabled(GL_DEPTH_TAG_ARRAY_ARK)}, int{GL_TRUE}, "the first object's array is enabled still");
+  t.expect_equal(int{gl.IsEnabled(GL_DEPTH_TAG_ARRAY_ARK)}, int{GL_TRUE}, "the first object's array is still enabled");
   gl.DeleteVertexArrays(1, &first);
   t.expect_equal(int{gl.IsEnabled(GL_DEPTH_TAG_ARRAY_ARK)}, int{GL_FALSE}, "no object is bound any more");
 }
@@ -96,7 +96,7 @@ void check_states(Test& t) {
   t.expect_equal(integer_of(GL_DEPTH_TAG_ARRAY_STRIDE_ARK), 0, "stride in a new object");
   t.expect_equal(integer_of(GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK), 0, "buffer in a new object");
   t.expect(pointer_of(GL_DEPTH_TAG_ARRAY_POINTER_ARK) == nullptr, "pointer in a new object");
-  t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 3, "the current tag is no state of the object");
+  t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 3, "the current tag is not part of the object");
   t.expect_equal(integer_of(GL_DEPTH_TAG_ATTRIBUTE_ARK), 7, "nor is the attribute");
   gl.DepthTagPointerARK(GL_UNSIGNED_BYTE, 3, nullptr);
   gl.Enable(GL_DEPTH_TAG_ARRAY_ARK);
@@ -172,24 +172,26 @@ Cases tag_array_state_cases() {
   return {
       {.name = "ark.tag_array.object.draw",
        .clauses = {"10.R.1-28"},
-       .plan = "Three vertex array objects with tags 1 and 3 and without an array; draw with each, twice, and count.",
-       .wrong = "The array of the last DepthTagPointerARK, whatever is bound.",
+       .plan = "Three vertex array objects: with tags 1, with tags 3, and without an array. Draw with each twice, and "
+               "count.",
+       .wrong = "The array of the last DepthTagPointerARK, whichever object is bound.",
        .control = control,
        .check = check_objects},
       {.name = "ark.tag_array.object.state",
        .clauses = {"10.R.1-28", "state-23", "state-24", "state-25", "state-26", "state-27", "state-22"},
-       .plan = "A new vertex array object has the initial values; what is set in it leaves the first alone.",
-       .wrong = "State of the context.",
+       .plan =
+           "A new vertex array object has the initial values, and setting its array does not change the first object.",
+       .wrong = "The array is state of the context.",
        .check = check_states},
       {.name = "ark.tag_array.object.buffer_deleted",
        .clauses = {"10.R.1-28", "chapter-22-5"},
        .plan = "Delete the buffer of the array while the object is bound: the binding is 0.",
-       .wrong = "A copy of the name is kept.",
+       .wrong = "A separate copy of the name is kept.",
        .check = check_buffer_deleted},
       {.name = "ark.tag_array.divisor",
        .clauses = {"10.R.1-28"},
        .plan = "Tags 1, 2 and 3 for three instances, then with the divisor 2; count.",
-       .wrong = "The tag of instance 0 for all; vertices take tags 1, 2 and 3.",
+       .wrong = "The tag of instance 0 for all instances; the vertices take tags 1, 2 and 3.",
        .control = control,
        .check = check_divisor},
       {.name = "ark.tag_array.base_instance",

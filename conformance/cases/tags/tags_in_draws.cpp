@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Depth tags that are no plain array: the current one, by instance, from a base vertex, between Begin and End, of an attribute
-// that moved (10.R.1).
+// Depth tags that do not come from a plain array: the current tag, tags per instance, from a base vertex, between Begin
+// and End, from an attribute that moved (10.R.1).
+#include <fmt/core.h>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -38,8 +39,8 @@ void expect_depths(Test& t, const std::vector<Depths>& expected, const std::func
                    const std::string& what) {
   const auto found = depths_of(t, expected.size(), draw);
   for (std::size_t i = 0; i < found.size(); ++i)
-    t.expect(found[i] == expected[i], what + ": triangle " + std::to_string(i) + " has the depths " +
-                                          text_of(found[i]) + ", not " + text_of(expected[i]));
+    t.expect(found[i] == expected[i], fmt::format("{}: triangle {} has the depths {}, not {}", what, i,
+                                                  text_of(found[i]), text_of(expected[i])));
 }
 
 void draw_one() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
@@ -61,7 +62,7 @@ void check_current(Test& t) {
   }
 }
 
-// The current value of the attribute, as VertexAttrib* sets it, is as good.
+// The current value of the attribute counts, as VertexAttrib* sets it.
 void check_current_attribute(Test& t) {
   set_up_one(t);
   GLint attribute = 0;
@@ -86,10 +87,10 @@ void check_sets_attribute(Test& t) {
   GLfloat value[4] = {};
   gl.GetVertexAttribfv(static_cast<GLuint>(attribute), GL_CURRENT_VERTEX_ATTRIB, value);
   const GLfloat expected[4] = {5, 0, 0, 1};
-  for (int i = 0; i < 4; ++i) t.expect_equal(value[i], expected[i], "component " + std::to_string(i));
+  for (int i = 0; i < 4; ++i) t.expect_equal(value[i], expected[i], fmt::format("component {}", i));
 }
 
-// A program that has the attribute as an input sees what was given, refined: not the rounded tag.
+// A program that reads the attribute gets the given value, refined, and not the rounded tag.
 void check_read(Test& t) {
   use_readable_tags();
   gl.UseProgram(draw_program(t));
@@ -106,7 +107,7 @@ void check_read(Test& t) {
   t.expect_equal(greatest, 9.5F, "the greatest value of the input");
 }
 
-// Instance k takes element base + k / divisor: all three corners have one tag.
+// Instance k takes element base + k / divisor. All three corners have the same tag.
 void check_divisor(Test& t, GLuint divisor, GLuint base) {
   use_readable_tags();
   gl.UseProgram(draw_program(t));
@@ -127,7 +128,7 @@ void check_divisor(Test& t, GLuint divisor, GLuint base) {
       "five instances");
 }
 
-// The same without any look at the attribute by the program, which may be another way through an implementation.
+// The same draw with a program that does not read the attribute: an implementation may treat it differently.
 void check_divisor_unread(Test& t, GLuint divisor, GLuint base) {
   const std::vector<float> tags = {1, 3, 0, 2, 4, 3, 0};
   set_up_one(t);
@@ -170,7 +171,7 @@ void check_base_vertex(Test& t) {
   t.expect(reference::depths_found(patterns[2]) == reference::edge_depths({5, 2, 1}), "tags of the last triangle");
 }
 
-// One array object has tags, another has none: state of the array object.
+// One array object has tags, another has none: they are state of the array object.
 void check_array_object(Test& t) {
   gl.UseProgram(capture_program(t));
   refine_by_tags(pool);
@@ -200,7 +201,7 @@ void check_moved(Test& t) {
   gl.Enable(GL_DEPTH_TAG_ARRAY_ARK);
   expect_depths(t, {Depths{3, 1, 2}}, draw_one, "before");
   gl.ARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, static_cast<GLint>(moved));
-  expect_depths(t, {uniform(0)}, draw_one, "moved to an attribute that nobody set");
+  expect_depths(t, {uniform(0)}, draw_one, "moved to an attribute that was never set");
   gl.DepthTag1i(1);
   expect_depths(t, {uniform(1)}, draw_one, "current value of the other attribute");
   gl.DepthTagPointerARK(GL_FLOAT, 0, reinterpret_cast<const void*>(3 * sizeof(float)));
@@ -212,7 +213,7 @@ void check_moved(Test& t) {
   expect_depths(t, {uniform(2)}, draw_one, "moved back, array disabled");
 }
 
-// Immediate mode: a tag holds for the vertices after it.
+// Immediate mode: a tag applies to the vertices after it.
 void check_immediate(Test& t) {
   gl.UseProgram(capture_program(t));
   refine_by_tags(pool);
@@ -252,14 +253,13 @@ Cases instance_cases() {
   for (const GLuint divisor : {1U, 2U})
     for (const GLuint base : {0U, 2U})
       for (const bool is_read : {true, false})
-        cases.push_back({.name = std::string("ark.tags.instance.divisor_") + std::to_string(divisor) +
-                                 (base == 0 ? ".base_0" : ".base_2") + (is_read ? ".read" : ".unread"),
+        cases.push_back({.name = fmt::format("ark.tags.instance.divisor_{}{}{}", divisor,
+                                             (base == 0 ? ".base_0" : ".base_2"), (is_read ? ".read" : ".unread")),
                          .clauses = {"10.R.1-28"},
                          .plan = "Five instances take their tags from an array with a divisor.",
                          .wrong = "The divisor or the base instance is ignored: other depths, and another number of "
                                   "triangles.",
-                         .apis = base == 0 ? every_api
-                                           : desktop_apis,
+                         .apis = base == 0 ? every_api : desktop_apis,
                          .check = [divisor, base, is_read](Test& t) {
                            if (is_read)
                              check_divisor(t, divisor, base);
@@ -280,20 +280,19 @@ Cases tags_in_draws_cases() {
                    .check = check_current});
   cases.push_back({.name = "ark.tags.current.attribute",
                    .clauses = {"10.R.1-2", "10.R.1-3", "10.R.1-16"},
-                   .plan =
-                       "Set the attribute's current value by VertexAttrib4f, with what has to be rounded and clamped; "
-                       "draw and query.",
-                   .wrong = "Only DepthTag1i is seen; another component; unrounded values.",
+                   .plan = "Set the attribute's current value by VertexAttrib4f to values that need rounding and "
+                           "clamping; draw and query.",
+                   .wrong = "Only DepthTag1i counts; another component; unrounded values.",
                    .check = check_current_attribute});
   cases.push_back({.name = "ark.tags.current.components",
                    .clauses = {"10.R.1-12"},
                    .plan = "Query the current value of the attribute after DepthTag1i.",
-                   .wrong = "Components that are left alone; the value kept elsewhere.",
+                   .wrong = "Components that are left alone; the value is kept elsewhere.",
                    .check = check_sets_attribute});
   cases.push_back({.name = "ark.tags.read",
                    .clauses = {"10.R.1-8"},
-                   .plan = "A program with the tag as an input writes it to transform feedback.",
-                   .wrong = "Rounded or clamped values; 0, because the attribute is taken away.",
+                   .plan = "A program reads the tag as an input and writes it to transform feedback.",
+                   .wrong = "Rounded or clamped values; 0, because the attribute is missing.",
                    .check = check_read});
   cases.push_back({.name = "ark.tags.base_vertex",
                    .clauses = {"10.R.1-28"},
@@ -307,7 +306,7 @@ Cases tags_in_draws_cases() {
                    .check = check_array_object});
   cases.push_back({.name = "ark.tags.moved",
                    .clauses = {"10.R.1-29"},
-                   .plan = "Move DEPTH_TAG_ATTRIBUTE_ARK and back; values and arrays of both attributes are their own.",
+                   .plan = "Move DEPTH_TAG_ATTRIBUTE_ARK and back; both attributes keep their values and arrays.",
                    .wrong = "The array moves with the name; the value is copied or reset.",
                    .check = check_moved});
   cases.push_back({.name = "ark.tags.immediate",

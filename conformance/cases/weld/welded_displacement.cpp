@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Displacement along seams with WELD_ARK (11.R.15): the normal and the coordinate of a place, and the dominant side.
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/displacement/nearest_texture.h"
 #include "conformance/support/surface.h"
 
 namespace glark::conformance {
@@ -18,7 +20,7 @@ constexpr int size = 4;
 constexpr GLint unit = 2;
 constexpr double scale = 0.25;
 
-// One height for each texel; or `constant` everywhere, if that is not negative.
+// One height for each texel, or `constant` everywhere if that is not negative.
 float height_at(int x, int y, float constant) {
   return constant >= 0 ? constant : static_cast<float>((37 * x + 59 * y + 11 * x * y) % 256) / 255;
 }
@@ -35,19 +37,12 @@ void set_displacement(float constant) {
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
       texels.insert(texels.end(), 4, static_cast<GLubyte>(std::lround(255 * height_at(x, y, constant))));
-  GLuint texture = 0;
-  gl.GenTextures(1, &texture);
-  gl.ActiveTexture(GL_TEXTURE0 + unit);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.ActiveTexture(GL_TEXTURE0);
+  bind_nearest_texture(unit, size, texels);
   gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
   gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, static_cast<float>(scale));
 }
 
-// Vertices 0 and 5, 2 and 3 are in one place each, with normals and texture coordinates of their own.
+// Vertices 0 and 5 are at one place, and so are 2 and 3. Each has its own normal and texture coordinates.
 Mesh seam(bool second_dominates) {
   Mesh mesh = bent_mesh();
   const auto set = [&](std::size_t i, const Vec3& normal, const Vec2& texture) {
@@ -56,7 +51,7 @@ Mesh seam(bool second_dominates) {
                       static_cast<float>(unit_normal.z)};
     mesh[i].texture = texture;
   };
-  // First components are positive: as bits they are ordered as they are as numbers.
+  // First components are positive, so that their bits have the order of the numbers.
   const float here = second_dominates ? 0.6F : 0.2F;
   const float there = second_dominates ? 0.2F : 0.6F;
   set(0, {here, 0.3F, 0.7F}, {0.06F, 0.41F});
@@ -93,7 +88,7 @@ void check_position(Test& t, GLenum refinement) {
     }
     for (std::size_t i = 0; i < 9; ++i)
       t.expect(same_position(ridge[0][i], ridge[1][i]),
-               "step " + std::to_string(i) + " of a displaced seam has the same position on both sides, by bits");
+               fmt::format("step {} of a displaced seam has the same position on both sides, by bits", i));
   }
 }
 
@@ -133,7 +128,8 @@ Vector flat(const Mesh& mesh, const SurfaceVertex& vertex, bool is_of_place, boo
   return sum;
 }
 
-// Heights are 1 everywhere: how far each vertex goes, and which way. The angles of thin triangles are small, and so are the sums.
+// Heights are 1 everywhere, so that the case sees how far and in which direction each vertex moves. The angles of thin
+// triangles are small, and so are their sums.
 void check_normal(Test& t, bool is_thin) {
   Mesh mesh = seam(false);
   for (const std::size_t tip : {1U, 4U})
@@ -147,7 +143,7 @@ void check_normal(Test& t, bool is_thin) {
         flat(mesh, vertex, false, false) + scale * reference::direction(flat(mesh, vertex, is_border, true));
     const double off = reference::length(reference::vector_of(vertex.position) - expected);
     if (!t.expect(off < 1e-4, std::string(is_border ? "on the border" : "inside") +
-                                  " a vertex goes along the normal of the places, or its own: off by " + as_text(off)))
+                                  " a vertex moves along the normal of the places, or its own: off by " + as_text(off)))
       return;
   }
 }
@@ -161,7 +157,7 @@ Coordinate coordinate_of_place(const Mesh& mesh, std::size_t corner) {
   return {least[0], least[1]};
 }
 
-// The corners of a triangle, and of the side that counts where an edge is the seam.
+// The corners of a triangle, and the corners of the side that counts if an edge is the seam.
 Coordinate coordinate_at(const Mesh& mesh, const SurfaceVertex& vertex, bool second_dominates) {
   const auto first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
   const bool is_seam = vertex.weights[1] == 0 && is_on_border(vertex);
@@ -199,7 +195,7 @@ void check_coordinate(Test& t, bool second_dominates) {
   }
 }
 
-// A triangle of which two corners are in one place: T comes from the coordinates of both places.
+// Two corners of the triangle are at one place: T comes from the coordinates of both places.
 void check_no_side(Test& t) {
   Mesh mesh = seam(false);
   mesh.resize(3);
@@ -232,13 +228,13 @@ void check_zero(Test& t) {
   for (const SurfaceVertex& vertex : drawn(t, mesh, GL_LINEAR_INPUTS_ARK, 1)) {
     moved += std::abs(vertex.position[2]) > 0.2F ? 1 : 0;
     if (vertex.weights[1] == 0 &&
-        !t.expect_near(vertex.position[2], 0, 1e-6, "where the normal of the places is zero nothing is displaced"))
+        !t.expect_near(vertex.position[2], 0, 1e-6, "nothing is displaced where the normal of the places is zero"))
       return;
   }
   t.expect(moved > 0, "the inside is displaced");
 }
 
-// A program with two texture coordinates: draws that are repeated by one of them say nothing of those by the other.
+// A program with two texture coordinates: repeated draws with one of them must not affect draws with the other.
 void check_other_attribute(Test& t) {
   Mesh mesh = seam(false);
   for (std::size_t i = 0; i < mesh.size(); ++i)
@@ -277,37 +273,35 @@ constexpr Area weld_case{"ark.weld.displacement."};
 }  // namespace
 
 Cases welded_displacement_cases() {
-  Cases cases = {
-      weld_case(
-          "normal", {"11.R.15-22", "11.R.15-23", "11.R.15-24", "11.R.15-30"},
-          "A height of 1 everywhere: vertices on the border of a triangle go along the normals of the places, those "
-          "inside along their own.",
-          "Each side's own normal; the mean without angles; the inside welded, too.",
-          [](Test& t) { check_normal(t, false); }),
-      weld_case("normal_of_thin_triangles", {"11.R.15-24", "11.R.15-25"},
-                "The same for triangles with small angles: their sum is short, and has a direction all the same.",
-                "Nothing is displaced where the sum is short.", [](Test& t) { check_normal(t, true); }),
-      weld_case("other_attribute", {"11.R.15-26", "11.R.15-32", "11.R.13-1"},
-                "Repeat a draw with one DISPLACEMENT_COORDINATE_ARK, then with another.",
-                "The border has the heights that it had by the attribute before.", check_other_attribute),
-      weld_case("no_side", {"11.R.15-29", "11.R.15-32"}, "A triangle of which two corners are in one place.",
-                "One of its own ends.", check_no_side),
-      weld_case("zero", {"11.R.15-25", "11.R.15-33"}, "Opposite normals on both sides of an edge.",
-                "Not a number; along one of the two.", check_zero)};
+  Cases cases = {weld_case("normal", {"11.R.15-22", "11.R.15-23", "11.R.15-24", "11.R.15-30"},
+                           "A height of 1 everywhere: vertices on the border of a triangle move along the normals of "
+                           "the places, vertices inside along their own.",
+                           "Each side's own normal; the mean without angles; the inside is welded too.",
+                           [](Test& t) { check_normal(t, false); }),
+                 weld_case("normal_of_thin_triangles", {"11.R.15-24", "11.R.15-25"},
+                           "The same for triangles with small angles: their sum is short, but still has a direction.",
+                           "Nothing is displaced where the sum is short.", [](Test& t) { check_normal(t, true); }),
+                 weld_case("other_attribute", {"11.R.15-26", "11.R.15-32", "11.R.13-1"},
+                           "Repeat a draw with one DISPLACEMENT_COORDINATE_ARK, then with another.",
+                           "The border has the heights of the earlier attribute.", check_other_attribute),
+                 weld_case("no_side", {"11.R.15-29", "11.R.15-32"}, "Two corners of a triangle are at one place.",
+                           "The height of one of its own ends.", check_no_side),
+                 weld_case("zero", {"11.R.15-25", "11.R.15-33"}, "Opposite normals on both sides of an edge.",
+                           "NaN; along one of the two normals.", check_zero)};
   for (const auto& [leaf, refinement] : {std::pair<const char*, GLenum>{"linear", GL_LINEAR_INPUTS_ARK},
                                          {"curved", GL_CURVED_PN_ARK},
                                          {"tagged", GL_SCALAR_TAGGED_PN_ARK}})
     cases.push_back(
         weld_case(std::string("position.") + leaf, {"11.R.15-21", "11.R.15-3", "11.R.15-28"},
                   "A seam of texture coordinates and normals has the same positions on both sides, by bits.",
-                  "The sides come apart.", [mode = refinement](Test& t) { check_position(t, mode); }));
+                  "The sides separate.", [mode = refinement](Test& t) { check_position(t, mode); }));
   for (const bool second : {false, true})
-    cases.push_back(weld_case(
-        second ? "coordinate.second" : "coordinate.first",
-        {"11.R.15-26", "11.R.15-27", "11.R.15-31", "11.R.15-32", "11.R.15-34"},
-        "The height along a seam is that of the side with the lesser normals, and at a corner that "
-        "of the least coordinate.",
-        "The first triangle's; the mean; each side's own.", [second](Test& t) { check_coordinate(t, second); }));
+    cases.push_back(weld_case(second ? "coordinate.second" : "coordinate.first",
+                              {"11.R.15-26", "11.R.15-27", "11.R.15-31", "11.R.15-32", "11.R.15-34"},
+                              "The height along a seam is that of the side with the lesser normals. At a corner it is "
+                              "that of the least coordinate.",
+                              "The first triangle's height; the mean; each side's own.",
+                              [second](Test& t) { check_coordinate(t, second); }));
   return cases;
 }
 

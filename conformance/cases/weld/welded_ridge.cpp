@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Welded positions (11.R.15): a roof of two triangles over one ridge, with a normal of its own on each side.
+// Welded positions (11.R.15): a roof of two triangles over one ridge. Each side has its own normal.
+#include <fmt/core.h>
 #include <cmath>
 #include <map>
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::size_t shared_steps = 16;
 
-// Of bent_mesh: the edge of vertices 0 and 2 is that of vertices 5 and 3.
+// In bent_mesh, the edge of vertices 0 and 2 is the edge of vertices 5 and 3.
 Mesh roof(const Vec3& normal_5, const Vec3& normal_3) {
   Mesh mesh = bent_mesh();
   mesh[5].normal = normal_5;
@@ -25,7 +26,7 @@ Mesh hard_roof() { return roof({-0.9F, 0.4F, 0.3F}, {0.2F, -0.9F, 0.7F}); }
 
 using Edge = std::array<std::vector<SurfaceVertex>, 2>;
 
-// What each of the triangles has along the ridge, from vertex 0 to vertex 2.
+// The positions of each triangle along the ridge, from vertex 0 to vertex 2.
 Edge ridge_of(const std::vector<SurfaceVertex>& vertices) {
   Edge edge;
   for (auto& side : edge) side.resize(shared_steps + 1);
@@ -49,9 +50,9 @@ std::vector<SurfaceVertex> welded(Test& t, const Mesh& mesh, GLenum refinement, 
 // Vertex 0 of the first triangle is corner 2 of the second, whose corner 0 is vertex 2.
 void expect_same_ridge(Test& t, const Edge& edge) {
   for (std::size_t i = 0; i <= shared_steps; ++i) {
-    // weights[0] of the second triangle is that of vertex 2: the same step.
+    // weights[0] of the second triangle belongs to vertex 2: the same step.
     if (!t.expect(same_position(edge[0][i].position, edge[1][i].position),
-                  "step " + std::to_string(i) + " of the ridge has the same position on both sides, by bits"))
+                  fmt::format("step {} of the ridge has the same position on both sides, by bits", i)))
       return;
   }
 }
@@ -72,7 +73,7 @@ void expect_ridge(Test& t, const Mesh& mesh, const Edge& edge) {
               static_cast<double>(i) / shared_steps);
     for (const auto& side : edge)
       if (!t.expect(reference::length(reference::vector_of(side[i].position) - expected) < 3e-6,
-                    "step " + std::to_string(i) + " of the ridge is that of (11.R.9)"))
+                    fmt::format("step {} of the ridge is that of (11.R.9)", i)))
         return;
   }
 }
@@ -84,7 +85,7 @@ void check_formula(Test& t) {
   expect_ridge(t, mesh, edge);
 }
 
-// Welded and not, the refined vertices are the same but for rounding.
+// With and without welding, the refined vertices are the same up to rounding.
 void expect_not_welded(Test& t, const Mesh& mesh, const char* what) {
   const Edge with = ridge_of(welded(t, mesh, GL_CURVED_PN_ARK));
   const Edge without = ridge_of(welded(t, mesh, GL_CURVED_PN_ARK, false));
@@ -92,7 +93,7 @@ void expect_not_welded(Test& t, const Mesh& mesh, const char* what) {
     for (std::size_t i = 0; i <= shared_steps; ++i)
       if (!t.expect(reference::length(reference::vector_of(with[side][i].position) -
                                       reference::vector_of(without[side][i].position)) < 3e-6,
-                    std::string(what) + ": step " + std::to_string(i) + " of the ridge"))
+                    fmt::format("{}: step {} of the ridge", what, i)))
         return;
 }
 
@@ -103,7 +104,7 @@ void check_fourth_component(Test& t) {
 }
 
 void check_faint(Test& t) {
-  // S . S is large, R . R below c: the planes are nearly one.
+  // S . S is large, R . R is below c: the planes are nearly the same.
   Mesh mesh = bent_mesh();
   for (const auto& [from, to] : {std::pair<std::size_t, std::size_t>{0, 5}, {2, 3}}) {
     mesh[to].normal = mesh[from].normal;
@@ -141,7 +142,7 @@ void check_opposite(Test& t) {
 }
 
 void check_zero_normal(Test& t) {
-  // The side without a normal does not count: the ridge is that of the other.
+  // A side without a normal does not count: the ridge follows the other side.
   Mesh mesh = bent_mesh();
   mesh[3].normal = mesh[5].normal = {0, 0, 0};
   const Edge edge = ridge_of(welded(t, mesh, GL_CURVED_PN_ARK));
@@ -176,7 +177,7 @@ void check_sign_of_zero(Test& t) {
 
 void check_other_places(Test& t) {
   Mesh mesh = hard_roof();
-  // One bit away: another place, so nothing is welded to anything.
+  // The places differ in one bit, so nothing is welded.
   mesh[5].position[0] = std::nextafter(mesh[5].position[0], 1.0F);
   mesh[3].position[0] = std::nextafter(mesh[3].position[0], 1.0F);
   expect_as_unwelded(t, mesh, "places that differ by a bit are different");
@@ -190,7 +191,8 @@ void check_tags(Test& t) {
   upload(mesh);
   refine_by_tags(6);
   gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
-  // Places 0/5 have 5, places 2/3 have 4: the ridge has depth 4, the others floor((5 + 2) / 2) = 3, 3, 2, 2.
+  // Places 0/5 have tag 5, places 2/3 have tag 4. The ridge has depth 4, the other edges floor((5 + 2) / 2) = 3, 3, 2,
+  // 2.
   std::array<std::map<float, int>, 6> edges;
   for (const SurfaceVertex& vertex : capture_surface(t, mesh)) {
     const std::size_t first = vertex.triangle >= 1 ? 3 : 0;
@@ -200,10 +202,10 @@ void check_tags(Test& t) {
   const std::size_t expected[6] = {9, 9, 17, 5, 5, 17};
   for (std::size_t i = 0; i < 6; ++i)
     t.expect_equal(edges[i].size(), expected[i],
-                   "vertices on edge " + std::to_string(i) + ", with the greatest tags of each place");
+                   fmt::format("vertices on edge {}, with the greatest tags of each place", i));
 }
 
-// Normals of the faces: all edges stay straight.
+// With the normals of the faces, all edges stay straight.
 Mesh cube() {
   Mesh mesh;
   for (int axis = 0; axis < 3; ++axis)
@@ -265,7 +267,7 @@ void check_tagged_bits(Test& t) {
     if (!t.expect(curved[i].position == tagged[i].position, "the bits of CURVED_PN_ARK")) return;
 }
 
-// Three triangles, three normals about one edge.
+// Three triangles with three normals share one edge.
 void check_three_sides(Test& t) {
   Mesh mesh = hard_roof();
   MeshVertex third[3] = {mesh[0], mesh[2], mesh[1]};
@@ -295,7 +297,8 @@ void check_three_sides(Test& t) {
   t.expect_equal(steps.size(), 17U, "vertices on the edge");
 }
 
-// The third side has the opposite normals of the first, so that two count: whichever of the three an implementation takes.
+// The third side has the opposite of the first side's normals, so that two sides count: an implementation may take any
+// of the three.
 void check_opposite_of_three(Test& t) {
   for (const Vec3& other : {Vec3{-0.9F, 0.4F, 0.3F}, {0.9F, 0.4F, 0.3F}, {0.01F, 0.9F, 0.5F}, {-0.01F, -0.9F, 0.5F}}) {
     const Mesh two = roof(other, {other[0], -other[2], other[1]});
@@ -329,44 +332,44 @@ Cases welded_ridge_cases() {
       weld_case("curved.formula", {"11.R.15-3", "11.R.15-7", "11.R.15-10"},
                 "Two triangles with different normals on their common edge: both have the curve of (11.R.9), by the "
                 "same bits.",
-                "The mean of the normals; S and R not divided by their squares; each side keeps its own.",
+                "The mean of the normals; S and R are not divided by their squares; each side keeps its own.",
                 check_formula),
       weld_case("curved.fourth_component", {"11.R.15-4"},
-                "The ends of the ridge differ in their fourth component alone: nothing is welded.",
-                "Three components are compared.", check_fourth_component),
+                "The ends of the ridge differ only in their fourth component: nothing is welded.",
+                "Only three components are compared.", check_fourth_component),
       weld_case("curved.faint", {"11.R.15-10"}, "Normals that differ little, so that R . R is below c.",
-                "A division by R . R throws the edge about.", check_faint),
-      weld_case("curved.off", {"11.R.15-2", "issues-42"}, "Without WELD_ARK the same two triangles come apart.",
+                "A division by R . R moves the edge far away.", check_faint),
+      weld_case("curved.off", {"11.R.15-2", "issues-42"}, "Without WELD_ARK the same two triangles separate.",
                 "Always welded.", check_without),
       weld_case("curved.same_normals", {"11.R.15-9"}, "With the same normals WELD_ARK changes nothing.",
                 "(11.R.9) with N = M differs from (11.R.2).", check_same_normals),
       weld_case("curved.opposite_normals", {"11.R.15-8"}, "One side has the opposite normals: nothing changes.",
-                "S = 0 leaves the edge straight or unbounded.", check_opposite),
-      weld_case("curved.zero_normal", {"11.R.15-8"}, "One side has normals of zero: the edge is that of the other.",
+                "S = 0 leaves the edge straight, or without bounds.", check_opposite),
+      weld_case("curved.zero_normal", {"11.R.15-8"}, "One side has zero normals: the edge is that of the other side.",
                 "A side without a normal counts.", check_zero_normal),
       weld_case("curved.three_sides", {"11.R.15-7", "11.R.15-12"},
-                "Three sides with three normals agree, in either order of the triangles.",
+                "Three sides with three normals have the same edge, in either order of the triangles.",
                 "The first two sides win; the third cracks.", check_three_sides),
       weld_case("curved.opposite_of_three", {"11.R.15-8", "11.R.15-12"},
-                "Of three sides one has the opposite normals of another: the ridge is that of two.",
-                "These two are taken for different, and the third side is left out.", check_opposite_of_three),
+                "Of three sides, one has the opposite normals of another: the ridge is that of two.",
+                "These two count as different, and the third side is left out.", check_opposite_of_three),
       weld_case("curved.cube", {"11.R.15-11"}, "A cube with the normals of its faces stays a cube.",
-                "It becomes a cushion, or its edges crack.", check_cube),
+                "The cube becomes a cushion, or its edges crack.", check_cube),
       weld_case("normals_kept", {"11.R.15-13"},
                 "Normals and texture coordinates have the bits that they have without WELD_ARK.",
                 "The welded normal is drawn: hard edges are smoothed.", check_normals_kept),
-      weld_case("place.sign_of_zero", {"11.R.15-4"}, "0 and -0 are one place.", "Bits are compared as they are.",
-                check_sign_of_zero),
-      weld_case("place.one_bit", {"11.R.15-4"}, "Places one bit apart are two.", "Places are rounded to a grid.",
-                check_other_places),
+      weld_case("place.sign_of_zero", {"11.R.15-4"}, "0 and -0 are one place.",
+                "Bits are compared, so they count as two places.", check_sign_of_zero),
+      weld_case("place.one_bit", {"11.R.15-4"}, "Places that differ in one bit are different.",
+                "Places are rounded to a grid.", check_other_places),
       weld_case("tags.greatest", {"11.R.15-6"},
-                "Vertices in one place have different tags: the greatest counts, in every triangle.",
-                "The first, the least, or each its own: a T-junction.", check_tags),
+                "Vertices at one place have different tags: the greatest counts in every triangle.",
+                "The first tag, the least, or each its own: a T-junction.", check_tags),
       weld_case("tagged.bits", {"11.R.15-14", "11.R.15-15"},
                 "SCALAR_TAGGED_PN_ARK without tags has the bits of CURVED_PN_ARK.", "Not welded.", check_tagged_bits),
       {.name = "ark.weld.tagged.tension",
        .clauses = {"11.R.15-14"},
-       .plan = "A tension of 0.5 draws the welded control points to the corner.",
+       .plan = "A tension of 0.5 pulls the welded control points to the corner.",
        .wrong = "Tension is lost in welding.",
        .check = [](Test& t) { check_tagged_tension(t, 0.5F); }},
   };

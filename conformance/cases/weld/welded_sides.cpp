@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // WELD_ARK (11.R.15): instances, creases, and one angle for all sides of an edge.
+#include <fmt/core.h>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -13,7 +14,7 @@
 namespace glark::conformance {
 namespace {
 
-// Instances of one triangle, each with a tag of its own: 0, 2 and 1.
+// Instances of one triangle. Each has its own tag: 0, 2 and 1.
 void check_instances(Test& t, bool by_attribute) {
   gl.UseProgram(build_program(
       t, {.vertex = std::string("layout(location = 0) in vec4 position; layout(location = 7) in vec4 shift;\n"
@@ -40,7 +41,7 @@ void check_instances(Test& t, bool by_attribute) {
   t.expect_equal(vertices.size() / 3, std::size_t{1 + 16 + 4}, "triangles of instances with the tags 0, 2 and 1");
 }
 
-// Two instances of one mesh that differ in their normals alone: each is drawn as if the other were not there.
+// Two instances of one mesh that differ only in their normals: each is drawn as if the other did not exist.
 void check_instanced_normals(Test& t) {
   gl.UseProgram(surface_program(t));
   const Mesh mesh = one_triangle();
@@ -72,7 +73,7 @@ void check_instanced_normals(Test& t) {
   t.expect(bulge > 0.01, "the normals bend the triangle");
 }
 
-// A sharp edge, both of whose ends are tagged: the control points are those without WELD_ARK.
+// A sharp edge with two tagged ends has the control points that it has without WELD_ARK.
 void check_crease(Test& t) {
   const Mesh mesh = bent_mesh();
   ShapeTags tags;
@@ -100,7 +101,8 @@ void check_crease(Test& t) {
 
 constexpr std::size_t many_pairs = 150;
 
-// Pairs of triangles with a common edge: vertices 0 and 5 are in one place, and so are 2 and 3. No two pairs have one in common.
+// Pairs of triangles with a common edge: vertices 0 and 5 are at one place, and so are 2 and 3. Different pairs have no
+// place in common.
 Mesh pairs() {
   Mesh mesh;
   for (std::size_t pair = 0; pair < many_pairs; ++pair)
@@ -133,13 +135,13 @@ void check_many_tags(Test& t) {
       tags[k] = static_cast<int>(greatest);
     }
     const reference::Depths expected = reference::edge_depths(tags);
-    if (!t.expect(found[triangle] == expected, "triangle " + std::to_string(triangle) + " has depths " +
-                                                   text_of(found[triangle]) + ", not " + text_of(expected)))
+    if (!t.expect(found[triangle] == expected, fmt::format("triangle {} has depths {}, not {}", triangle,
+                                                           text_of(found[triangle]), text_of(expected))))
       return;
   }
 }
 
-// Every other pair has normals of its own on the second side of its ridge.
+// Every other pair has different normals on the second side of its ridge.
 void check_many_ridges(Test& t) {
   gl.UseProgram(surface_program(t));
   Mesh mesh = pairs();
@@ -164,7 +166,7 @@ void check_many_ridges(Test& t) {
   for (std::size_t pair = 0; pair < many_pairs; ++pair)
     for (std::size_t i = 0; i < 5; ++i)
       if (!t.expect(same_position(sides[0][pair][i], sides[1][pair][i]),
-                    "both sides of ridge " + std::to_string(pair) + " are the same, by bits"))
+                    fmt::format("both sides of ridge {} are the same, by bits", pair)))
         return;
 }
 
@@ -173,7 +175,7 @@ Vec3 turned(double degrees) {
   return {static_cast<float>(std::sin(angle)), 0, static_cast<float>(std::cos(angle))};
 }
 
-// One side turns by 5 degrees, the other by 35: with 10 degrees a level, depths 0 and 2.
+// One side turns by 5 degrees, the other by 35. At 10 degrees a level, the depths are 0 and 2.
 void check_turns(Test& t, GLenum refinement) {
   gl.UseProgram(surface_program(t));
   Mesh mesh = bent_mesh();
@@ -203,29 +205,29 @@ Cases welded_sides_cases() {
   for (const bool by_attribute : {false, true})
     cases.push_back({.name = std::string("ark.weld.instances.") + (by_attribute ? "attribute" : "number"),
                      .clauses = {"11.R.15-5"},
-                     .plan = "Three instances of one triangle, each with a tag of its own.",
-                     .wrong = "The greatest tag of all instances, as if they were in one place.",
+                     .plan = "Three instances of one triangle, each with its own tag.",
+                     .wrong = "The greatest tag of all instances, as if they were at one place.",
                      .check = [by_attribute](Test& t) { check_instances(t, by_attribute); }});
   cases.push_back({.name = "ark.weld.instances.normals",
                    .clauses = {"11.R.15-5"},
-                   .plan = "Two instances of one triangle, each with a normal of its own: WELD_ARK changes nothing.",
-                   .wrong = "The edges of one have the other's normals for a second side.",
+                   .plan = "Two instances of one triangle, each with its own normal: WELD_ARK changes nothing.",
+                   .wrong = "The edges of one instance have the other's normals as a second side.",
                    .check = check_instanced_normals});
   cases.push_back({.name = "ark.weld.many.tags",
                    .clauses = {"11.R.15-6"},
-                   .plan = "Three hundred triangles in pairs, with random tags: the greatest of each place counts.",
+                   .plan = "Three hundred triangles in pairs, with random tags: the greatest tag of each place counts.",
                    .wrong = "Only the first triangles of a large draw are welded.",
                    .check = check_many_tags});
   cases.push_back({.name = "ark.weld.many.ridges",
                    .clauses = {"11.R.15-7", "11.R.15-9"},
-                   .plan = "A hundred and fifty pairs of triangles, every other one with a hard edge in common.",
+                   .plan = "A hundred and fifty pairs of triangles; every other pair has a hard edge in common.",
                    .wrong = "Only the first triangles of a large draw are welded: the others crack.",
                    .check = check_many_ridges});
   cases.push_back({.name = "ark.weld.tagged.crease",
                    .clauses = {"11.R.15-16"},
-                   .plan = "Two triangles along a crease: their surfaces are those without WELD_ARK, the same along it "
-                           "by bits.",
-                   .wrong = "Tagged corners are welded, too, and lose their crease.",
+                   .plan = "Two triangles along a crease: their surfaces are those without WELD_ARK, and are the same "
+                           "along it by bits.",
+                   .wrong = "Tagged corners are welded too, and lose their crease.",
                    .check = check_crease});
   for (const auto& [leaf, refinement] : {std::pair<const char*, GLenum>{"linear", GL_LINEAR_INPUTS_ARK},
                                          {"outputs", GL_LINEAR_OUTPUTS_ARK},
@@ -234,7 +236,7 @@ Cases welded_sides_cases() {
     cases.push_back({.name = std::string("ark.weld.measured_turns.") + leaf,
                      .clauses = {"11.R.15-17", "11.R.15-18"},
                      .plan = "Two sides of an edge whose normals turn by 5 and by 35 degrees have the greater depth.",
-                     .wrong = "Each side its own: a T-junction; the lesser.",
+                     .wrong = "Each side has its own depth: a T-junction; the lesser depth.",
                      .check = [mode = refinement](Test& t) { check_turns(t, mode); }});
   return cases;
 }
