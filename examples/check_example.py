@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Runs an example and looks whether it refined triangles and wrote its picture: check_example.py PICTURE PROGRAM ..."""
+"""Runs an example and checks that it refined triangles and wrote its picture: check_example.py PICTURE PROGRAM ..."""
 import json
 import os
 import pathlib

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Depth tags by metrics: an eye flies over a coarse terrain of curved PN triangles. In every frame its vertices are tagged anew, by
-// curvature as the eye sees it and at most by distance, within a budget of triangles. The picture shows three frames in the
-// false colours of the tags (blue 0, through green, to red at the deepest level), with the edges of the refined triangles.
+// Depth tags by metrics: an eye flies over a coarse terrain of curved PN triangles. Every frame sets the tags of all
+// vertices by the curvature that the eye sees, limited by distance, within a budget of triangles. The picture shows
+// three frames in the false colours of the tags (blue 0, through green, to red at the deepest level), with the edges of
+// the refined triangles.
 //
 //   depth_tags OUT.png
 #include <GL/gl.h>
@@ -25,7 +26,7 @@ namespace {
 constexpr int frames = 3;
 constexpr int frame_size = 480;
 constexpr unsigned max_level = 5;
-constexpr unsigned side = 24;  // coarse squares
+constexpr unsigned side = 24;  // of coarse squares
 constexpr float field_of_view = 0.9F;
 constexpr std::uint64_t most_triangles = 30000;
 
@@ -62,7 +63,7 @@ Terrain make_terrain() {
   return terrain;
 }
 
-// The lesson: three lines set the tags of a frame.
+// Three lines set the tags of a frame: this is what the example shows.
 void tag(Terrain& terrain, glark::depth::Tagger& tagger, const glark::depth::Vector& eye) {
   static std::vector<float> by_distance(terrain.tags.size());
   const glark::depth::View view{.eye = eye, .pixels_at_one = 0.5F * frame_size / std::tan(0.5F * field_of_view)};
@@ -90,7 +91,7 @@ void look_from(const glark::depth::Vector& eye) {
   glFrustum(-half, half, -half, half, 0.1, 100);
   glMatrixMode(GL_MODELVIEW);
   glLoadIdentity();
-  // Towards the peak: down by the angle at which the eye sees it.
+  // Looks at the peak, tilted down by the angle at which the eye sees it.
   const double down = std::atan2(static_cast<double>(eye[2]) - 0.6, -static_cast<double>(eye[1]));
   glRotated(-90 + down * 57.2957795, 1, 0, 0);
   glTranslatef(-eye[0], -eye[1], -eye[2]);
@@ -115,6 +116,18 @@ void draw_with_edges(const Terrain& terrain) {
   draw(terrain);
 }
 
+// The terrain is lit, so that the program has the normals that curve the triangles.
+void set_up() {
+  glARKinit(max_level);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
+  for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_DEPTH_TAG_ARRAY_ARK}) glEnableClientState(array);
+  for (const GLenum capability : {GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_DEPTH_TEST, GL_POLYGON_OFFSET_FILL})
+    glEnable(capability);
+  glPolygonOffset(1, 1);
+  glClearColor(1, 1, 1, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -127,26 +140,12 @@ int main(int argc, char** argv) {
   if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, frames * frame_size, frame_size) == GL_FALSE) {
     return 1;
   }
-  glARKinit(max_level);
-  glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glEnableClientState(GL_NORMAL_ARRAY);
-  glEnableClientState(GL_DEPTH_TAG_ARRAY_ARK);
-  // Lit, so that the normals that curve the triangles are among what is drawn.
-  glEnable(GL_LIGHTING);
-  glEnable(GL_LIGHT0);
-  glEnable(GL_COLOR_MATERIAL);
-  glEnable(GL_DEPTH_TEST);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1, 1);
-  glClearColor(1, 1, 1, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
+  set_up();
   Terrain terrain = make_terrain();
   glark::depth::Tagger tagger(terrain.tags.size(), terrain.triangles, max_level);
   for (int frame = 0; frame < frames; ++frame) {
     const glark::depth::Vector eye = {0, -10.0F + 3.2F * static_cast<float>(frame),
-                                        3.2F - 0.5F * static_cast<float>(frame)};
+                                      3.2F - 0.5F * static_cast<float>(frame)};
     glViewport(frame * frame_size, 0, frame_size, frame_size);
     tag(terrain, tagger, eye);
     color_by_depth(terrain);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Displacement by a texture, without any shader: on the left a terrain, a flat grid of 32 triangles whose vertices near the eye have
-// greater depth tags; on the right a displaced PN surface, an icosahedron of 20 triangles that becomes a sphere and then a planet. The
-// same height map serves both; the fixed function lights them by the normals of the displaced surface.
+// Displacement by a texture, without any shader. The terrain on the left is a flat grid of 32 triangles whose vertices
+// near the eye have greater depth tags. The planet on the right is a displaced PN surface of an icosahedron with 20
+// triangles. Both use the same height map. The fixed function lights them with the normals of the displaced surface.
 //
 //   displacement OUT.png
 #include <GL/gl.h>
@@ -25,7 +25,7 @@ constexpr int size = 512;
 constexpr int map_size = 256;
 constexpr unsigned max_level = 7;
 
-// Waves of halving lengths and heights, repeating at the edges of the map.
+// Waves whose lengths and heights halve. They repeat at the edges of the map.
 float mountains(float s, float t) {
   float sum = 0;
   float amplitude = 0.5F;
@@ -39,7 +39,7 @@ float mountains(float s, float t) {
   return sum;
 }
 
-// One number a texel, filtered between texels: heights from 0 to about 1, which scale and bias turn into lengths.
+// One height for each texel, from 0 to about 1, filtered between texels. Scale and bias turn heights into lengths.
 void upload_height_map() {
   std::vector<float> heights;
   for (int t = 0; t < map_size; ++t) {
@@ -101,7 +101,7 @@ void draw_terrain() {
   }
 }
 
-// The twenty triangles between the nearest of twelve points: the corners of three golden rectangles.
+// An icosahedron: twenty triangles between neighbours among twelve points, the corners of three golden rectangles.
 void draw_planet() {
   std::vector<std::array<float, 3>> points;
   const float t = (1 + std::sqrt(5.0F)) / 2;
@@ -127,7 +127,7 @@ void draw_planet() {
         for (const std::size_t corner : {i, j, k}) {
           const std::array<float, 3>& p = points[corner];
           glNormal3fv(p.data());
-          glTexCoord2f(0.15F * p[0], 0.15F * p[1]);  // the front and the back alike: no seam
+          glTexCoord2f(0.15F * p[0], 0.15F * p[1]);  // the front and the back are alike, so there is no seam
           glVertex3fv(p.data());
         }
       }

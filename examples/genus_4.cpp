@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A coarse mesh says how a surface hangs together, a refinement shader what it looks like: a slab of 136 triangles with four holes
-// becomes a smooth body by moving each refined vertex onto the zero of a function, then twists. From the left: the slab, the body, the
-// body twisted, and its refined triangles, finer about the holes. What was drawn is read back by transform feedback: it is closed,
-// and Euler's formula finds the four holes.
+// A coarse mesh gives the topology of a surface, a refinement shader its shape. A slab of 136 triangles with four holes
+// becomes a smooth body: each refined vertex moves onto the zero of a function. Then the body twists. From the left:
+// the slab, the body, the twisted body, and its refined triangles, which are finer around the holes. Transform feedback
+// reads back what was drawn: it is closed, and Euler's formula finds the four holes.
 //
 //   genus_4 OUT.png
 #define GL_GLEXT_PROTOTYPES
@@ -50,7 +50,8 @@ void main() {
   gl_FragColor = vec4(color * (0.3 + 0.7 * light), 1.0);
 })glsl";
 
-// The body is all that lies within w of the middle plane, where it is not in a hole. Each vertex goes down the slope of that function.
+// The body is the space within w of the middle plane and outside the holes. Each vertex moves along the gradient of
+// that function.
 constexpr const char* refinement_shader = R"glsl(
 uniform float twist;
 
@@ -81,7 +82,7 @@ void refine() {
   float turn = twist * position.x;
   mat2 rotation = mat2(cos(turn), sin(turn), -sin(turn), cos(turn));
   position.yz = rotation * position.yz;
-  normal.yz = rotation * normal.yz;  // not quite: the twist shears as well
+  normal.yz = rotation * normal.yz;  // approximate: the twist shears as well
 }
 )glsl";
 
@@ -96,7 +97,7 @@ bool is_solid(int i, int j) {
   return !outside && !(i % 2 == 1 && j % 2 == 1);
 }
 
-// Quads of every side of a solid cell that has no solid neighbour behind it.
+// Adds a quadrilateral for every side of a solid cell without a solid neighbour behind it.
 Slab make_slab() {
   Slab slab;
   const auto vertex = [](int i, int j, int top) {
@@ -168,7 +169,7 @@ void place(int column) {
 
 using Point = std::array<float, 3>;
 
-// The corners of the triangles that draw() draws.
+// Returns the corners of the triangles that draw() draws.
 std::vector<Point> read_back(const Slab& slab) {
   constexpr GLsizeiptr most_bytes = GLsizeiptr{16} << 20;
   GLuint buffer = 0;
@@ -190,7 +191,8 @@ std::vector<Point> read_back(const Slab& slab) {
   return points;
 }
 
-// V - E + F of a closed surface of genus g is 2 - 2 g. Vertices are the same where they have the same bits; -1: it is not closed.
+// Returns the genus; -1 if the surface is not closed. V - E + F of a closed surface of genus g is 2 - 2 g. Vertices
+// with the same bits are one vertex.
 int genus(const std::vector<Point>& points) {
   std::map<Point, int> vertices;
   std::map<std::pair<int, int>, int> edges;
@@ -210,7 +212,7 @@ int draw_all(const Slab& slab, GLuint program) {
   glUseProgram(program);
   GLint built = GL_FALSE;
   glGetRefinementivARK(program, GL_REFINEMENT_STATUS_ARK,
-                       &built);  // from here on, the uniform of refine() has a location
+                       &built);  // after this, the uniform of refine() has a location
   const GLint twist = glGetUniformLocation(program, "twist");
   const GLint color = glGetUniformLocation(program, "color");
   glEnableVertexAttribArray(0);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Procedural displacement: a coarse ground of 128 triangles, and a refinement shader that knows the height of every point of it, the sum
-// of six octaves of noise. No texture, no fine mesh anywhere; vertices near the eye have greater depth tags. The lower half of the
-// picture shows the same with the refined triangles as lines.
+// Procedural displacement: a coarse ground of 128 triangles, and a refinement shader that computes the height of every
+// point, the sum of six octaves of noise. There is no texture and no fine mesh. Vertices near the eye have greater
+// depth tags. The lower half of the picture also shows the refined triangles as lines.
 //
 //   noise_terrain OUT.png
 #include <GL/gl.h>
@@ -27,7 +27,7 @@ constexpr int height = 400;  // of each half
 constexpr int cells = 8;     // along a side of the ground
 constexpr unsigned max_level = 6;
 
-// Value noise with its derivative, so that the normal is exact; ridges, because absolute values have kinks.
+// Value noise with its derivative, so that the normal is exact. The absolute value makes ridges.
 constexpr const char* mountains = R"glsl(
 float random(vec2 cell) {
   vec3 p = fract(vec3(cell.xyx) * 0.1031);
@@ -64,7 +64,8 @@ void refine() {
 }
 )glsl";
 
-// The fixed function is program 0. False, with a message, when the shader does not build.
+// Sets the refinement shader of the fixed function, which is program 0. Prints a message and returns false if the
+// shader does not build.
 bool use(const char* source) {
   glRefinementShaderSourceARK(0, 1, &source, nullptr);
   GLint built = GL_FALSE;
@@ -81,7 +82,7 @@ bool use(const char* source) {
 void vertex(int i, int j) {
   const float x = static_cast<float>(i) - cells / 2.0F;
   const float y = static_cast<float>(j);
-  // Half as deep at twice the distance: segments then have about one size on the screen.
+  // Twice the distance gives half as many segments, so that segments have about one size on the screen.
   const double distance = std::hypot(x, y + 1.5);
   glDepthTag1i(static_cast<GLuint>(std::clamp(max_level + 1 - std::log2(distance), 1.0, double{max_level})));
   glVertex2f(x, y);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A subdivision surface in real time: a toy of 60 triangles that bends, drawn as it is and as the surface that it controls. Every frame
-// the library glark-qas takes one step of Loop's scheme on the CPU, and the refinement shader fits two quadratic patches to each
-// triangle, one for positions and one for normals. Vertices near the eye ask for more of them.
+// A subdivision surface in real time: a toy of 60 triangles bends. It is drawn as it is, and as the surface that it
+// controls. In every frame the library glark-qas computes one step of Loop's scheme on the CPU, and the refinement
+// shader fits two quadratic patches to each triangle, one for positions and one for normals. Vertices near the eye have
+// greater depth tags.
 //
 //   qas_surface OUT.png [SECONDS]      the moment of the animation
 #define GL_GLEXT_PROTOTYPES
@@ -34,7 +35,7 @@ struct ControlMesh {
   std::vector<std::uint32_t> triangles;
 };
 
-// A cube of which every face has grown an arm.
+// A cube with an arm on every face.
 ControlMesh make_jack() {
   ControlMesh mesh;
   for (int corner = 0; corner < 8; ++corner) {
@@ -65,7 +66,7 @@ ControlMesh make_jack() {
   return mesh;
 }
 
-// Its arms turn about the z axis, the farther out the more.
+// Bends the toy: its arms turn about the z axis, more with the distance from it.
 std::vector<float> bent(const std::vector<float>& rest, float seconds) {
   std::vector<float> positions = rest;
   for (std::size_t i = 0; i < rest.size(); i += 3) {
@@ -77,7 +78,8 @@ std::vector<float> bent(const std::vector<float>& rest, float seconds) {
   return positions;
 }
 
-// A point and the middle of the edge to the next corner, in one input: the refinement shader reads both, the vertex stage the point.
+// One input has a point and the middle of the edge to the next corner. The refinement shader reads both, the vertex
+// stage reads the point.
 constexpr const char* vertex_shader = R"glsl(#version 130
 in mat2x3 point;
 in mat2x3 normal;
@@ -99,7 +101,7 @@ void main() {
 
 enum : GLuint { point = 0, normal = 2, tag = 4 };  // a matrix takes two locations
 
-// The program with the refinement shader of QAS; 0, with a message, when it does not build.
+// Returns the program with the refinement shader of QAS. Prints a message and returns 0 if it does not build.
 GLuint make_program() {
   const GLuint program = glCreateProgram();
   const GLenum stages[] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
@@ -125,11 +127,11 @@ GLuint make_program() {
   return 0;
 }
 
-// Depths by distance: of a vertex, so that triangles agree on the edge that they share.
+// Depth tags by the distance of vertices, so that triangles agree on the edges that they share.
 std::vector<GLubyte> depth_tags(const std::vector<float>& positions) {
   std::vector<GLubyte> tags;
   for (std::size_t i = 0; i < positions.size(); i += 3) {
-    const float towards_eye = (positions[i] + positions[i + 1] + positions[i + 2]) / 3;  // -1 to 1, about
+    const float towards_eye = (positions[i] + positions[i + 1] + positions[i + 2]) / 3;  // about -1 to 1
     tags.push_back(static_cast<GLubyte>(std::clamp(4 + towards_eye, 3.0F, float(deepest))));
   }
   return tags;
@@ -172,7 +174,7 @@ void look(int left) {
   glRotatef(-45, 0, 1, 0);
 }
 
-// Flat, with its edges.
+// Draws the coarse mesh flat, with its edges.
 void draw_control_mesh(const std::vector<float>& positions, const std::vector<std::uint32_t>& triangles) {
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
@@ -210,7 +212,7 @@ int main(int argc, char** argv) {
   GLuint buffers[2];
   glGenBuffers(2, buffers);
 
-  // Every frame: the mesh moves, its limit points follow, and what they span is refined while it is drawn.
+  // Every frame: the mesh moves, its limit points follow, and their patches are refined while they are drawn.
   const float seconds = argc == 3 ? std::strtof(argv[2], nullptr) : 0.5F;
   const std::vector<float> positions = bent(jack.positions, seconds);
   surface.update(positions);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A refinement shader of one's own: two triangles become a rippling sheet. refine() runs once for each refined vertex, before
-// the fixed function does: it finds the vertex's inputs interpolated and may change them, here position and normal.
+// Your own refinement shader: two triangles become a rippling sheet. refine() runs once for each refined vertex, before
+// the fixed function. It gets the interpolated inputs of the vertex and may change them; here it changes position and
+// normal.
 //
 //   refinement_shader OUT.png
 #include <GL/gl.h>
@@ -22,7 +23,7 @@ namespace {
 constexpr int size = 512;
 constexpr unsigned level = 7;
 
-// Rings of height h(r) about the middle; the normal is that of the graph of h.
+// Rings of height h(r) around the middle. The normal is that of the graph of h.
 constexpr const char* waves = R"glsl(
 void refine() {
   float r = length(gl_Vertex.xy);
@@ -33,7 +34,8 @@ void refine() {
 }
 )glsl";
 
-// Gives the fixed function (program 0) the refinement shader; false, with a message, when it does not build.
+// Sets the refinement shader of the fixed function, which is program 0. Prints a message and returns false if the
+// shader does not build.
 bool use_waves() {
   glRefinementShaderSourceARK(0, 1, &waves, nullptr);
   GLint built = GL_FALSE;

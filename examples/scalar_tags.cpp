@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Scalar-tagged PN triangles: one coarse mesh of 72 triangles, a turned spindle with four rings that are meant to be sharp. From the
-// left: as it is; curved PN triangles, which round the rings off; with the tags that glark/pn.h derives from the hard edges; with
-// their bias changed; and with their tension. What changes from one to the next are numbers at the vertices.
+// Scalar-tagged PN triangles: one coarse mesh of 72 triangles, a turned spindle with four rings that should be sharp.
+// From the left: the coarse mesh; curved PN triangles, which round the rings off; with the tags that glark/pn.h derives
+// from the hard edges; with another bias; with another tension. Only numbers at the vertices change from one to the
+// next.
 //
 //   scalar_tags OUT.png
 #define GL_GLEXT_PROTOTYPES
@@ -71,7 +72,7 @@ Spindle make_spindle() {
   return spindle;
 }
 
-// Positions and normals as for any program; the tags in the two attributes of the extension.
+// Positions and normals are set as in any program. The tags are in the two attributes of the extension.
 void draw(const glark::pn::TaggedMesh& mesh) {
   GLint discontinuity = 0;
   GLint tags = 0;

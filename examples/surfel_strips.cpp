@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A cloud of points, drawn as triangle strips without reconstructing its surface, with the library glark-surfel. On the left are the points,
-// in the middle the strips that they have in this view, a colour for each, and on the right the same strips with curved triangles, by
-// GL_CURVED_PN_ARK. One glMultiDrawElements draws them: strips that face away or lie beside the picture are not among its counts.
+// Draws a point cloud as triangle strips with the library glark-surfel, without reconstructing its surface. On the left
+// are the points; in the middle the strips of this view, each in its own colour; on the right the same strips with
+// curved triangles, by GL_CURVED_PN_ARK. One glMultiDrawElements draws them. Strips that face away or lie outside the
+// picture are culled.
 //
-//   surfel_strips OUT.png [SECONDS]      the moment of the animation: a bulge that grows, of which only its own strips are made anew
+//   surfel_strips OUT.png [SECONDS]      the moment of the animation: a growing bulge, where only its own strips are updated
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -33,7 +34,7 @@ struct Points {
   std::vector<float> positions, normals;  // x y z
 };
 
-// A knot of 6000 points: evenly spread, in no order that a mesh would have.
+// A knot of 6000 points, evenly spread and unordered.
 Points make_knot() {
   constexpr int count = 6000;
   constexpr float turn = 6.2831853F, thickness = 0.32F;
@@ -52,7 +53,7 @@ Points make_knot() {
     for (int k = 0; k < 3; ++k) tangent[k] = ahead[k] - middle[k];
     for (const float t : tangent) size += t * t;
     for (float& t : tangent) t /= std::sqrt(size);
-    // Two directions across the curve: away from the z axis as far as possible, and the other.
+    // Two directions across the curve: one away from the z axis as far as possible, and one orthogonal to it.
     float across[3] = {std::cos(2 * along), std::sin(2 * along), 0}, other[3];
     const float overlap = across[0] * tangent[0] + across[1] * tangent[1];
     for (int k = 0; k < 3; ++k) across[k] -= overlap * tangent[k];
@@ -69,7 +70,8 @@ Points make_knot() {
   return points;
 }
 
-// Points near the tip of the x axis move outwards, the nearest the farthest, and their normals turn; which ones they are.
+// Moves points near the tip of the x axis outwards, the nearest ones farthest, and turns their normals. Returns the
+// moved points.
 std::vector<std::uint32_t> bulge(Points& points, float by) {
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < points.positions.size() / 3; ++i) {
@@ -81,7 +83,7 @@ std::vector<std::uint32_t> bulge(Points& points, float by) {
     const float along = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
     for (int k = 0; k < 3; ++k) {
       p[k] += by * near * near * n[k];
-      n[k] += by * 8 * near * (d[k] - along * n[k]);  // less the slope of near * near across the normal
+      n[k] += by * 8 * near * (d[k] - along * n[k]);  // minus the slope of near * near across the normal
     }
     moved.push_back(i);
   }
@@ -99,7 +101,7 @@ void look(int column) {
   glRotatef(-50, 1, 0, 0);
 }
 
-// What the library has to know of the view: projection times model-view, and the size in pixels.
+// The view as the library needs it: projection times model-view, and the size in pixels.
 glark::surfel::View current_view() {
   float projection[16], model_view[16];
   glGetFloatv(GL_PROJECTION_MATRIX, projection);
@@ -118,13 +120,40 @@ void draw(const glark::surfel::Frame& frame) {
   glMultiDrawElements(GL_TRIANGLE_STRIP, frame.counts.data(), GL_UNSIGNED_INT, frame.offsets.data(), frame.draws());
 }
 
-// One by one, for the sake of the colours.
+// Draws the strips one by one, so that each has its colour.
 void draw_coloured(const glark::surfel::Frame& frame) {
   for (std::size_t i = 0; i < frame.counts.size(); ++i) {
     const auto shade = [&](std::size_t prime) { return 0.35F + 0.6F * float(i * prime % 97) / 97; };
     glColor3f(shade(31), shade(57), shade(83));
     glDrawElements(GL_TRIANGLE_STRIP, frame.counts[i], GL_UNSIGNED_INT, frame.offsets[i]);
   }
+}
+
+void set_up() {
+  for (const GLenum capability : {GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE, GL_COLOR_MATERIAL, GL_CULL_FACE})
+    glEnable(capability);
+  glClearColor(1, 1, 1, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glARKinit(deepest);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, deepest);
+}
+
+// Every frame: select what is visible, then draw it. Here it is drawn in three ways.
+void draw_views(const glark::surfel::Strips& strips, std::size_t points) {
+  look(0);
+  glColor3f(0.2F, 0.35F, 0.6F);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(points));
+  glark::surfel::Frame frame;
+  strips.select(current_view(), frame);
+  look(1);
+  draw_coloured(frame);
+  look(2);
+  glColor3f(0.9F, 0.6F, 0.3F);
+  glEnable(GL_ARK);
+  draw(frame);
+  std::printf("%zu of %zu strips in %d draws of one call\n", frame.strips, strips.counts().strips, frame.draws());
 }
 
 }  // namespace
@@ -137,24 +166,16 @@ int main(int argc, char** argv) {
   std::vector<unsigned char> pixels(4UL * width * height);
   const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
   if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE) return 1;
-  glEnable(GL_DEPTH_TEST);
-  glEnable(GL_LIGHTING);
-  glEnable(GL_LIGHT0);
-  glEnable(GL_NORMALIZE);
-  glEnable(GL_COLOR_MATERIAL);
-  glEnable(GL_CULL_FACE);
-  glClearColor(1, 1, 1, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  glARKinit(deepest);
+  set_up();
 
-  // Once: the strips. Their indices go to a buffer; the points are drawn from where they are, in the order in which they are.
+  // Once: the strips. Their indices go to a buffer. The points stay in their arrays and in their order.
   Points points = make_knot();
   glark::surfel::Strips strips({points.positions, points.normals});
   GLuint index_buffer = 0;
   glGenBuffers(1, &index_buffer);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
 
-  // When points move: their strips, and no others. (A program with much to draw uploads the ranges that update() returns.)
+  // When points move: only their strips are updated. (Large programs upload only the ranges that update() returns.)
   const float seconds = argc == 3 ? std::strtof(argv[2], nullptr) : 0.2F;
   const std::vector<std::uint32_t> moved = bulge(points, seconds);
   strips.update({points.positions, points.normals}, moved);
@@ -165,24 +186,8 @@ int main(int argc, char** argv) {
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
 
-  // Every frame: what is seen.
-  look(0);
-  glColor3f(0.2F, 0.35F, 0.6F);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(points.positions.size() / 3));
-  glark::surfel::Frame frame;
-  strips.select(current_view(), frame);
-  look(1);
-  draw_coloured(frame);
-  look(2);
-  glColor3f(0.9F, 0.6F, 0.3F);
-  glEnable(GL_ARK);
-  glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
-  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
-  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, deepest);
-  draw(frame);
+  draw_views(strips, points.positions.size() / 3);
   glFinish();
-
-  std::printf("%zu of %zu strips in %d draws of one call\n", frame.strips, strips.counts().strips, frame.draws());
   stbi_flip_vertically_on_write(1);
   const int written = stbi_write_png(argv[1], width, height, 4, pixels.data(), 4 * width);
   OSMesaDestroyContext(context);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Adaptive refinement: every vertex of a cube has its own depth tag, from an array, and an edge gets the mean of its two ends.
-// One corner is refined finely, the opposite one not at all; the wireframe shows patterns of all kinds meeting without cracks.
+// Adaptive refinement: an array gives every vertex of a cube its own depth tag, and an edge gets the mean of its two
+// ends. One corner is refined finely, the opposite one not at all. The wireframe shows that patterns of all kinds meet
+// without cracks.
 //
 //   tagged_cube OUT.png
 #include <GL/gl.h>
@@ -24,7 +25,7 @@ constexpr unsigned max_level = 5;
 
 struct Cube {
   std::array<float, 24> positions{};        // xyz of corner i: bit k of i is the side on axis k
-  std::array<unsigned char, 8> depths{};    // tag of corner i: max_level at corner 7, less with each axis away from it
+  std::array<unsigned char, 8> depths{};    // tag of corner i: max_level at corner 7, less at corners farther away
   std::array<unsigned char, 36> indices{};  // 12 triangles, counter-clockwise from outside
 };
 
@@ -62,7 +63,7 @@ void draw(const Cube& cube) {
   glDrawARPElementsARK(GL_TRIANGLES, static_cast<GLsizei>(cube.indices.size()), GL_UNSIGNED_BYTE, cube.indices.data());
 }
 
-// The faces, and over them their edges.
+// Draws the faces, then their edges over them.
 void draw_with_edges(const Cube& cube) {
   glEnable(GL_CULL_FACE);
   glEnable(GL_POLYGON_OFFSET_FILL);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The smallest program of the extension: a coarse bowl, refined by the ten lines of draw(). Everything else makes an off-screen
-// context and writes its picture.
+// The smallest program of the extension: a coarse bowl, refined by the ten lines of draw(). The rest of the program
+// makes an off-screen context and writes a picture.
 //
 //   ten_lines OUT.png [DEPTH [wireframe]]     DEPTH 0 leaves it coarse
 #include <GL/gl.h>
@@ -21,8 +21,8 @@ enum { size = 512, corners = 8 };
 
 static void draw(unsigned depth) {
   glARKinit(5);         // patterns for edges of up to 2^5 segments
-  glEnable(GL_ARK);     // from here on, triangles are replaced by patterns
-  glDepthTag1i(depth);  // the vertices that follow ask for 2^depth segments an edge
+  glEnable(GL_ARK);     // now patterns replace triangles
+  glDepthTag1i(depth);  // the next vertices ask for 2^depth segments on each edge
   glBegin(GL_TRIANGLE_FAN);
   glNormal3f(0, 0, 1);
   glVertex3f(0, 0, 0);
@@ -34,7 +34,7 @@ static void draw(unsigned depth) {
   glEnd();
 }
 
-// A small light close to the surface: lit per vertex, a coarse bowl misses its highlight.
+// A small light is close to the surface. With lighting per vertex, a coarse bowl misses its highlight.
 static void light(void) {
   static const float position[4] = {0.3f, 0.3f, 0.6f, 1};
   static const float ground[4] = {0.1f, 0.4f, 0.8f, 1};

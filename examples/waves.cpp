@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Depth tags that change with every frame: rings of waves run outwards over a pond of 288 triangles. The refinement shader moves the
-// refined vertices by a function of the time; on the CPU, in the same frame, each coarse vertex is tagged by how much that function
-// bends about it, so that fine triangles travel with the waves. Four frames, the refined triangles as lines over the water. For each
-// the triangles that were drawn are counted by a query and compared with what section 11.R.5 of the extension says of such tags.
+// Depth tags that change with every frame: rings of waves run outwards over a pond of 288 triangles. The refinement
+// shader moves the refined vertices by a function of time. In the same frame, the CPU tags each coarse vertex by how
+// much that function bends near it, so that fine triangles travel with the waves. The picture has four frames, with the
+// refined triangles as lines over the water. A query counts the triangles of each frame; the program compares the count
+// with section 11.R.5 of the extension.
 //
 //   waves OUT.png
 #define GL_GLEXT_PROTOTYPES
@@ -48,7 +49,7 @@ uniform vec3 color;
 void main() { gl_FragColor = vec4(color * light, 1.0); }
 )glsl";
 
-// A packet of waves about the ring of radius `time`. refine() may set the globals of the vertex shader, too.
+// A packet of waves around the ring of radius `time`. refine() may also set globals of the vertex shader.
 constexpr const char* refinement_shader = R"glsl(
 uniform float time;
 void refine() {
@@ -99,7 +100,7 @@ Pond make_pond() {
   return pond;
 }
 
-// The bend of the waves fades with the packet: by each factor of four, segments may be twice as long.
+// The bend of the waves fades with the packet. With a quarter of the bend, segments may be twice as long.
 void tag(Pond& pond, float time) {
   pond.tags.clear();
   for (const auto& [x, y] : pond.places) {
@@ -109,7 +110,7 @@ void tag(Pond& pond, float time) {
   }
 }
 
-// Section 11.R.5: m the least of the three edge depths.
+// Section 11.R.5, where m is the least of the three edge depths.
 unsigned expected_triangles(const Pond& pond) {
   unsigned sum = 0;
   for (std::size_t i = 0; i < pond.indices.size(); i += 3) {

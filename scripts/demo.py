@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""The demonstration behind scripts/demo: programs that know nothing of glark, and one that does, unrefined and refined."""
+"""Runs the programs of scripts/demo unrefined, refined and as wireframe."""
 import argparse
 import dataclasses
 import json
@@ -76,7 +76,7 @@ def write_models(out: pathlib.Path) -> None:
 
 
 def programs(build: pathlib.Path, out: pathlib.Path) -> list:
-    """The programs to show. OpenSceneGraph's take a hundred packages, so they are shown where they are installed already."""
+    """Returns the programs to show. OpenSceneGraph needs a hundred packages, so its programs are shown only if it is installed."""
     osg = {"OSG_WINDOW": "0 0 640 480", "OSG_THREADING": "SingleThreaded", "OSG_NOTIFY_LEVEL": "ALWAYS"}
     glmark2 = ["glmark2", "--data-path", str(out / "glmark2"), "--size", "640x480", "--benchmark"]
     found = [

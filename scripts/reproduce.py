@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Plots what scripts/reproduce measured, and writes docs/reference/reproduction.md."""
+"""Plots the figures that scripts/reproduce measured, and writes docs/reference/reproduction.md."""
 import argparse
 import csv
 import json
@@ -29,7 +29,7 @@ class Figures:
         self.machine = ""
 
     def rows(self, figure: str) -> list:
-        """Of a run of glark-bench: (name without the figure's, measured, detail)."""
+        """Returns (name without the figure's name, measured, detail) for each row of a run of glark-bench."""
         report = json.loads((self.folder / f"{figure}.json").read_text())
         self.machine = report["machine"]
         if report["errors"]:
@@ -72,7 +72,7 @@ def adaptive_figure(figures: Figures, images: pathlib.Path) -> str:
 
 
 def line_figure(figures: Figures, images: pathlib.Path, figure: str, file: str, heads: dict) -> str:
-    """heads: what columns of the detail are called."""
+    """heads: the titles of the columns of the detail."""
     rows = figures.rows(figure)
     axes = new_axes()
     axes.plot([d["depth"] for _, _, d in rows], [measured for _, measured, _ in rows], "o-")
@@ -106,7 +106,7 @@ def qas_figure(figures: Figures, images: pathlib.Path) -> str:
 
 
 def copy_pictures(figures: Figures, images: pathlib.Path) -> tuple:
-    """As JPEG: they are looked at, not compared."""
+    """Copies the pictures as JPEG, because nobody compares them byte by byte."""
     def convert(name: str) -> str:
         subprocess.run(["convert", str(figures.folder / f"{name}.png"), "-background", "white", "-flatten", "-resize", "1200x>",
                         "-quality", "88", str(images / f"{name}.jpg")], check=True)

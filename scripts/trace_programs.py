@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""The programs that scripts/traces records: Debian's, and small ones for libraries that come without any."""
+"""The programs that scripts/traces records: programs of Debian, and small programs for libraries that have none."""
 import dataclasses
 import pathlib
 
@@ -15,8 +15,8 @@ class Program:
     name: str
     command: list
     egl: bool = False      # reaches OpenGL by EGL
-    seconds: float = 4     # of recording; the first frames are kept
-    first: int = 0         # frame of the recording from which on frames are compared
+    seconds: float = 4     # length of the recording; the first frames are kept
+    first: int = 0         # first frame of the recording that is compared
     environment: dict = dataclasses.field(default_factory=dict)
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Behind scripts/traces: recordings of real programs, replayed without glark, with it off and refined by linear outputs.
+"""The work of scripts/traces: records real programs, replays them without glark, with glark off, and refined by linear outputs.
 
 Off, every byte of every frame must be that of the replay without glark. Refined, at most 0.05 % of the pixels may differ by more
 than one of 255 levels, and draws must have been refined. GL errors must be the same in all three.
@@ -23,7 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FRAMES = 30
 LEVEL = 2
 LIMIT = 300             # seconds for one replay
-TOLERATED = 0.05 / 100  # of the pixels
+TOLERATED = 0.05 / 100  # share of the pixels
 REFINED = {"GLARK_ENABLE": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": "outputs", "GLARK_EVERYTHING": "1"}
 CURVED = {"GLARK_ENABLE": "1", "GLARK_LEVEL": "3", "GLARK_REFINE": "pn"}
 MARKS = ("<!-- {}: written by scripts/traces --write -->", "<!-- end of {} -->")
@@ -34,7 +34,7 @@ class Failure(Exception):
 
 
 def environment(more: dict) -> dict:
-    """Ours, without settings of glark, on Mesa's software renderer, at full speed, and for OpenSceneGraph in one small window.
+    """Our environment without settings of glark: Mesa's software renderer, full speed, OpenSceneGraph in one small window.
 
     glretrace shows what no call has drawn yet in its first frame: memory is filled, so that it is the same in all replays.
     """
@@ -57,7 +57,7 @@ def run(command: list, more: dict, log: pathlib.Path, **options) -> subprocess.C
 
 
 def record(program: Program, folder: pathlib.Path) -> None:
-    """Leaves the first frames in NAME.trace; what is there already is kept, so that replays stay comparable."""
+    """Writes the first frames to NAME.trace. An existing recording is kept, so that replays stay comparable."""
     trace, whole = file_of(program, folder, ".trace"), file_of(program, folder, ".whole")
     if trace.exists():
         return
@@ -81,12 +81,12 @@ def record(program: Program, folder: pathlib.Path) -> None:
 @dataclasses.dataclass
 class Replay:
     frames: list
-    errors: int  # that OpenGL raised
+    errors: int  # GL errors
     statistics: dict
 
 
 def read_frames(stream) -> list:
-    """The PNM pictures of glretrace -s -."""
+    """Reads the PNM pictures of glretrace -s -."""
     frames = []
     while magic := stream.readline():
         size = stream.readline()
@@ -122,7 +122,7 @@ def replay(program: Program, folder: pathlib.Path, variant: str, library: dict) 
 
 
 def differing(first: list, second: list, levels: int) -> tuple:
-    """Pixels of which a channel differs by more than that, of all frames, and the frame with most of them."""
+    """Counts the pixels of all frames with a channel that differs by more, and finds the frame with most of them."""
     if [frame.shape for frame in first] != [frame.shape for frame in second]:
         raise Failure("the frames have other numbers or sizes")
     counts = [int((numpy.abs(a.astype(numpy.int16) - b) > levels).any(axis=2).sum()) for a, b in zip(first, second)]
@@ -135,14 +135,14 @@ def write_ppm(path: pathlib.Path, frame: numpy.ndarray) -> None:
 
 
 def write_difference(program: Program, folder: pathlib.Path, plain: numpy.ndarray, other: numpy.ndarray) -> None:
-    """Without glark, with it, and where they differ in white."""
+    """Writes three pictures side by side: without glark, with it, and the differences in white."""
     where = (numpy.abs(plain.astype(numpy.int16) - other) > 1).any(axis=2, keepdims=True)
     mask = numpy.repeat(where.astype(numpy.uint8) * 255, plain.shape[2], axis=2)
     write_ppm(file_of(program, folder, ".ppm"), numpy.concatenate([plain, other, mask], axis=1))
 
 
 def compare(program: Program, folder: pathlib.Path, library: pathlib.Path) -> tuple:
-    """A row of the table, and the complaints."""
+    """Returns a row of the table, and the complaints."""
     preload = {"LD_PRELOAD": str(library)}
     plain = replay(program, folder, "plain", {})
     off = replay(program, folder, "off", preload)
@@ -193,12 +193,12 @@ def compare_recordings(programs: list, folder: pathlib.Path, library: pathlib.Pa
         complaints += [f"{program.name}: {complaint}" for complaint in found]
         for complaint in found:
             print(f"  {complaint}", flush=True)
-    rows = [file_of(program, folder, ".row") for program in PROGRAMS]  # of earlier runs, too
+    rows = [file_of(program, folder, ".row") for program in PROGRAMS]  # earlier runs count, too
     return table(head, [json.loads(row.read_text()) for row in rows if row.exists()]), complaints
 
 
 def validate_glmark2(folder: pathlib.Path, library: pathlib.Path) -> tuple:
-    """Every scene with glmark2's own check of its picture."""
+    """Runs every scene with glmark2's own check of its picture."""
     results = {}
     statistics = folder / "glmark2.json"
     variants = {"plain": {}, "off": {"LD_PRELOAD": str(library)}, "refined": {"LD_PRELOAD": str(library), **REFINED}}
@@ -218,7 +218,7 @@ def validate_glmark2(folder: pathlib.Path, library: pathlib.Path) -> tuple:
 
 
 def write_pictures(programs: list, folder: pathlib.Path, library: pathlib.Path) -> None:
-    """A contact sheet of the last frame of each recording, as it is and as curved triangles, folder/programs.png."""
+    """Writes folder/programs.png: the last frame of each recording, unrefined and as curved triangles."""
     pairs = []
     for program in programs:
         if not file_of(program, folder, ".trace").exists():
@@ -247,9 +247,9 @@ def main() -> int:
     parser.add_argument("--library", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--folder", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--only", action="append", default=[], metavar="NAME", help="this program (may be given several times)")
-    parser.add_argument("--record", action="store_true", help="record what is missing, without replaying")
+    parser.add_argument("--record", action="store_true", help="make the missing recordings, replay nothing")
     parser.add_argument("--glmark2", action="store_true", help="only glmark2 --validate")
-    parser.add_argument("--pictures", action="store_true", help="only a contact sheet of what is recorded, before and after")
+    parser.add_argument("--pictures", action="store_true", help="only write a contact sheet of the recordings, unrefined and refined")
     parser.add_argument("--write", action="store_true", help="put the tables into docs/reference/traces.md")
     arguments = parser.parse_args()
     folder, library = arguments.folder.resolve(), arguments.library.resolve()

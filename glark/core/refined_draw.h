@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A draw call from end to end: each step is a stage in a folder of its own.
+// A draw call from end to end. Each step is a stage in a folder of its own:
+//   plan/ -> keep/ -> capture/ -> weld/ -> polygons/ -> depth/ -> submit/
+// A draw that cannot be refined leaves after plan/. A draw that is kept goes on to submit/.
 #pragma once
 
 #include <cstdint>

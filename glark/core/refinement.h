@@ -109,8 +109,7 @@ inline constexpr std::array refinements{
                      .word = "phong",
                      .help = "curved, normals linear, with --phong-shape",
                      .details = "phong bends triangles towards the tangent planes of their corners and keeps normals "
-                                "linear, which is cheaper "
-                                "than pn.",
+                                "linear, which is cheaper than pn.",
                      .curves_positions = true,
                      .number = {.token = GL_PHONG_SHAPE_ARK,
                                 .token_name = "PHONG_SHAPE_ARK",
@@ -131,11 +130,8 @@ constexpr const RefinementTraits& traits_of(Refinement refinement) {
 }
 
 constexpr bool rows_are_in_order() {
-  for (std::size_t i = 0; i < refinements.size(); ++i) {
-    if (refinements[i].refinement != static_cast<Refinement>(i)) {
-      return false;
-    }
-  }
+  for (std::size_t i = 0; i < refinements.size(); ++i)
+    if (refinements[i].refinement != static_cast<Refinement>(i)) return false;
   return true;
 }
 static_assert(rows_are_in_order());
@@ -214,10 +210,5 @@ struct ContextOptions {
   AttributeRoles roles = {};
   bool read_counts = false;  // once a frame, reads back the numbers that only the GPU has counted, for the statistics
 };
-
-// Without tags of their own, all vertices have these.
-inline ScalarTags constant_tags(const ContextOptions& options) {
-  return {.tension = options.shape_numbers[static_cast<std::size_t>(Refinement::scalar_tagged_pn)]};
-}
 
 }  // namespace glark::core

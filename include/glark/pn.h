@@ -45,12 +45,11 @@ struct Mesh {
 };
 
 struct Options {
-  float crease_degrees =
-      40;  // 0 to 180; only without normals: edges whose planes differ by more are creases
-  float sharpness = 1;  // 0 or more: 0 is smooth, 1 as sharp as the mesh
-  float tension = 0;    // -1 to 1, of the vertices on creases
-  float bias = 0;       // -1 to 1, of the vertices on creases
-  bool split = true;    // divides smooth edges whose ends would make them creases
+  float crease_degrees = 40;  // 0 to 180; only without normals: edges whose planes differ by more are creases
+  float sharpness = 1;        // 0 or more: 0 is smooth, 1 as sharp as the mesh
+  float tension = 0;          // -1 to 1, of the vertices on creases
+  float bias = 0;             // -1 to 1, of the vertices on creases
+  bool split = true;          // divides smooth edges whose ends would make them creases
 };
 
 // The attributes of the vertices. The first vertices are those of the mesh, in its order and at its positions. More

@@ -107,7 +107,7 @@ struct View {
   float level_pixels = 1.0F;
 };
 
-// What to draw. A frame that is used again needs no new memory.
+// The list of what to draw. A frame that is used again needs no new memory.
 struct Frame {
   std::vector<std::int32_t> counts;  // for glMultiDrawElements(GL_TRIANGLE_STRIP, ...)
   std::vector<const void*> offsets;  // in bytes from the beginning of indices()

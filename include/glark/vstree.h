@@ -69,8 +69,9 @@ struct Options {
   float delta_a = 0;
   float delta_d = 0.25F;            // the thesis has 1/6; this divides the octree less deep
   std::uint32_t least_samples = 1;  // a node with this many samples or fewer is a leaf
-  std::uint32_t most_leaves = 0;    // if not 0, replaces the threshold: at most so many leaves, with the least greatest error
-  unsigned threads = 0;             // the most threads; 0: as many as the machine has, 1: only the caller's
+  std::uint32_t most_leaves =
+      0;                 // if not 0, replaces the threshold: at most so many leaves, with the least greatest error
+  unsigned threads = 0;  // the most threads; 0: as many as the machine has, 1: only the caller's
 };
 
 enum class Kind : std::uint8_t {
@@ -83,9 +84,10 @@ inline constexpr std::uint32_t none = 0xFFFFFFFF;
 
 struct Node {
   std::uint32_t begin = 0, end = 0;  // its samples, in Tree::order()
-  std::uint32_t first_child = 0;  // children with samples follow one another, in the order of the bits of `children`; 0: a leaf
-  std::uint32_t frame = none;     // of the transition node above, or of itself
-  float error = 0;                // in the tree's metric
+  std::uint32_t first_child =
+      0;  // children with samples follow one another, in the order of the bits of `children`; 0: a leaf
+  std::uint32_t frame = none;  // of the transition node above, or of itself
+  float error = 0;             // in the tree's metric
   Kind kind = Kind::volume;
   std::uint8_t level = 0;     // the root has 0
   std::uint8_t children = 0;  // which octants (x + 2 y + 4 z) or quadrants (u + 2 v) have samples
@@ -127,7 +129,7 @@ class Tree {
   // The tree owns these arrays. The root is the first node, and a parent comes before its children.
   std::span<const Node> nodes() const;
   std::span<const Frame> frames() const;
-  std::span<const std::uint32_t> order() const;                    // [samples]; the samples of a node follow one another
+  std::span<const std::uint32_t> order() const;  // [samples]; the samples of a node follow one another
   std::span<const std::uint32_t> samples(const Node& node) const;  // indices of samples
   std::size_t leaf_count() const;
   std::size_t bytes() const;  // of all arrays
@@ -192,8 +194,7 @@ struct SimplifyOptions {
 struct Simplified {
   std::vector<float> positions, normals;
   std::vector<std::uint8_t> colours;  // means over a cluster, as the normals
-  std::vector<float>
-      texcoords;  // of the sample nearest to the representative; a mean would mix charts of a texture
+  std::vector<float> texcoords;  // of the sample nearest to the representative; a mean would mix charts of a texture
   std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t>
       representatives;  // [points of the input]: the vertex of each point; none if no triangle uses it

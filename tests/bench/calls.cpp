@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Nanoseconds of GL calls that pass through, the best of many batches: "name ns" a line. Built with libGLARK in
-// between (glark-bench-calls) and without it (glark-bench-plain); glark-bench runs both in turn.
+// Measures the nanoseconds of GL calls that pass through, the best of many batches, and prints lines of "name ns". It
+// is built with libGLARK (glark-bench-calls) and without it (glark-bench-plain); glark-bench runs both in turn.
 #ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES 1
 #endif
@@ -31,7 +31,7 @@ void report(const char* name, int calls, int batches, Call&& call) {
   std::printf("%s %.3f\n", name, least);
 }
 
-// One uniform, so that glUniform4f has something to set.
+// The program has one uniform for glUniform4f.
 GLint use_program() {
   const char* source = "uniform vec4 offset; void main() { gl_Position = gl_Vertex + offset; }";
   const GLuint shader = glCreateShader(GL_VERTEX_SHADER);

@@ -11,7 +11,7 @@
 namespace glark::bench {
 namespace {
 
-// Enough for what is compiled at the first draw and kept at the second.
+// Two draws: the first one compiles shaders, the second one fills caches.
 constexpr int warm_up_draws = 4;
 constexpr double warm_up_limit = 2;
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Timing on a machine that others use too: the competitors take turns, a few milliseconds each, and are compared turn by turn.
+// Timing on a machine that others also use: the competitors take turns of a few milliseconds, and are compared turn by
+// turn.
 #pragma once
 
 #include <functional>
@@ -10,8 +11,8 @@
 namespace glark::bench {
 
 struct Effort {
-  double sample_seconds = 0.004;  // one turn of one competitor: as many draws as that takes, at least one
-  double total_seconds = 0.6;     // of one comparison, about
+  double sample_seconds = 0.004;  // of one turn of one competitor; at least one draw
+  double total_seconds = 0.6;     // of one comparison, approximately
   int fewest_rounds = 5;          // while a round takes less than a second; one round otherwise
   int most_rounds = 61;
   double longest_draw_seconds = 30;  // a competitor expected to take longer is left out
@@ -22,7 +23,7 @@ struct Competitor {
   std::function<void()> draw;     // timed
 };
 
-// Seconds of one draw, by round.
+// The seconds of one draw, in each round.
 struct Times {
   std::vector<double> seconds;
   double median() const;
@@ -34,7 +35,8 @@ std::vector<Times> interleave(const std::vector<Competitor>& competitors, const 
 // Median over the rounds of `slow` / `fast`: how many times as fast `fast` is.
 double speed_ratio(const Times& slow, const Times& fast);
 
-// The sum of factors[i] * the least of times[i]: differences drown in what a median still holds of other programs.
+// The sum of factors[i] times the least of times[i]. Medians still contain time of other programs, which would hide
+// small differences.
 double least_combination(const std::vector<Times>& times, const std::vector<double>& factors);
 
 }  // namespace glark::bench

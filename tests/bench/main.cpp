@@ -8,9 +8,9 @@
 #include <iostream>
 #include <string>
 
-#include "tests/bench/case.h"
-#include "tests/bench/model.h"
+#include "tests/bench/cases/case.h"
 #include "tests/bench/offscreen.h"
+#include "tests/bench/subject/model.h"
 
 namespace {
 
@@ -88,9 +88,9 @@ std::vector<glark::bench::Case> all_cases() {
   return cases;
 }
 
-// llvmpipe allocates its vertices anew for every draw; without this the kernel's page faults would be most of the time.
+// llvmpipe allocates its vertices again for every draw. Without this setting, page faults would take most of the time.
 void keep_freed_memory() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the greatest that glibc takes
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the greatest value that glibc accepts
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   mallopt(M_TOP_PAD, 64 << 20);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// An OSMesa context with a small picture, so that the work per vertex decides.
+// An OSMesa context with a small picture, so that the work for vertices takes most of the time.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ using Picture = std::vector<std::uint8_t>;  // RGBA
 
 Picture read_picture();
 
-// Empty if both show something and the same thing; else what is wrong. Rounding along edges and the sampling of the
-// lighting may differ.
+// Compares two pictures. Returns an empty text if both show the same and are not empty; otherwise the difference.
+// Rounding along edges and the sampling of the lighting may differ.
 std::string difference(const Picture& a, const Picture& b);
 
 }  // namespace glark::bench

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The rows of the table: what was measured, what others reach, what we go for.
+// The rows of the table: the measured figure, the best figure of others, and our target.
 #pragma once
 
 #include <map>
@@ -14,12 +14,12 @@ enum class Goal { at_least, at_most, none };
 
 struct Row {
   std::string measure;
-  std::string best_known;  // of the thesis or of others; empty: nothing is known
+  std::string best_known;  // of the thesis or of others; empty: unknown
   Goal goal = Goal::none;
   double target = 0;
   double measured = 0;
   std::string unit;                      // "x": a ratio
-  std::map<std::string, double> detail;  // what the figure was made of; JSON only
+  std::map<std::string, double> detail;  // the parts of the figure; only in JSON
 
   bool met() const;
 };
@@ -27,14 +27,14 @@ struct Row {
 class Report {
  public:
   void add(Row row);
-  // What could not be measured, and why. Not a target that was met.
+  // Adds a row that could not be measured, with the reason. It does not count as a target that was met.
   void add_error(std::string text);
   void note(std::string text);
 
   const std::vector<Row>& rows() const { return rows_; }
   bool has_errors() const { return !errors_.empty(); }
   std::string table() const;
-  // False if the file cannot be written.
+  // Returns false if the file cannot be written.
   bool write_json(const std::string& path) const;
   bool write_csv(const std::string& path) const;
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""glark-bench-points on few samples of a mesh made here: tables between the marks of a file, the same as JSON, and its errors.
+"""Runs glark-bench-points on a few samples of a small mesh, and checks the tables in a file, the same tables as JSON, and its errors.
 
 check_tables.py GLARK_BENCH_POINTS
 """

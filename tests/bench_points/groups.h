@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Groups of rows, a file each: what one of them is about is in one place. A new one is a function here and a line in main.cpp.
+// Groups of rows, each in its own file. A new group takes a function here and a line in main.cpp.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "tests/bench_points/table.h"
+#include "tests/bench_points/measure/table.h"
 
 namespace glark::bench {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark-bench-points: what the client libraries for points do, side by side with what others do. docs/reference/points.md has the figures.
+// glark-bench-points compares the client libraries for points with other libraries. docs/reference/points.md has the figures.
 //   glark-bench-points [--only GROUP] [--data FOLDER] [--samples N,N,...] [--rounds N] [--json FILE] [--update docs/reference/points.md]
 #include <cstdio>
 #include <cstdlib>

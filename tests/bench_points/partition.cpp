@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Trees over samples, against octrees and kd-trees: table 3.1 of the thesis.
+// Compares trees over samples with octrees and kd-trees: table 3.1 of the thesis.
 #include <glark/vstree.h>
 
 #include <algorithm>
+#include <array>
 #include <nanoflann.hpp>
 
 #include "tests/bench_points/groups.h"
-#include "tests/bench_points/measure.h"
+#include "tests/bench_points/measure/measure.h"
+#include "tests/bench_points/measure/scan.h"
 #include "tests/bench_points/peer.h"
-#include "tests/bench_points/scan.h"
 
 namespace glark::bench {
 namespace {
@@ -25,14 +26,30 @@ struct Cloud {
   }
 };
 
+// The leaves and bytes of a tree that a work builds.
+struct TreeSize {
+  double leaves = 0, bytes = 0;
+};
+
+void add_row(const Work& work, const Work& reference, double points, const TreeSize* tree, double octree_leaves,
+             Table& table) {
+  std::vector<Cell> row = costs_of(work, reference, points);
+  if (tree != nullptr) {
+    row.emplace_back(Number{tree->leaves, 0});
+    row.emplace_back(Number{tree->leaves / octree_leaves, 2});
+    row.emplace_back(Number{tree->bytes / points, 1});
+  }
+  row.resize(table.columns.size());
+  table.rows.push_back(std::move(row));
+}
+
 Table partition_of(const Scan& scan, int rounds) {
   const vstree::PointSet points{.positions = scan.positions, .normals = scan.normals};
   const std::size_t count = scan.positions.size() / 3;
-  std::size_t leaves[4] = {}, bytes[4] = {};
-  const auto build = [&](int i, bool surface, float delta_d, unsigned threads) {
+  std::array<TreeSize, 4> trees;
+  const auto build = [&](std::size_t i, bool surface, float delta_d, unsigned threads) {
     const vstree::Tree tree(points, {.surface = surface, .delta_d = delta_d, .threads = threads});
-    leaves[i] = tree.leaf_count();
-    bytes[i] = tree.bytes();
+    trees[i] = {static_cast<double>(tree.leaf_count()), static_cast<double>(tree.bytes())};
   };
   using Index =
       nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3, std::uint32_t>;
@@ -49,17 +66,9 @@ Table partition_of(const Scan& scan, int rounds) {
   take_turns(works, rounds);
   Table table{"Partition of " + std::to_string(count) + " samples of igea, error L2 1e-4", cost_columns, {}};
   for (const char* column : {"leaves", "of the octree's", "tree's B a point"}) table.columns.emplace_back(column);
-  for (std::size_t i = 0; i < works.size(); ++i) {
-    std::vector<Cell> row = costs_of(works[i], works.back(), static_cast<double>(count));
-    if (i < 4) {
-      row.emplace_back(Number{static_cast<double>(leaves[i]), 0});
-      row.emplace_back(Number{static_cast<double>(leaves[i]) / static_cast<double>(leaves[3]), 2});
-      row.emplace_back(Number{static_cast<double>(bytes[i]) / static_cast<double>(count), 1});
-    } else {
-      row.resize(table.columns.size());
-    }
-    table.rows.push_back(std::move(row));
-  }
+  for (std::size_t i = 0; i < works.size(); ++i)
+    add_row(works[i], works.back(), static_cast<double>(count), i < trees.size() ? &trees[i] : nullptr,
+            trees.back().leaves, table);
   if (const auto cgal = peer("octree", "octree of CGAL, 64 a leaf", scan.positions, rounds)) {
     std::vector<Cell> row = costs_of(cgal->work, works.back(), static_cast<double>(count));
     row.emplace_back(Number{static_cast<double>(cgal->found), 0});

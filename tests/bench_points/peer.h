@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Peers that run as a program of their own: glark-bench-peers beside this one, which is built where CGAL is installed.
+// Peers that run in another program, glark-bench-peers, which is built if CGAL is installed.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench_points/measure.h"
+#include "tests/bench_points/measure/measure.h"
 
 namespace glark::bench {
 
@@ -20,7 +20,7 @@ struct PeerWork {
   std::vector<std::uint32_t> triangles;  // of "front"
 };
 
-// Nothing where there is no such program. Throws std::runtime_error where it fails. `task` is "octree" or "front".
+// Returns nothing if there is no such program. Throws std::runtime_error if it fails. `task` is "octree" or "front".
 std::optional<PeerWork> peer(const std::string& task, const std::string& name, std::span<const float> positions,
                              int rounds);
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What CGAL takes, for glark-bench-points, which runs this as a program of its own: parts of CGAL are under the GPL, and nothing of
-// glark links to them.
+// Measures CGAL for glark-bench-points. It is a separate program because parts of CGAL are under the GPL, and glark
+// must not link to them.
 //   glark-bench-peers octree POINTS ROUNDS            POINTS: x y z as floats of this machine
 //   glark-bench-peers front POINTS ROUNDS TRIANGLES   writes three 32-bit indices a triangle
-// Prints CPU seconds, seconds of the clock, bytes beyond the points (-1: not known), and how many leaves or triangles there are.
+// Prints CPU seconds, seconds of the clock, bytes without the points (-1: unknown), and the number of leaves or
+// triangles.
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Octree.h>
@@ -22,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench_points/measure.h"
+#include "tests/bench_points/measure/measure.h"
 
 namespace {
 
@@ -40,7 +41,7 @@ std::vector<Point> read_points(const char* file) {
 }
 
 std::size_t leaves_of(const std::vector<Point>& points) {
-  constexpr std::size_t deepest = 20, most_in_a_leaf = 64;  // as glark-bench-points gives nanoflann's tree
+  constexpr std::size_t deepest = 20, most_in_a_leaf = 64;  // as for nanoflann's tree in glark-bench-points
   CGAL::Point_set_3<Point> set;
   set.reserve(points.size());
   for (const Point& point : points) set.insert(point);

@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "tests/bench_points/groups.h"
-#include "tests/bench_points/measure.h"
+#include "tests/bench_points/measure/measure.h"
+#include "tests/bench_points/measure/scan.h"
+#include "tests/bench_points/measure/surface_distance.h"
 #include "tests/bench_points/peer.h"
-#include "tests/bench_points/scan.h"
-#include "tests/bench_points/surface_distance.h"
 
 namespace glark::bench {
 namespace {
@@ -23,7 +23,8 @@ struct Kind {
   vstree::ReconstructOptions options;
 };
 
-// Of a model with triangles both ways; of raw scans from the points to the mesh, where their noise is in it.
+// For a model with triangles, the distances both ways. For raw scans, only the distance from the points to the mesh,
+// which includes their noise.
 std::vector<Cell> distances(const Scan& scan, std::span<const float> positions,
                             std::span<const std::uint32_t> triangles) {
   constexpr std::size_t samples = 100000, stride = 50;
@@ -65,8 +66,8 @@ void add_rows(const Settings& settings, const char* name, bool is_with_peer, Tab
   std::vector<Work> works;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     works.push_back({std::string(name) + kinds[i].name, [&, i] {
-                       meshes[i] = vstree::reconstruct({.positions = scan.positions, .normals = scan.normals},
-                                                       kinds[i].options);
+                       meshes[i] = glark::reconstruct::reconstruct(
+                           {.positions = scan.positions, .normals = scan.normals}, kinds[i].options);
                      }});
   }
   take_turns(works, settings.rounds);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Meshes with a tenth of their triangles, against meshoptimizer.
+// Reduces meshes to a tenth of their triangles, and compares with meshoptimizer.
 #include <glark/vstree.h>
 #include <meshoptimizer.h>
 
 #include "tests/bench_points/groups.h"
-#include "tests/bench_points/measure.h"
-#include "tests/bench_points/scan.h"
-#include "tests/bench_points/surface_distance.h"
+#include "tests/bench_points/measure/measure.h"
+#include "tests/bench_points/measure/scan.h"
+#include "tests/bench_points/measure/surface_distance.h"
 
 namespace glark::bench {
 namespace {
@@ -32,7 +32,7 @@ void add_quality(std::vector<Cell>& row, const Result& result, const Scan& scan,
   row.emplace_back(Number{static_cast<double>(edges.boundary), 0});
 }
 
-// The works write to `results`, in their order.
+// Work i writes to results[i].
 std::vector<Work> works_of(const Scan& scan, std::size_t target, std::vector<Result>& results) {
   std::vector<Work> works;
   const auto peer = [&](const char* name, const auto& call) {

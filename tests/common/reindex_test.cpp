@@ -3,6 +3,7 @@
 #include "glark/clients/common/mesh/reindex.h"
 
 #include "glark/clients/common/mesh/cut_sheets.h"
+#include "tests/vstree/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -36,9 +37,9 @@ TEST(IrregularVertices, AreThoseOfMoreThanOneFan) {
 
 TEST(IrregularVertices, AreTheEndsOfEdgesWithMoreThanTwoTriangles) {
   EXPECT_EQ(irregular_vertices(Indices{0, 1, 2, 1, 0, 3, 0, 1, 4}, 5), (Flags{1, 1, 0, 0, 0}));
-  // A path that runs into itself, which takes as many steps as there are triangles.
+  // A path that runs into itself after as many steps as there are triangles.
   EXPECT_EQ(irregular_vertices(Indices{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 2}, 5)[0], 1);
-  EXPECT_EQ(irregular_vertices(Indices{0, 1, 2, 0, 1, 3}, 4)[0], 1);  // two that run the same way
+  EXPECT_EQ(irregular_vertices(Indices{0, 1, 2, 0, 1, 3}, 4)[0], 1);  // two triangles that run the same way
 }
 
 TEST(IrregularVertices, AreTheCornersOfRepeatedTriangles) {
@@ -53,14 +54,14 @@ Indices once(const Indices& triangles, std::size_t vertices) {
 TEST(WithoutRepeats, KeepsOneOfEachAndCancelsReversedOnes) {
   EXPECT_EQ(once({0, 1, 2, 1, 2, 3, 2, 0, 1}, 4), (Indices{0, 1, 2, 1, 2, 3}));
   EXPECT_EQ(once({0, 1, 2, 1, 2, 3, 0, 2, 1}, 4), (Indices{1, 2, 3}));
-  EXPECT_EQ(once({0, 1, 2, 1, 0, 2, 2, 1, 0}, 3), (Indices{0, 2, 1}));  // more run the other way
+  EXPECT_EQ(once({0, 1, 2, 1, 0, 2, 2, 1, 0}, 3), (Indices{0, 2, 1}));  // most run the other way
   EXPECT_EQ(once({}, 3), Indices{});
 }
 
-// What is known to be one fan is left out of the work; to work on all gives the same.
-TEST(Cut, OfIrregularVerticesIsThatOfAll) {
+// Vertices that are not irregular are skipped. Treating all vertices as irregular gives the same result.
+TEST(CutSheets, SkipsRegularVerticesWithTheSameResult) {
   std::mt19937 random(3);
-  const Shape shape = torus(40);
+  const vstree::test::Shape shape = vstree::test::torus(40);
   for (int round = 0; round < 20; ++round) {
     Indices cluster_of(shape.size());
     for (std::uint32_t& cluster : cluster_of) cluster = static_cast<std::uint32_t>(random() % 120);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The loops that the client libraries share: each element once, whatever the number of threads.
+// The loops that the client libraries share visit each element once, for any number of threads.
 #include "glark/clients/common/workers.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@ std::atomic<int> count = 0;
 
 }  // namespace
 
-// In a file of its own: where a compiler sees the replacements at the place of a call, it takes them for mistakes.
+// These replacements have their own file, because compilers warn if they see them at the place of a call.
 void* operator new(std::size_t size) {
   ++count;
   void* const memory = std::malloc(size);

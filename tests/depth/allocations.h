@@ -4,7 +4,7 @@
 
 namespace glark::depth::testing {
 
-// How often `new` was called since the program began.
+// The number of calls of `new` since the program began.
 int allocations();
 
 }  // namespace glark::depth::testing

@@ -75,7 +75,7 @@ TEST(Curvature, OfAMirroredSurfaceIsNegative) {
   EXPECT_NEAR(found.greater[500], -0.5F, 0.02F);
 }
 
-// sagitta = k L^2 / 8 = 0.5 * L^2 / 8, a quarter with each level.
+// The sagitta is k L^2 / 8 = 0.5 * L^2 / 8. Each level divides it by four.
 TEST(Curvature, TagHalvesTheSegmentsUntilTheArcIsNear) {
   const Mesh mesh = testing::make_cylinder(0.5F, 16);
   Tagger tagger(mesh.vertices(), mesh.triangles, 11);

@@ -41,7 +41,7 @@ Mesh make_grid(std::uint32_t columns, std::uint32_t rows, Surface surface) {
 
 constexpr float turn = 2 * std::numbers::pi_v<float>;
 
-// The distance of the axis is `major`, of the surface from it `minor`; seen from outside.
+// A torus: the circle has the radius `major`, the tube `minor`. Triangles are seen from outside.
 inline Mesh make_torus(float major, float minor, std::uint32_t n) {
   return make_grid(n, n, [=](float u, float v, float* position, float* normal) {
     const float c = std::cos(turn * u);
@@ -66,7 +66,7 @@ inline Mesh make_cylinder(float radius, std::uint32_t n) {
   });
 }
 
-// Between 20 degrees from the poles.
+// A sphere without the caps of 20 degrees around its poles.
 inline Mesh make_sphere(float radius, std::uint32_t n) {
   return make_grid(n, n, [=](float u, float v, float* position, float* normal) {
     const float latitude = (v - 0.5F) * turn * 140 / 360;

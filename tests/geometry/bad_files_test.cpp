@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Each bad file is an error that names the file, the element and the remedy, found before memory is taken for what it announces.
+// Each bad file gives an error that names the file, the element and the remedy, before memory is allocated for
+// announced elements.
 #include <cstring>
 
 #include "tests/geometry/temporary_file.h"
@@ -32,10 +33,10 @@ TEST_F(BadFiles, PlyIsExplained) {
       {"header cut off", "ply\nformat ascii 1.0\nelement vertex 3\n", "end_header"},
       {"no format", "ply\nelement vertex 1\n" + xyz + "end_header\n0 0 0\n", "format line is missing"},
       {"unknown format", ply("ascii2", three + "end_header\n"), "\"ascii2\" is unknown"},
-      {"unknown type", ply("ascii", "element vertex 1\nproperty half x\nend_header\n"), "\"half\" is no type"},
-      {"negative count", ply("ascii", "element vertex -3\n" + xyz + "end_header\n"), "\"-3\", which is no number"},
+      {"unknown type", ply("ascii", "element vertex 1\nproperty half x\nend_header\n"), "\"half\" is not a type"},
+      {"negative count", ply("ascii", "element vertex -3\n" + xyz + "end_header\n"), "\"-3\", which is not a number"},
       {"count beyond 64 bits", ply("ascii", "element vertex 99999999999999999999\n" + xyz + "end_header\n"),
-       "which is no number"},
+       "which is not a number"},
       {"no vertices", ply("ascii", "element face 0\nproperty list uchar int vertex_indices\nend_header\n"),
        "no element vertex"},
       {"no points", ply("ascii", "element vertex 0\n" + xyz + "end_header\n"), "no points"},
@@ -48,7 +49,7 @@ TEST_F(BadFiles, PlyIsExplained) {
        "too short"},
       {"text cut off", ply("ascii", three + "end_header\n0 0 0.0000000000\n1 0 0.0000000\n"), "vertex 2 of 3"},
       {"no number", ply("ascii", three + "end_header\n0 0 0\n1 zero 0\n0 0 0\n"),
-       "vertex 1 of 3: \"zero\" is no number"},
+       "vertex 1 of 3: \"zero\" is not a number"},
       {"NaN", ply("ascii", three + "end_header\n0 0 0\n1 nan 0\n0 0 0\n"), "vertex 1 has a coordinate that is NaN"},
       {"infinite", ply("ascii", three + "end_header\n0 0 0\n1 1 1\n0 1e999 0\n"), "vertex 2 has a coordinate"},
       {"beyond a float",

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""The launcher's commands for files, as processes: exit status, messages, reports, and that no output is left half written.
+"""Runs the launcher's commands for files as processes, and checks exit status, messages, reports, and that no output is half written.
 
 check_commands.py GLARK: the launcher that was built.
 """
@@ -124,7 +124,7 @@ class Commands(unittest.TestCase):
         ]:
             (self.path / name).write_text(square + rest)
             result = self.glark("simplify", name, "-o", "a.obj", "--target", "10")
-            self.assertEqual(says, "seams, at 1 of its points" in result.stderr, result.stderr)
+            self.assertEqual(says, "seams at 1 points" in result.stderr, result.stderr)
             self.assertIn("vt ", (self.path / "a.obj").read_text())
         header = ["ply", "format ascii 1.0", "element vertex 2"]
         header += [f"property float {name}" for name in "xyz"]
@@ -174,7 +174,7 @@ class Commands(unittest.TestCase):
                 self.assertEqual((b"\x89PNG\r\n\x1a\n", 90, 70), (picture[:8], *struct.unpack(">2I", picture[16:24])))
                 self.assertGreater(len(picture), 1000)  # more than the background
         self.assertGreater(self.report("view", self.sphere, "--mode", "strip", "--offscreen", "a.png")["nodes_turned_away"], 0)
-        # Without any driver of EGL, by OSMesa: the same picture.
+        # Without an EGL driver, OSMesa draws the same picture.
         pictures = []
         for environment in ({}, {"__EGL_VENDOR_LIBRARY_DIRS": "/nowhere", "LIBGL_DRIVERS_PATH": "/nowhere"}):
             result = subprocess.run([GLARK, "view", self.sphere, "--mode", "refined", "--offscreen", "b.png"], cwd=self.path,
@@ -188,7 +188,7 @@ class Commands(unittest.TestCase):
         self.assertIn("--offscreen", result.stderr)
 
     def test_window(self):
-        """Keys choose what is drawn, take a screenshot and end."""
+        """Keys choose the mode, write a screenshot and quit."""
         self.needs("view")
         if not shutil.which("xvfb-run") or not shutil.which("xdotool"):
             self.assertNotEqual("true", os.environ.get("CI"), "xvfb or xdotool is not installed; run scripts/install_packages")
@@ -213,11 +213,11 @@ class Commands(unittest.TestCase):
                 self.assertIn("--help", self.glark(*arguments, status=2).stderr)
 
     def test_words_and_numbers_that_are_not_possible(self):
-        """What is possible is said, in words of the tool's users."""
+        """Messages list the possible values in the words of the manual."""
         for command, option, given, said in (
-                ("simplify", "--clustering", "foo", '"foo" is none of vstree, octree, grid'), ("simplify", "--metric", "2", "none of l2, l21, qef, density"),
-                ("simplify", "--target", "0", '"0" is no number above 0'), ("simplify", "--error", "inf", '"inf" is no number above 0'),
-                ("simplify", "--error", "nan", '"nan" is no number above 0'), ("view", "--mode", "foo", "none of splat, strip, mesh")):
+                ("simplify", "--clustering", "foo", '"foo" is not one of vstree, octree, grid'), ("simplify", "--metric", "2", "not one of l2, l21, qef, density"),
+                ("simplify", "--target", "0", '"0" is not a number above 0'), ("simplify", "--error", "inf", '"inf" is not a number above 0'),
+                ("simplify", "--error", "nan", '"nan" is not a number above 0'), ("view", "--mode", "foo", "not one of splat, strip, mesh")):
             if command not in self.has:
                 continue
             output = "--offscreen" if command == "view" else "-o"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""The launcher's commands for files as installed: under a prefix of its own, each program finds the others and its libraries.
+"""Installs the launcher's commands for files under another prefix, where each program must find the others and its libraries.
 
 check_installed.py CMAKE BUILD: what was built.
 """

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What is written is read again, in every format and with every set of attributes that it has.
+// Geometry that is written is read again, in every format, with every set of attributes of that format.
 #include <algorithm>
 #include <cmath>
 
@@ -59,7 +59,7 @@ TEST_F(RoundTrip, XyzAndPtsKeepPointsColoursAndNormals) {
     }
 }
 
-// Vertices that no triangle has are not kept, and the order is Assimp's: corners are compared.
+// Vertices without triangles are lost, and Assimp chooses the order. So the test compares corners.
 std::vector<std::array<float, 3>> corners_of(const Geometry& geometry, const std::vector<float>& attribute) {
   std::vector<std::array<float, 3>> corners;
   for (const std::size_t corner : geometry.triangles)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A folder of its own for each test's files, and small geometry to put into them.
+// A temporary folder for the files of each test, and small geometry for them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class TemporaryFolder : public testing::Test {
         std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
   }
 
-  // What reading says is wrong; empty if it reads.
+  // The error of reading; empty if the file can be read.
   static std::string problem_with(const std::filesystem::path& file, const ReadOptions& options = {}) {
     try {
       read_file(file, options);
@@ -53,7 +53,7 @@ class TemporaryFolder : public testing::Test {
   std::filesystem::path folder_;
 };
 
-// Points on a grid with a bit of noise, with what is asked for.
+// Points on a grid with a bit of noise, with the given attributes.
 struct Shape {
   bool normals = false;
   bool colours = false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Rows of numbers as programs write them, and what their columns are taken for.
+// Rows of numbers as programs write them, and the meaning of their columns.
 #include "tests/geometry/temporary_file.h"
 
 namespace glark::geometry {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The tags of meshes with hard edges, by what their surface then is.
+// Tests the tags of meshes with hard edges by the resulting surface.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ std::size_t triangles_of(const TaggedMesh& mesh) { return mesh.triangles.size() 
 
 using Place = std::array<double, 3>;
 
-// Of a surface made of PN triangles: edges have the same points from both of their triangles, each has two.
+// A surface of PN triangles is closed: each edge has two triangles, which give it the same points.
 void expect_closed(const TaggedMesh& mesh) {
   std::map<std::pair<Place, Place>, std::vector<std::vector<Place>>> edges;
   for (std::size_t t = 0; t < triangles_of(mesh); ++t) {
@@ -64,7 +64,7 @@ void expect_closed(const TaggedMesh& mesh) {
   }
 }
 
-// `check` sees every point of a fine pattern over all triangles.
+// Calls check() for every point of a fine pattern on all triangles.
 template <typename Check>
 void for_each_sample(const TaggedMesh& mesh, Check&& check) {
   for (std::size_t t = 0; t < triangles_of(mesh); ++t) {
@@ -241,9 +241,9 @@ TEST(DeriveTags, MeshesOfEveryKind) {
   IndexedMesh mesh = cube();
   mesh.add(5, 5, 5);                   // isolated
   mesh.face(0, 0, 1);                  // degenerate
-  mesh.face(0, 1, 2);                  // over an edge of two others, and turned over
+  mesh.face(0, 1, 2);                  // at an edge of two others, with the opposite orientation
   mesh.face(3, 2, 1);                  // the same triangle again
-  mesh.face(0, mesh.add(1, 0, 0), 7);  // an edge alone, and an open one
+  mesh.face(0, mesh.add(1, 0, 0), 7);  // a single edge, and an open one
   const std::uint32_t twin = mesh.add(-0.0F, 0.0F, 3);
   mesh.face(mesh.add(0, -0.0F, 3), twin, 7);  // two vertices of one point
   expect_finite(derive_tags(view(mesh)));

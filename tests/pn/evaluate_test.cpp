@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the tags do (Boubekeur 2007, ch. 8.2.2), on a ridge along the x axis with a side that falls towards y > 0 and one towards y < 0.
+// The effect of the tags (Boubekeur 2007, ch. 8.2.2) on a ridge along the x axis, whose sides fall towards y > 0 and
+// towards y < 0.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -29,7 +29,8 @@ inline IndexedMesh cube() {
   return mesh;
 }
 
-// About the z axis, from z = -1 to 1; caps are fans about their middles, or without them from a vertex of the rim.
+// A cylinder about the z axis, from z = -1 to 1. Caps are fans around their middles, or around a vertex of their
+// boundary.
 inline IndexedMesh cylinder(std::uint32_t sides, bool with_middles) {
   IndexedMesh mesh;
   for (const float z : {-1.0F, 1.0F}) {
@@ -53,7 +54,7 @@ inline IndexedMesh cylinder(std::uint32_t sides, bool with_middles) {
   return mesh;
 }
 
-// Every triangle with vertices of its own, and the normal of its plane: what a program with flat shading has.
+// Gives every triangle its own vertices and the normal of its plane, as programs with flat shading do.
 inline IndexedMesh unshared(const IndexedMesh& mesh, std::vector<float>& normals) {
   IndexedMesh result;
   normals.clear();

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Scalar tags beside many other attributes: the coarse record is then read from a storage block; or does not fit at all.
+// Scalar tags together with many other attributes: the coarse record is read from a storage block, or does not fit at
+// all.
 #include "tests/core/support/osmesa_context.h"
 #include "tests/pn/tagged_program.h"
 
 namespace glark::pn::test {
 namespace {
 
-// A program with so many vec4 attributes more, at locations from 4.
+// A program with `more` additional vec4 attributes, at locations from 4.
 GLuint link_wide_program(int more) {
   std::string inputs;
   std::string sum = "0.0";
@@ -63,7 +64,7 @@ TEST_F(TaggedLimits, LongRecords) {
   EXPECT_EQ(pending_errors(), "");
 }
 
-// Where the driver captures fewer components than the record has, the draw stays as it is, and says so.
+// If the driver captures fewer components than the record has, the draw is not refined, with a message.
 TEST_F(TaggedLimits, RecordsThatDoNotFit) {
   GLint components = 0;
   glGetIntegerv(GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, &components);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A program that gives back its refined positions or normals, and vertices with scalar tags for it.
+// A program that captures its refined positions or normals, and vertices with scalar tags.
 #pragma once
 
 #include <random>
@@ -70,7 +70,7 @@ inline void upload(const std::vector<TaggedVertex>& vertices) {
   glEnable(GL_DEPTH_TAG_ARRAY_ARK);
 }
 
-// Corners with any data; tagged ones with tags at and beyond their limits, too.
+// Corners with random data; some have tags at and beyond their limits.
 class Dice {
  public:
   explicit Dice(unsigned seed) : engine_(seed) {}

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_SCALAR_TAGGED_PN_ARK (11.R.7a), read back through transform feedback: against the CPU, against plain PN, and the bits along edges.
+// Reads GL_SCALAR_TAGGED_PN_ARK (11.R.7a) back through transform feedback, and compares with the CPU, with plain PN,
+// and the bits along edges.
 #include <cmath>
 #include <limits>
 #include <map>
@@ -77,7 +78,7 @@ TEST_F(Tagged, WithoutTagsItIsPlainPnBitForBit) {
   for (Triangle& triangle : triangles) {
     for (Corner& corner : triangle) {
       corner.discontinuity = {0, 0, 0, 1};
-      corner.tags[1] = 0;  // sharpness and bias say nothing without a discontinuity
+      corner.tags[1] = 0;  // sharpness and bias have no effect without a discontinuity
     }
   }
   for (const Shown shown : {Shown::position, Shown::normal}) {
@@ -117,8 +118,8 @@ TEST_F(Tagged, AttributesOfOnesOwnChoice) {
   for (std::size_t i = 0; i < usual.size(); ++i) ASSERT_EQ(bits_of(usual[i]), bits_of(moved[i]));
 }
 
-// Every pair of depth tags and of tagged and untagged ends, with random scalar tags: the third corners have nothing to say about the
-// edge.
+// Every pair of depth tags and of tagged and untagged ends, with random scalar tags: the third corners must not affect
+// the edge.
 TEST_F(Tagged, SharedEdgesHaveTheSameBits) {
   constexpr int depths = 6;
   constexpr int pairs = 16 * depths * depths;
@@ -139,7 +140,7 @@ TEST_F(Tagged, SharedEdgesHaveTheSameBits) {
     glARKParameteriARK(GL_PATTERN_INTERIOR_ARK, static_cast<GLint>(interior));
     std::map<int, std::set<PositionBits>> along;
     for (RefinedVertex vertex : refine(mesh, Shown::position)) {
-      vertex.position[3] = 0;  // holds the normal, which is that of a side
+      vertex.position[3] = 0;  // keeps the normal of one side
       if (vertex.weights[2] == 0) along[static_cast<int>(vertex.triangle)].insert(bits_of(vertex));
     }
     for (int pair = 0; pair < pairs; ++pair) {
@@ -171,7 +172,7 @@ TEST_F(Tagged, AClosedMeshStaysClosed) {
   }
 }
 
-// What is kept of a draw goes with its tags.
+// The cache of a draw depends on its tags.
 TEST_F(Tagged, TagsThatChangeAreSeen) {
   const std::vector<TaggedVertex> mesh = mesh_of(random_triangles(21, 4));
   const std::vector<RefinedVertex> before = refine(mesh, Shown::position);
@@ -185,7 +186,7 @@ TEST_F(Tagged, TagsThatChangeAreSeen) {
   EXPECT_NE(bits_of(capture_refined(10000, draw)[4]), bits_of(before[4]));
 }
 
-// The vertex stage reads the tags itself, as vec4 and as vec3: they are captured once, and shape the surface all the same.
+// The vertex stage also reads the tags, as vec4 and as vec3. They are captured once, and still shape the surface.
 TEST_F(Tagged, ATagMayBeAnInputOfTheProgram) {
   const std::vector<Triangle> triangles = random_triangles(23, 8);
   const std::vector<RefinedVertex> expected = refine(mesh_of(triangles), Shown::position);

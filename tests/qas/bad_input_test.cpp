@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Meshes as they come, and arguments that are wrong.
+// Unusual meshes, and wrong arguments.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace glark::qas::test {
 namespace {
 
-// Finite positions and unit normals, of every patch.
+// Expects finite positions and unit normals of every patch.
 void expect_sound(const ControlMesh& mesh) {
   for (const unsigned which : {0U, 1U, 2U, 3U}) {
     const unsigned splits = which % 2;
@@ -180,7 +180,7 @@ TEST(BadArguments, WriteNothing) {
   std::vector<Corner> corners(4, Corner{{7, 7, 7}, {}, {}, {}});
   expect_error(Element::array, 0, "has 4; 1 patches have 3", [&] { surface.write_corners(corners); });
   EXPECT_EQ(corners[0].position[0], 7);
-  expect_error(Element::triangle, 1, "none of the 1", [&] { static_cast<void>(surface.evaluate(1, {1, 0, 0})); });
+  expect_error(Element::triangle, 1, "not one of the 1", [&] { static_cast<void>(surface.evaluate(1, {1, 0, 0})); });
   for (const std::array<float, 3> wrong :
        {std::array<float, 3>{1, 1, 0}, {-1, 1, 1}, {std::nanf(""), 0, 1}, {1e30F, 0, 0}})
     expect_error(Element::array, 0, "of sum 1", [&] { static_cast<void>(surface.evaluate(0, wrong)); });

@@ -19,7 +19,7 @@ float cosine(const std::array<float, 3>& a, const std::array<float, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// 8 x 8 cells, every vertex inside regular, over the graph of z = f(x, y).
+// A graph of z = f(x, y) on 8 x 8 cells, with regular inner vertices.
 template <typename F>
 ControlMesh graph(F&& f) {
   ControlMesh mesh{"graph", {}, {}};
@@ -67,7 +67,8 @@ TEST(ModifiedButterfly, HasTheNormalsOfQuadraticsInside) {
   EXPECT_NEAR(-middle.normal[0] / middle.normal[2], 0.2 * 3.5 + 0.2 * 3, 1e-5);
 }
 
-// The limit is the same after a step; the normals of edges, which are approximate next to extraordinary vertices, nearly so.
+// A step does not change the limit. Normals of edges change a little next to extraordinary vertices, where they are
+// approximate.
 TEST(ModifiedButterfly, HasTheSameLimitAfterAStep) {
   for (const ControlMesh& mesh : {shaken(icosahedron(), 0.02), knot(40, 6), bipyramid(7), shaken(asteroid(2), 0.002)}) {
     const Surface surface = butterfly(mesh), split = butterfly(mesh, 1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The limit surface itself: against the limit points of the mesh refined again and again, which are known by other means.
+// Compares the limit surface with the limit points of the repeatedly refined mesh, which are computed in another way.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ double distance(const std::array<float, 3>& a, const std::array<float, 3>& b) {
 
 class LoopSurfaceOf : public testing::TestWithParam<ControlMesh> {};
 
-// Quarters of the parameter: the limit points of the mesh after one step, at its vertices and edge midpoints.
+// At quarters of the parameter lie the limit points of the mesh after one step, at its vertices and edge midpoints.
 TEST_P(LoopSurfaceOf, MeetsTheLimitStepAtQuarters) {
   const ControlMesh& mesh = GetParam();
   LoopSurface exact(mesh.view());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Coarse control meshes: the seven that figures are given for, and others.
+// Coarse control meshes: the seven of the figures, and others.
 #pragma once
 
 #include <glark/qas.h>
@@ -24,7 +24,7 @@ struct ControlMesh {
   double diagonal() const;  // of the bounding box
 };
 
-// How Google Test names it.
+// The name that Google Test prints.
 inline std::ostream& operator<<(std::ostream& out, const ControlMesh& mesh) { return out << mesh.name; }
 
 ControlMesh icosahedron();
@@ -32,21 +32,21 @@ ControlMesh cube();                         // 12 triangles
 ControlMesh knot(int along, int around);    // a trefoil of 2 * along * around triangles, every valence 6
 ControlMesh blocks();                       // a ring of cubes with a post: genus 1, valences 4 to 8
 ControlMesh sheet(int cells);               // a wavy square with a boundary, 2 * cells^2 triangles
-ControlMesh bipyramid(int sides);           // two vertices of that valence
-ControlMesh drum(int sides);                // a cylinder with lids, creases along the two rims
+ControlMesh bipyramid(int sides);           // two vertices of the valence `sides`
+ControlMesh drum(int sides);                // a cylinder with lids, and creases along their edges
 ControlMesh asteroid(int levels);           // 20 * 4^levels triangles
-ControlMesh goblet(int around, int rings);  // of revolution; two poles
+ControlMesh goblet(int around, int rings);  // a surface of revolution with two poles
 
-std::vector<ControlMesh> seven_meshes();  // of 720 to 1440 triangles, as the coarse meshes of the thesis are
+std::vector<ControlMesh> seven_meshes();  // of 720 to 1440 triangles, as the coarse meshes of the thesis
 std::vector<ControlMesh> small_meshes();  // of 12 to 720
 
-// With edges turned at random: irregular valences, as decimation leaves.
+// Flips random edges, which gives irregular valences, as decimation does.
 ControlMesh flipped(ControlMesh mesh, int flips);
 
-// Vertices moved by up to `amount` of the diagonal, the same way every time.
+// Moves vertices by up to `amount` of the diagonal, the same way every time.
 ControlMesh shaken(ControlMesh mesh, double amount);
 
-// The surface after `levels` linear splits of each triangle into four: a large mesh for timing.
+// Splits each triangle linearly into four, `levels` times, for a large mesh to measure times.
 ControlMesh densified(const ControlMesh& mesh, int levels);
 
 }  // namespace glark::qas::test

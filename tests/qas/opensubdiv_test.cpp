@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Limit points and normals against OpenSubdiv, in double precision: the coarse vertices by its limit masks, the edge midpoints by the
-// masks of the mesh that it has refined once.
+// Compares limit points and normals with OpenSubdiv in double precision: coarse vertices by its limit masks, edge
+// midpoints by the masks of the mesh that it has refined once.
 #include <gtest/gtest.h>
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
@@ -22,7 +22,7 @@ namespace Far = OpenSubdiv::Far;
 
 struct Point {
   std::array<double, 3> x{};
-  void Clear() { x = {}; }  // NOLINT(readability-identifier-naming): OpenSubdiv calls it so
+  void Clear() { x = {}; }  // NOLINT(readability-identifier-naming): OpenSubdiv's name
   // NOLINTNEXTLINE(readability-identifier-naming)
   void AddWithWeight(const Point& other, double weight) {
     for (std::size_t i = 0; i < 3; ++i) x[i] += weight * other.x[i];
@@ -59,7 +59,7 @@ class Reference {
       coarse_.push_back({{mesh.positions[3 * v], mesh.positions[3 * v + 1], mesh.positions[3 * v + 2]}});
   }
 
-  // Of the mesh after `levels` steps.
+  // The limits of the mesh after `levels` steps.
   void limits(int levels, std::vector<Point>& points, std::vector<Point>& normals) {
     refiner_->Unrefine();
     Far::TopologyRefiner::UniformOptions options(levels);
@@ -90,8 +90,8 @@ double distance(const Vector& ours, const Point& theirs) {
   return std::hypot(ours.x - theirs.x[0], ours.y - theirs.x[1], ours.z - theirs.x[2]);
 }
 
-// Not at creases inside, where there are several, nor at boundary vertices of four triangles and more: there OpenSubdiv has the masks of
-// other rules than those it refines by. TangentMask, below, checks ours.
+// Vertices where several inner creases meet, and boundary vertices of four and more triangles are left out: there
+// OpenSubdiv's masks do not belong to its refinement rules. The test TangentMask below checks our masks.
 bool has_limit_normal(const Far::TopologyLevel& level, int vertex) {
   bool boundary = false;
   for (const int edge : level.GetVertexEdges(vertex)) {
@@ -106,7 +106,8 @@ struct Farthest {
   double position = 0, normal = 0;
 };
 
-// Of all points of all patches; normals where the surface has one. Relative to the diagonal, and to unit length.
+// The errors of all points of all patches, and of normals where the surface has one. They are relative to the diagonal,
+// and to unit length.
 Farthest compare(const ControlMesh& mesh) {
   Surface surface(mesh.view());
   surface.update(mesh.positions);
@@ -139,7 +140,7 @@ class LimitStepAgainstOpenSubdiv : public testing::TestWithParam<ControlMesh> {}
 TEST_P(LimitStepAgainstOpenSubdiv, PointsAndNormalsAreTheSame) {
   const Farthest farthest = compare(GetParam());
   EXPECT_LE(farthest.position, 1e-6);
-  // The triangles of a fan of 500 are 80 times as long as they are wide, which costs two digits of single precision.
+  // The triangles of a fan of 500 are 80 times as long as wide, which costs two digits of single precision.
   EXPECT_LE(farthest.normal, GetParam().vertex_count() == 502 ? 1e-5 : 1e-6);
 }
 
@@ -161,7 +162,8 @@ std::vector<ControlMesh> all_meshes() {
 INSTANTIATE_TEST_SUITE_P(Meshes, LimitStepAgainstOpenSubdiv, testing::ValuesIn(all_meshes()),
                          [](const auto& parameter) { return parameter.param.name; });
 
-// A left eigenvector of the step at a boundary vertex: of any ring, it sees after the step a multiple of what it saw before.
+// A left eigenvector of the step at a boundary vertex: its product with any ring is multiplied by a constant in the
+// step.
 TEST(TangentMask, IsAnEigenvectorForAnyNumberOfTriangles) {
   for (std::uint32_t last = 1; last <= 40; ++last) {
     const TangentMask mask = tangent_mask(last + 1, false);

@@ -23,7 +23,7 @@ Surface surface_of(const ControlMesh& mesh, unsigned splits = 1) {
   return surface;
 }
 
-// Where the 15 points are, it goes through those of the limit surface.
+// It passes through the 15 points of the limit surface.
 TEST(Quartic, InterpolatesTheLimitSurface) {
   const ControlMesh mesh = shaken(blocks(), 0.02);
   const Surface surface = surface_of(mesh);
@@ -169,7 +169,7 @@ TEST_F(QuarticShader, LeavesNoEdgeOpenUnderRandomTags) {
   }
 }
 
-// The control: an edge whose two sides do not have the same points.
+// The control is an edge whose two sides have different points.
 TEST_F(QuarticShader, ADifferentPointOpensTheEdge) {
   const ControlMesh mesh = icosahedron();
   EXPECT_GT(core::test::open_edges(refined(mesh, surface_of(mesh), "vec4(points[0].xyz, 1.0)", 5, 1e-4F)), 0);

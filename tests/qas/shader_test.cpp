@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The refinement shader under OSMesa, read back through transform feedback: against the evaluation on the CPU, and bit by bit along
-// shared edges.
+// Reads the refinement shader under OSMesa back through transform feedback, and compares it with the evaluation on the
+// CPU, and bit by bit along shared edges.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -86,7 +86,7 @@ void upload(const Surface& surface, const std::vector<GLubyte>& tags, float torn
   glEnable(GL_DEPTH_TAG_ARRAY_ARK);
 }
 
-// `result` at every refined vertex; tags: one for each coarse vertex.
+// Returns `result` at every refined vertex. tags: one for each coarse vertex.
 std::vector<RefinedVertex> refined(const Surface& surface, const Language& language, const std::string& result,
                                    const std::vector<GLubyte>& tags, float torn = 0) {
   GLuint array = 0;
@@ -156,7 +156,7 @@ TEST_P(RefinementShader, LeavesNoEdgeOpenUnderRandomTags) {
   }
 }
 
-// The control: an edge whose two sides do not have the same midpoint.
+// The control is an edge whose two sides have different midpoints.
 TEST_P(RefinementShader, ADifferentMiddleOpensTheEdge) {
   const ControlMesh mesh = icosahedron();
   const std::vector<GLubyte> tags(mesh.vertex_count(), 2);

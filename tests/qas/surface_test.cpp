@@ -42,7 +42,7 @@ TEST(Surface, HasASplineForItsBoundary) {
   EXPECT_NEAR(surface.limit_positions()[1].y, (0 + 4 * 0 + 6) / 6.0, 1e-6);
 }
 
-// The rim of a drum is round; the normals of lid and wall differ there, and the points do not.
+// The edge of a drum's lid is round. There lid and wall have different normals and the same points.
 TEST(Surface, HasTwoNormalsAlongACrease) {
   const ControlMesh mesh = drum(12);
   const Surface surface = updated(mesh);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Samples as they come, and arguments that are wrong.
+// Unusual samples, and wrong arguments.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What holds together in a mesh.
+// The topology of a mesh.
 #pragma once
 
 #include <glark/reconstruct.h>
@@ -14,6 +14,9 @@
 #include "tests/vstree/shapes.h"
 
 namespace glark::reconstruct::test {
+
+using namespace vstree;
+using namespace vstree::test;
 
 struct Topology {
   std::size_t boundary = 0;  // edges of one triangle
@@ -54,7 +57,7 @@ inline Topology topology_of(const Reconstructed& mesh) {
   return topology;
 }
 
-// Without edges of three triangles, vertices of two sheets, or vertices of none; with the subdivision's connectivity.
+// Expects a manifold with the connectivity of subdivision, where all vertices have triangles.
 inline void expect_manifold(const Reconstructed& mesh) {
   const Topology topology = topology_of(mesh);
   EXPECT_EQ(topology.wrong, 0U);
@@ -74,7 +77,7 @@ inline void expect_closed(const Reconstructed& mesh, std::size_t parts, std::ptr
   EXPECT_EQ(topology.euler, euler);
 }
 
-// The greatest of what `distance` says of the vertices.
+// The greatest distance(vertex).
 template <typename Distance>
 double greatest(const Reconstructed& mesh, const Distance& distance) {
   double most = 0;

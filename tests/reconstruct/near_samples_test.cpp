@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which samples are near a point.
+// The samples near a point.
 #include "glark/clients/reconstruct/samples/near_samples.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +13,9 @@
 #include "tests/vstree/shapes.h"
 
 namespace glark::reconstruct::test {
+
+using namespace vstree;
+using namespace vstree::test;
 namespace {
 
 class Near : public testing::Test {

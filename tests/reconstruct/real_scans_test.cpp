@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// On real scans, where they are (GLARK_SCANS of CMake says where).
+// Tests on real scans, if there are any in the folder GLARK_SCANS of CMake.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "tests/bench_points/scan.h"
-#include "tests/bench_points/surface_distance.h"
+#include "tests/bench_points/measure/scan.h"
+#include "tests/bench_points/measure/surface_distance.h"
 #include "tests/reconstruct/meshes.h"
 
 namespace glark::reconstruct::test {
@@ -31,7 +31,7 @@ TEST_F(RealScans, OfClosedModelsAreClosed) {
     expect_manifold(mesh);
     EXPECT_EQ(topology_of(mesh).boundary, 0U) << name;
     EXPECT_EQ(topology_of(mesh).parts, 1U) << name;
-    EXPECT_EQ(volume(mesh) > 0, std::string(name) != "horse") << name;  // whose normals point inwards
+    EXPECT_EQ(volume(mesh) > 0, std::string(name) != "horse") << name;  // its normals point inwards
   }
 }
 
@@ -45,7 +45,7 @@ TEST_F(RealScans, OfAHeadAreClose) {
   EXPECT_LT(bench::SurfaceDistance(mesh.positions, mesh.triangles).rms(back) * percent, 0.0032);
 }
 
-// Raw, overlapping and noisy.
+// Raw scans overlap and are noisy.
 TEST_F(RealScans, OfAStatueAreOneSurface) {
   const Reconstructed mesh = of("happy_stand_scans");
   expect_manifold(mesh);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Surfaces that are known.
+// Reconstructs known surfaces.
 #include <gtest/gtest.h>
 
 #include "tests/reconstruct/meshes.h"
@@ -75,7 +75,7 @@ TEST(Reconstruct, SmallPartsAreLeftOut) {
   EXPECT_EQ(topology_of(reconstruct(shape.points(), {.least_part = 0})).parts, 2U);
 }
 
-// Two sides of a disc, so near to each other that cells have both.
+// Two sides of a disc, so near to each other that cells contain both.
 TEST(Reconstruct, AThinPlateHasTwoSides) {
   Shape shape;
   for (int i = 0; i < 200; ++i) {
@@ -104,7 +104,7 @@ TEST(Reconstruct, NoiseIsTakenAway) {
   EXPECT_LT(greatest(mesh, off_sphere), 0.008);
 }
 
-// As scans are that do not fit: each a little larger than the one before.
+// Scans that do not fit: each is a little larger than the one before.
 TEST(Reconstruct, LayersBecomeOneSurface) {
   Shape shape;
   const Shape one = sphere(20000);
@@ -173,7 +173,7 @@ TEST(Reconstruct, DependsOnNeitherThreadsNorScale) {
   }
 }
 
-// What a colour is at a place, in bytes.
+// The colour at a position, in bytes.
 std::array<float, 3> paint(const float* position) {
   return {127 + 100 * position[0], 127 + 100 * position[1], position[2] > 0 ? 200.0F : 50.0F};
 }
@@ -255,7 +255,7 @@ TEST(Reconstruct, ThresholdsSmoothAndLevelsEndTheRefinement) {
   EXPECT_EQ(reconstruct(shape.points(), {.levels = 4}).levels, 4U);
 }
 
-// As far as they say, about, and no further: the mesh is that of so many levels.
+// Refinement ends at about the given error: the mesh is that of fewer levels.
 TEST(Reconstruct, RefinementEndsWhereTheErrorIsMet) {
   const Shape shape = sphere(60000);
   const double diagonal = 2 * std::sqrt(3.0);

@@ -67,8 +67,8 @@ TEST(SurfelStrips, CloseLayersStaySeparate) {
   EXPECT_NEAR(static_cast<double>(triangles(strips).size()), 4.0 * 59 * 59, 50);
 }
 
-// Alone, in twos and threes, far from everything and over the surface.
-TEST(Strips, IsolatedPointsMakeNoLongTriangles) {
+// Single points, pairs and three points in a row, far from all others or above the surface.
+TEST(SurfelStrips, IsolatedPointsHaveNoLongTriangles) {
   Points points = sphere(5000);
   const auto add = [&](float x, float y, float z) { points.add({x, y, z}, {0, 0, 1}); };
   add(0, 0, 1.3F);
@@ -77,7 +77,7 @@ TEST(Strips, IsolatedPointsMakeNoLongTriangles) {
   add(4, 0, 0);
   for (const float z : {0.0F, 0.01F, 0.02F}) add(-6, 0, z);
   const Strips strips(points.cloud());
-  std::size_t on_a_line = 0;  // the last three may have a triangle, without area
+  std::size_t on_a_line = 0;  // the last three may have a degenerate triangle
   for (const auto& [a, b, c] : triangles(strips)) {
     on_a_line += std::min({a, b, c}) == 5004 ? 1 : 0;
     ASSERT_TRUE(std::min({a, b, c}) == 5004 || std::max({a, b, c}) < 5000) << a << ' ' << b << ' ' << c;
@@ -87,8 +87,8 @@ TEST(Strips, IsolatedPointsMakeNoLongTriangles) {
   EXPECT_EQ(edges.other, 0U);
 }
 
-// Their outlines are no longer than the holes that are closed.
-TEST(Strips, SmallPiecesKeepTheirOutlines) {
+// Their boundaries are as short as those of holes that are filled.
+TEST(SurfelStrips, BoundariesOfSmallPiecesAreNotFilled) {
   for (const unsigned side : {2U, 3U, 5U, 9U}) {
     const Points points = plane(side, 0);
     const Strips strips(points.cloud());
@@ -99,8 +99,8 @@ TEST(Strips, SmallPiecesKeepTheirOutlines) {
   }
 }
 
-// A sheet so coarse that its bends are as sharp as its points are dense: leaves see it from different sides.
-TEST(Strips, ACoarseFoldHasNoHolesAndNothingTwice) {
+// The bends of the sheet are hardly wider than the spacing of its points, so the planes of its leaves differ much.
+TEST(SurfelStrips, CoarseFoldsHaveNoHolesAndNoDuplicateEdges) {
   Points points;
   constexpr unsigned side = 60;
   for (unsigned i = 0; i < side * side; ++i) {

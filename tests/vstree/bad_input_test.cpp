@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Points as they come, and arguments that are wrong.
+// Unusual points, and wrong arguments.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -23,7 +23,8 @@ void expect_error(Element element, std::size_t index, const std::string& words, 
   }
 }
 
-// A tree with every sample in a leaf, with normals and without, and simplified to at most `target` finite points.
+// Expects a tree with every sample in a leaf, with normals and without, and a simplification to at most `target` finite
+// points.
 void expect_sound(const std::vector<float>& positions, std::size_t target = 4) {
   const PointSet points{.positions = positions};
   for (const bool surface : {true, false}) {
@@ -105,7 +106,7 @@ TEST(BadPoints, AMillionDuplicatesAmongOthersAreOneLeaf) {
 
 TEST(BadPoints, FarFromTheOriginKeepTheirOrder) {
   Shape shape = sphere(3000);
-  for (float& number : shape.positions) number += 4e5F;  // a float there is good to 1/32
+  for (float& number : shape.positions) number += 4e5F;  // a float has a step of 1/32 there
   expect_sound(shape.positions);
 }
 

@@ -53,7 +53,7 @@ TEST(EstimatedNormals, OfTwoPartsAreEachRight) {
   EXPECT_GT(agreement(estimate_normals({.positions = shape.positions}), shape.normals), 0.8F);
 }
 
-// As many as neighbours are asked for, and more, must not be all that a point sees.
+// Repeated points, as many as neighbours or more, must not be all neighbours of a point.
 TEST(EstimatedNormals, OfPointsManyTimesAreThoseOfPointsOnce) {
   const Shape shape = sphere(2000);
   const std::vector<float> once = estimate_normals({.positions = shape.positions});
@@ -65,7 +65,7 @@ TEST(EstimatedNormals, OfPointsManyTimesAreThoseOfPointsOnce) {
   EXPECT_GT(agreement(estimate_normals({.positions = positions}), normals), 0.999F);
 }
 
-// It is quick: a search among them all for each would take hours.
+// This is fast; comparing all of them would take hours.
 TEST(EstimatedNormals, OfAMillionPointsAtOnePlaceAreZero) {
   std::vector<float> positions(3000000, 1.0F);
   const std::vector<float> normals = estimate_normals({.positions = positions});

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// On real scans, where they are (GLARK_SCANS of CMake says where).
+// Tests on real scans, if there are any in the folder GLARK_SCANS of CMake.
 #include <glark/vstree.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "tests/bench_points/scan.h"
-#include "tests/bench_points/surface_distance.h"
+#include "tests/bench_points/measure/scan.h"
+#include "tests/bench_points/measure/surface_distance.h"
 
 namespace glark::vstree::test {
 namespace {
@@ -41,7 +41,7 @@ TEST_F(Scans, HaveFewerLeavesThanAnOctree) {
   EXPECT_LE(leaves, 0.68 * static_cast<double>(Tree(points, {.surface = false}).leaf_count()));
 }
 
-// Raw, overlapping and noisy.
+// Raw scans overlap and are noisy.
 TEST_F(Scans, OfAStatueAreDividedAndSimplified) {
   const bench::Scan scan = bench::read_scan(GLARK_SCANS, "bunny_scans");
   const PointSet points{.positions = scan.positions, .normals = scan.normals};

@@ -81,7 +81,7 @@ TEST(Simplified, ByAnErrorHasMoreTrianglesTheSmallerItIs) {
   }
 }
 
-// Of the distance of a torus without bumps from its surface.
+// The root mean square distance of points from the surface of a torus without bumps.
 double error_of(const Simplified& few) {
   double sum = 0;
   for (std::size_t t = 0; t < few.triangles.size(); t += 3) {
@@ -191,7 +191,7 @@ TEST(Simplified, OfAnOpenMeshKeepsItsBorderOnly) {
   for (std::size_t i = 2; i < few.positions.size(); i += 3) EXPECT_NEAR(few.positions[i], 0, 1e-5);
 }
 
-// All errors are alike there. More samples than one grid takes, from coarse to almost all.
+// All errors are equal there. There are more samples than one grid takes, from few clusters to almost all samples.
 TEST(Simplified, OfAPlaneComesCloseToAnyTarget) {
   const Shape shape = sheet(
       200, [](float x) { return x; }, [](float, float) { return 0.0F; });
@@ -202,7 +202,7 @@ TEST(Simplified, OfAPlaneComesCloseToAnyTarget) {
   }
 }
 
-// A grid has cells of one size: where one has too many samples there is a grid below it.
+// The cells of a grid have one size. Where a cell has too many samples there is a grid below it.
 TEST(Simplified, DividesDenseCornersDeeper) {
   const auto square = [](float x) { return x * x * x * x; };
   const auto waves = [](float x, float y) {

@@ -35,7 +35,7 @@ Plane mean_plane(const Shape& shape, std::span<const std::uint32_t> samples) {
   return plane;
 }
 
-// By the definition, with no sums that cancel.
+// The error by its definition, without sums that cancel.
 double error_by_definition(const Shape& shape, std::span<const std::uint32_t> samples, Metric metric, double diagonal) {
   const Plane plane = mean_plane(shape, samples);
   double sum = 0;
@@ -98,7 +98,7 @@ TEST_P(TreeMetric, IsWhatItsDefinitionSaysAndBelowTheThresholdInLeaves) {
   const Tree tree(shape.points(), {.metric = GetParam(), .threshold = threshold});
   ASSERT_GT(tree.leaf_count(), 100U);
   for (const Node& node : tree.nodes()) {
-    if (node.level < 2) continue;  // normals all around have no mean to speak of
+    if (node.level < 2) continue;  // normals in all directions have no reliable mean
     const double expected = error_by_definition(shape, tree.samples(node), GetParam(), tree.diagonal());
     EXPECT_NEAR(node.error, expected, 1e-3 * expected + (GetParam() == Metric::l2 ? 1e-6 : 1e-3));
     if (node.is_leaf() && node.size() > 1) {

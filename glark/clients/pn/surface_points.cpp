@@ -19,20 +19,23 @@ bool is_finite(const Vector& v) { return std::isfinite(v.x) && std::isfinite(v.y
 double angle_between(const Vector& a, const Vector& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
 void check(const Mesh& mesh) {
-  if (mesh.positions.size() % 3 != 0) throw Error(Element::array, 0, "positions are not made of x, y and z");
-  if (mesh.triangles.size() % 3 != 0) throw Error(Element::array, 1, "triangles are not made of three vertices");
+  if (mesh.positions.size() % 3 != 0)
+    throw Error(Element::array, 0, "of positions does not have three numbers for each vertex");
+  if (mesh.triangles.size() % 3 != 0)
+    throw Error(Element::array, 1, "of triangles does not have three vertices for each triangle");
   if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
-    throw Error(Element::array, 2, "normals are not as many as positions");
-  if (mesh.creases.size() % 2 != 0) throw Error(Element::array, 3, "creases are not made of two vertices");
+    throw Error(Element::array, 2, "of normals does not have the size of the positions");
+  if (mesh.creases.size() % 2 != 0)
+    throw Error(Element::array, 3, "of creases does not have two vertices for each crease");
   const std::size_t vertices = mesh.positions.size() / 3;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (!std::isfinite(mesh.positions[i])) throw Error(Element::vertex, i / 3, "a position is not finite");
+    if (!std::isfinite(mesh.positions[i])) throw Error(Element::vertex, i / 3, "has a position that is not finite");
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (mesh.triangles[i] >= vertices) throw Error(Element::triangle, i / 3, "an index is no vertex");
+    if (mesh.triangles[i] >= vertices) throw Error(Element::triangle, i / 3, "has an index that is not a vertex");
   }
   for (std::size_t i = 0; i < mesh.creases.size(); ++i) {
-    if (mesh.creases[i] >= vertices) throw Error(Element::crease, i / 2, "an end is no vertex");
+    if (mesh.creases[i] >= vertices) throw Error(Element::crease, i / 2, "has an end that is not a vertex");
   }
 }
 
@@ -143,7 +146,7 @@ const Edge* SurfacePoints::find(std::uint32_t a, std::uint32_t b) const {
 void SurfacePoints::name_creases() {
   for (std::size_t i = 0; i + 1 < mesh_.creases.size(); i += 2) {
     const Edge* edge = find(point_of_[mesh_.creases[i]], point_of_[mesh_.creases[i + 1]]);
-    if (edge == nullptr) throw Error(Element::crease, i / 2, "it is no edge of a triangle");
+    if (edge == nullptr) throw Error(Element::crease, i / 2, "is not an edge of a triangle");
     edges_[static_cast<std::size_t>(edge - edges_.data())].crease = true;
   }
 }

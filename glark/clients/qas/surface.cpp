@@ -55,8 +55,7 @@ Error::Error(Element element, std::size_t index, const std::string& what)
 
 struct Surface::State {
   Workers workers;
-  std::unique_ptr<LimitStep>
-      subdivision;  // from the coarse mesh to the mesh of the patches; null if that is the same
+  std::unique_ptr<LimitStep> subdivision;  // from the coarse mesh to the mesh of the patches; null if that is the same
   std::unique_ptr<LimitStep> step;
   std::unique_ptr<ButterflyStep> butterfly_subdivision, butterfly;  // instead of these
   std::vector<std::array<std::uint32_t, 2>> corner_vertices;
@@ -140,7 +139,7 @@ void Surface::write_corners(std::span<Corner> corners) const {
 
 Sample Surface::evaluate(std::size_t patch, std::array<float, 3> barycentric) const {
   if (patch >= patches().size()) {
-    throw Error(Element::triangle, patch, fmt::format("is none of the {} patches", patches().size()));
+    throw Error(Element::triangle, patch, fmt::format("is not one of the {} patches", patches().size()));
   }
   check_barycentric(barycentric);
   std::array<Float4, 6> points, normals;
@@ -178,7 +177,7 @@ void Surface::write_quartic_corners(std::span<QuarticCorner> corners) const {
 Sample Surface::evaluate_quartic(std::size_t triangle, std::array<float, 3> barycentric) const {
   if (triangle >= quartic_corner_count() / 3) {
     throw Error(Element::triangle, triangle,
-                fmt::format("is none of the {} with a quartic (splits 1)", quartic_corner_count() / 3));
+                fmt::format("is not one of the {} with a quartic (splits 1)", quartic_corner_count() / 3));
   }
   check_barycentric(barycentric);
   std::array<QuarticPoints, 3> points{}, normals{};

@@ -110,7 +110,7 @@ void mark_creases(Topology& topology, const Mesh& mesh, const std::vector<Side>&
     const auto found = std::lower_bound(sides.begin(), sides.end(), Side{ends, 0});
     if (found == sides.end() || found->ends != ends) {
       throw Error(Element::crease, i / 2,
-                  fmt::format("from vertex {} to {} is no edge of the mesh", mesh.creases[i], mesh.creases[i + 1]));
+                  fmt::format("from vertex {} to {} is not an edge of the mesh", mesh.creases[i], mesh.creases[i + 1]));
     }
     Edge& edge = topology.edges[topology.edge_of[found->half_edge]];
     edge.marked = edge.marked || edge.smooth;
@@ -173,7 +173,8 @@ void find_rules(Topology& topology) {
     if (sector.closed && sector_count[v] == 1) topology.rules[v] = Rule::smooth;
     if (sharp_edges[v] == 2 && !sector.closed) topology.rules[v] = Rule::crease;
   }
-  for (const Sector& sector : topology.sectors) {  // a fan that is not between the two creases makes the vertex a corner
+  for (const Sector& sector :
+       topology.sectors) {  // a fan that is not between the two creases makes the vertex a corner
     const bool between =
         !sector.closed && topology.rings[sector.first] != topology.rings[sector.first + sector.count - 1];
     if (topology.rules[sector.vertex] == Rule::crease && !between) topology.rules[sector.vertex] = Rule::corner;

@@ -73,9 +73,9 @@ void check_point(const Cloud& cloud, std::size_t point) {
     const float position = cloud.positions[3 * point + k];
     if (!(std::fabs(position) <= greatest_coordinate)) {
       throw Error(Element::point, point,
-                  fmt::format("has the {} coordinate {}; it must be finite and at most {}: leave the point out, or "
+                  fmt::format("has the {} coordinate {}; it must be finite and at most 1e18: leave the point out, or "
                               "scale the cloud",
-                              "xyz"[k], position, greatest_coordinate));
+                              "xyz"[k], position));
     }
     if (!cloud.normals.empty() && !std::isfinite(cloud.normals[3 * point + k])) {
       throw Error(Element::normal, point,

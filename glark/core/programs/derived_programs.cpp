@@ -8,6 +8,7 @@
 #include "glark/core/capture/feedback_aside.h"
 #include "glark/core/refine/attribute_locations.h"
 #include "glark/core/refine/program/uniform_copy.h"
+#include "glark/core/shape.h"
 
 namespace glark::core {
 namespace {

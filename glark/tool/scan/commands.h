@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// One function a command: adds it to the application and what it does to its callback. What goes wrong is thrown.
+// One function for each command. It adds the command and its callback to the application. Callbacks throw exceptions.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the commands for files say: progress to a terminal, warnings, reports.
+// The output of the commands for files: progress on a terminal, warnings, reports.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,8 @@ namespace glark::tool {
 
 using Report = nlohmann::ordered_json;
 
-// A line on standard error that counts, gone when the step is done. Silent unless standard error is a terminal.
+// A progress line on standard error, which disappears when the step is done. There is none unless standard error is a
+// terminal.
 class Progress {
  public:
   explicit Progress(std::string step);
@@ -20,7 +21,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // 0 to 1; less than 0 where it cannot be known.
+  // The fraction is 0 to 1; less than 0 if it is not known.
   void show(double fraction);
   double seconds() const;
 
@@ -33,7 +34,7 @@ class Progress {
 
 void warn(const std::string& text);
 
-// On standard output: as JSON, or a line for each value, those of an object indented below its name.
+// Prints to standard output: JSON, or one line for each value, with the values of an object indented below its name.
 void print(const Report& report, bool json);
 
 }  // namespace glark::tool

@@ -9,7 +9,7 @@ namespace glark::tool {
 void describe_input(CLI::App& command, Files& files) {
   command
       .add_option("FILE", files.input,
-                  "Points or a mesh: .ply, .obj, .stl, .xyz, .pts, or one of these compressed, .zst")
+                  "Points or a mesh: .ply, .obj, .stl, .xyz or .pts, also compressed with a second ending .zst")
       ->required();
   command.add_flag("--skip-invalid", files.skip_invalid,
                    "Leave out points with NaN or infinite coordinates instead of stopping");
@@ -17,14 +17,14 @@ void describe_input(CLI::App& command, Files& files) {
 }
 
 void describe_output(CLI::App& command, Files& files) {
-  command.add_option("-o,--output", files.output, "Where the result goes: .ply, .obj, .stl, .xyz, .pts or .glb")
+  command.add_option("-o,--output", files.output, "The file to write: .ply, .obj, .stl, .xyz, .pts or .glb")
       ->type_name("OUT")
       ->required();
   command.add_flag("--text", files.text, "Write PLY as text");
 }
 
 void describe_threads(CLI::App& command, unsigned& threads) {
-  command.add_option("--threads", threads, "At most; as many as the machine has if not given. The result is the same");
+  command.add_option("--threads", threads, "Most threads; default: all of the machine. The result is the same");
 }
 
 void check_output(const Files& files) { geometry::check_writable(files.output); }

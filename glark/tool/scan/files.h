@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The file that a command reads, the one that it writes, and the options that say how.
+// The files that a command reads and writes, and the options for them.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -24,13 +24,13 @@ void describe_input(CLI::App& command, Files& files);
 void describe_output(CLI::App& command, Files& files);
 void describe_threads(CLI::App& command, unsigned& threads);
 
-// Throws where the output cannot be written: before the work.
+// Throws if the output cannot be written. Called before the work.
 void check_output(const Files& files);
-// With progress; warnings go to standard error.
+// Reads a file and shows progress. Warnings go to standard error.
 geometry::Geometry load(const std::string& file, const Files& files);
 void store(const geometry::Geometry& geometry, const Files& files);
 
-// Numbers of points and triangles, names of the attributes.
+// Reports the numbers of points and triangles, and the names of the attributes.
 Report contents_of(const geometry::Geometry& geometry);
 
 }  // namespace glark::tool

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark info FILE: what is in it, and whether the mesh is closed and manifold.
+// glark info FILE: reports the contents of a file, and whether its mesh is closed and manifold.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,7 +47,7 @@ void info(const Files& files, const std::string& reference) {
 }  // namespace
 
 void add_info(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("info", "Say what a file of points or triangles has");
+  CLI::App* command = app.add_subcommand("info", "Report the contents of a file of points or triangles");
   const auto files = std::make_shared<Files>();
   const auto reference = std::make_shared<std::string>();
   describe_input(*command, *files);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark-scan: the commands of `glark` that work on files of points and triangles. A program of its own, since the libraries that it
-// takes would make `glark run` slow to start.
+// glark-scan: the commands of `glark` that work on files of points and triangles. It is a separate program, because its
+// libraries would make `glark run` slow to start.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// --measure REFERENCE: how far a result is from a reference, and what holds together in it.
+// --measure REFERENCE: measures the distance of a result from a reference, and reports the topology of the result.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace glark::tool {
 
-// Points at places of others, edges, components.
+// Reports points at the places of others, edges and components.
 Report topology_report(const geometry::Geometry& geometry);
 
 void describe_measure(CLI::App& command, std::string& reference);
 
-// Distances in percent of the diagonal of the reference's bounding box.
+// Reports distances in percent of the diagonal of the reference's bounding box.
 Report quality_report(const geometry::Geometry& result, const std::string& reference, const Files& files);
 
 }  // namespace glark::tool

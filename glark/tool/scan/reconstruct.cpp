@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark reconstruct FILE -o OUT: a mesh from points.
+// glark reconstruct FILE -o OUT: reconstructs a mesh from points.
+#include <fmt/format.h>
 #include <glark/reconstruct.h>
 
+#include <array>
 #include <memory>
+#include <utility>
 
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
@@ -20,50 +23,68 @@ struct Reconstruct {
   reconstruct::ReconstructOptions options;
 };
 
-void reconstruct(const Reconstruct& command) {
-  check_output(command.files);
-  geometry::Geometry points = load(command.files.input, command.files);
-  warn_of_alpha(points.colours, command.files.input);
-  geometry::Geometry mesh;
-  reconstruct::Reconstructed result;
-  double normals_seconds = 0;
-  double seconds = 0;
+struct Seconds {
+  double normals = 0;
+  double reconstruction = 0;
+};
+
+reconstruct::Reconstructed reconstruct(geometry::Geometry& points, const Reconstruct& command, Seconds& seconds) {
   if (points.normals.empty()) {
-    warn(command.files.input + ": it has no normals; they are estimated, and their sides guessed");
+    warn(command.files.input + ": it has no normals; they are estimated, and their orientation is guessed");
     Progress progress("estimating normals");
     progress.show(-1);
     points.normals = vstree::estimate_normals({.positions = points.positions});
-    normals_seconds = progress.seconds();
+    seconds.normals = progress.seconds();
   }
-  {
-    Progress progress("reconstructing");
-    progress.show(-1);
-    const std::vector<std::uint8_t> colours = rgb_of(points.colours);
-    result = reconstruct::reconstruct({.positions = points.positions, .normals = points.normals, .colours = colours},
-                                 command.options);
-    seconds = progress.seconds();
-  }
-  if (result.triangles.empty())
-    warn(command.files.input +
-         ": its points are on no surface; the mesh is empty. A point far away from all others makes the box too large: "
-         "take it out");
-  mesh.origin = points.origin;
-  mesh.positions = std::move(result.positions);
-  mesh.normals = std::move(result.normals);
-  mesh.colours = rgba_of(result.colours);
-  mesh.triangles = std::move(result.triangles);
-  store(mesh, command.files);
+  Progress progress("reconstructing");
+  progress.show(-1);
+  const std::vector<std::uint8_t> colours = rgb_of(points.colours);
+  reconstruct::Reconstructed result = reconstruct::reconstruct(
+      {.positions = points.positions, .normals = points.normals, .colours = colours}, command.options);
+  seconds.reconstruction = progress.seconds();
+  return result;
+}
+
+Report report_of(const reconstruct::Reconstructed& result) {
   Report report;
-  report["input"] = contents_of(points);
-  report["output"] = contents_of(mesh);
   report["base_vertices"] = result.base_vertices;
   report["base_triangles"] = result.base_triangles;
   report["levels"] = result.levels;
   report["node_side"] = result.node_side;
   report["noise"] = result.noise;
   report["parts_left_out"] = result.left_out;
-  if (normals_seconds > 0) report["normals_seconds"] = normals_seconds;
-  report["seconds"] = seconds;
+  return report;
+}
+
+geometry::Geometry mesh_of(reconstruct::Reconstructed result, const std::array<double, 3>& origin) {
+  geometry::Geometry mesh;
+  mesh.origin = origin;
+  mesh.positions = std::move(result.positions);
+  mesh.normals = std::move(result.normals);
+  mesh.colours = rgba_of(result.colours);
+  mesh.triangles = std::move(result.triangles);
+  return mesh;
+}
+
+void run(const Reconstruct& command) {
+  check_output(command.files);
+  geometry::Geometry points = load(command.files.input, command.files);
+  warn_of_alpha(points.colours, command.files.input);
+  Seconds seconds;
+  reconstruct::Reconstructed result = reconstruct(points, command, seconds);
+  if (result.triangles.empty())
+    warn(command.files.input +
+         ": the mesh is empty, for its points are on no surface. A point far away from all others makes the box too "
+         "large; remove such points");
+  const Report numbers = report_of(result);
+  const geometry::Geometry mesh = mesh_of(std::move(result), points.origin);
+  store(mesh, command.files);
+  Report report;
+  report["input"] = contents_of(points);
+  report["output"] = contents_of(mesh);
+  report.update(numbers);
+  if (seconds.normals > 0) report["normals_seconds"] = seconds.normals;
+  report["seconds"] = seconds.reconstruction;
   if (!command.reference.empty()) {
     report["topology"] = topology_report(mesh);
     report["quality"] = quality_report(mesh, command.reference, command.files);
@@ -74,7 +95,8 @@ void reconstruct(const Reconstruct& command) {
 }  // namespace
 
 void add_reconstruct(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("reconstruct", "A mesh from points, of scans that overlap and are noisy too");
+  CLI::App* command =
+      app.add_subcommand("reconstruct", "Reconstruct a mesh from points, also from scans that overlap and are noisy");
   const auto reconstruction = std::make_shared<Reconstruct>();
   reconstruct::ReconstructOptions& options = reconstruction->options;
   describe_input(*command, reconstruction->files);
@@ -82,31 +104,32 @@ void add_reconstruct(CLI::App& app) {
   describe_measure(*command, reconstruction->reference);
   command
       ->add_option("--threshold", options.threshold,
-                   "What is finer than this part of the bounding box's diagonal is noise; 0, which is what the points "
-                   "show themselves, if not given")
+                   "Finer detail is noise, as a part of the bounding box's diagonal; default 0: the noise is measured")
       ->check(CLI::Range(0.0, 1.0));
   command
-      ->add_option("--error", options.error,
-                   "Refine until the mesh is so near to the points, as a part of the diagonal; as dense as they are if "
-                   "not given")
+      ->add_option(
+          "--error", options.error,
+          "Refine until the mesh is this near to the points, as a part of the diagonal; default: until it is as "
+          "dense as the points")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--levels", options.levels, "Refine so often at most, 0 to 6; 2 if not given")
+  command->add_option("--levels", options.levels, "Most levels of refinement, 0 to 6; default 2")
       ->check(CLI::Range(0, 6));
   command
       ->add_option("--node-samples", options.node_samples,
-                   "Points of the smallest nodes, 2 to 1000: fewer find thinner parts, more close larger gaps; " +
-                       CLI::detail::to_string(options.node_samples) + " if not given")
+                   fmt::format("Points of the smallest nodes, 2 to 1000: fewer find thinner parts, more close larger "
+                               "gaps; default {}",
+                               options.node_samples))
       ->check(CLI::Range(2.0, 1000.0));
   command
       ->add_option("--least-part", options.least_part,
-                   "Leave out parts with less than this of the area, 0 to 1; 0.01 if not given")
+                   "Leave out parts with less than this share of the area, 0 to 1; default 0.01")
       ->check(CLI::Range(0.0, 1.0));
   command
       ->add_option("--gap-edges", options.gap_edges,
-                   "Close holes with so many edges of the coarse mesh around, 0 to 1000; 16 if not given")
+                   "Close holes with at most so many edges of the coarse mesh, 0 to 1000; default 16")
       ->check(CLI::Range(0, 1000));
   describe_threads(*command, options.threads);
-  command->callback([reconstruction] { reconstruct(*reconstruction); });
+  command->callback([reconstruction] { run(*reconstruction); });
 }
 
 }  // namespace glark::tool

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark simplify FILE -o OUT: fewer triangles, or points where there are no triangles.
+// glark simplify FILE -o OUT: reduces the number of triangles, or of points if there are no triangles.
 #include <fmt/format.h>
 
 #include <glark/vstree.h>
@@ -38,7 +38,7 @@ geometry::Geometry simplified(const geometry::Geometry& geometry, const vstree::
   return coarse;
 }
 
-// Where triangles meet in one place with different texture coordinates.
+// Counts the places where triangles meet with different texture coordinates.
 std::size_t seam_points(const geometry::Geometry& geometry) {
   const std::vector<float>& all = geometry.texture_coordinates;
   if (all.empty() || geometry.triangles.empty()) return 0;
@@ -51,12 +51,12 @@ std::size_t seam_points(const geometry::Geometry& geometry) {
   return count;
 }
 
-// What the result cannot have.
+// Warns about attributes that the result loses.
 void warn_of_losses(const geometry::Geometry& geometry, const std::string& file) {
   if (const std::size_t seams = seam_points(geometry); seams > 0) {
     warn(fmt::format(
-        "{}: its texture coordinates have seams, at {} of its points; the result has those of one side there, so that "
-        "triangles along a seam show a wrong part of the texture: take it off, or bake it into colours first",
+        "{}: its texture coordinates have seams at {} points; the result keeps one side of a seam, so that triangles "
+        "there show a wrong part of the texture: remove the texture, or bake it into colours first",
         file, seams));
   }
   warn_of_alpha(geometry.colours, file);
@@ -75,7 +75,7 @@ void simplify(const Simplify& command) {
     seconds = progress.seconds();
   }
   if (coarse.point_count() == 0)
-    warn(command.files.input + ": its triangles are so flat or small that all of them vanish; the result is empty, " +
+    warn(command.files.input + ": all its triangles are so flat or small that they vanish, and the result is empty; " +
          (command.options.target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error"));
   store(coarse, command.files);
   Report report;
@@ -95,36 +95,37 @@ void add_simplify(CLI::App& app) {
   using vstree::Clustering;
   using vstree::Metric;
   using vstree::Representative;
-  CLI::App* command = app.add_subcommand("simplify", "Fewer triangles, or points where there are no triangles");
+  CLI::App* command = app.add_subcommand("simplify", "Reduce triangles, or points if there are no triangles");
   const auto simplification = std::make_shared<Simplify>();
   vstree::SimplifyOptions& options = simplification->options;
   describe_input(*command, simplification->files);
   describe_output(*command, simplification->files);
   describe_measure(*command, simplification->reference);
-  CLI::Option* target =
-      command->add_option("--target", options.target, "No more triangles than this, or points of a set of points")
-          ->check(above_zero());
+  CLI::Option* target = command
+                            ->add_option("--target", options.target,
+                                         "The most triangles of the result, or points if there are no triangles")
+                            ->check(above_zero());
   command
       ->add_option("--error", options.threshold,
-                   "Where there is no target: the error of a cluster, for l2 and qef by the bounding box's diagonal; "
-                   "1e-4 if not given")
+                   "Without a target: the error of a cluster, for l2 and qef relative to the bounding box's diagonal; "
+                   "default 1e-4")
       ->check(above_zero())
       ->excludes(target);
   command
       ->add_option("--clustering", options.clustering,
-                   "What the clusters are cells of: vstree, octree or grid; vstree if not given")
+                   "Cells that make the clusters: vstree, octree or grid; default vstree")
       ->transform(one_of<Clustering>(
           {{"vstree", Clustering::volume_surface}, {"octree", Clustering::octree}, {"grid", Clustering::grid}}))
       ->type_name("KIND");
   command
       ->add_option("--metric", options.metric,
-                   "The error: l2, l21 (normals), qef or density (samples); l2 if not given")
+                   "Error of a cluster: l2, l21 (normals), qef or density (samples); default l2")
       ->transform(one_of<Metric>(
           {{"l2", Metric::l2}, {"l21", Metric::l21}, {"qef", Metric::qef}, {"density", Metric::density}}))
       ->type_name("METRIC");
   command
       ->add_option("--representative", options.representative,
-                   "Where the point of a cluster lies: qef or centroid; qef if not given")
+                   "Position of the point of a cluster: qef or centroid; default qef")
       ->transform(one_of<Representative>({{"qef", Representative::qef}, {"centroid", Representative::centroid}}))
       ->type_name("KIND");
   describe_threads(*command, options.threads);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark strip FILE -o OUT: the points as they are, with triangle strips that interpolate them.
+// glark strip FILE -o OUT: adds triangle strips that interpolate the points, which stay as they are.
 #include <fmt/format.h>
 
 #include <glark/surfel.h>
@@ -23,7 +23,7 @@ struct Strip {
   unsigned level = 0;
 };
 
-// A strip for each leaf, and its triangles less those without area, which join its parts.
+// Adds the strip of a leaf, and its triangles without those of no area, which only join its parts.
 void add_strip(geometry::Geometry& geometry, std::span<const std::uint32_t> strip) {
   geometry.strips.insert(geometry.strips.end(), strip.begin(), strip.end());
   geometry.strip_sizes.push_back(static_cast<std::uint32_t>(strip.size()));
@@ -41,8 +41,7 @@ void strip(const Strip& command) {
   check_output(command.files);
   geometry::Geometry geometry = load(command.files.input, command.files);
   geometry.triangles = {};
-  if (geometry.normals.empty())
-    warn(command.files.input + ": it has no normals; strips have no common orientation without");
+  if (geometry.normals.empty()) warn(command.files.input + ": it has no normals, so strips have no common orientation");
   std::optional<surfel::Strips> strips;
   double seconds = 0;
   {
@@ -54,7 +53,8 @@ void strip(const Strip& command) {
     seconds = progress.seconds();
   }
   const unsigned level = std::min(command.level, strips->level_count() - 1);
-  if (level < command.level) warn(fmt::format("the coarsest level of detail is {}, which is taken", level));
+  if (level < command.level)
+    warn(fmt::format("there are fewer levels of detail; the coarsest one, {}, is used", level));
   for (const surfel::Node& node : strips->nodes(level))
     if (node.left == surfel::none && node.count > 0)
       add_strip(geometry, strips->indices().subspan(node.first, node.count));
@@ -81,30 +81,30 @@ void strip(const Strip& command) {
 
 void add_strip(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "strip", "Triangle strips that interpolate the points; PLY has them as tristrips, other formats as triangles");
+      "strip", "Connect the points by triangle strips; PLY files get tristrips, other formats triangles");
   const auto stripping = std::make_shared<Strip>();
   describe_input(*command, stripping->files);
   describe_output(*command, stripping->files);
   describe_measure(*command, stripping->reference);
   command
       ->add_option("--leaf-points", stripping->options.leaf_points,
-                   fmt::format("Points of a strip at most, 8 to 1024; {} if not given", stripping->options.leaf_points))
+                   fmt::format("Most points of a strip, 8 to 1024; default {}", stripping->options.leaf_points))
       ->check(CLI::Range(8, 1024));
   command->add_flag_callback(
       "--keep-edges", [stripping] { stripping->options.turn_edges = false; },
-      "Keep all edges as they were triangulated: strips have more indices");
+      "Do not flip edges for longer strips; strips have more indices then");
   command
       ->add_option("--reach", stripping->options.reach,
-                   "The longest edge, in distances of neighbouring points, 1 to 100; 5 if not given")
+                   "Longest edge, in distances of neighbouring points, 1 to 100; default 5")
       ->check(CLI::Range(1.0, 100.0));
   command
       ->add_option("--inflation", stripping->options.inflation,
-                   "How far strips overlap before they are cut, in distances of points, 0.5 to 8; " +
-                       CLI::detail::to_string(stripping->options.inflation) + " if not given")
+                   fmt::format("Overlap of strips before they are cut, in distances of points, 0.5 to 8; default {}",
+                               stripping->options.inflation))
       ->check(CLI::Range(0.5, 8.0));
   command
       ->add_option("--level", stripping->level,
-                   "Level of detail, 0 to 15, each with a quarter of the points; 0 if not given")
+                   "Level of detail, 0 to 15; each has a quarter of the points of the one before; default 0")
       ->check(CLI::Range(0, 15));
   describe_threads(*command, stripping->options.threads);
   command->callback([stripping] { strip(*stripping); });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Checks of options, where those of CLI11 show users its own notation.
+// Checks of options with readable messages; those of CLI11 show its own notation.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,12 +16,12 @@ inline CLI::Validator above_zero() {
   return {[](std::string& text) -> std::string {
             double value = 0;
             const bool good = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
-            return good ? "" : "\"" + text + "\" is no number above 0";
+            return good ? "" : "\"" + text + "\" is not a number above 0";
           },
           ""};
 }
 
-// The value for each word that is possible.
+// Accepts the given words, and turns a word into its value.
 template <class Value>
 CLI::Validator one_of(std::vector<std::pair<std::string, Value>> words) {
   return {[words = std::move(words)](std::string& text) -> std::string {
@@ -33,7 +33,7 @@ CLI::Validator one_of(std::vector<std::pair<std::string, Value>> words) {
               }
               possible += (possible.empty() ? "" : ", ") + word;
             }
-            return "\"" + text + "\" is none of " + possible;
+            return "\"" + text + "\" is not one of " + possible;
           },
           ""};
 }

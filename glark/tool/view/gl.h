@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The functions of OpenGL that the viewer calls, of whatever gave its context: GLFW, EGL or OSMesa.
+// The OpenGL functions that the viewer calls, from GLFW, EGL or OSMesa, whichever made the context.
 #pragma once
 
 #include <GL/gl.h>
@@ -25,7 +25,7 @@ struct Gl {
   GLARK_VIEW_GL(GLARK_MEMBER)
 #undef GLARK_MEMBER
 
-  // From the current context. Throws std::runtime_error for a function that it lacks.
+  // Loads the functions of the current context. Throws std::runtime_error if one is missing.
   using Loader = void (*(*)(const char* name))();
   void load(Loader loader);
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark-view: glark view FILE shows points or a mesh in a window, or writes a picture without one.
+// glark-view: `glark view FILE` shows points or a mesh in a window, or writes a picture without a window.
 #include <CLI/CLI.hpp>
 #include <cctype>
 #include <cstdio>
@@ -30,31 +30,34 @@ struct View {
 void describe(CLI::App& command, View& view) {
   describe_input(command, view.files);
   ViewOptions& options = view.options;
-  command.add_option("--offscreen", view.picture, "Write a picture without a display, and end")->type_name("OUT.png");
+  command.add_option("--offscreen", view.picture, "Write a picture and exit; needs no display")->type_name("OUT.png");
   command
       .add_option("--mode", options.mode,
-                  "splat, strip, mesh, wireframe or refined; mesh if there are triangles, otherwise strip, or splat "
-                  "above a million points")
+                  "splat, strip, mesh, wireframe or refined; default: mesh if there are triangles, otherwise strip, or "
+                  "splat above a million points")
       ->transform(one_of<Mode>({{"splat", Mode::splat},
                                 {"strip", Mode::strip},
                                 {"mesh", Mode::mesh},
                                 {"wireframe", Mode::wireframe},
                                 {"refined", Mode::refined}}))
       ->type_name("MODE");
-  command.add_option("--width", options.width, "Of the picture in pixels; 1024 if not given")
+  command.add_option("--width", options.width, "Width of the picture in pixels; default 1024")
       ->check(CLI::Range(1, largest_side));
-  command.add_option("--height", options.height, "768 if not given")->check(CLI::Range(1, largest_side));
-  command.add_option("--yaw", options.yaw, "Degrees about the upright axis; 30 if not given")
+  command.add_option("--height", options.height, "Height of the picture in pixels; default 768")
+      ->check(CLI::Range(1, largest_side));
+  command.add_option("--yaw", options.yaw, "Degrees about the upright axis; default 30")
       ->check(CLI::Range(-360.0, 360.0));
-  command.add_option("--pitch", options.pitch, "Degrees above the horizon, -90 to 90")->check(CLI::Range(-90.0, 90.0));
+  command.add_option("--pitch", options.pitch, "Degrees above the horizon, -90 to 90; default 20, or 40 for terrain")
+      ->check(CLI::Range(-90.0, 90.0));
   command
       .add_option("--up", options.z_is_up,
-                  "The upright axis: y or z; z for what is flat in z, as terrain is, otherwise y")
+                  "The upright axis, y or z; default: z for terrain, which is flat in z, otherwise y")
       ->transform(one_of<bool>({{"y", false}, {"z", true}}))
       ->type_name("AXIS");
-  command.add_option("--zoom", options.zoom, "1 shows everything, if not given")->check(CLI::Range(0.01, 1000.0));
-  command.add_option("--level", options.level, "Of refinement, 0 to 4; 2 if not given")->check(CLI::Range(0, 4));
-  command.add_flag("!--no-cull", options.cull, "Draw strips that are out of view or turned away too");
+  command.add_option("--zoom", options.zoom, "Zoom; default 1, which shows everything")
+      ->check(CLI::Range(0.01, 1000.0));
+  command.add_option("--level", options.level, "Level of refinement, 0 to 4; default 2")->check(CLI::Range(0, 4));
+  command.add_flag("!--no-cull", options.cull, "Also draw strips that are out of view or face away");
 }
 
 Report report_of(const Statistics& drawn) {
@@ -78,7 +81,7 @@ void draw_offscreen(const View& view, geometry::Geometry geometry) {
   const Statistics drawn = scene.draw(camera_for(scene, options), options.mode.value_or(scene.default_mode()),
                                       options.width, options.height);
   if (drawn.indices == 0 && drawn.points == 0)
-    warn(view.files.input + ": nothing is drawn: its points make no triangles; see them by --mode splat");
+    warn(view.files.input + ": nothing is drawn, for its points make no triangles; use --mode splat");
   write_screenshot(view.picture, options.width, options.height);
   print(report_of(drawn), view.files.json);
 }

@@ -25,7 +25,7 @@ namespace {
       "; glark info says what OpenGL is here, a software driver is in libegl-mesa0 and libgl1-mesa-dri");
 }
 
-// EGL_NO_DISPLAY where there is none.
+// Returns EGL_NO_DISPLAY if there is no display.
 EGLDisplay open_display() {
   const auto get_display =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
@@ -74,11 +74,11 @@ bool Offscreen::open_egl() {
   return context_ != EGL_NO_CONTEXT && eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
 }
 
-// OSMesa's functions are those of libGLARK, which calls the library's.
+// These are OSMesa's functions in libGLARK, which call those of the OSMesa library.
 bool Offscreen::open_osmesa() {
   if (dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_GLOBAL) == nullptr) return false;
   osmesa_ = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
-  constexpr int side = 16;  // a framebuffer object is drawn to
+  constexpr int side = 16;  // any size will do, for pictures are drawn to a framebuffer object
   surface_.resize(std::size_t{4} * side * side);
   return osmesa_ != nullptr &&
          OSMesaMakeCurrent(static_cast<OSMesaContext>(osmesa_), surface_.data(), GL_UNSIGNED_BYTE, side, side) != 0;

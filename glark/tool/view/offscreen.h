@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A context of OpenGL without a display, by EGL or else by OSMesa, and pictures.
+// An OpenGL context without a display, by EGL or else by OSMesa, and pictures of what it draws.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace glark::tool {
 
 class Offscreen {
  public:
-  // Throws std::runtime_error where there is no OpenGL.
+  // Throws std::runtime_error if there is no OpenGL.
   Offscreen(int width, int height);
   ~Offscreen();
   Offscreen(const Offscreen&) = delete;
@@ -28,7 +28,7 @@ class Offscreen {
   std::vector<unsigned char> surface_;
 };
 
-// Of what is drawn to, as PNG. The file appears complete or not at all.
+// Writes the current framebuffer as PNG. The writing is atomic.
 void write_screenshot(const std::string& file, int width, int height);
 
 }  // namespace glark::tool

@@ -112,7 +112,7 @@ void Scene::set_up(const Camera& camera, int width, int height) const {
   gl.LoadMatrixf(glm::value_ptr(camera.projection(width, height)));
   gl.MatrixMode(GL_MODELVIEW);
   gl.LoadIdentity();
-  const GLfloat direction[4] = {0.3F, 0.5F, 1, 0};  // over the viewer's shoulder
+  const GLfloat direction[4] = {0.3F, 0.5F, 1, 0};  // from behind the viewer's shoulder
   const GLfloat shine[4] = {0.15F, 0.15F, 0.15F, 1};
   gl.Lightfv(GL_LIGHT0, GL_POSITION, direction);
   gl.LoadMatrixf(glm::value_ptr(camera.view()));

@@ -24,7 +24,7 @@ struct ViewOptions {
 
 Camera camera_for(const Scene& scene, const ViewOptions& options);
 
-// Returns when the window is closed. Throws std::runtime_error where there is no display.
+// Returns when the window is closed. Throws std::runtime_error if there is no display.
 void show_window(const std::string& title, geometry::Geometry geometry, const ViewOptions& options);
 
 }  // namespace glark::tool

@@ -45,7 +45,7 @@ std::string table_entry(const Parameter& parameter) {
   const std::vector<std::string> values = value_lines(parameter);
   const std::string indent(8, ' ');
   std::string text = indent + padded(std::string(parameter.text), 26);
-  if (parameter.text.size() > 23) text = indent + std::string(parameter.text) + "\n" + indent + padded("", 26);
+  if (parameter.text.size() > 24) text = indent + std::string(parameter.text) + "\n" + indent + padded("", 26);
   text += padded(values[0], 26) + std::string(parameter.initial) + "\n";
   for (std::size_t i = 1; i < values.size(); ++i) text += indent + padded("", 26) + values[i] + "\n";
   return text;

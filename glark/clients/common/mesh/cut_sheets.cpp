@@ -141,7 +141,7 @@ class Cut {
 }  // namespace
 
 std::vector<std::uint32_t> cut_sheets(std::vector<std::uint32_t>& triangles, std::span<const Float4> points,
-                               std::span<const std::uint8_t> irregular) {
+                                      std::span<const std::uint8_t> irregular) {
   return Cut(triangles, points, irregular).run();
 }
 

@@ -16,6 +16,6 @@ namespace glark::common {
 // the one that it is a copy of; the first `points.size()` vertices are no copies. `points`: the positions of the
 // vertices. `irregular`: as irregular_vertices() returns it, for these triangles or more.
 std::vector<std::uint32_t> cut_sheets(std::vector<std::uint32_t>& triangles, std::span<const Float4> points,
-                               std::span<const std::uint8_t> irregular);
+                                      std::span<const std::uint8_t> irregular);
 
 }  // namespace glark::common

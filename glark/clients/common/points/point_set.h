@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "glark/clients/common/workers.h"
 #include "glark/clients/common/points/record.h"
+#include "glark/clients/common/workers.h"
 
 namespace glark::common {
 

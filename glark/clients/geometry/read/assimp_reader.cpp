@@ -42,7 +42,7 @@ void check_stl(const std::string& name, const std::vector<char>& bytes) {
   const bool has_zero = std::memchr(bytes.data(), 0, bytes.size()) != nullptr;
   if (says_text && !has_zero) return;
   if (bytes.size() < stl_header)
-    throw Error(name + ": is no STL file: it is too short for the header; check the format");
+    throw Error(name + ": is not an STL file: it is too short for the header; check the format");
   if (stl_header + std::uint64_t{stl_triangle} * count > bytes.size())
     throw Error(
         fmt::format("{}: STL header: it announces {} triangles, the file has room for {}; it is cut off or its header "
@@ -114,7 +114,7 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   const aiScene* scene =
       importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format == MeshFormat::stl ? "stl" : "obj");
   if (scene == nullptr)
-    throw Error(input.name() + ": is no good " + (format == MeshFormat::stl ? "STL" : "OBJ") +
+    throw Error(input.name() + ": is not a valid " + (format == MeshFormat::stl ? "STL" : "OBJ") +
                 " file: " + importer.GetErrorString() + "; check the format or export it again");
   // Assimp could join vertices too, but it takes vertices that are not finite as equal to any other.
   Reading reading = Scene(input.name(), *scene, options).gather();

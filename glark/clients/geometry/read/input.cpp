@@ -150,7 +150,7 @@ bool Input::line(std::string_view& text) {
     }
     if (have >= block_size)
       throw Error(
-          fmt::format("{}: a line of more than {} bytes; this is no text, check the format", name_, block_size));
+          fmt::format("{}: a line of more than {} bytes; this is not text, check the format", name_, block_size));
     searched = have;
     ensure(std::min(have + 1, block_size));
   }

@@ -46,7 +46,7 @@ Type type_of(const Input& input, std::string_view name) {
       Name{"float64", Type::float64}};
   const auto* found = std::find_if(names.begin(), names.end(), [&](const Name& known) { return known.name == name; });
   if (found == names.end())
-    fail(input, "\"" + std::string(name.substr(0, 40)) + "\" is no type; use float, double, uchar, int ...");
+    fail(input, "\"" + std::string(name.substr(0, 40)) + "\" is not a type; use float, double, uchar, int ...");
   return found->type;
 }
 
@@ -65,8 +65,8 @@ Element element_of(const Input& input, const std::vector<std::string_view>& word
   const std::string_view count = words[2];
   const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
   if (error != std::errc() || end != count.data() + count.size())
-    fail(input,
-         "element " + element.name + " has the count \"" + std::string(count.substr(0, 40)) + "\", which is no number");
+    fail(input, "element " + element.name + " has the count \"" + std::string(count.substr(0, 40)) +
+                    "\", which is not a number");
   return element;
 }
 
@@ -120,7 +120,7 @@ Header read_header(Input& input) {
   std::string_view line;
   if (!input.line(line) || words_of(line) != std::vector<std::string_view>{"ply"})
     throw Error(input.name() +
-                ": is no PLY file: it does not begin with \"ply\"; check the format, or give the file the ending it "
+                ": is not a PLY file: it does not begin with \"ply\"; check the format, or give the file the ending it "
                 "should have");
   for (;;) {
     if (!input.line(line)) fail(input, "the file ends before \"end_header\"; it is cut off, get it again");

@@ -220,7 +220,7 @@ class Body {
 
   std::int64_t corner_of(double value) const {
     if (!(value >= -1 && value <= 4294967295.0))
-      values_.fail("a corner is no index; the file is damaged, get it again");
+      values_.fail("a corner is not an index; the file is damaged, get it again");
     return static_cast<std::int64_t>(value);
   }
 

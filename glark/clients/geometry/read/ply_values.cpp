@@ -60,7 +60,7 @@ double Values::parse_word(Type type) {
   const auto [end, error] = fast_float::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::result_out_of_range) value = std::numeric_limits<double>::infinity();
   if ((error != std::errc() && error != std::errc::result_out_of_range) || end != word.data() + word.size())
-    fail("\"" + std::string(whole.substr(0, 40)) + "\" is no number; mend the file or export it again");
+    fail("\"" + std::string(whole.substr(0, 40)) + "\" is not a number; repair the file or export it again");
   return type == Type::float32 ? static_cast<double>(static_cast<float>(value)) : value;
 }
 

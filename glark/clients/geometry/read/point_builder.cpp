@@ -82,7 +82,7 @@ void PointBuilder::add_point(const Point& point, bool needs_double) {
   if (!all_finite(point.position)) {
     if (!options_.skip_invalid)
       throw Error(
-          fmt::format("{}: {} {} has a coordinate that is NaN or infinite; mend the file, or leave such points out "
+          fmt::format("{}: {} {} has a coordinate that is NaN or infinite; repair the file, or leave such points out "
                       "with --skip-invalid",
                       file_, element_, index));
     invalid_.push_back(static_cast<std::uint32_t>(index));
@@ -132,8 +132,8 @@ void PointBuilder::add_colour(const std::array<float, 4>& colour) {
 void PointBuilder::add_polygon(std::span<const std::int64_t> corners) {
   for (const std::int64_t corner : corners)
     if (corner < 0 || corner >= static_cast<std::int64_t>(removed))
-      throw Error(fmt::format("{}: face {} has the corner {}, which is no index; get the file again", file_, polygons_,
-                              corner));
+      throw Error(fmt::format("{}: face {} has the corner {}, which is not an index; get the file again", file_,
+                              polygons_, corner));
   ++polygons_;
   if (corners.size() < 3) ++small_polygons_;
   for (std::size_t i = 2; i < corners.size(); ++i)

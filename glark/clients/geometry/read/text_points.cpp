@@ -179,7 +179,7 @@ class Lines {
     if (!row.numbers && first && number_ == 1) return;  // the names of the columns
     if (!row.numbers)
       throw Error(place() + ": \"" + std::string(line.substr(0, 40)) +
-                  "\" is not a row of numbers; mend the file or check the format");
+                  "\" is not a row of numbers; repair the file or check the format");
     if (may_have_decimal_commas(line))
       throw Error(
           place() + ": \"" + std::string(line.substr(0, 40)) +

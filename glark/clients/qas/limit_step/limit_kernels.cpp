@@ -24,10 +24,10 @@ Float4 position(Float4 scaled, float unscale) { return scaled * unscale + Float4
 
 template <bool With_limits>
 void LimitStep::run_fan(const Frame& frame, const Fan& fan, std::size_t begin, std::size_t end) const {
-  const TangentWeights* const weights = &weights_[fan.first_weight];
+  const TangentWeights* const weights = &stencils_.weights[fan.first_weight];
   for (std::size_t i = begin; i < end; ++i) {
-    const FanVertex which = fan_vertices_[i];
-    const std::uint32_t* const ring = &rings_[fan.first_ring + (i - fan.first) * fan.valence];
+    const FanVertex which = stencils_.vertices.fan_vertices[i];
+    const std::uint32_t* const ring = &stencils_.rings[fan.first_ring + (i - fan.first) * fan.valence];
     const Float4 vertex = frame.from[which.vertex];
     Float4 sum{}, first{}, second{};
     for (std::uint32_t j = 0; j < fan.valence; ++j) {
@@ -53,8 +53,8 @@ void LimitStep::run_fan(const Frame& frame, const Fan& fan, std::size_t begin, s
 template <bool With_limits>
 void LimitStep::run_regular_fan(const Frame& frame, const Fan& fan, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
-    const FanVertex which = fan_vertices_[i];
-    const std::uint32_t* const ring = &rings_[fan.first_ring + (i - fan.first) * 6];
+    const FanVertex which = stencils_.vertices.fan_vertices[i];
+    const std::uint32_t* const ring = &stencils_.rings[fan.first_ring + (i - fan.first) * 6];
     const Float4 vertex = frame.from[which.vertex];
     const Float4 r0 = frame.from[ring[0]], r1 = frame.from[ring[1]], r2 = frame.from[ring[2]];
     const Float4 r3 = frame.from[ring[3]], r4 = frame.from[ring[4]], r5 = frame.from[ring[5]];
@@ -76,7 +76,7 @@ void LimitStep::run_regular_fan(const Frame& frame, const Fan& fan, std::size_t 
 
 template <bool With_limits>
 void LimitStep::run_fans(const Frame& frame, std::size_t begin, std::size_t end) const {
-  for (const Fan& fan : fans_) {
+  for (const Fan& fan : stencils_.vertices.fans) {
     const std::size_t from = std::max<std::size_t>(begin, fan.first);
     const std::size_t to = std::min<std::size_t>(end, std::size_t{fan.first} + fan.count);
     if (from >= to) continue;
@@ -91,7 +91,7 @@ void LimitStep::run_fans(const Frame& frame, std::size_t begin, std::size_t end)
 template <bool With_limits>
 void LimitStep::run_creases(const Frame& frame, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
-    const CreaseVertex& crease = creases_[i];
+    const CreaseVertex& crease = stencils_.vertices.creases[i];
     const Float4 vertex = frame.from[crease.vertex];
     const Float4 sum = (frame.from[crease.before] - vertex) + (frame.from[crease.after] - vertex);
     if constexpr (With_limits) {
@@ -105,9 +105,9 @@ void LimitStep::run_creases(const Frame& frame, std::size_t begin, std::size_t e
 
 void LimitStep::run_open_sectors(const Frame& frame, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
-    const OpenSector& sector = open_sectors_[i];
-    const std::uint32_t* const ring = &rings_[sector.first_ring];
-    const TangentWeights* const weights = &weights_[sector.first_weight];
+    const OpenSector& sector = stencils_.vertices.open_sectors[i];
+    const std::uint32_t* const ring = &stencils_.rings[sector.first_ring];
+    const TangentWeights* const weights = &stencils_.weights[sector.first_weight];
     const Float4 vertex = frame.from[sector.vertex];
     Float4 first{}, second{};
     for (std::uint32_t j = 0; j < sector.count; ++j) {
@@ -129,19 +129,19 @@ void LimitStep::run_open_sectors(const Frame& frame, std::size_t begin, std::siz
 
 void LimitStep::finish_edge(const Frame& frame, const SmoothEdge& edge, Float4 limit, Float4 along,
                             Float4 across) const {
-  store(frame.positions[vertex_count_ + edge.edge], position(limit, frame.unscale));
+  store(frame.positions[stencils_.counts.vertices + edge.edge], position(limit, frame.unscale));
   Float4 normal;
   if (!unit_normal(along, across, normal)) {
     const Float4 a = frame.from[edge.a], b = frame.from[edge.b] - a;
     normal = unit_or_z(cross(b, frame.from[edge.c] - a) + cross(frame.from[edge.d] - a, b));
   }
-  store(frame.normals[sector_count_ + edge.edge], normal);
+  store(frame.normals[stencils_.counts.sectors + edge.edge], normal);
 }
 
 // The step, and the limit masks of the six neighbours that the middle has after it, multiplied out.
 void LimitStep::run_regular_edges(const Frame& frame, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
-    const SmoothEdge& edge = regular_edges_[i];
+    const SmoothEdge& edge = stencils_.edges.regular[i];
     const Float4 a = frame.from[edge.a], b = frame.from[edge.b], c = frame.from[edge.c], d = frame.from[edge.d];
     const Float4 ac = frame.from[edge.across[0]], bc = frame.from[edge.across[1]];
     const Float4 ad = frame.from[edge.across[2]], bd = frame.from[edge.across[3]];
@@ -157,8 +157,8 @@ void LimitStep::run_regular_edges(const Frame& frame, std::size_t begin, std::si
 
 void LimitStep::run_general_edges(const Frame& frame, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
-    const SmoothEdge& edge = general_edges_[i];
-    const MiddleWeights& weights = middle_weights_[i];
+    const SmoothEdge& edge = stencils_.edges.general[i];
+    const MiddleWeights& weights = stencils_.edges.middle_weights[i];
     const Float4 a = frame.from[edge.a];
     const Float4 b = frame.from[edge.b] - a, c = frame.from[edge.c] - a, d = frame.from[edge.d] - a;
     // The six neighbours of the edge's middle after one step, and the middle itself, as seen from a.
@@ -176,16 +176,17 @@ void LimitStep::run_general_edges(const Frame& frame, std::size_t begin, std::si
 
 void LimitStep::run_sharp_edges(const Frame& frame, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
-    const SharpEdge& edge = sharp_edges_[i];
+    const SharpEdge& edge = stencils_.edges.sharp[i];
     const Float4 a = frame.from[edge.a], b = frame.from[edge.b];
     const Float4 ends = (a + frame.shift[edge.a]) + (b + frame.shift[edge.b]);
-    store(frame.positions[vertex_count_ + edge.edge], position((a + b) / 3.0F + ends / 6.0F, frame.unscale));
+    store(frame.positions[stencils_.counts.vertices + edge.edge],
+          position((a + b) / 3.0F + ends / 6.0F, frame.unscale));
   }
 }
 
 void LimitStep::run_sharp_sides(const Frame& frame, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
-    const SharpSide& side = sharp_sides_[i];
+    const SharpSide& side = stencils_.edges.sharp_sides[i];
     const Float4 a = frame.from[side.a];
     const Float4 b = frame.from[side.b] - a, c = frame.from[side.c] - a;
     const Float4 ac = side.ends[0] * c + side.opposites[0] * (b + (frame.from[side.across[0]] - a));
@@ -199,31 +200,36 @@ void LimitStep::run_sharp_sides(const Frame& frame, std::size_t begin, std::size
 }
 
 void LimitStep::run(const Workers& workers, const Frame& frame) const {
-  workers.evenly(fan_vertices_.size(), [&](auto begin, auto end) { run_fans<true>(frame, begin, end); });
-  workers.evenly(creases_.size(), [&](auto begin, auto end) { run_creases<true>(frame, begin, end); });
-  workers.evenly(open_sectors_.size(), [&](auto begin, auto end) { run_open_sectors(frame, begin, end); });
-  for (const std::uint32_t vertex : corners_) {
+  workers.evenly(stencils_.vertices.fan_vertices.size(),
+                 [&](auto begin, auto end) { run_fans<true>(frame, begin, end); });
+  workers.evenly(stencils_.vertices.creases.size(),
+                 [&](auto begin, auto end) { run_creases<true>(frame, begin, end); });
+  workers.evenly(stencils_.vertices.open_sectors.size(),
+                 [&](auto begin, auto end) { run_open_sectors(frame, begin, end); });
+  for (const std::uint32_t vertex : stencils_.vertices.corners) {
     frame.shift[vertex] = Float4{};
     store(frame.positions[vertex], position(frame.from[vertex], frame.unscale));
   }
-  workers.evenly(regular_edges_.size(), [&](auto begin, auto end) { run_regular_edges(frame, begin, end); });
-  workers.evenly(general_edges_.size(), [&](auto begin, auto end) { run_general_edges(frame, begin, end); });
-  workers.evenly(sharp_edges_.size(), [&](auto begin, auto end) { run_sharp_edges(frame, begin, end); });
-  workers.evenly(sharp_sides_.size(), [&](auto begin, auto end) { run_sharp_sides(frame, begin, end); });
+  workers.evenly(stencils_.edges.regular.size(), [&](auto begin, auto end) { run_regular_edges(frame, begin, end); });
+  workers.evenly(stencils_.edges.general.size(), [&](auto begin, auto end) { run_general_edges(frame, begin, end); });
+  workers.evenly(stencils_.edges.sharp.size(), [&](auto begin, auto end) { run_sharp_edges(frame, begin, end); });
+  workers.evenly(stencils_.edges.sharp_sides.size(), [&](auto begin, auto end) { run_sharp_sides(frame, begin, end); });
   finish(frame);
 }
 
 void LimitStep::finish(const Frame& frame) const {
-  for (const Reversed& pair : reversed_) store(frame.normals[pair.to], -load(frame.normals[pair.from]));
-  frame.normals[no_normal_] = {0, 0, 1, 0};
+  for (const Reversed& pair : stencils_.reversed) store(frame.normals[pair.to], -load(frame.normals[pair.from]));
+  frame.normals[stencils_.no_normal] = {0, 0, 1, 0};
 }
 
 void LimitStep::subdivide(const Workers& workers, const Float4* from, Float4* to) const {
   const Frame frame{from, to, nullptr, nullptr, 1};
-  workers.evenly(fan_vertices_.size(), [&](auto begin, auto end) { run_fans<false>(frame, begin, end); });
-  workers.evenly(creases_.size(), [&](auto begin, auto end) { run_creases<false>(frame, begin, end); });
-  for (const std::uint32_t vertex : corners_) to[vertex] = from[vertex];
-  Float4* const middles = to + vertex_count_;
+  workers.evenly(stencils_.vertices.fan_vertices.size(),
+                 [&](auto begin, auto end) { run_fans<false>(frame, begin, end); });
+  workers.evenly(stencils_.vertices.creases.size(),
+                 [&](auto begin, auto end) { run_creases<false>(frame, begin, end); });
+  for (const std::uint32_t vertex : stencils_.vertices.corners) to[vertex] = from[vertex];
+  Float4* const middles = to + stencils_.counts.vertices;
   const auto smooth = [&](const std::vector<SmoothEdge>& edges) {
     workers.evenly(edges.size(), [&](auto begin, auto end) {
       for (auto i = begin; i < end; ++i) {
@@ -233,9 +239,9 @@ void LimitStep::subdivide(const Workers& workers, const Float4* from, Float4* to
       }
     });
   };
-  smooth(regular_edges_);
-  smooth(general_edges_);
-  for (const SharpEdge& edge : sharp_edges_) middles[edge.edge] = 0.5F * (from[edge.a] + from[edge.b]);
+  smooth(stencils_.edges.regular);
+  smooth(stencils_.edges.general);
+  for (const SharpEdge& edge : stencils_.edges.sharp) middles[edge.edge] = 0.5F * (from[edge.a] + from[edge.b]);
 }
 
 }  // namespace glark::qas

@@ -205,7 +205,7 @@ void LoopSurface::update(std::span<const float> positions) {
 Sample LoopSurface::evaluate(std::size_t triangle, std::array<float, 3> barycentric) const {
   const Topology& topology = state_->topology;
   if (triangle >= topology.same_as.size()) {
-    throw Error(Element::triangle, triangle, fmt::format("is none of the {}", topology.same_as.size()));
+    throw Error(Element::triangle, triangle, fmt::format("is not one of the {}", topology.same_as.size()));
   }
   check_barycentric(barycentric);
   return state_->sample(static_cast<std::uint32_t>(triangle), {barycentric[0], barycentric[1], barycentric[2]});

@@ -23,7 +23,8 @@ std::uint32_t in_wide(std::int32_t x, std::int32_t y, std::int32_t z) {
 
 // The cells of a block that the surface passes through; empty where there are none.
 struct BlockCells {
-  std::vector<std::uint8_t> inside;  // [block_corners] which corners are inside; 0: the surface does not pass through the cell
+  std::vector<std::uint8_t>
+      inside;  // [block_corners] which corners are inside; 0: the surface does not pass through the cell
   std::vector<std::uint32_t> first;  // [block_corners] the first vertex
   std::uint32_t count = 0;           // of vertices
 };

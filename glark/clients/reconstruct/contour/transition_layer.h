@@ -4,8 +4,8 @@
 // The transition layer of the octree: cells whose samples are a height field, with the planes of their samples.
 #pragma once
 
-#include "glark/clients/reconstruct/samples/octree.h"
 #include "glark/clients/common/points/moments.h"
+#include "glark/clients/reconstruct/samples/octree.h"
 
 namespace glark::reconstruct {
 

@@ -15,7 +15,7 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr std::size_t grain = 1024;
-constexpr float seen = 1.1F;    // how far samples count for a vertex, relative to the side of the finest cells
+constexpr float seen = 1.1F;  // how far samples count for a vertex, relative to the side of the finest cells
 
 // The transition node, coarser than the grid, in which the cell lies: its key, with its level in the highest bits. 0 if
 // there is none.

@@ -13,9 +13,8 @@ struct BaseMesh {
   std::vector<Float4> points;
   std::vector<Float4> normals;           // the fourth is 1 where samples were near
   std::vector<std::uint32_t> triangles;  // a manifold with boundary, consistently oriented
-  std::vector<std::uint32_t>
-      opposite;                // [triangles * 3], of half-edges; no_half_edge at the boundary
-  std::uint32_t left_out = 0;  // the number of parts
+  std::vector<std::uint32_t> opposite;   // [triangles * 3], of half-edges; no_half_edge at the boundary
+  std::uint32_t left_out = 0;            // the number of parts
 };
 
 // The vertices lie at the samples.

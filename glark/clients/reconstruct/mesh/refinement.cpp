@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "glark/clients/reconstruct/mesh/coarse_colours.h"
 #include "glark/clients/common/mesh/half_edges.h"
+#include "glark/clients/reconstruct/mesh/coarse_colours.h"
 
 namespace glark::reconstruct {
 namespace {

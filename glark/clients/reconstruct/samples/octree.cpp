@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "glark/clients/reconstruct/samples/near_samples.h"
-#include "glark/clients/reconstruct/samples/spacing.h"
 #include "glark/clients/common/counting_sort.h"
 #include "glark/clients/common/points/point_set.h"
+#include "glark/clients/reconstruct/samples/near_samples.h"
+#include "glark/clients/reconstruct/samples/spacing.h"
 
 namespace glark::reconstruct {
 namespace {

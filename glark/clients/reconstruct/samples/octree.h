@@ -9,9 +9,9 @@
 #include <array>
 #include <vector>
 
+#include "glark/clients/common/points/record.h"
 #include "glark/clients/common/workers.h"
 #include "glark/clients/reconstruct/samples/cell_blocks.h"
-#include "glark/clients/common/points/record.h"
 
 namespace glark::reconstruct {
 

@@ -9,7 +9,7 @@
 namespace glark::surfel {
 namespace {
 
-// The signed distance of a point from a plane, in lengths of the plane's normal.
+// The signed distance of a point from a plane, times the length of the plane's normal.
 float evaluate(const std::array<float, 4>& plane, Vector point) {
   return plane[0] * point.x + plane[1] * point.y + plane[2] * point.z + plane[3];
 }

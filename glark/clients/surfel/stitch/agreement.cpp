@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "glark/clients/surfel/level/slot_array.h"
-#include "glark/clients/surfel/triangulate/triangle_spacing.h"
+#include "glark/clients/surfel/level/triangle_spacing.h"
 
 namespace glark::surfel {
 namespace {

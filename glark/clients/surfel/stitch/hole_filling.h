@@ -14,9 +14,9 @@ namespace glark::surfel {
 
 inline constexpr float infinite_cost = std::numeric_limits<float>::infinity();
 
-// Triangulates the loop of corners 0 .. corners - 1. chord_factor(i, j) multiplies the cost of the triangle beyond the
-// chord i, j, which is triangle_cost(i, k, j) for i < k < j. Returns corners of triangles; none where each
-// triangulation has infinite cost.
+// Triangulates the loop of corners 0 .. corners - 1. Each chord i, j has one triangle i, k, j between it and the loop.
+// The cost of that triangle is chord_factor(i, j) * triangle_cost(i, k, j). Returns the corners of the triangles, or
+// nothing if every triangulation has infinite cost.
 template <typename ChordFactor, typename TriangleCost>
 std::vector<std::array<std::size_t, 3>> fill_hole(std::size_t corners, const ChordFactor& chord_factor,
                                                   const TriangleCost& triangle_cost) {

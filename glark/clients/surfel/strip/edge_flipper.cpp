@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/surfel/strip/edge_flipper.h"
 
-#include "glark/clients/surfel/triangulate/flip_criterion.h"
+#include "glark/clients/surfel/level/flip_criterion.h"
 
 namespace glark::surfel {
 namespace {

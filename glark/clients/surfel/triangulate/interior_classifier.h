@@ -9,8 +9,8 @@
 #include <span>
 
 #include "glark/clients/surfel/level/candidate.h"
+#include "glark/clients/surfel/level/triangle_spacing.h"
 #include "glark/clients/surfel/triangulate/space_triangulation.h"
-#include "glark/clients/surfel/triangulate/triangle_spacing.h"
 
 namespace glark::surfel {
 

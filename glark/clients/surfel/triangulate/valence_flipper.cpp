@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "glark/clients/surfel/triangulate/flip_criterion.h"
+#include "glark/clients/surfel/level/flip_criterion.h"
 
 namespace glark::surfel {
 namespace {

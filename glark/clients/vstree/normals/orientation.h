@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "glark/clients/common/workers.h"
 #include "glark/clients/common/points/record.h"
+#include "glark/clients/common/workers.h"
 
 namespace glark::vstree {
 

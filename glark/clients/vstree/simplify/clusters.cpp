@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "glark/clients/common/mesh/reindex.h"
+#include "glark/clients/vstree/simplify/quadtrees.h"
+#include "glark/clients/vstree/simplify/shapes.h"
 #include "glark/clients/vstree/tree/construction.h"
 #include "glark/clients/vstree/tree/prune.h"
-#include "glark/clients/vstree/simplify/quadtrees.h"
-#include "glark/clients/common/mesh/reindex.h"
-#include "glark/clients/vstree/simplify/shapes.h"
 
 namespace glark::vstree {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <glark/vstree.h>
 
+#include "glark/clients/common/points/point_set.h"
 #include "glark/clients/common/workers.h"
 #include "glark/clients/vstree/quadric.h"
-#include "glark/clients/common/points/point_set.h"
 
 namespace glark::vstree {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "glark/clients/vstree/tree/cells.h"
 #include "glark/clients/vstree/simplify/shapes.h"
+#include "glark/clients/vstree/tree/cells.h"
 
 namespace glark::vstree {
 namespace {

@@ -4,13 +4,13 @@
 #include <array>
 #include <limits>
 
-#include "glark/clients/common/vertex_normals.h"
-#include "glark/clients/vstree/simplify/clusters.h"
 #include "glark/clients/common/mesh/cut_sheets.h"
 #include "glark/clients/common/mesh/reindex.h"
 #include "glark/clients/common/points/point_set.h"
-#include "glark/clients/vstree/validation.h"
+#include "glark/clients/common/vertex_normals.h"
+#include "glark/clients/vstree/simplify/clusters.h"
 #include "glark/clients/vstree/simplify/shapes.h"
+#include "glark/clients/vstree/validation.h"
 
 namespace glark::vstree {
 namespace {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "glark/clients/common/workers.h"
 #include "glark/clients/common/points/moments.h"
+#include "glark/clients/common/workers.h"
 
 namespace glark::vstree {
 

@@ -4,9 +4,9 @@
 // The class Tree of the public header.
 #include <algorithm>
 
+#include "glark/clients/common/points/point_set.h"
 #include "glark/clients/vstree/tree/construction.h"
 #include "glark/clients/vstree/tree/prune.h"
-#include "glark/clients/common/points/point_set.h"
 #include "glark/clients/vstree/validation.h"
 
 namespace glark::vstree {

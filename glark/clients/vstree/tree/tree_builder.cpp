@@ -52,7 +52,8 @@ float TreeBuilder::error_of(const Moments* moments, std::span<const Record> reco
 }
 
 bool TreeBuilder::is_leaf(const Node& node, std::span<const Record> records) const {
-  return node.error <= input_.options.threshold || node.size() <= input_.options.least_samples || are_at_one_point(records);
+  return node.error <= input_.options.threshold || node.size() <= input_.options.least_samples ||
+         are_at_one_point(records);
 }
 
 void TreeBuilder::close(std::uint32_t begin, std::span<const Record> records) {
@@ -95,7 +96,7 @@ void TreeBuilder::divide(Nodes& out, Task& task) {
 }
 
 Cells TreeBuilder::cells_of(std::span<const Record> sorted, std::span<const std::uint32_t> begins, unsigned levels,
-                             Kind kind) {
+                            Kind kind) {
   Cells cells = vstree::cells_of(begins, levels, kind == Kind::volume ? 3 : 2);
   if (input_.options.metric != Metric::density || (kind == Kind::volume && input_.options.surface))
     add_moments(cells, sorted, input_.workers);
@@ -177,7 +178,8 @@ void TreeBuilder::divide_all(Nodes& out, std::vector<Task>& tasks) {
 // The first nodes of a part are the nodes of its tasks.
 void TreeBuilder::append(Nodes& out, const Nodes& part, std::span<const Task> tasks) {
   const auto roots = static_cast<std::uint32_t>(tasks.size());
-  const bool has_frames = !tasks[0].enters_surface && part.nodes[0].kind == Kind::surface;  // then all tasks have frames
+  const bool has_frames =
+      !tasks[0].enters_surface && part.nodes[0].kind == Kind::surface;  // then all tasks have frames
   const auto frame_shift = static_cast<std::uint32_t>(out.frames.size());
   const auto shift = static_cast<std::uint32_t>(out.nodes.size() - roots);
   for (std::uint32_t i = 0; i < part.nodes.size(); ++i) {

@@ -47,7 +47,7 @@ std::string move(const EpiloguePlan& plan, const std::string& p, const std::stri
 std::string find_slopes(const EpiloguePlan& plan) {
   const std::string corners = "(@weights, @c0, @c1, @c2);\n";
   if (plan.traits().takes_tags) return "  @Slopes @slopes = @curved_slopes" + corners;
-  const std::string linear = "  @Slopes @slopes = @linear_slopes" + corners;
+  std::string linear = "  @Slopes @slopes = @linear_slopes" + corners;
   if (!plan.curved()) return linear;
   return linear + "  @" + std::string(plan.traits().word) + "_slopes" + patch_arguments(plan) +
          ", @slopes.position_u, @slopes.position_v);\n";

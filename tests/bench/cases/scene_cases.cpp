@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Frames of many draws that do not change: compares a scene with the same scene refined beforehand, and measures what
+// refinement adds to each of many small draws, for all ways in which programs repeat draws.
+#include <memory>
+#include <stdexcept>
+
+#include "tests/bench/cases/case.h"
+#include "tests/bench/offscreen.h"
+#include "tests/bench/subject/subject.h"
+
+namespace glark::bench {
+namespace {
+
+constexpr int columns = 20;
+constexpr int rows = 10;
+constexpr int objects = columns * rows;
+constexpr unsigned pool_level = 6;
+
+// The objects stand side by side.
+Mesh placed(Mesh mesh, int object) {
+  constexpr float size = 0.05F;
+  const float x = 0.1F * (static_cast<float>(object % columns) - 0.5F * (columns - 1));
+  const int row = object / columns;
+  const float y = 0.2F * (static_cast<float>(row) - 0.5F * (rows - 1));
+  for (Vertex& vertex : mesh.vertices) {
+    for (float& coordinate : vertex.position) coordinate *= size;
+    vertex.position[0] += x;
+    vertex.position[1] += y;
+  }
+  return mesh;
+}
+
+enum class Way { arrays, pointers, lists };
+
+GLuint compile_list(const Mesh& mesh) {
+  const GLuint list = glGenLists(1);
+  glNewList(list, GL_COMPILE);
+  glBegin(GL_TRIANGLES);
+  for (const std::uint32_t index : mesh.indices) {
+    const Vertex& vertex = mesh.vertices[index];
+    glNormal3fv(vertex.normal);
+    glTexCoord2fv(vertex.uv);
+    glVertex3fv(vertex.position);
+  }
+  glEnd();
+  glEndList();
+  return list;
+}
+
+class Scene {
+ public:
+  Scene(int triangles, unsigned level, Shading shading, View view, Way way, bool tagged = false)
+      : shading_(shading), view_(view), way_(way) {
+    const Mesh sphere = triangles >= 20 ? make_sphere(triangles)
+                                        : first_triangles(make_sphere(20), static_cast<std::size_t>(triangles));
+    for (int object = 0; object < objects; ++object) {
+      const Mesh mesh = refine(placed(sphere, object), level);
+      if (way == Way::lists) {
+        lists_.push_back(compile_list(mesh));
+      } else {
+        std::vector<std::uint8_t> tags(tagged ? mesh.vertices.size() : 0);
+        for (std::size_t i = 0; i < tags.size(); ++i) tags[i] = static_cast<std::uint8_t>(1 + i % 3);
+        subjects_.push_back(std::make_unique<Subject>(mesh, shading, view, tags));
+      }
+    }
+  }
+  ~Scene() {
+    for (const GLuint list : lists_) glDeleteLists(list, 1);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  Competitor as_is() const { return frame(false, GL_UNIFORM_DEPTH_ARK, 0); }
+  Competitor refined(unsigned level) const { return frame(true, GL_UNIFORM_DEPTH_ARK, level); }
+  Competitor tagged() const { return frame(true, GL_DEPTH_TAG_ARK, 0); }
+
+ private:
+  Competitor frame(bool ark, GLenum source, unsigned level) const {
+    return {[this, ark, source, level] {
+              use_shading(shading_, view_);
+              glARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
+              glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, static_cast<GLint>(level));
+              ark ? glEnable(GL_ARK) : glDisable(GL_ARK);
+            },
+            [this] { draw(); }};
+  }
+  void draw() const {
+    for (int object = 0; object < objects; ++object) {
+      const auto number = static_cast<std::size_t>(object);
+      if (shading_ == Shading::fixed_function) glColor3f(1, 0.5F, static_cast<float>(object) / objects);
+      switch (way_) {
+        case Way::arrays: subjects_[number]->draw_by_array(); break;
+        case Way::pointers: subjects_[number]->draw_by_pointers(); break;
+        case Way::lists: glCallList(lists_[number]); break;
+      }
+    }
+  }
+
+  Shading shading_;
+  View view_;
+  Way way_;
+  std::vector<std::unique_ptr<Subject>> subjects_;
+  std::vector<GLuint> lists_;
+};
+
+Picture picture_of(const Competitor& competitor) {
+  competitor.prepare();
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  competitor.draw();
+  return read_picture();
+}
+
+void expect_same(const std::string& name, const Competitor& refined, const Competitor& other) {
+  const Picture expected = picture_of(other);
+  for (int i = 0; i < 3; ++i) {
+    const std::string wrong = difference(picture_of(refined), expected);
+    if (!wrong.empty()) throw std::runtime_error(name + ": " + wrong);
+  }
+}
+
+std::string name_of(Shading shading, Way way) {
+  constexpr const char* ways[] = {"arrays", "pointers", "lists"};
+  return std::string(shading == Shading::glsl ? "glsl/" : "fixed/") + ways[static_cast<int>(way)];
+}
+
+// A frame of objects of 100 triangles each, against the frame of the refined objects.
+void run_static(Shading shading, Way way, unsigned level, Report& report, const Effort& effort) {
+  constexpr int triangles = 100;
+  glARKinit(pool_level);
+  const Scene coarse(triangles, 0, shading, View::sphere, way);
+  const Scene fine(triangles, level, shading, View::sphere, way);
+  const std::string name = "scene/" + name_of(shading, way) + "/level" + std::to_string(level);
+  expect_same(name, coarse.refined(level), fine.as_is());
+  Effort longer = effort;
+  longer.total_seconds *= 2;
+  const auto times = interleave({coarse.refined(level), fine.as_is()}, longer);
+  constexpr double goal = 0.8;
+  report.add({name + "/static",
+              "",
+              Goal::at_least,
+              goal,
+              speed_ratio(times[1], times[0]),
+              "x",
+              {{"refined_ms", times[0].median() * 1e3},
+               {"static_ms", times[1].median() * 1e3},
+               {"ratio_of_least", times[1].least() / times[0].least()}}});
+}
+
+// Two culled triangles in each draw, so that only the cost of the draw itself remains.
+void run_small(Shading shading, Way way, bool tagged, Report& report, const Effort& effort) {
+  glARKinit(pool_level);
+  const Scene scene(2, 0, shading, View::culled, way, tagged);
+  const auto times = interleave({tagged ? scene.tagged() : scene.refined(1), scene.as_is()}, effort);
+  constexpr double most = 15;
+  constexpr double us = 1e6 / objects;
+  report.add({"scene/small/" + name_of(shading, way) + (tagged ? "/adaptive" : "") + "/added",
+              "",
+              Goal::at_most,
+              most,
+              least_combination(times, {1, -1}) * us,
+              "us/draw",
+              {{"refined_us", times[0].least() * us}, {"as_is_us", times[1].least() * us}}});
+}
+
+}  // namespace
+
+void add_scene_cases(std::vector<Case>& cases) {
+  const auto add_static = [&](Shading shading, Way way) {
+    for (const unsigned level : {2U, 3U}) {
+      cases.push_back({"scene/" + name_of(shading, way) + "/level" + std::to_string(level),
+                       [=](Report& report, const Effort& effort) { run_static(shading, way, level, report, effort); }});
+    }
+  };
+  const auto add_small = [&](Shading shading, Way way, bool tagged) {
+    cases.push_back({"scene/small/" + name_of(shading, way) + (tagged ? "/adaptive" : ""),
+                     [=](Report& report, const Effort& effort) { run_small(shading, way, tagged, report, effort); }});
+  };
+  add_static(Shading::glsl, Way::arrays);
+  add_static(Shading::fixed_function, Way::arrays);
+  add_static(Shading::fixed_function, Way::lists);
+  for (const Shading shading : {Shading::glsl, Shading::fixed_function}) {
+    add_small(shading, Way::arrays, false);
+    add_small(shading, Way::pointers, false);
+    add_small(shading, Way::arrays, true);
+  }
+  add_small(Shading::fixed_function, Way::lists, false);
+}
+
+}  // namespace glark::bench

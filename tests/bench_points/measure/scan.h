@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Scans and their meshes from PLY files, also compressed by zstd.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace glark::bench {
+
+struct Scan {
+  std::vector<float> positions, normals;  // [3 * points]; normals may be empty
+  std::vector<std::uint32_t> triangles;   // [3 * triangles], may be empty
+};
+
+// NAME.ply or NAME.ply.zst of the folder: binary little endian, x y z [nx ny nz] floats first. Throws
+// std::runtime_error that says what is missing or wrong. Compressed files need the program zstd.
+Scan read_scan(const std::string& folder, const std::string& name);
+
+// Samples a mesh with normals at `count` points, evenly by area. The surface between the vertices is slightly rounded.
+// The samples are the same every time.
+Scan sampled(const Scan& mesh, std::size_t count);
+
+}  // namespace glark::bench
