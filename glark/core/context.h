@@ -30,7 +30,7 @@ namespace track {
 void immediate_full(Context& context);
 }  // namespace track
 
-class Context : private ProgramWatcher {
+class Context final : private ProgramWatcher {
  public:
   // The context must be current. `gl` outlives it.
   static std::unique_ptr<Context> create(const gl::Dispatch& gl, std::shared_ptr<ShareGroup> share,
