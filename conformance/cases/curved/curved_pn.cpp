@@ -3,35 +3,30 @@
 //
 // Curved PN triangles (11.R.7): the formulas, and which inputs are the position and the normal.
 #include "conformance/cases/cases.h"
+#include "conformance/cases/curved/curved_checks.h"
 #include "conformance/support/surface.h"
 
 namespace glark::conformance {
 namespace {
 
-std::vector<SurfaceVertex> curved(Test& t, const Mesh& mesh, GLuint program) {
-  gl.UseProgram(program);
-  upload(mesh);
-  return capture_surface(t, mesh);
-}
-
 void check_uniform(Test& t) {
   refine_uniformly(4, GL_CURVED_PN_ARK);
   const Mesh mesh = bent_mesh();
-  expect_surface(t, curved(t, mesh, surface_program(t)), mesh, {}, reference::curved_pn);
+  expect_surface(t, draw_surface(t, mesh), mesh, {}, reference::curved_pn);
 }
 
 void check_tags(Test& t) {
   refine_by_tags(5, GL_CURVED_PN_ARK);
   Mesh mesh = bent_mesh();
   for (std::size_t i = 0; i < mesh.size(); ++i) mesh[i].tag = static_cast<float>((2 * i + 1) % 6);
-  expect_surface(t, curved(t, mesh, surface_program(t)), mesh, {}, reference::curved_pn);
+  expect_surface(t, draw_surface(t, mesh), mesh, {}, reference::curved_pn);
 }
 
 void check_others(Test& t) {
   refine_uniformly(3, GL_CURVED_PN_ARK);
   Mesh mesh = bent_mesh();
   for (const std::size_t i : {2U, 3U, 4U}) mesh[i].position[3] = i == 4 ? 2.0F : 1.5F;
-  for (const SurfaceVertex& vertex : curved(t, mesh, surface_program(t))) {
+  for (const SurfaceVertex& vertex : draw_surface(t, mesh)) {
     const std::size_t first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
     for (std::size_t i = 0; i < 2; ++i)
       t.expect_near(vertex.texture[i],
@@ -49,7 +44,7 @@ void check_corners(Test& t) {
   refine_uniformly(3, GL_CURVED_PN_ARK);
   const Mesh mesh = bent_mesh();
   int seen = 0;
-  for (const SurfaceVertex& vertex : curved(t, mesh, surface_program(t)))
+  for (const SurfaceVertex& vertex : draw_surface(t, mesh))
     for (std::size_t i = 0; i < 3; ++i) {
       if (vertex.weights[i] != 1) continue;
       ++seen;
@@ -68,24 +63,14 @@ void check_zero_normal(Test& t) {
   mesh[3].normal = {0, 0, 0};
   mesh[4].normal = {0, 0, 0};
   mesh[5].normal = {0, 0, 0};
-  expect_surface(t, curved(t, mesh, surface_program(t)), mesh, {}, reference::curved_pn);
-}
-
-void check_equal_corners(Test& t) {
-  refine_uniformly(3, GL_CURVED_PN_ARK);
-  for (const std::size_t from : {0U, 1U, 2U}) {
-    Mesh mesh = bent_mesh();
-    mesh.resize(3);
-    mesh[(from + 1) % 3].position = mesh[from].position;
-    expect_surface(t, curved(t, mesh, surface_program(t)), mesh, {}, reference::curved_pn);
-  }
+  expect_surface(t, draw_surface(t, mesh), mesh, {}, reference::curved_pn);
 }
 
 void check_fourth_components(Test& t) {
   refine_uniformly(3, GL_CURVED_PN_ARK);
   Mesh mesh = bent_mesh();
   for (const std::size_t i : {2U, 3U}) mesh[i].position[3] = 1.5F;
-  expect_surface(t, curved(t, mesh, surface_program(t)), mesh, {}, reference::curved_pn);
+  expect_surface(t, draw_surface(t, mesh), mesh, {}, reference::curved_pn);
 }
 
 void check_opposite_normals(Test& t) {
@@ -96,7 +81,7 @@ void check_opposite_normals(Test& t) {
   mesh[0].normal = {0, 0, 1};
   mesh[1].normal = {0, 0, -1};
   mesh[2].normal = {0, 1, 0};
-  for (const SurfaceVertex& vertex : curved(t, mesh, surface_program(t))) {
+  for (const SurfaceVertex& vertex : draw_surface(t, mesh)) {
     const bool is_middle = vertex.weights[0] == 0.5F && vertex.weights[1] == 0.5F;
     const reference::Surface expected = reference::curved_pn(corners_of(mesh, 0), vertex.weights);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -107,67 +92,7 @@ void check_opposite_normals(Test& t) {
   }
 }
 
-// Only the ends of the shared edge count: the third corners differ.
-void check_shared_edge(Test& t) {
-  refine_uniformly(4, GL_CURVED_PN_ARK);
-  const Mesh mesh = bent_mesh();
-  std::array<std::vector<Vec4>, 2> sides = {std::vector<Vec4>(17), std::vector<Vec4>(17)};
-  for (const SurfaceVertex& vertex : curved(t, mesh, surface_program(t))) {
-    // The edge from corner 0 to corner 2 of the first triangle is the edge from corner 2 to corner 0 of the second.
-    if (vertex.weights[1] != 0) continue;
-    const bool is_second = vertex.triangle == 1;
-    sides[is_second ? 1 : 0][static_cast<std::size_t>(std::lround(16 * vertex.weights[is_second ? 2 : 0]))] =
-        vertex.position;
-  }
-  for (std::size_t i = 0; i <= 16; ++i)
-    t.expect(same_position(sides[0][i], sides[1][i]), "the edge has the same bits in both triangles");
-}
-
-void check_missing(Test& t, bool has_position) {
-  refine_uniformly(2, GL_CURVED_PN_ARK);
-  const Mesh mesh = bent_mesh();
-  // The position is at location 8 wherever no input may count as a position.
-  const std::string vertex_shader =
-      has_position ? "layout(location = 0) in vec4 position; layout(location = 2) in vec3 weights; out vec4 colour;\n"
-                     "layout(location = 6) in float triangle; out vec3 weights_out; out float triangle_out;\n"
-                     "void main() { weights_out = weights; triangle_out = triangle; colour = vec4(1.0);\n"
-                     "  gl_Position = position; }\n"
-                   : "layout(location = 8) in vec4 where; layout(location = 1) in vec3 normal; out vec4 colour;\n"
-                     "layout(location = 2) in vec3 weights; layout(location = 6) in float triangle;\n"
-                     "out vec3 weights_out; out float triangle_out;\n"
-                     "void main() { weights_out = weights; triangle_out = triangle; colour = vec4(normal, 1.0);\n"
-                     "  gl_Position = where; }\n";
-  gl.UseProgram(
-      build_program(t, {.vertex = vertex_shader, .captured = {"gl_Position", "weights_out", "triangle_out"}}));
-  upload(mesh);
-  gl.VertexAttribPointer(8, 4, GL_FLOAT, GL_FALSE, sizeof(MeshVertex), nullptr);
-  gl.EnableVertexAttribArray(8);
-  for (const CapturedVertex& vertex : capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 6); })) {
-    const std::size_t first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
-    for (std::size_t i = 0; i < 4; ++i)
-      t.expect_near(vertex.position[i],
-                    reference::refined(vertex.weights, mesh[first].position[i], mesh[first + 1].position[i],
-                                       mesh[first + 2].position[i]),
-                    t.is_gles() ? 3e-7 : 0, "the position is refined linearly");
-  }
-}
-
 constexpr Area simple_case{"ark.pn."};
-
-void check_one_place(Test& t) {
-  gl.UseProgram(surface_program(t));
-  Mesh mesh = bent_mesh();
-  mesh.resize(3);
-  for (MeshVertex& vertex : mesh) vertex.position = {0.1F, -0.7F, 0.3F, 1};
-  upload(mesh);
-  refine_uniformly(4, GL_CURVED_PN_ARK);
-  const auto vertices = capture_surface(t, mesh);
-  t.require(vertices.size() == 768, "the triangle is refined");
-  for (const SurfaceVertex& vertex : vertices)
-    if (!t.expect(std::equal(vertex.position.begin(), vertex.position.begin() + 3, mesh[0].position.begin()),
-                  "every refined vertex has the bits of P_0"))
-      return;
-}
 
 }  // namespace
 
@@ -194,7 +119,8 @@ Cases curved_pn_cases() {
                   "0 / 0: the triangle vanishes, or positions are NaN.", check_zero_normal),
       simple_case("formula.equal_corners", {"11.R.7-18", "11.R.7-16"},
                   "Two corners are at one place, for each edge: positions lie on one curve, and no normal is NaN.",
-                  "D . D = 0 gives NaN; the stitching of a strip shows as slivers.", check_equal_corners),
+                  "D . D = 0 gives NaN; the stitching of a strip shows as slivers.",
+                  [](Test& t) { check_equal_corners(t, GL_CURVED_PN_ARK, reference::curved_pn); }),
       simple_case("formula.fourth_components", {"11.R.7-15"},
                   "The fourth components of positions differ along two edges: these edges stay straight.",
                   "Heights of points with different w are computed as if w were the same.", check_fourth_components),
@@ -203,20 +129,21 @@ Cases curved_pn_cases() {
                   "Scaling a zero to unit length gives NaN.", check_opposite_normals),
       simple_case("formula.shared_edge", {"11.R.7-9", "11.R.7-13", "11.R.8-3"},
                   "Two triangles that share an edge from opposite ends have the same positions along it, by bits.",
-                  "Sums depend on the order of corners: cracks of one ulp.", check_shared_edge),
+                  "Sums depend on the order of corners: cracks of one ulp.",
+                  [](Test& t) { check_shared_edge(t, GL_CURVED_PN_ARK); }),
       simple_case("formula.one_place", {"11.R.7-17"},
                   "All corners are at one place: every refined vertex is there, by bits.",
-                  "Rounding moves them; D . D = 0 gives NaN.", check_one_place),
+                  "Rounding moves them; D . D = 0 gives NaN.", [](Test& t) { check_one_place(t, GL_CURVED_PN_ARK); }),
       {.name = "ark.pn.missing.normal",
        .clauses = {"11.R.7-6"},
        .plan = "The vertex stage has no normal: positions are those of (11.R.1).",
        .wrong = "A constant replaces the missing normal, and the surface bends.",
-       .check = [](Test& t) { check_missing(t, true); }},
+       .check = [](Test& t) { check_missing_input(t, GL_CURVED_PN_ARK, true); }},
       {.name = "ark.pn.missing.position",
        .clauses = {"11.R.7-6"},
        .plan = "No input has a position's name or location 0: (11.R.1) refines every input.",
-       .wrong = "The first vec4 is taken for the position.",
-       .check = [](Test& t) { check_missing(t, false); }},
+       .wrong = "The first vec4 counts as the position.",
+       .check = [](Test& t) { check_missing_input(t, GL_CURVED_PN_ARK, false); }},
   };
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/curved/curved_checks.h"
 #include "conformance/support/state.h"
 #include "conformance/support/surface.h"
 
@@ -17,23 +18,17 @@ reference::Surface phong(const reference::Corners& corners, const Vec3& weights)
   return reference::phong(corners, weights, percent / 100.0);
 }
 
-std::vector<SurfaceVertex> bent(Test& t, const Mesh& mesh) {
-  gl.UseProgram(surface_program(t));
-  upload(mesh);
-  return capture_surface(t, mesh);
-}
-
 void check_uniform(Test& t) {
   refine_uniformly(4, GL_PHONG_ARK);
   const Mesh mesh = bent_mesh();
-  expect_surface(t, bent(t, mesh), mesh, {}, phong<75>);
+  expect_surface(t, draw_surface(t, mesh), mesh, {}, phong<75>);
 }
 
 void check_tags(Test& t) {
   refine_by_tags(5, GL_PHONG_ARK);
   Mesh mesh = bent_mesh();
   for (std::size_t i = 0; i < mesh.size(); ++i) mesh[i].tag = static_cast<float>((2 * i + 1) % 6);
-  expect_surface(t, bent(t, mesh), mesh, {}, phong<75>);
+  expect_surface(t, draw_surface(t, mesh), mesh, {}, phong<75>);
 }
 
 // One program, drawn with several shapes.
@@ -56,7 +51,7 @@ void check_shapes(Test& t) {
 void check_others(Test& t) {
   refine_uniformly(3, GL_PHONG_ARK);
   const Mesh mesh = bent_mesh();
-  for (const SurfaceVertex& vertex : bent(t, mesh)) {
+  for (const SurfaceVertex& vertex : draw_surface(t, mesh)) {
     const std::size_t first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
     for (std::size_t i = 0; i < 3; ++i)
       t.expect_near(vertex.normal[i],
@@ -75,7 +70,7 @@ void check_corners(Test& t) {
   refine_uniformly(3, GL_PHONG_ARK);
   const Mesh mesh = bent_mesh();
   int seen = 0;
-  for (const SurfaceVertex& vertex : bent(t, mesh))
+  for (const SurfaceVertex& vertex : draw_surface(t, mesh))
     for (std::size_t i = 0; i < 3; ++i) {
       if (vertex.weights[i] != 1) continue;
       ++seen;
@@ -89,7 +84,7 @@ void check_fourth_components(Test& t) {
   refine_uniformly(3, GL_PHONG_ARK);
   Mesh mesh = bent_mesh();
   for (const std::size_t i : {2U, 3U}) mesh[i].position[3] = 1.5F;
-  const auto vertices = bent(t, mesh);
+  const auto vertices = draw_surface(t, mesh);
   expect_surface(t, vertices, mesh, {}, phong<75>);
   for (const SurfaceVertex& vertex : vertices) {
     const std::size_t first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
@@ -100,48 +95,6 @@ void check_fourth_components(Test& t) {
   }
 }
 
-void check_equal_corners(Test& t) {
-  refine_uniformly(3, GL_PHONG_ARK);
-  for (const std::size_t from : {0U, 1U, 2U}) {
-    Mesh mesh = bent_mesh();
-    mesh.resize(3);
-    mesh[(from + 1) % 3].position = mesh[from].position;
-    expect_surface(t, bent(t, mesh), mesh, {}, phong<75>);
-  }
-}
-
-void check_one_place(Test& t) {
-  refine_uniformly(4, GL_PHONG_ARK);
-  Mesh mesh = bent_mesh();
-  mesh.resize(3);
-  for (MeshVertex& vertex : mesh) vertex.position = {0.1F, -0.7F, 0.3F, 1};
-  const auto vertices = bent(t, mesh);
-  t.require(vertices.size() == 768, "the triangle is refined");
-  for (const SurfaceVertex& vertex : vertices)
-    if (!t.expect(std::equal(vertex.position.begin(), vertex.position.begin() + 3, mesh[0].position.begin()),
-                  "every refined vertex has the bits of P_0"))
-      return;
-}
-
-// Positions along the edge that bent_mesh()'s two triangles share: corners 0 and 2 of the first, 2 and 0 of the second.
-std::array<std::vector<Vec4>, 2> shared_edge(const std::vector<SurfaceVertex>& vertices, std::size_t segments) {
-  std::array<std::vector<Vec4>, 2> sides = {std::vector<Vec4>(segments + 1), std::vector<Vec4>(segments + 1)};
-  for (const SurfaceVertex& vertex : vertices) {
-    if (vertex.weights[1] != 0) continue;
-    const bool is_second = vertex.triangle >= 1;
-    const float along = static_cast<float>(segments) * vertex.weights[is_second ? 2 : 0];
-    sides[is_second ? 1 : 0][static_cast<std::size_t>(std::lround(along))] = vertex.position;
-  }
-  return sides;
-}
-
-void check_shared_edge(Test& t) {
-  refine_uniformly(4, GL_PHONG_ARK);
-  const auto sides = shared_edge(bent(t, bent_mesh()), 16);
-  for (std::size_t i = 0; i <= 16; ++i)
-    t.expect(same_position(sides[0][i], sides[1][i]), "the edge has the same bits in both triangles");
-}
-
 // The same edge with other normals in the second triangle.
 void check_welded(Test& t) {
   refine_uniformly(4, GL_PHONG_ARK);
@@ -149,7 +102,7 @@ void check_welded(Test& t) {
   Mesh mesh = bent_mesh();
   mesh[3].normal = {0.9F, -0.3F, 0.7F};
   mesh[5].normal = {-0.4F, 0.8F, 0.9F};
-  const auto vertices = bent(t, mesh);
+  const auto vertices = draw_surface(t, mesh);
   const auto sides = shared_edge(vertices, 16);
   for (std::size_t i = 0; i <= 16; ++i)
     t.expect(same_position(sides[0][i], sides[1][i]), "a welded edge has the same bits in both triangles");
@@ -162,32 +115,6 @@ void check_welded(Test& t) {
     const reference::Vector expected = reference::phong_position(corners, b, vertex.weights, 0.75);
     const double off = reference::length(reference::vector_of(vertex.position) - expected);
     if (!t.expect_near(off, 0, 2e-6, "the distance from the surface with welded edges")) return;
-  }
-}
-
-void check_missing(Test& t, bool has_position) {
-  refine_uniformly(2, GL_PHONG_ARK);
-  const Mesh mesh = bent_mesh();
-  const std::string normal = has_position ? "" : "layout(location = 1) in vec3 normal;";
-  const std::string position =
-      has_position ? "layout(location = 0) in vec4 position;" : "layout(location = 8) in vec4 where;";
-  gl.UseProgram(build_program(
-      t, {.vertex = position + normal +
-                    "layout(location = 2) in vec3 weights; layout(location = 6) in float triangle;\n"
-                    "out vec4 colour; out vec3 weights_out; out float triangle_out;\n"
-                    "void main() { weights_out = weights; triangle_out = triangle; colour = vec4(" +
-                    (has_position ? "1.0); gl_Position = position; }\n" : "normal, 1.0); gl_Position = where; }\n"),
-          .captured = {"gl_Position", "weights_out", "triangle_out"}}));
-  upload(mesh);
-  gl.VertexAttribPointer(8, 4, GL_FLOAT, GL_FALSE, sizeof(MeshVertex), nullptr);
-  gl.EnableVertexAttribArray(8);
-  for (const CapturedVertex& vertex : capture(t, [] { gl.DrawArrays(GL_TRIANGLES, 0, 6); })) {
-    const std::size_t first = 3 * static_cast<std::size_t>(std::lround(vertex.triangle));
-    for (std::size_t i = 0; i < 4; ++i)
-      t.expect_near(vertex.position[i],
-                    reference::refined(vertex.weights, mesh[first].position[i], mesh[first + 1].position[i],
-                                       mesh[first + 2].position[i]),
-                    t.is_gles() ? 3e-7 : 0, "the position is refined linearly");
   }
 }
 
@@ -271,7 +198,7 @@ void check_displaced(Test& t) {
   gl.ARKParameterfARK(GL_PHONG_SHAPE_ARK, 1);
   gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
   gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, static_cast<float>(scale));
-  for (const SurfaceVertex& vertex : bent(t, mesh)) {
+  for (const SurfaceVertex& vertex : draw_surface(t, mesh)) {
     const auto triangle = static_cast<std::size_t>(std::lround(vertex.triangle));
     const reference::Corners corners = corners_of(mesh, triangle);
     const double height = scale * (rise_s * (vertex.texture[0] - 0.5 / 16) + rise_t * (vertex.texture[1] - 0.5 / 16));
@@ -295,7 +222,7 @@ Cases formula_cases() {
                   "triangle.",
                   check_uniform),
       simple_case("formula.tags", {"11.R.7c-6"}, "The same with a different depth tag at every corner.",
-                  "Edge patterns that are turned against the corners put the surface elsewhere.", check_tags),
+                  "Edge patterns that are rotated against the corners put the surface elsewhere.", check_tags),
       simple_case("formula.shapes", {"11.R.7c-6", "11.R.2-35", "tokens-53"},
                   "Draw with one program and the shapes 1, 0.25, 0 and 0.5.",
                   "The shape of the first draw, or the initial one, is used for all.", check_shapes),
@@ -305,16 +232,18 @@ Cases formula_cases() {
                   "a P + (1 - a) P is not P: the last bit differs.", check_corners),
       simple_case("formula.fourth_components", {"11.R.7c-5", "11.R.7c-7"},
                   "The fourth components of positions differ along two edges: these stay straight.",
-                  "Heights of points with different w are taken as if w were the same.", check_fourth_components),
+                  "Heights of points with different w are computed as if w were the same.", check_fourth_components),
       simple_case("formula.equal_corners", {"11.R.7c-8"},
-                  "Two corners lie in one place, for each edge: positions lie on one curve.",
-                  "A strip's stitches show as slivers.", check_equal_corners),
+                  "Two corners are at one place, for each edge: positions lie on one curve.",
+                  "The stitching of a strip shows as slivers.",
+                  [](Test& t) { check_equal_corners(t, GL_PHONG_ARK, phong<75>); }),
       simple_case("formula.one_place", {"11.R.7c-8"},
-                  "All corners in one place: every refined vertex is there, by bits.", "Rounding moves them.",
-                  check_one_place),
+                  "All corners are at one place: every refined vertex is there, by bits.", "Rounding moves them.",
+                  [](Test& t) { check_one_place(t, GL_PHONG_ARK); }),
       simple_case("formula.shared_edge", {"11.R.8-3", "11.R.8-6"},
                   "Two triangles that share an edge from opposite ends have the same positions along it, by bits.",
-                  "Sums that depend on the order of corners: cracks of one ulp.", check_shared_edge),
+                  "Sums depend on the order of corners: cracks of one ulp.",
+                  [](Test& t) { check_shared_edge(t, GL_PHONG_ARK); }),
   };
 }
 
@@ -324,11 +253,12 @@ Cases phong_tessellation_cases() {
   Cases cases = formula_cases();
   const Cases others = {
       simple_case("missing.normal", {"11.R.7c-3"}, "A vertex stage without a normal: positions are those of (11.R.1).",
-                  "A missing normal counts as some constant and the surface bends.",
-                  [](Test& t) { check_missing(t, true); }),
+                  "A constant replaces the missing normal, and the surface bends.",
+                  [](Test& t) { check_missing_input(t, GL_PHONG_ARK, true); }),
       simple_case("missing.position", {"11.R.7c-3"},
-                  "No input has a position's name or location 0: every input is refined by (11.R.1).",
-                  "The first vec4 is taken for the position.", [](Test& t) { check_missing(t, false); }),
+                  "No input has a position's name or location 0: (11.R.1) refines every input.",
+                  "The first vec4 counts as the position.",
+                  [](Test& t) { check_missing_input(t, GL_PHONG_ARK, false); }),
       simple_case("welded", {"11.R.15-36", "11.R.15-7"},
                   "Two triangles with different normals at a common edge: the edge has the same bits in both, and is "
                   "that of (11.R.9) and (11.R.10).",

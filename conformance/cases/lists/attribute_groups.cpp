@@ -16,7 +16,6 @@ void control(Test& t) {
   t.expect_equal(triangles_of(t, draw_immediate_triangle), 1U, "triangles between Begin and End");
 }
 
-// PushAttrib and PopAttrib.
 void check_enable_group(Test& t) {
   set_everything(t);
   for (const bool is_enabled : {true, false}) {
@@ -115,7 +114,7 @@ void check_client_group(Test& t) {
   t.expect_equal(int{gl.IsEnabled(GL_DEPTH_TAG_ARRAY_ARK)}, int{GL_TRUE}, "nor does a server attribute group");
 }
 
-// Three times the draw_immediate_triangle, by an array of tags and by another, or none, in between.
+// Draws the triangle three times: with an array of tags, with another or none, and with the first again.
 void check_client_group_draws(Test& t) {
   refine_immediate_triangles(t);
   upload(one_triangle({2, 2, 2}));

@@ -14,13 +14,13 @@ namespace glark::conformance {
 namespace {
 
 // The outputs of the three corners, refined by (11.R.1).
-void expect_corner_values(Test& t, const std::vector<Record>& records, const std::array<float, 3>& values,
+void expect_corner_values(Test& t, const std::vector<RecordedVertex>& records, const std::array<float, 3>& values,
                           const std::string& what) {
   std::set<float> expected;
   for (const reference::Weights& at : reference::minimum_vertices({2, 2, 2}))
     expected.insert(reference::refined(values[0], values[1], values[2], at));
   std::set<float> found;
-  for (const Record& record : records) found.insert(record[4]);
+  for (const RecordedVertex& record : records) found.insert(record[4]);
   t.expect_equal(records.size(), 48U, what + ": refined vertices");
   t.expect(found == expected, what + ": the numbers of the corners, refined");
 }
@@ -32,16 +32,17 @@ void check_vertex_id(Test& t) {
   mesh.insert(mesh.begin(), 4, mesh[0]);
   upload(mesh);
   refine_uniformly(2);
-  expect_corner_values(t, capture_as<Record>(t, 1000, [] { gl.DrawArrays(GL_TRIANGLES, 4, 3); }), {16, 25, 36},
+  expect_corner_values(t, capture_as<RecordedVertex>(t, 1000, [] { gl.DrawArrays(GL_TRIANGLES, 4, 3); }), {16, 25, 36},
                        "DrawArrays");
   const GLubyte indices[] = {3, 1, 2};
   GLuint buffer = 0;
   gl.GenBuffers(1, &buffer);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof(indices), indices, GL_STATIC_DRAW);
-  expect_corner_values(
-      t, capture_as<Record>(t, 1000, [] { gl.DrawElementsBaseVertex(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, nullptr, 3); }),
-      {36, 16, 25}, "DrawElementsBaseVertex");
+  expect_corner_values(t,
+                       capture_as<RecordedVertex>(
+                           t, 1000, [] { gl.DrawElementsBaseVertex(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, nullptr, 3); }),
+                       {36, 16, 25}, "DrawElementsBaseVertex");
 }
 
 // If the vertex stage reads gl_VertexID, the refinement shader is ignored and its status stays.
@@ -51,7 +52,7 @@ void check_vertex_id_shader(Test& t) {
   upload(one_triangle());
   refine_uniformly(2);
   const auto sorted = [&] {
-    auto records = capture_as<Record>(t, 1000, draw_one);
+    auto records = capture_as<RecordedVertex>(t, 1000, draw_one);
     std::sort(records.begin(), records.end());
     return records;
   };
@@ -89,7 +90,7 @@ void check_draw_parameters(Test& t) {
   gl.BufferData(GL_DRAW_INDIRECT_BUFFER, sizeof(records), records, GL_STATIC_DRAW);
   const auto values = [&] {
     std::set<std::array<float, 4>> all;
-    for (const Record& record : capture_as<Record>(
+    for (const RecordedVertex& record : capture_as<RecordedVertex>(
              t, 1000, [] { gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, 2, 0); }))
       all.insert({record[4], record[5], record[6], record[7]});
     return all;
@@ -107,7 +108,8 @@ void check_instance_id(Test& t, GLenum refinement) {
   upload(one_triangle());
   refine_uniformly(2, refinement);
   std::array<int, 3> counts{};
-  for (const Record& record : capture_as<Record>(t, 1000, [] { gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, 3); })) {
+  for (const RecordedVertex& record :
+       capture_as<RecordedVertex>(t, 1000, [] { gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, 3); })) {
     const auto instance = static_cast<std::size_t>(record[4]);
     if (instance > 2 || static_cast<float>(instance) != record[4]) return t.fail("an instance " + as_text(record[4]));
     ++counts[instance];

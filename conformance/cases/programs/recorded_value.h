@@ -8,7 +8,7 @@
 
 namespace glark::conformance {
 
-using Record = std::array<float, 8>;  // gl_Position and a value
+using RecordedVertex = std::array<float, 8>;  // gl_Position and a value
 
 inline GLuint record_program(Test& t, const std::string& declarations, const std::string& value) {
   return build_program(t, {.vertex = "layout(location = 0) in vec4 position; out vec4 colour;\n" + declarations +

@@ -74,9 +74,9 @@ void check_resource(Test& t, const Resource& resource, GLenum refinement) {
   resource.bind(program);
   upload(one_triangle());
   refine_uniformly(2, refinement);
-  const auto records = capture_as<Record>(t, 1000, draw_one);
+  const auto records = capture_as<RecordedVertex>(t, 1000, draw_one);
   t.expect_equal(records.size(), 48U, "refined vertices");
-  for (const Record& record : records)
+  for (const RecordedVertex& record : records)
     if (record[4] != 0.25F || record[5] != 0.5F || record[6] != 0.75F || record[7] != 1)
       return t.fail("the value read is " + as_text(record[4]) + " " + as_text(record[5]) + " " + as_text(record[6]));
 }
@@ -93,7 +93,7 @@ void check_changed_uniform(Test& t) {
       gl.ProgramUniform4f(program, at, value, 0, 0, 0);
     else
       gl.Uniform4f(at, value, 0, 0, 0);
-    for (const Record& record : capture_as<Record>(t, 1000, draw_one))
+    for (const RecordedVertex& record : capture_as<RecordedVertex>(t, 1000, draw_one))
       if (record[4] != value) return t.fail("the uniform is " + as_text(record[4]) + ", not " + as_text(value));
   }
 }
@@ -112,7 +112,7 @@ void check_changed_block(Test& t) {
     gl.BufferData(GL_UNIFORM_BUFFER, sizeof(value), value, GL_STATIC_DRAW);
   }
   const auto expect = [&](float value, const char* what) {
-    for (const Record& record : capture_as<Record>(t, 1000, draw_one))
+    for (const RecordedVertex& record : capture_as<RecordedVertex>(t, 1000, draw_one))
       if (!t.expect_equal(record[4], value, what)) return;
   };
   expect(1, "the initial binding");
@@ -142,7 +142,7 @@ void check_changed_storage(Test& t) {
   }
   for (const GLuint binding : {2U, 1U, 3U, 0U}) {
     if (binding != 2) gl.ShaderStorageBlockBinding(program, 0, binding);
-    for (const Record& record : capture_as<Record>(t, 1000, draw_one))
+    for (const RecordedVertex& record : capture_as<RecordedVertex>(t, 1000, draw_one))
       if (!t.expect_equal(record[4], static_cast<float>(binding + 1), "after ShaderStorageBlockBinding")) return;
   }
 }
