@@ -63,6 +63,16 @@ TEST_F(BadFiles, PlyIsExplained) {
            three +
                "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
        "corner -1"},
+      {"a corner with a fraction",
+       ply("ascii",
+           three +
+               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1.5 2\n"),
+       "face 0 of 1: a corner is not an index"},
+      {"a list length with a fraction",
+       ply("ascii",
+           three +
+               "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3.5 0 1 2\n"),
+       "has 3.5 entries"},
       {"a list of 2^31",
        ply("binary_little_endian", three + faces + "end_header\n") + zeros + std::string("\0\0\0\x80", 4) + zeros,
        "face 0 of 1: the list vertex_indices has 2147483648 entries"},
@@ -124,9 +134,30 @@ TEST_F(BadFiles, MeshesAreExplained) {
   EXPECT_NE("", problem_with(made("c.stl", "solid\nfacet normal 0 0")));
   EXPECT_NE("", problem_with(made("a.obj", "v 0 0\nf 1 2 3\n")));
   EXPECT_NE("", problem_with(made("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n")));
+  EXPECT_NE("", problem_with(made("c.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1.5 2 3\n")));
   EXPECT_NE(std::string::npos, problem_with(made("a.doc", "text")).find(".doc"));
   EXPECT_NE(std::string::npos, problem_with(path("missing.ply")).find("No such file"));
   EXPECT_NE(std::string::npos, problem_with(path("")).find("folder"));
+}
+
+TEST_F(BadFiles, BytesAfterStlAreIgnoredWithAWarning) {
+  const Geometry geometry = random_geometry(1, {.triangles = true});
+  write_file(path("a.stl"), geometry);
+  EXPECT_TRUE(read_file(path("a.stl"), {}).warnings.empty());
+  std::ofstream(path("a.stl"), std::ios::binary | std::ios::app) << "garbage";
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  const std::string solid = "solid a\n" + facet + "endsolid a\n";
+  made("b.stl", solid + solid + "garbage\n");
+  made("c.stl", solid + solid + "\n");
+  const Reading binary = read_file(path("a.stl"), {});
+  EXPECT_EQ(geometry.triangle_count(), binary.geometry.triangle_count());
+  ASSERT_EQ(1U, binary.warnings.size());
+  EXPECT_EQ("7 bytes follow the 72 triangles that the STL header announces; they are ignored", binary.warnings[0]);
+  const Reading text = read_file(path("b.stl"), {});
+  ASSERT_EQ(1U, text.warnings.size());
+  EXPECT_EQ("something follows the last endsolid; it is ignored", text.warnings[0]);
+  EXPECT_TRUE(read_file(path("c.stl"), {}).warnings.empty());
 }
 
 TEST_F(BadFiles, MoreThanTheMemoryIsAnError) {

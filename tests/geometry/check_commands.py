@@ -117,20 +117,20 @@ class Commands(unittest.TestCase):
 
     def test_simplify_says_what_it_cannot_keep(self):
         self.needs("simplify")
-        square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
-        for name, rest, says in [
-            ("seam.obj", "vt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 1 0.5\nf 1/1 2/2 3/3\nf 1/1 3/4 4/2\n", True),
-            ("whole.obj", "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", False),
-        ]:
-            (self.path / name).write_text(square + rest)
-            result = self.glark("simplify", name, "-o", "a.obj", "--target", "10")
+        points, triangles = sphere(10)
+        vertices = "".join("v %g %g %g\n" % point + "vt %g %g\n" % point[:2] for point in points) + "vt 0.5 0.5\n"
+        corners = [[f"{i + 1}/{i + 1}" for i in triangle] for triangle in triangles]
+        seam = [[f"1/{len(points) + 1}", *corners[0][1:]], *corners[1:]]
+        for name, faces, says in [("seam.obj", seam, True), ("whole.obj", corners, False)]:
+            (self.path / name).write_text(vertices + "".join("f " + " ".join(face) + "\n" for face in faces))
+            result = self.glark("simplify", name, "-o", "a.obj", "--target", "200")
             self.assertEqual(says, "seams at 1 points" in result.stderr, result.stderr)
             self.assertIn("vt ", (self.path / "a.obj").read_text())
         header = ["ply", "format ascii 1.0", "element vertex 2"]
         header += [f"property float {name}" for name in "xyz"]
         header += [f"property uchar {name}" for name in ("red", "green", "blue", "alpha")] + ["end_header", ""]
         (self.path / "glass.ply").write_text("\n".join(header) + "0 0 0 9 9 9 255\n1 0 0 9 9 9 80\n")
-        result = self.glark("simplify", "glass.ply", "-o", "a.ply", "--target", "10")
+        result = self.glark("simplify", "glass.ply", "-o", "a.ply", "--target", "1")
         self.assertIn("point 1 is not opaque", result.stderr)
 
     def test_reconstruct_carries_colours(self):
@@ -216,8 +216,12 @@ class Commands(unittest.TestCase):
         """Messages list the possible values in the words of the manual."""
         for command, option, given, said in (
                 ("simplify", "--clustering", "foo", '"foo" is not one of vstree, octree, grid'), ("simplify", "--metric", "2", "not one of l2, l21, qef, density"),
-                ("simplify", "--target", "0", '"0" is not a number above 0'), ("simplify", "--error", "inf", '"inf" is not a number above 0'),
-                ("simplify", "--error", "nan", '"nan" is not a number above 0'), ("view", "--mode", "foo", "not one of splat, strip, mesh")):
+                ("simplify", "--target", "0", '"0" is not a whole number above 0'), ("simplify", "--error", "inf", '"inf" is not a number above 0'),
+                ("simplify", "--error", "nan", '"nan" is not a number above 0'), ("view", "--mode", "foo", "not one of splat, strip, mesh"),
+                ("simplify", "--target", "-18446744073709551615", "is not a whole number above 0"), ("simplify", "--target", "nan", '"nan" is not a whole'),
+                ("simplify", "--target", "1.5", '"1.5" is not a whole number'), ("simplify", "--target", "1e30", '"1e30" is not a whole number'),
+                ("strip", "--reach", "nan", '"nan" is not a number from 1 to 100'), ("reconstruct", "--node-samples", "nan", "is not a number from 2 to 1000"),
+                ("view", "--zoom", "nan", '"nan" is not a number from 0.01 to 1000'), ("view", "--yaw", "nan", "is not a number from -360 to 360")):
             if command not in self.has:
                 continue
             output = "--offscreen" if command == "view" else "-o"
@@ -227,17 +231,85 @@ class Commands(unittest.TestCase):
                 self.assertIn(said, result.stderr)
                 self.assertNotIn("->", self.glark(command, "--help").stdout)
 
-    def test_results_of_nothing_are_told(self):
+    def test_a_target_above_what_there_is_gives_the_input(self):
+        self.needs("simplify")
+        (self.path / "points.xyz").write_text("".join(f"{i} {i * i} 0\n" for i in range(9)))
+        for file, has, count in ((self.sphere, "triangles", 6240), ("points.xyz", "points", 9)):
+            self.glark("simplify", file, "-o", "whole" + pathlib.Path(file).suffix, "--target", count)
+            for target in (count, count + 1, 2**32, 2**63, 2**64 - 1, 2**64, 2**64 + 1, 10**30):
+                with self.subTest(file=file, target=target):
+                    copy = self.path / ("copy" + pathlib.Path(file).suffix)
+                    shutil.copy(self.path / file, copy)
+                    result = self.glark("simplify", copy, "-o", copy, "--target", target, "--json")
+                    self.assertEqual(count, json.loads(result.stdout)["output"][has])
+                    self.assertIn(f"no more {has} than --target allows", result.stderr)
+                    self.assertEqual((self.path / ("whole" + copy.suffix)).read_bytes(), copy.read_bytes())
+        self.assertEqual(self.sphere.read_bytes()[-6240 * 13:], (self.path / "whole.ply").read_bytes()[-6240 * 13:])
+        report = self.report("simplify", self.sphere, "-o", "a.ply", "--target", "01000")  # no octal number
+        self.assertGreater(report["output"]["triangles"], 900)
+
+    def test_empty_results_are_errors(self):
+        """An empty result is an error with a remedy, and the old output file stays."""
         (self.path / "flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
         (self.path / "line.xyz").write_text("0 0 0\n1 0 0\n2 0 0\n")
-        for command, file, said in (("simplify", "flat.obj", "the result is empty"), ("strip", "line.xyz", "no strips")):
+        (self.path / "plates.xyz").write_text("".join(
+            f"{x / 99} {y / 99} {side / 99 / 2} 0 0 {2 * side - 1}\n" for side in range(2) for x in range(100) for y in range(100)))
+        before = set(os.listdir(self.path))
+        for command, file, said, remedy in (
+                ("simplify", "flat.obj", "the result is empty", "--target"), ("strip", "line.xyz", "no strips", "--reach"),
+                ("reconstruct", "line.xyz", "the mesh is empty", "--node-samples"), ("reconstruct", "plates.xyz", "the mesh is empty", "--node-samples")):
             if command not in self.has:
                 continue
-            with self.subTest(command=command):
-                result = self.glark(command, file, "-o", "a.ply", "--json", "--measure", file)
-                self.assertIn(said, result.stderr)
-                self.assertIn("quality", json.loads(result.stdout))
-                self.assertNotIn("null", result.stdout)
+            (self.path / file).chmod(0o640)
+            old = (self.path / file).read_bytes()
+            for output in ("a.ply", file):
+                with self.subTest(command=command, file=file, output=output):
+                    result = self.glark(command, file, "-o", output, "--json", status=1)
+                    self.assertIn(said, result.stderr)
+                    self.assertIn(remedy, result.stderr)
+                    self.assertEqual("", result.stdout)
+                    self.assertEqual(old, (self.path / file).read_bytes())
+                    self.assertEqual(before, set(os.listdir(self.path)))
+
+    def test_reconstruct_tells_what_it_leaves_out(self):
+        self.needs("reconstruct")
+        result = self.glark("reconstruct", self.sphere, "-o", "a.ply", "--json")
+        self.assertNotIn("left out", result.stderr)
+        self.assertEqual(0, json.loads(result.stdout)["points_left_out"])
+        points, _ = sphere(60)
+        rows = [" ".join(map(str, point + point)) + "\n" for point in points]
+        rows += [" ".join(map(str, [0.08 * x + 3 * (k == 0) for k, x in enumerate(point)] + list(point))) + "\n" for point in sphere(20)[0]]
+        (self.path / "two.xyz").write_text("".join(rows))
+        result = self.glark("reconstruct", "two.xyz", "-o", "a.ply", "--json")
+        report = json.loads(result.stdout)
+        self.assertEqual(1, report["parts_left_out"])
+        self.assertIn("1 parts with less than 1 % of the area are left out; --least-part 0 keeps them", result.stderr)
+        self.assertEqual(762, report["points_left_out"])
+        self.assertIn(f"762 of {len(rows)} points are left out", result.stderr)
+        self.assertNotIn("left out", self.glark("reconstruct", "two.xyz", "-o", "a.ply", "--least-part", "0").stderr)
+
+    def test_output_keeps_the_mode_and_tells_of_hard_links(self):
+        self.needs("simplify")
+        output = self.path / "a.ply"
+        output.write_text("old")
+        output.chmod(0o640)
+        self.assertNotIn("hard link", self.glark("simplify", self.sphere, "-o", output, "--target", "99").stderr)
+        self.assertEqual(0o640, output.stat().st_mode & 0o7777)
+        os.link(output, self.path / "b.ply")
+        old = output.read_bytes()
+        self.assertIn("1 other hard links", self.glark("simplify", self.sphere, "-o", output, "--target", "999").stderr)
+        self.assertEqual(old, (self.path / "b.ply").read_bytes())
+        self.assertNotEqual(old, output.read_bytes())
+
+    def test_names_that_are_not_utf_8(self):
+        name = os.path.join(os.fsencode(self.path), b"b\xff.ply")
+        shutil.copy(self.sphere, name)
+        result = subprocess.run([GLARK.encode(), b"info", name, b"--json", b"--measure", name], capture_output=True)
+        self.assertEqual(0, result.returncode, result.stderr)
+        self.assertIn("b\ufffd.ply", json.loads(result.stdout.decode("utf-8"))["file"])
+
+    def test_pictures_of_a_line(self):
+        (self.path / "line.xyz").write_text("0 0 0\n1 0 0\n2 0 0\n")
         if "view" in self.has:
             self.assertIn("--mode splat", self.glark("view", "line.xyz", "--offscreen", "a.png").stderr)
             self.assertNotIn("--mode", self.glark("view", "line.xyz", "--mode", "splat", "--offscreen", "a.png").stderr)
@@ -272,6 +344,9 @@ class Commands(unittest.TestCase):
             self.report("info", "a.xyz")
             for command in self.has & {"simplify", "strip"}:
                 with self.subTest(command=command, cloud=name):
+                    if command == "strip" and name in ("one", "equal", "line", "duplicates"):
+                        self.assertIn("no strips", self.glark(command, "a.xyz", "-o", "out.ply", status=1).stderr)
+                        continue
                     self.report(command, "a.xyz", "-o", "out.ply")
                     self.assertGreater(self.report("info", "out.ply")["points"], 0)
 

@@ -76,7 +76,8 @@ void warn(const std::string& text) { std::fprintf(stderr, "glark: %s\n", text.c_
 
 void print(const Report& report, bool json) {
   if (json)
-    std::printf("%s\n", report.dump(2).c_str());
+    // A file name may have bytes that are not UTF-8; JSON gets U+FFFD for them.
+    std::printf("%s\n", report.dump(2, ' ', false, Report::error_handler_t::replace).c_str());
   else
     print_lines(report, "");
 }

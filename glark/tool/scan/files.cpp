@@ -2,9 +2,24 @@
 // SPDX-License-Identifier: MIT
 #include "glark/tool/scan/files.h"
 
+#include <fmt/format.h>
+
+#include <filesystem>
+
 #include "glark/clients/geometry/formats.h"
 
 namespace glark::tool {
+namespace {
+
+// Returns the number of names (hard links) that a regular file has besides `file`; 0 if there is no such file.
+std::uintmax_t other_names(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return 0;
+  const std::uintmax_t names = std::filesystem::hard_link_count(file, error);
+  return error || names == 0 ? 0 : names - 1;
+}
+
+}  // namespace
 
 void describe_input(CLI::App& command, Files& files) {
   command
@@ -39,7 +54,10 @@ geometry::Geometry load(const std::string& file, const Files& files) {
 
 void store(const geometry::Geometry& geometry, const Files& files) {
   const Progress progress("writing " + files.output);
+  const std::uintmax_t others = other_names(files.output);
   geometry::write_file(files.output, geometry, {.text = files.text});
+  if (others > 0)
+    warn(fmt::format("{}: the file had {} other hard links; these keep the old contents", files.output, others));
 }
 
 Report contents_of(const geometry::Geometry& geometry) {

@@ -9,10 +9,12 @@
 #include <memory>
 #include <utility>
 
+#include "glark/clients/geometry/measure/left_out.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"
 #include "glark/tool/scan/rgb.h"
+#include "glark/tool/scan/validators.h"
 
 namespace glark::tool {
 namespace {
@@ -56,6 +58,33 @@ Report report_of(const reconstruct::Reconstructed& result) {
   return report;
 }
 
+// Throws if there are no triangles, so that an empty mesh replaces no file.
+void require_triangles(const reconstruct::Reconstructed& result, const std::string& file) {
+  if (!result.triangles.empty()) return;
+  throw geometry::Error(
+      file +
+      ": the mesh is empty, so nothing is written: no surface is found in the points. Two layers nearer than a few "
+      "distances of points cancel each other; find thinner parts by a smaller --node-samples. A point far away from "
+      "all others makes the box too large; remove such points");
+}
+
+// Warns about parts and points that the mesh does not have. Returns the number of points.
+std::size_t warn_of_left_out(const geometry::Geometry& points, const geometry::Geometry& mesh, const Report& numbers,
+                             const std::string& file, float least_part) {
+  const auto parts = numbers["parts_left_out"].get<std::uint32_t>();
+  if (parts > 0)
+    warn(fmt::format("{}: {} parts with less than {:.3g} % of the area are left out; --least-part 0 keeps them", file,
+                     parts, 100 * least_part));
+  const auto distance = numbers["node_side"].get<double>();  // noise that the mesh smooths is at most a tenth of it
+  const std::size_t count = points_left_out(points, mesh, distance);
+  if (count > 0)
+    warn(
+        fmt::format("{}: {} of {} points are left out, which are more than {:.3g} from the mesh; --measure shows how "
+                    "far, a smaller --node-samples or --least-part keeps more",
+                    file, count, points.point_count(), distance));
+  return count;
+}
+
 geometry::Geometry mesh_of(reconstruct::Reconstructed result, const std::array<double, 3>& origin) {
   geometry::Geometry mesh;
   mesh.origin = origin;
@@ -72,12 +101,10 @@ void run(const Reconstruct& command) {
   warn_of_alpha(points.colours, command.files.input);
   Seconds seconds;
   reconstruct::Reconstructed result = reconstruct(points, command, seconds);
-  if (result.triangles.empty())
-    warn(command.files.input +
-         ": the mesh is empty, for its points are on no surface. A point far away from all others makes the box too "
-         "large; remove such points");
-  const Report numbers = report_of(result);
+  require_triangles(result, command.files.input);
+  Report numbers = report_of(result);
   const geometry::Geometry mesh = mesh_of(std::move(result), points.origin);
+  numbers["points_left_out"] = warn_of_left_out(points, mesh, numbers, command.files.input, command.options.least_part);
   store(mesh, command.files);
   Report report;
   report["input"] = contents_of(points);
@@ -105,13 +132,13 @@ void add_reconstruct(CLI::App& app) {
   command
       ->add_option("--threshold", options.threshold,
                    "Finer detail is noise, as a part of the bounding box's diagonal; default 0: the noise is measured")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(between(0.0, 1.0));
   command
       ->add_option(
           "--error", options.error,
           "Refine until the mesh is this near to the points, as a part of the diagonal; default: until it is as "
           "dense as the points")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(between(0.0, 1.0));
   command->add_option("--levels", options.levels, "Most levels of refinement, 0 to 6; default 2")
       ->check(CLI::Range(0, 6));
   command
@@ -119,11 +146,11 @@ void add_reconstruct(CLI::App& app) {
                    fmt::format("Points of the smallest nodes, 2 to 1000: fewer find thinner parts, more close larger "
                                "gaps; default {}",
                                options.node_samples))
-      ->check(CLI::Range(2.0, 1000.0));
+      ->check(between(2.0, 1000.0));
   command
       ->add_option("--least-part", options.least_part,
                    "Leave out parts with less than this share of the area, 0 to 1; default 0.01")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(between(0.0, 1.0));
   command
       ->add_option("--gap-edges", options.gap_edges,
                    "Close holes with at most so many edges of the coarse mesh, 0 to 1000; default 16")

@@ -62,21 +62,41 @@ void warn_of_losses(const geometry::Geometry& geometry, const std::string& file)
   warn_of_alpha(geometry.colours, file);
 }
 
+// Returns whether the input has no more triangles, or points without triangles, than the target allows.
+bool is_within_target(const geometry::Geometry& geometry, std::size_t target) {
+  return target > 0 && target >= (geometry.triangles.empty() ? geometry.point_count() : geometry.triangle_count());
+}
+
+// Throws if nothing is left, so that an empty mesh replaces no file.
+void require_contents(const geometry::Geometry& coarse, const geometry::Geometry& geometry, const Simplify& command) {
+  const bool lost_triangles = coarse.triangles.empty() && !geometry.triangles.empty();
+  if (coarse.point_count() > 0 && !lost_triangles) return;
+  throw geometry::Error(
+      command.files.input +
+      ": all its triangles are so flat or small that they vanish, and the result is empty; nothing is written; " +
+      (command.options.target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error"));
+}
+
+geometry::Geometry coarse_of(const geometry::Geometry& geometry, const Simplify& command, double& seconds) {
+  if (is_within_target(geometry, command.options.target)) {
+    warn(fmt::format("{}: it has no more {} than --target allows; the result is the whole input", command.files.input,
+                     geometry.triangles.empty() ? "points" : "triangles"));
+    return geometry;
+  }
+  warn_of_losses(geometry, command.files.input);
+  Progress progress("simplifying");
+  progress.show(-1);
+  geometry::Geometry coarse = simplified(geometry, command.options);
+  seconds = progress.seconds();
+  return coarse;
+}
+
 void simplify(const Simplify& command) {
   check_output(command.files);
   const geometry::Geometry geometry = load(command.files.input, command.files);
-  warn_of_losses(geometry, command.files.input);
-  geometry::Geometry coarse;
   double seconds = 0;
-  {
-    Progress progress("simplifying");
-    progress.show(-1);
-    coarse = simplified(geometry, command.options);
-    seconds = progress.seconds();
-  }
-  if (coarse.point_count() == 0)
-    warn(command.files.input + ": all its triangles are so flat or small that they vanish, and the result is empty; " +
-         (command.options.target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error"));
+  const geometry::Geometry coarse = coarse_of(geometry, command, seconds);
+  require_contents(coarse, geometry, command);
   store(coarse, command.files);
   Report report;
   report["input"] = contents_of(geometry);
@@ -103,8 +123,9 @@ void add_simplify(CLI::App& app) {
   describe_measure(*command, simplification->reference);
   CLI::Option* target = command
                             ->add_option("--target", options.target,
-                                         "The most triangles of the result, or points if there are no triangles")
-                            ->check(above_zero());
+                                         "The most triangles of the result, or points if there are no triangles. The "
+                                         "result is the whole input if this has no more")
+                            ->transform(whole_above_zero());
   command
       ->add_option("--error", options.threshold,
                    "Without a target: the error of a cluster, for l2 and qef relative to the bounding box's diagonal; "

@@ -12,6 +12,7 @@
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"
+#include "glark/tool/scan/validators.h"
 
 namespace glark::tool {
 namespace {
@@ -59,7 +60,9 @@ void strip(const Strip& command) {
     if (node.left == surfel::none && node.count > 0)
       add_strip(geometry, strips->indices().subspan(node.first, node.count));
   if (geometry.strips.empty())
-    warn(command.files.input + ": its points have no neighbours on a surface; there are no strips");
+    throw geometry::Error(command.files.input +
+                          ": its points have no neighbours on a surface, so there are no strips and nothing is "
+                          "written; allow longer edges by --reach, or show the points by glark view --mode splat");
   store(geometry, command.files);
   const surfel::Counts counts = strips->counts(level);
   Report report;
@@ -96,12 +99,12 @@ void add_strip(CLI::App& app) {
   command
       ->add_option("--reach", stripping->options.reach,
                    "Longest edge, in distances of neighbouring points, 1 to 100; default 5")
-      ->check(CLI::Range(1.0, 100.0));
+      ->check(between(1.0, 100.0));
   command
       ->add_option("--inflation", stripping->options.inflation,
                    fmt::format("Overlap of strips before they are cut, in distances of points, 0.5 to 8; default {}",
                                stripping->options.inflation))
-      ->check(CLI::Range(0.5, 8.0));
+      ->check(between(0.5, 8.0));
   command
       ->add_option("--level", stripping->level,
                    "Level of detail, 0 to 15; each has a quarter of the points of the one before; default 0")

@@ -4,8 +4,12 @@
 // Checks of options with readable messages; those of CLI11 show its own notation.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +23,30 @@ inline CLI::Validator above_zero() {
             return good ? "" : "\"" + text + "\" is not a number above 0";
           },
           ""};
+}
+
+// Accepts whole numbers above 0 in decimal digits. A number beyond 64 bits becomes the greatest one of 64 bits.
+inline CLI::Validator whole_above_zero() {
+  return {[](std::string& text) -> std::string {
+            const std::size_t first = text.find_first_not_of('0');
+            if (first == std::string::npos || text.find_first_not_of("0123456789") != std::string::npos)
+              return "\"" + text + "\" is not a whole number above 0";
+            text.erase(0, first);  // a zero in front would mean an octal number
+            const std::string greatest = std::to_string(std::numeric_limits<std::uint64_t>::max());
+            if (text.size() > greatest.size() || (text.size() == greatest.size() && text > greatest)) text = greatest;
+            return {};
+          },
+          ""};
+}
+
+// Accepts numbers from `low` to `high`, and rejects NaN, unlike CLI::Range.
+inline CLI::Validator between(double low, double high) {
+  return {[low, high](std::string& text) -> std::string {
+            double value = 0;
+            const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+            return good ? "" : fmt::format("\"{}\" is not a number from {} to {}", text, low, high);
+          },
+          fmt::format("from {} to {}", low, high)};
 }
 
 // Accepts the given words, and turns a word into its value.

@@ -45,17 +45,15 @@ void describe(CLI::App& command, View& view) {
       ->check(CLI::Range(1, largest_side));
   command.add_option("--height", options.height, "Height of the picture in pixels; default 768")
       ->check(CLI::Range(1, largest_side));
-  command.add_option("--yaw", options.yaw, "Degrees about the upright axis; default 30")
-      ->check(CLI::Range(-360.0, 360.0));
+  command.add_option("--yaw", options.yaw, "Degrees about the upright axis; default 30")->check(between(-360.0, 360.0));
   command.add_option("--pitch", options.pitch, "Degrees above the horizon, -90 to 90; default 20, or 40 for terrain")
-      ->check(CLI::Range(-90.0, 90.0));
+      ->check(between(-90.0, 90.0));
   command
       .add_option("--up", options.z_is_up,
                   "The upright axis, y or z; default: z for terrain, which is flat in z, otherwise y")
       ->transform(one_of<bool>({{"y", false}, {"z", true}}))
       ->type_name("AXIS");
-  command.add_option("--zoom", options.zoom, "Zoom; default 1, which shows everything")
-      ->check(CLI::Range(0.01, 1000.0));
+  command.add_option("--zoom", options.zoom, "Zoom; default 1, which shows everything")->check(between(0.01, 1000.0));
   command.add_option("--level", options.level, "Level of refinement, 0 to 4; default 2")->check(CLI::Range(0, 4));
   command.add_flag("!--no-cull", options.cull, "Also draw strips that are out of view or face away");
 }

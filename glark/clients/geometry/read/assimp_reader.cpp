@@ -7,9 +7,12 @@
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 
 #include "glark/clients/geometry/measure/topology.h"
 #include "glark/clients/geometry/read/point_builder.h"
@@ -33,14 +36,26 @@ std::vector<char> whole(Input& input) {
   return bytes;
 }
 
+// Returns whether something follows the line of the last "endsolid" of a text.
+bool has_more_than_solids(std::string_view text) {
+  constexpr std::string_view end = "endsolid";
+  const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+  const auto last = std::find_end(text.begin(), text.end(), end.begin(), end.end(), same);
+  const auto line_end = std::find(last, text.end(), '\n');
+  return std::any_of(line_end, text.end(), [](unsigned char letter) { return std::isspace(letter) == 0; });
+}
+
 // Some binary STL files begin with "solid", as text files do; the size of the file tells. Assimp reads beyond the end
-// if the count is wrong.
-void check_stl(const std::string& name, const std::vector<char>& bytes) {
+// if the count is wrong, and rejects bytes that follow the triangles: they are removed here. Returns a warning about
+// what is ignored, or an empty text.
+std::string check_stl(const std::string& name, std::vector<char>& bytes) {
   std::uint32_t count = 0;
   if (bytes.size() >= stl_header) std::memcpy(&count, bytes.data() + stl_header - sizeof(count), sizeof(count));
   const bool says_text = bytes.size() >= 5 && std::memcmp(bytes.data(), "solid", 5) == 0;
   const bool has_zero = std::memchr(bytes.data(), 0, bytes.size()) != nullptr;
-  if (says_text && !has_zero) return;
+  if (says_text && !has_zero)
+    return has_more_than_solids({bytes.data(), bytes.size()}) ? "something follows the last endsolid; it is ignored"
+                                                              : "";
   if (bytes.size() < stl_header)
     throw Error(name + ": is not an STL file: it is too short for the header; check the format");
   if (stl_header + std::uint64_t{stl_triangle} * count > bytes.size())
@@ -48,6 +63,11 @@ void check_stl(const std::string& name, const std::vector<char>& bytes) {
         fmt::format("{}: STL header: it announces {} triangles, the file has room for {}; it is cut off or its header "
                     "wrong, get it again",
                     name, count, (bytes.size() - stl_header) / stl_triangle));
+  const std::size_t used = stl_header + stl_triangle * std::size_t{count};
+  const std::size_t more = bytes.size() - used;
+  bytes.resize(used);
+  if (more == 0) return {};
+  return fmt::format("{} bytes follow the {} triangles that the STL header announces; they are ignored", more, count);
 }
 
 class Scene {
@@ -108,8 +128,9 @@ class Scene {
 }  // namespace
 
 Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options) {
-  const std::vector<char> bytes = whole(input);
-  if (format == MeshFormat::stl) check_stl(input.name(), bytes);
+  std::vector<char> bytes = whole(input);
+  std::string ignored;
+  if (format == MeshFormat::stl) ignored = check_stl(input.name(), bytes);
   Assimp::Importer importer;
   const aiScene* scene =
       importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format == MeshFormat::stl ? "stl" : "obj");
@@ -119,6 +140,7 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   // Assimp could join vertices too, but it takes vertices that are not finite as equal to any other.
   Reading reading = Scene(input.name(), *scene, options).gather();
   importer.FreeScene();
+  if (!ignored.empty()) reading.warnings.push_back(ignored);
   if (format == MeshFormat::stl)
     reading.geometry.normals = {};  // these are the faces' normals, with which no two triangles would share a vertex
   if (!reading.geometry.triangles.empty()) join_identical_points(reading.geometry);

@@ -219,7 +219,7 @@ class Body {
   }
 
   std::int64_t corner_of(double value) const {
-    if (!(value >= -1 && value <= 4294967295.0))
+    if (!(value >= -1 && value <= 4294967295.0) || value != std::floor(value))
       values_.fail("a corner is not an index; the file is damaged, get it again");
     return static_cast<std::int64_t>(value);
   }

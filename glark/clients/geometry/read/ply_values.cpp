@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -90,6 +91,9 @@ void Values::record(std::span<double> values) {
 
 void Values::list(const Property& property, std::vector<double>& values) {
   const double count = number(*property.count_type);
+  if (count != std::floor(count))
+    fail(fmt::format("the list {} has {} entries, which is not a whole number; the file is damaged, get it again",
+                     property.name, count));
   if (!(count >= 0 && count <= longest_list))
     fail(fmt::format(
         "the list {} has {} entries, which no polygon has (the limit is {}); the file is damaged, get it again",

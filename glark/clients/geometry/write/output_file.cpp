@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -26,6 +27,16 @@ fs::path resolved(const fs::path& file) {
   return error ? fs::absolute(file) : real;
 }
 
+// Gives the new file the owner and the mode of the file that it replaces. Only root may give files away; without the
+// owner, the bits that run a program as its owner or group are dropped.
+void take_over(int descriptor, const struct stat& replaced) {
+  bool same_owner = fchown(descriptor, replaced.st_uid, replaced.st_gid) == 0;
+  if (!same_owner && fchown(descriptor, static_cast<uid_t>(-1), replaced.st_gid) == 0)
+    same_owner = replaced.st_uid == geteuid();
+  const mode_t kept = same_owner ? 07777 : 0777;
+  [[maybe_unused]] const int ignored = fchmod(descriptor, replaced.st_mode & kept);  // some file systems have no modes
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
@@ -44,6 +55,8 @@ OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
     }
   }
   if (descriptor_ < 0) fail("cannot be written");
+  struct stat replaced {};
+  if (!direct_ && stat(file_.c_str(), &replaced) == 0) take_over(descriptor_, replaced);
   buffer_.reserve(block_size);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Writes a file atomically: it is written under another name, then renamed.
+// Writes a file atomically: it is written under another name, then renamed. It keeps the mode of a file that it
+// replaces, and the owner and group where the system permits it. Other hard links keep the old contents.
 #pragma once
 
 #include <filesystem>

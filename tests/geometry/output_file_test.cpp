@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// An output file takes the mode and the owner of the file that it replaces.
+#include <sys/stat.h>
+
+#include "tests/geometry/temporary_file.h"
+
+namespace glark::geometry {
+namespace {
+
+using OutputFiles = TemporaryFolder;
+
+struct stat status_of(const std::filesystem::path& file) {
+  struct stat status {};
+  EXPECT_EQ(0, stat(file.c_str(), &status));
+  return status;
+}
+
+TEST_F(OutputFiles, KeepTheModeOfTheFileThatTheyReplace) {
+  const Geometry geometry = random_geometry(1, {});
+  for (const mode_t mode : {0600U, 0640U, 0444U, 0755U, 0666U}) {
+    const std::filesystem::path file = made("a.ply", "old");
+    ASSERT_EQ(0, chmod(file.c_str(), mode));
+    write_file(file, geometry);
+    EXPECT_EQ(mode, status_of(file).st_mode & 07777U);
+    EXPECT_GT(std::filesystem::file_size(file), 3U);
+    std::filesystem::remove(file);
+  }
+}
+
+TEST_F(OutputFiles, NewOnesHaveTheModeOfTheUmask) {
+  const mode_t before = umask(027);
+  write_file(path("a.ply"), random_geometry(1, {}));
+  umask(before);
+  EXPECT_EQ(0640U, status_of(path("a.ply")).st_mode & 07777U);
+}
+
+TEST_F(OutputFiles, KeepTheOwnerWhereThisIsPermitted) {
+  const std::filesystem::path file = made("a.ply", "old");
+  if (chown(file.c_str(), 12345, 12346) != 0) GTEST_SKIP() << "only root may give files away";
+  ASSERT_EQ(0, chmod(file.c_str(), 0640));
+  write_file(file, random_geometry(1, {}));
+  EXPECT_EQ(12345U, status_of(file).st_uid);
+  EXPECT_EQ(12346U, status_of(file).st_gid);
+  EXPECT_EQ(0640U, status_of(file).st_mode & 07777U);
+}
+
+TEST_F(OutputFiles, ALinkStaysALink) {
+  const std::filesystem::path file = made("a.ply", "old");
+  ASSERT_EQ(0, chmod(file.c_str(), 0640));
+  std::filesystem::create_symlink("a.ply", path("link.ply"));
+  write_file(path("link.ply"), random_geometry(1, {}));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link.ply")));
+  EXPECT_EQ(0640U, status_of(file).st_mode & 07777U);
+}
+
+}  // namespace
+}  // namespace glark::geometry
