@@ -283,7 +283,7 @@ class Commands(unittest.TestCase):
         result = self.glark("reconstruct", "two.xyz", "-o", "a.ply", "--json")
         report = json.loads(result.stdout)
         self.assertEqual(1, report["parts_left_out"])
-        self.assertIn("1 parts with less than 1 % of the area are left out; --least-part 0 keeps them", result.stderr)
+        self.assertIn("parts with less than 1 % of the area are left out: 1; --least-part 0 keeps them", result.stderr)
         self.assertEqual(762, report["points_left_out"])
         self.assertIn(f"762 of {len(rows)} points are left out", result.stderr)
         self.assertNotIn("left out", self.glark("reconstruct", "two.xyz", "-o", "a.ply", "--least-part", "0").stderr)
@@ -297,7 +297,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(0o640, output.stat().st_mode & 0o7777)
         os.link(output, self.path / "b.ply")
         old = output.read_bytes()
-        self.assertIn("1 other hard links", self.glark("simplify", self.sphere, "-o", output, "--target", "999").stderr)
+        self.assertIn("other hard links to the old file keep the old contents: 1", self.glark("simplify", self.sphere, "-o", output, "--target", "999").stderr)
         self.assertEqual(old, (self.path / "b.ply").read_bytes())
         self.assertNotEqual(old, output.read_bytes())
 

@@ -57,7 +57,7 @@ void store(const geometry::Geometry& geometry, const Files& files) {
   const std::uintmax_t others = other_names(files.output);
   geometry::write_file(files.output, geometry, {.text = files.text});
   if (others > 0)
-    warn(fmt::format("{}: the file had {} other hard links; these keep the old contents", files.output, others));
+    warn(fmt::format("{}: other hard links to the old file keep the old contents: {}", files.output, others));
 }
 
 Report contents_of(const geometry::Geometry& geometry) {

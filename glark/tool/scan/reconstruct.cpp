@@ -73,8 +73,8 @@ std::size_t warn_of_left_out(const geometry::Geometry& points, const geometry::G
                              const std::string& file, float least_part) {
   const auto parts = numbers["parts_left_out"].get<std::uint32_t>();
   if (parts > 0)
-    warn(fmt::format("{}: {} parts with less than {:.3g} % of the area are left out; --least-part 0 keeps them", file,
-                     parts, 100 * least_part));
+    warn(fmt::format("{}: parts with less than {:.3g} % of the area are left out: {}; --least-part 0 keeps them", file,
+                     100 * least_part, parts));
   const auto distance = numbers["node_side"].get<double>();  // noise that the mesh smooths is at most a tenth of it
   const std::size_t count = points_left_out(points, mesh, distance);
   if (count > 0)
