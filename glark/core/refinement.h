@@ -57,7 +57,8 @@ struct RefinementTraits {
 };
 
 // To add a refinement: the token in glark.xml and GL/glark.h, an enumerator and a row here, and, if it curves positions,
-// refine/epilogue/WORD.glsl (pn.glsl says what it must define) in the list of refine/CMakeLists.txt.
+// refine/epilogue/WORD.glsl (pn.glsl says what it must define) in the list of refine/CMakeLists.txt. Outside the library: the
+// extension's text, docs/reference/api.md, and the reference and cases of the conformance suite.
 inline constexpr std::array refinements{
     // Boubekeur 2007, ch. 7.2.4
     RefinementTraits{.refinement = Refinement::linear_inputs,
