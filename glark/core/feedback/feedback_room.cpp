@@ -63,7 +63,7 @@ GLuint FeedbackRoom::capturing_program() const {
   return program;
 }
 
-// Streams of a geometry shader go to buffers of their own: the one with most room bounds them all.
+// Streams of a geometry shader go to separate buffers: the buffer with the most room bounds them all.
 void FeedbackRoom::note() {
   const Quiet quiet = env_.state.quiet();
   ErrorScope errors(env_.errors);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The cache of captures and sorted instances of draws that do not change. A draw is kept when it is seen for the second time, so that
-// streams of new geometry cost almost nothing. The entry that was not used for longest is dropped first.
+// The cache of captures and sorted instances of draws that do not change. A draw is kept when it is seen for the second
+// time, so that streams of new geometry cost almost nothing. The entry that was not used for longest is dropped first.
 #pragma once
 
 #include <cstdint>

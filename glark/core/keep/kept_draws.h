@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Keeps captures and sorted instances for draws that repeat: the same call on the same arrays of buffers that were not written since, or
-// the same segment of a display list with the same inherited values.
+// Keeps captures and sorted instances for draws that repeat: the same call on the same arrays of buffers that were not
+// written since, or the same segment of a display list with the same inherited values.
 #pragma once
 
 #include <cstdint>

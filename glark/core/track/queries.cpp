@@ -27,7 +27,7 @@ bool counts_primitives(GLenum target) {
   }
 }
 
-// Where the query that counts triangles of stream 0 is noted; null for other targets.
+// Returns the place of the query that counts triangles of stream 0; null for other targets.
 GLuint* triangle_query(Context& c, GLenum target, GLuint index) {
   if (index != 0) {
     return nullptr;

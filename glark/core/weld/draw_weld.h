@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Welds the triangles of one draw: tags as soon as they are captured, edges when the triangles are those that will be drawn.
+// Welds the triangles of one draw: tags after the capture, edges when the triangles to draw are known.
 #pragma once
 
 #include "glark/core/state/environment.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The buffer object that is bound to each target: glBufferSubData and the like write to it. GL_ELEMENT_ARRAY_BUFFER
-// belongs to the vertex array (vertex_arrays.h).
+// The buffer object that is bound to each target: functions such as glBufferSubData write to it.
+// GL_ELEMENT_ARRAY_BUFFER belongs to the vertex array (vertex_arrays.h).
 #pragma once
 
 #include <array>
