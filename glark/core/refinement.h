@@ -56,8 +56,9 @@ struct RefinementTraits {
   ShapeNumber number = {};
 };
 
-// To add a refinement: the token in glark.xml and GL/glark.h, an enumerator and a row here, and, if it curves
-// positions, refine/epilogue/WORD.glsl (pn.glsl says what it must define) in the list of refine/CMakeLists.txt.
+// To add a refinement: add a token to glark.xml and GL/glark.h, and an enumerator and a row here. If it curves
+// positions, add refine/epilogue/WORD.glsl to the list of refine/CMakeLists.txt; pn.glsl says what this file must
+// define.
 inline constexpr std::array refinements{
     // Boubekeur 2007, ch. 7.2.4
     RefinementTraits{.refinement = Refinement::linear_inputs,

@@ -36,7 +36,7 @@ class Stages {
   void frame_finished();
   // Deletes all GL objects; only while the context is current.
   void release();
-  // Returns the names of the buffers that hold kept draws; the caller deletes them. Nothing is kept any more.
+  // Returns the names of the buffers that hold kept draws; the caller has them deleted. Nothing is kept any more.
   std::vector<GLuint> take_kept_buffers() { return kept_.take_buffers(); }
 
  private:

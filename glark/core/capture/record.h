@@ -25,13 +25,13 @@ struct Field {
   int words = 0;            // words of the whole input: array_size * columns * rows
 };
 
-// Words that welding writes to a corner: the control points of its edges, 3 b210 (vec3) towards the next corner, then
-// towards the one before.
+// The words that welding writes to a corner: the control points of its edges, 3 b210 (vec3) towards the next corner,
+// then towards the one before.
 inline constexpr int control_words = 6;
 
-// Words that welding writes to a corner for displacement on the border of a triangle: the normal (vec3) and the texture
-// coordinate (vec2) of the position, then the texture coordinates (two vec2) of both ends of the edge to the next
-// corner.
+// The words that welding writes to a corner for displacement on the border of a triangle. The normal (vec3) and the
+// texture coordinate (vec2) of the position come first. Then come the texture coordinates (two vec2) at both ends of
+// the edge to the next corner.
 inline constexpr int border_words = 9;
 
 // The words that welding adds to a corner, besides a depth tag that is there already.

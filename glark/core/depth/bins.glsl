@@ -38,7 +38,7 @@ uniform int count_on_gpu;
 uniform int pool_level;
 uniform int interior;  // pattern::Interior
 uniform int tags_are_edge_depths;  // corner k holds the depth of edge k
-uniform int packed_bits;           // > 0: one word per triangle, so many bits per edge, edge 0 lowest
+uniform int packed_bits;           // > 0: records has a word per triangle, this many bits per edge, edge 0 lowest
 uniform int instance_capacity;
 
 #if GLARK_PASS == 1

@@ -50,7 +50,7 @@ std::uint64_t bytes_bound(const gl::Dispatch& gl, GLuint index) {
 
 }  // namespace
 
-// The program of the last stage before the fragments; 0: there is none.
+// The program of the last stage before the fragments; 0 without such a stage.
 GLuint FeedbackRoom::capturing_program() const {
   const Bindings& b = env_.bindings();
   GLuint program = b.program;

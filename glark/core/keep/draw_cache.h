@@ -49,7 +49,7 @@ class DrawCache {
   // Drops entries that no draw of the last frames used.
   void frame_finished(const gl::Dispatch& gl);
   void release(const gl::Dispatch& gl);
-  // Forgets all entries, and returns the names of their buffers for whoever deletes them later.
+  // Forgets all entries, and returns the names of their buffers, for deletion by the caller or another context.
   std::vector<GLuint> take_buffers();
 
  private:

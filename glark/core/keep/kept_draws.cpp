@@ -91,8 +91,8 @@ void KeptDraws::add_welded_words(const capture::Layout& layout) {
   key_.add(static_cast<std::uint32_t>(layout.coordinate_offset));
 }
 
-// The key holds everything that decides what is captured and, where instances are kept, how they are sorted. False:
-// nothing of this draw can be kept.
+// The key holds everything that determines the capture and, if instances are kept, their order. False: nothing of this
+// draw can be kept.
 bool KeptDraws::make_key(const DrawCall& call, const KeyFacts& facts) {
   if ((!call.exact || call.arrays == nullptr) && call.segment == nullptr) {
     return false;

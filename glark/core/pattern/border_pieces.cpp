@@ -43,8 +43,8 @@ class BorderBlock {
 
   const Chain& inner_row(int m) const { return inner_rows_[static_cast<std::size_t>(m - shallowest_interior)]; }
 
-  // A row of 2^g segments between edge 0 and the inner row of interior(m), from corner to corner: it rises at about 15
-  // degrees, half of the angle between edge 0 and the cut in the corner, to 3/8 of the height of the ring.
+  // A row of 2^g segments between edge 0 and the inner row of interior(m), from corner to corner. It rises to 3/8 of
+  // the height of the ring, at about 15 degrees: half of the angle between edge 0 and the cut in the corner.
   Chain append_middle_row(int m, int g) {
     int step = lattice_one >> g;
     int ceiling = (lattice_one >> m) / 8 * 3;

@@ -27,8 +27,7 @@ inline bool is_polygon_mode(GLenum mode) { return mode == GL_QUADS || mode == GL
 constexpr GLsizei probe_vertices(GLenum mode) { return mode == GL_QUADS ? 8 : mode == GL_QUAD_STRIP ? 6 : 5; }
 
 // `numbers`: the numbers (0, 1, ...) of the probe's vertices in the order in which transform feedback captured them.
-// Empty if GL does not cut each quad along a diagonal, always in the same way, or a polygon into a fan about its first
-// vertex.
+// Empty unless GL cuts all quads along a diagonal in the same way, and a polygon into a fan about its first vertex.
 std::optional<Decomposition> decomposition_of(GLenum mode, std::span<const float> numbers);
 
 }  // namespace glark::polygons

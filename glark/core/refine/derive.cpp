@@ -289,8 +289,7 @@ class Deriver {
     for (const std::string& name : mentioned) {
       const BuiltInInput* const input = built_in_input(name);
       if (input == nullptr || is_declared(units_[u].interface, name)) continue;
-      // A built-in that the record does not hold is constant for the draw, or its value does not matter: any number
-      // will do.
+      // The record lacks built-ins that are constant for the draw, or whose value does not matter. Any number will do.
       const bool captured = std::any_of(plan_.inputs.begin(), plan_.inputs.end(), [&](const InputVariable& variable) {
         return variable.field.name == input->field;
       });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of queries. The results of those that count primitives must not include our captures.
+// Hooks of queries. Queries that count primitives must not count our captures.
 #include <algorithm>
 
 #include "glark/core/track/track.h"

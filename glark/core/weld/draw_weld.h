@@ -10,8 +10,8 @@
 namespace glark::weld {
 
 struct WeldPlan {
-  bool on = false;           // edges, if the layout has room for them, and tags, if it has any
-  bool edges_later = false;  // edges are those of the triangles that polygons are split into
+  bool on = false;           // welds edges if the layout has room for them, and tags if it has any
+  bool edges_later = false;  // welds the edges of the triangles that polygons are split into
 };
 
 class DrawWeld {

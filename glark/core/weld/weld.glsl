@@ -112,7 +112,7 @@ int end_of_side(uint side, bool high) {
 }
 
 // The tangent plane of the normal. Of the two opposite directions, it is the one whose first nonzero component is
-// positive. Zero if the normal is not finite.
+// positive. Zero if the normal is zero or not finite.
 uvec4 plane_of(int corner) {
   uvec3 words = uvec3(word_of(corner, normal_offset), word_of(corner, normal_offset + 1), word_of(corner, normal_offset + 2));
   if (any(greaterThanEqual(words & 0x7fffffffu, uvec3(0x7f800000u)))) {

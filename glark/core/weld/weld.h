@@ -38,7 +38,7 @@ class WeldStage {
  public:
   WeldStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
 
-  // Returns whether the tables for so many triangles fit into a storage block.
+  // Returns whether the tables for `triangles` triangles fit into a storage block.
   bool can_hold(const capture::Layout& layout, std::uint64_t triangles);
   bool has_room(const capture::Layout& layout, std::uint32_t triangles) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.

@@ -76,7 +76,7 @@ class BoundBuffers {
   std::vector<std::uint64_t> confirmed_;  // by name: the generation that GL confirmed
 };
 
-// The name to query what is bound to a target; 0 for targets that OpenGL does not have.
+// The name that queries the binding of a target; 0 for targets that OpenGL does not have.
 constexpr GLenum binding_of(GLenum target) {
   switch (target) {
     case GL_ARRAY_BUFFER: return GL_ARRAY_BUFFER_BINDING;

@@ -48,7 +48,7 @@ class Programs {
   void linked(GLuint name, std::vector<StageSource> stages);
   void deleted(GLuint name);
 
-  // The program in use. Null: there is none, or it is not known to us.
+  // The program in use. Null: no program is in use, or glark does not know it.
   const std::shared_ptr<Program>& current() const { return current_; }
   void use(std::shared_ptr<Program> program) { current_ = std::move(program); }
   // GL reports that this program is in use.
