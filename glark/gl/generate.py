@@ -279,7 +279,7 @@ def wrapper_body(command, kind):
 
 
 def components(command):
-    """Of the vertex that the call gives; 0 where its name does not say."""
+    """The number of components of the vertex that the call gives; 0 if its name does not say."""
     digits = re.search(r"\d", command.name)
     return int(digits.group()) if digits else 0
 
