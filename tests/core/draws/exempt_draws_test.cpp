@@ -145,7 +145,7 @@ TEST_F(ExemptDraws, PassesThatMeetByDepthAreRefined) {
     EXPECT_EQ(draw(8), "refined");
     EXPECT_EQ(draw(2), "refined");
   }
-  test_depth(GL_ALWAYS, true);  // what is written is met later
+  test_depth(GL_ALWAYS, true);  // later draws meet the written depth
   EXPECT_EQ(draw(2), "refined");
 }
 
