@@ -31,7 +31,8 @@ struct ArkState {
   bool geomorph = false;
   bool weld = false;
   bool tag_array = false;
-  // While a display list is compiled, glARKinit may lower the current tag to this value. It is set at the end of the list and not compiled.
+  // While a display list is compiled, glARKinit may lower the current tag to this value. The tag is set at the end of
+  // the list and is not compiled.
   std::optional<GLuint> lowered_tag;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The refinements, and the choices a user makes about them. The settings, the API, the derivation of programs and the statistics
-// read the same rows.
+// The refinements, and the choices a user makes about them. The settings, the API, the derivation of programs and the
+// statistics read the same rows.
 #pragma once
 
 #include <array>
@@ -52,13 +52,13 @@ struct RefinementTraits {
   bool curves_positions = false;      // needs positions and normals; welded edges have control points in the record
   bool curves_normals = false;        // otherwise normals are linear
   bool takes_tags = false;            // of vertices: discontinuity and scalar tags
-  std::optional<Refinement> displaced_as = std::nullopt;  // evaluates the same surface where it is displaced
+  std::optional<Refinement> displaced_as = std::nullopt;  // evaluates the same surface with displacement
   ShapeNumber number = {};
 };
 
-// To add a refinement: the token in glark.xml and GL/glark.h, an enumerator and a row here, and, if it curves positions,
-// refine/epilogue/WORD.glsl (pn.glsl says what it must define) in the list of refine/CMakeLists.txt. Outside the library: the
-// extension's text, docs/reference/api.md, and the reference and cases of the conformance suite.
+// To add a refinement: add a token to glark.xml and GL/glark.h, and an enumerator and a row here. If it curves
+// positions, add refine/epilogue/WORD.glsl to the list of refine/CMakeLists.txt; pn.glsl says what this file must
+// define. Outside the library, add it to the extension's text, docs/reference/api.md, and the conformance suite.
 inline constexpr std::array refinements{
     // Boubekeur 2007, ch. 7.2.4
     RefinementTraits{.refinement = Refinement::linear_inputs,
@@ -147,7 +147,8 @@ constexpr ShapeNumbers initial_shape_numbers() {
   return numbers;
 }
 
-// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. man glark explains the rules.
+// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. man glark explains the
+// rules.
 namespace left_draws {
 inline constexpr unsigned screen_quads = 1U << 0;  // depth neither read nor written, one or two triangles
 inline constexpr unsigned overlays = 1U << 1;      // depth neither read nor written, and blended
@@ -166,8 +167,8 @@ struct AttributeRoles {
   bool operator==(const AttributeRoles&) const = default;
 };
 
-// How edge depths are measured where the application gives no tags. 0 turns a measure off. With two measures, an edge takes the
-// lesser depth.
+// How edge depths are measured where the application gives no tags. 0 turns a measure off. With two measures, an edge
+// takes the lesser depth.
 struct EdgeMeasure {
   float pixels = 0;     // longest segment of an edge on the screen
   float degrees = 0;    // greatest angle between the normals at the ends of a segment
@@ -176,7 +177,7 @@ struct EdgeMeasure {
   bool operator==(const EdgeMeasure&) const = default;
 };
 
-// The scalar tags of chapter 8 where vertices carry none of their own.
+// The scalar tags of chapter 8, for vertices that carry none.
 struct ScalarTags {
   float sharpness = 0;  // 0 or more
   float tension = 0;    // -1 to 1
@@ -194,14 +195,14 @@ struct Displacement {
   bool on() const { return unit >= 0; }
 };
 
-// What the host of the core wants from a context. Set once, when the context is created.
+// The host's options for a context. Set once, when the context is created.
 struct ContextOptions {
   bool transparent = false;  // refine a program that does not know of the extension
   unsigned level = 2;        // uniform level of transparent refinement
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
   ShapeNumbers shape_numbers = initial_shape_numbers();
-  bool weld = true;          // curved triangles by position, where the program has split its vertices
+  bool weld = true;          // weld curved triangles by position, if the program has split its vertices
   EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
   bool geomorph = false;     // refined vertices move between the levels of measured depths
   bool centroids = false;    // quads and polygons become fans about their centroids
@@ -209,7 +210,7 @@ struct ContextOptions {
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources
   AttributeRoles roles = {};
-  bool read_counts = false;  // once a frame, reads back the numbers that only the GPU has counted, for the statistics
+  bool read_counts = false;  // once a frame, reads back the counts that only the GPU knows, for the statistics
 };
 
 }  // namespace glark::core

@@ -18,7 +18,7 @@ struct ProgramTable {
 };
 
 ProgramTable& program_table() {
-  static ProgramTable* const instance = new ProgramTable;  // never destroyed, as the statistics
+  static ProgramTable* const instance = new ProgramTable;  // never destroyed, like the statistics
   return *instance;
 }
 

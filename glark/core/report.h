@@ -20,27 +20,27 @@ using LogSink = void (*)(LogLevel level, std::string_view message);
 void set_log_sink(LogSink sink);
 void log(LogLevel level, std::string_view message);
 
-// Why a draw stays as the application asked. A function that decides returns std::optional<Cause>: none means that the draw may be
-// refined.
+// The reason why a draw stays unrefined. A function that decides returns std::optional<Cause>; an empty one means that
+// the draw may be refined.
 enum class Cause {
   not_triangles,        // points, lines, patches, adjacency
   level_zero,           // uniform level 0 with a built-in refinement: the original is the refined draw
   no_program,           // nothing bound that could be refined
   program_not_derived,  // the derived program could not be built
-  program_pipeline,     // one without a vertex program that glark knows
+  program_pipeline,     // a pipeline without a vertex program that glark knows
   program_gone,         // deleted, or not linked again
-  program_binary,       // or SPIR-V: no source to derive from
+  program_binary,       // a program binary or SPIR-V: there is no source to derive from
   assembly_program,     // ARB vertex program
   tessellation,         // the application has tessellation stages
   too_many_attributes,  // the coarse record does not fit
   primitive_id,         // a later stage counts the triangles
-  geometry_shader,      // makes triangles that do not follow from the corners
+  geometry_shader,      // a geometry shader whose triangles do not depend on the corners
   side_effects,         // vertex stage writes buffers, images or atomics
   transform_feedback,   // the application captures
   primitive_query,      // the application counts primitives
   polygon_mode,         // lines or points asked for
   render_mode,          // select or feedback
-  rasterizer_discard,   // nothing would be seen
+  rasterizer_discard,   // nothing would be visible
   indirect_unbounded,   // a count that only the GPU knows and that cannot be bounded
   invalid_draw,         // GL will raise an error
   out_of_memory,        // no room for the capture
@@ -54,7 +54,7 @@ enum class Cause {
 };
 inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::no_depth_writes) + 1;
 
-// `key` as in the statistics file; `remedy` completes the log line.
+// `key` names the cause in the statistics file; `remedy` completes the log line.
 struct CauseText {
   std::string_view key;
   std::string_view explanation;
@@ -77,7 +77,7 @@ struct Statistics {
 };
 Statistics& statistics();
 
-// Counts the draws of a context that stay as the application asked, and logs the first of each cause.
+// Counts the draws of a context that stay unrefined, and logs the first one of each cause.
 class PassedDraws {
  public:
   void count(Cause cause);
@@ -86,15 +86,15 @@ class PassedDraws {
   std::bitset<cause_count> logged_;
 };
 
-// Draws of the shader programs with the same sources, in all contexts.
+// Counts the draws of the shader programs with the same sources, in all contexts.
 struct ProgramCounters {
   std::atomic<std::uint64_t> draws_seen{0};
   std::atomic<std::uint64_t> draws_refined{0};
 };
-ProgramCounters& program_counters(std::uint64_t hash);  // stays where it is
+ProgramCounters& program_counters(std::uint64_t hash);  // the reference stays valid
 void for_each_program(const std::function<void(std::uint64_t hash, const ProgramCounters&)>& visit);
 
-// A shader of the application, or one derived from it, for those who want to look.
+// A shader of the application, or one derived from it, for the shader sink.
 struct ShownShader {
   std::uint64_t hash = 0;  // names the application's program
   unsigned program = 0;    // its name in GL; 0: fixed function

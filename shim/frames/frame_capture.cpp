@@ -98,7 +98,8 @@ class ReadState {
     }
   }
 
-  // A context without a surface has no default framebuffer; there the picture is the framebuffer that the program reads from.
+  // A context without a surface has no default framebuffer; there the picture is the framebuffer that the program reads
+  // from.
   void select_default_framebuffer(bool es) {
     if (separate_read_) {
       gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer_);

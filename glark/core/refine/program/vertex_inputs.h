@@ -9,8 +9,8 @@
 
 namespace glark::refine {
 
-// Fills program.fields, in an order that does not depend on the driver. If an input cannot be captured, sets program.cause and logs
-// the reason.
+// Fills program.fields, in an order that does not depend on the driver. If an input cannot be captured, sets
+// program.cause and logs the reason.
 void read_vertex_inputs(const gl::Dispatch& gl, const core::AttributeRoles& roles, core::Program& program);
 
 }  // namespace glark::refine
