@@ -24,7 +24,7 @@ static void scene_setup(void) {
   glNewList(lists, GL_COMPILE);
   scene_cube();
   glEndList();
-  // The arrays are read now; enabling them is not compiled but done.
+  // Compilation reads the arrays now. Commands that enable arrays are executed at once, not compiled.
   glNewList(lists + 1, GL_COMPILE);
   scene_sphere();
   glCallList(lists);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The functions that the scenes and the GLX clients call, for the clients that have to find each of them by its name.
+// The functions that the scenes and the GLX clients call, for clients that find every function by its name.
 #pragma once
 
 // Each run of clang-format 14 breaks these lists differently.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The main function of the clients with a GLX window. The includer has defined GLX(name), which stands for the function glXname
-// however it was found, find_functions(), called once before the first of them, and a scene.
+// The main function of the clients with a GLX window. The includer defines a scene; GLX(name), which stands for the function
+// glXname; and find_functions(), which is called once before the first GLX function.
 #pragma once
 
 #include <string.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A fixed-function scene: a lit sphere from client arrays beside a lit cube and a fan. The includer defines GL(name), which
-// stands for the function glname however it was found; functions.h lists those used.
+// stands for the function glname. functions.h lists the functions that the scene calls.
 #pragma once
 
 #include "picture.h"
@@ -82,7 +82,7 @@ static inline void scene_draw(void) {
   scene_cube();
 }
 
-// Reads the frame just drawn back; before it is swapped away.
+// Reads the frame back, before the buffers are swapped.
 static inline void scene_read(unsigned char pixels[4 * picture_size * picture_size]) {
   GL(Finish)();
   GL(PixelStorei)(GL_PACK_ALIGNMENT, 1);

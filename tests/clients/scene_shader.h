@@ -85,7 +85,7 @@ static inline void scene_draw(void) {
   GL(DrawArrays)(GL_TRIANGLE_FAN, 3 * (sphere_sectors + 1), sphere_sectors + 1);
 }
 
-// Reads the frame just drawn back; before it is swapped away.
+// Reads the frame back, before the buffers are swapped.
 static inline void scene_read(unsigned char pixels[4 * picture_size * picture_size]) {
   GL(Finish)();
   GL(PixelStorei)(GL_PACK_ALIGNMENT, 1);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Six threads draw at once, each with contexts of its own and into a tile of the picture. The contexts of even threads share with a
-// first one: programs and buffers go from hand to hand, are drawn with by several threads, and are deleted by others than made
-// them. Contexts end in every way: destroyed while current and not, destroyed by another thread while current, never.
+// first one: programs and buffers go from hand to hand, are drawn with by several threads, and are deleted by other threads than
+// their makers. Contexts end in every way: destroyed while current and not, destroyed by another thread while current, never.
 // Built twice: with WITH_OSMESA for OSMesa, without for EGL without a surface.
 #define GL_GLEXT_PROTOTYPES 1
 #include <pthread.h>
@@ -143,7 +143,7 @@ static GLuint common_program, common_buffers[2];
 static int frames;
 static unsigned char picture[4 * picture_size * picture_size];
 
-// A program that one thread of the share group has finished and another takes over: draws with it, and deletes it.
+// Takes over a program that another thread of the share group has finished: draws with it, and deletes it.
 static pthread_mutex_t exchange_mutex = PTHREAD_MUTEX_INITIALIZER;
 static GLuint exchange_program;
 
