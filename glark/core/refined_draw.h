@@ -16,7 +16,8 @@
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
+#include "glark/core/report/passed_draws.h"
 #include "glark/core/state/environment.h"
 #include "glark/core/submit/submission.h"
 

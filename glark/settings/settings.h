@@ -12,8 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "glark/core/context_options.h"
 #include "glark/core/refinement.h"
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 
 namespace glark::settings {
 

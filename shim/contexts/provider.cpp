@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 #include "shim/linker/dynamic_linker.h"
 #include "shim/names/name_table.h"
 #include "shim/names/real_functions.h"

@@ -20,7 +20,7 @@
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 #include "shim/contexts/contexts.h"
 #include "shim/report/options.h"
 

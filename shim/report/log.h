@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 
 namespace glark::shim {
 

@@ -11,7 +11,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
+#include "glark/core/report/shown_shader.h"
 #include "glark/core/state/programs/program.h"
 
 namespace glark::shim {

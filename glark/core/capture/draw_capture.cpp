@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/capture/draw_capture.h"
 
-#include "glark/core/report.h"
+#include "glark/core/report/statistics.h"
 
 namespace glark::capture {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "glark/core/capture/record.h"
-#include "glark/core/refinement.h"
+#include "glark/core/context_options.h"
 
 namespace glark::capture {
 

@@ -4,7 +4,7 @@
 
 #include "glark/core/pattern/expand.h"
 #include "glark/core/pattern/pool.h"
-#include "glark/core/refinement.h"
+#include "glark/core/context_options.h"
 #include "glark/gl/types.h"
 
 namespace glark::depth {

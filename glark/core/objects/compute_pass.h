@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {

@@ -12,7 +12,7 @@
 #include "glark/core/depth/instance_sorter.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/polygons/centroid_split.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 #include "glark/core/state/environment.h"
 #include "glark/core/weld/draw_weld.h"
 

@@ -11,7 +11,7 @@
 #include "glark/core/capture/draw_call.h"
 #include "glark/core/depth/depth_plan.h"
 #include "glark/core/polygons/decomposition.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 #include "glark/core/state/programs/program.h"
 #include "glark/core/state/programs/program_pipelines.h"
 #include "glark/core/weld/draw_weld.h"

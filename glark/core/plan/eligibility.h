@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "glark/core/capture/draw_call.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 #include "glark/core/state/bindings.h"
 
 namespace glark::core {

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/matrices.h"
 

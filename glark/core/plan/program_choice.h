@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/programs/program.h"
 #include "glark/core/state/programs/program_pipelines.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "glark/core/capture/feedback_aside.h"
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 
 namespace glark::polygons {
 namespace {

@@ -3,7 +3,7 @@
 #include "glark/core/submit/submission.h"
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/report.h"
+#include "glark/core/report/statistics.h"
 #include "glark/core/shape.h"
 
 namespace glark::submit {

@@ -11,7 +11,7 @@
 #include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
-#include "glark/core/refinement.h"
+#include "glark/core/context_options.h"
 #include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
 

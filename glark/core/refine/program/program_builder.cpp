@@ -14,7 +14,9 @@
 #include "glark/core/refine/program/subroutines.h"
 #include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/refine/program/vertex_inputs.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
+#include "glark/core/report/log.h"
+#include "glark/core/report/statistics.h"
 
 namespace glark::refine {
 namespace {

@@ -10,7 +10,8 @@
 #include "glark/core/capture/layout.h"
 #include "glark/core/refine/glsl/rewrite.h"
 #include "glark/core/refine/program/labels.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
+#include "glark/core/report/log.h"
 
 namespace glark::refine {
 namespace {
