@@ -4,5 +4,5 @@
 // The function of osmesa_library.
 #pragma once
 
-// Draws the scene `frames` times and writes the last one to `path`; 0 when that worked.
+// Draws the scene `frames` times and writes the last frame to `path`. Returns 0 on success.
 int render_to_file(int frames, const char* path);
