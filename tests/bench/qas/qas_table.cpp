@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark-qas-errors: the table of errors of QAS, of QAS after one more step, and of PN triangles, against Loop's limit surface.
+// glark-qas-errors: the table of errors of QAS, of QAS after one more step, and of PN triangles. The reference is
+// Loop's limit surface.
 //
 //   glark-qas-errors [--csv] [MESH.obj ...]      without meshes: the seven of tests/qas/meshes.h
 #include <charconv>
