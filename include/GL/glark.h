@@ -112,17 +112,14 @@ typedef void (GLARK_APIENTRY *PFNGLGETREFINEMENTIVARKPROC)(GLuint program, GLenu
 typedef void (GLARK_APIENTRY *PFNGLGETREFINEMENTINFOLOGARKPROC)(GLuint program, GLsizei bufSize, GLsizei *length, GLchar *infoLog);
 #ifndef GLARK_NO_PROTOTYPES
 
-/*
- * Builds the pool of patterns for edge depths 0 to maxLevel, for the current context. A later call replaces the pool.
+/* Builds the pool of patterns for edge depths 0 to maxLevel, for the current context. A later call replaces the pool.
  * It lowers the current depth tag and the uniform depth level to maxLevel if they exceed it. A failed call changes
  * nothing.
  * Errors: GL_INVALID_VALUE if maxLevel > GL_MAX_DEPTH_ARK; GL_OUT_OF_MEMORY if the pool cannot be stored.
- * Source: Boubekeur 2007, ch. 7.2.3 and 7.5.
- */
+ * Source: Boubekeur 2007, ch. 7.2.3 and 7.5. */
 GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
 
-/*
- * Sets a parameter of refinement. Names and values are listed above.
+/* Sets a parameter of refinement. Names and values are listed above.
  *   GL_REFINEMENT_ARK: interpolate the vertex stage's inputs, or its outputs, or curve its inputs (PN, scalar-tagged
  *     PN, Phong).
  *   GL_DEPTH_SOURCE_ARK: depths from the tags of the vertices, or GL_UNIFORM_DEPTH_LEVEL_ARK for every edge, or
@@ -143,27 +140,21 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
  *     unit.
  * Errors: GL_INVALID_ENUM for an unknown name, or a value that the name does not have. GL_INVALID_VALUE for a level
  * outside 0 to the pool level (0 before glARKinit), or for an attribute index, a measure or a budget out of range.
- * After an error, the state is unchanged.
- */
+ * After an error, the state is unchanged. */
 GLARK_API void GLARK_APIENTRY glARKParameteriARK(GLenum pname, GLint param);
 
-/*
- * As glARKParameteriARK, for GL_DISPLACEMENT_SCALE_ARK, GL_DISPLACEMENT_BIAS_ARK and GL_PHONG_SHAPE_ARK.
- * Errors: GL_INVALID_ENUM for another name; GL_INVALID_VALUE if the number is not finite, or out of range.
- */
+/* As glARKParameteriARK, for GL_DISPLACEMENT_SCALE_ARK, GL_DISPLACEMENT_BIAS_ARK and GL_PHONG_SHAPE_ARK.
+ * Errors: GL_INVALID_ENUM for another name; GL_INVALID_VALUE if the number is not finite, or out of range. */
 GLARK_API void GLARK_APIENTRY glARKParameterfARK(GLenum pname, GLfloat param);
 
-/*
- * Sets the current depth tag: the current value of generic attribute GL_DEPTH_TAG_ATTRIBUTE_ARK becomes (d, 0, 0, 1).
+/* Sets the current depth tag: the current value of generic attribute GL_DEPTH_TAG_ATTRIBUTE_ARK becomes (d, 0, 0, 1).
  * The following vertices get this tag, unless GL_DEPTH_TAG_ARRAY_ARK is enabled. Allowed between glBegin and glEnd;
  * compiled into display lists. Initially 0.
  * Errors: GL_INVALID_VALUE if d exceeds the pool level (0 before glARKinit).
- * Source: Boubekeur 2007, ch. 7.2.2 and 7.5.
- */
+ * Source: Boubekeur 2007, ch. 7.2.2 and 7.5. */
 GLARK_API void GLARK_APIENTRY glDepthTag1i(GLuint d);
 
-/*
- * Sets the array of depth tags, one scalar per vertex: the array of generic attribute GL_DEPTH_TAG_ATTRIBUTE_ARK.
+/* Sets the array of depth tags, one scalar per vertex: the array of generic attribute GL_DEPTH_TAG_ATTRIBUTE_ARK.
  *   type: GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT or GL_FLOAT. Values are depths, not normalised. A
  *     float is rounded to the nearest integer, or with GL_GEOMORPH_ARK to the nearest 1/64. Every tag is clamped
  *     to 0 .. pool level.
@@ -171,27 +162,21 @@ GLARK_API void GLARK_APIENTRY glDepthTag1i(GLuint d);
  *   pointer: byte offset into the buffer bound to GL_ARRAY_BUFFER, or client memory. The caller owns the client
  *     memory and keeps it until the draws that read it return.
  * Errors: GL_INVALID_ENUM for another type; GL_INVALID_VALUE if stride is negative, or where glVertexAttribPointer
- * limits it; GL_INVALID_OPERATION for client memory where glVertexAttribPointer refuses it.
- */
+ * limits it; GL_INVALID_OPERATION for client memory where glVertexAttribPointer refuses it. */
 GLARK_API void GLARK_APIENTRY glDepthTagPointerARK(GLenum type, GLsizei stride, const void *pointer);
 
-/*
- * Draws as glDrawArrays(mode, first, count), and refines even if GL_ARK is disabled.
+/* Draws as glDrawArrays(mode, first, count), and refines even if GL_ARK is disabled.
  * Errors: those of glDrawArrays; GL_INVALID_ENUM unless mode is GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN or, in
  * the compatibility profile, GL_QUADS, GL_QUAD_STRIP or GL_POLYGON; GL_INVALID_OPERATION before glARKinit, or while a
  * display list is compiled.
- * Source: Boubekeur 2007, ch. 7.5.
- */
+ * Source: Boubekeur 2007, ch. 7.5. */
 GLARK_API void GLARK_APIENTRY glDrawARP(GLenum mode, GLint first, GLsizei count);
 
-/*
- * Draws as glDrawElements(mode, count, type, indices), and refines even if GL_ARK is disabled.
- * Errors: those of glDrawElements, and those of glDrawARP.
- */
+/* Draws as glDrawElements(mode, count, type, indices), and refines even if GL_ARK is disabled.
+ * Errors: those of glDrawElements, and those of glDrawARP. */
 GLARK_API void GLARK_APIENTRY glDrawARPElementsARK(GLenum mode, GLsizei count, GLenum type, const void *indices);
 
-/*
- * Sets the application's refinement shader for `program`; 0 is the fixed function. The shader takes effect at the next
+/* Sets the application's refinement shader for `program`; 0 is the fixed function. The shader takes effect at the next
  * draw. It stays when the program is linked again.
  *   string: `count` strings, copied before the call returns, concatenated. Together they define `void refine()` in
  *     GLSL of the program's version, without #version. refine() may read ark_barycentric. For each active vertex input
@@ -202,12 +187,10 @@ GLARK_API void GLARK_APIENTRY glDrawARPElementsARK(GLenum mode, GLsizei count, G
  * Errors: GL_INVALID_VALUE if count is negative, or program is not a name that GL generated, or is 0 where there is no
  * fixed function; GL_INVALID_OPERATION if program is a shader object. Errors in the source are not GL errors: see
  * glGetRefinementivARK.
- * Source: Boubekeur 2007, ch. 7.2.4.
- */
+ * Source: Boubekeur 2007, ch. 7.2.4. */
 GLARK_API void GLARK_APIENTRY glRefinementShaderSourceARK(GLuint program, GLsizei count, const GLchar *const*string, const GLint *length);
 
-/*
- * Writes one integer to *params:
+/* Writes one integer to *params:
  *   GL_REFINEMENT_STATUS_ARK: GL_TRUE if the refinement program of `program` builds. The query builds it if this was
  *     not tried yet.
  *   GL_REFINEMENT_LOG_LENGTH_ARK: bytes of the log of the last attempt to build, with its terminating null; 0 if it
@@ -215,17 +198,14 @@ GLARK_API void GLARK_APIENTRY glRefinementShaderSourceARK(GLuint program, GLsize
  *   GL_REFINEMENT_SOURCE_LENGTH_ARK: bytes of the refinement shader's source with its terminating null; 0 if there is
  *     none.
  * Errors: as glRefinementShaderSourceARK for `program`; GL_INVALID_ENUM for another pname. After an error, *params is
- * unchanged.
- */
+ * unchanged. */
 GLARK_API void GLARK_APIENTRY glGetRefinementivARK(GLuint program, GLenum pname, GLint *params);
 
-/*
- * Writes the log of the last attempt to build the refinement program of `program`.
+/* Writes the log of the last attempt to build the refinement program of `program`.
  *   bufSize: bytes that infoLog can hold, the terminating null included.
  *   length: receives the bytes written without the terminating null; may be NULL.
  *   infoLog: owned by the caller; null-terminated unless bufSize is 0.
- * Errors: as glRefinementShaderSourceARK for `program`; GL_INVALID_VALUE if bufSize is negative.
- */
+ * Errors: as glRefinementShaderSourceARK for `program`; GL_INVALID_VALUE if bufSize is negative. */
 GLARK_API void GLARK_APIENTRY glGetRefinementInfoLogARK(GLuint program, GLsizei bufSize, GLsizei *length, GLchar *infoLog);
 
 #endif /* GLARK_NO_PROTOTYPES */
