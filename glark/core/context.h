@@ -16,8 +16,8 @@
 #include "glark/core/state/attribute_stack.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/gl_state.h"
+#include "glark/core/state/lists/state_changes.h"
 #include "glark/core/state/share_group.h"
-#include "glark/core/state/state_changes.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {

@@ -34,10 +34,10 @@ class ImmediateMode {
     limit_ = UINT64_MAX;
     return std::exchange(capturing_, false);
   }
-  // From here on a refined draw captures up to `limit` vertices.
+  // From here on a refined draw captures up to `limit` vertices; 0: no draw captures them.
   void capture(std::uint64_t limit) {
-    capturing_ = true;
-    limit_ = limit;
+    capturing_ = limit > 0;
+    limit_ = capturing_ ? limit : UINT64_MAX;
   }
 
   // The counts of vertices start at 0.

@@ -2,22 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "glark/tool/view/gl.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
-#include <string>
 
 namespace glark::tool {
 
-Gl gl;
+GladGLContext gl;
 
-void Gl::load(Loader loader) {
-  const auto get = [&]<typename Function>(Function& function, const char* name) {
-    function = reinterpret_cast<Function>(loader(name));
-    if (function == nullptr)
-      throw std::runtime_error(std::string("this OpenGL has no ") + name + "; glark info says what it is");
-  };
-#define GLARK_LOAD(name) get(name, "gl" #name);
-  GLARK_VIEW_GL(GLARK_LOAD)
-#undef GLARK_LOAD
+void load_gl(GLADloadfunc loader) {
+  const int version = gladLoadGLContext(&gl, loader);
+  if (gl.VERSION_3_0 == 0) {
+    throw std::runtime_error(fmt::format("this OpenGL is version {}.{}, and glark view needs 3.0; see glark info",
+                                         GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)));
+  }
 }
 
 }  // namespace glark::tool

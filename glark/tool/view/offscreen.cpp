@@ -4,7 +4,6 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <GL/osmesa.h>
 #include <dlfcn.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
@@ -15,6 +14,8 @@
 
 #include "glark/clients/geometry/write/output_file.h"
 #include "glark/tool/view/gl.h"
+// After glad, which stands for <GL/gl.h>.
+#include <GL/osmesa.h>
 
 namespace glark::tool {
 namespace {
@@ -57,9 +58,9 @@ void make_framebuffer(int width, int height) {
 
 Offscreen::Offscreen(int width, int height) {
   if (open_egl()) {
-    gl.load(eglGetProcAddress);
+    load_gl(eglGetProcAddress);
   } else if (open_osmesa()) {
-    gl.load(OSMesaGetProcAddress);
+    load_gl(OSMesaGetProcAddress);
   } else {
     fail("there is neither a context of OpenGL by EGL nor OSMesa");
   }

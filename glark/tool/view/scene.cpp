@@ -11,8 +11,6 @@
 #include "glark/tool/view/gl.h"
 #include "glark/tool/view/shading.h"
 
-#include <GL/glark.h>
-
 namespace glark::tool {
 namespace {
 
@@ -172,10 +170,10 @@ Statistics Scene::draw(const Camera& camera, Mode mode, int width, int height) {
   }
   if (mode == Mode::refined) {
     const int level = std::min(refinement_level, deepest_level);
-    glARKinit(deepest_level);
-    glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
-    glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
-    glARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? GL_CURVED_PN_ARK : GL_LINEAR_OUTPUTS_ARK);
+    gl.ARKinit(deepest_level);
+    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+    gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
+    gl.ARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? GL_CURVED_PN_ARK : GL_LINEAR_OUTPUTS_ARK);
     gl.Enable(GL_ARK);
   }
   gl.PolygonMode(GL_FRONT_AND_BACK, mode == Mode::wireframe ? GL_LINE : GL_FILL);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <array>
@@ -149,7 +150,7 @@ void show_window(const std::string& title, geometry::Geometry geometry, const Vi
   if (window == nullptr)
     throw std::runtime_error("view: there is no window with OpenGL; write a picture with --offscreen OUT.png");
   glfwMakeContextCurrent(window);
-  gl.load(glfwGetProcAddress);
+  load_gl(glfwGetProcAddress);
   glfwSwapInterval(1);
   std::printf("%s", help);
   Viewer(window, title, std::move(geometry), options).run();

@@ -39,6 +39,14 @@ TEST(ImmediateMode, CaptureIsFullAtItsLimit) {
   EXPECT_TRUE(immediate.full());
 }
 
+TEST(ImmediateMode, WithoutACaptureNothingIsFull) {
+  ImmediateMode immediate;
+  immediate.begin(GL_TRIANGLES);
+  immediate.capture(0);
+  EXPECT_FALSE(immediate.full());
+  EXPECT_FALSE(immediate.end());
+}
+
 // Seven vertices are two whole triangles and one vertex that draws nothing: it takes no room.
 TEST(ImmediateMode, RestartUsesUpTheRoomOfWholePrimitives) {
   ImmediateMode immediate;

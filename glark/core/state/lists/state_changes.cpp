@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/state/state_changes.h"
+#include "glark/core/state/lists/state_changes.h"
 
 #include <cstring>
 
