@@ -86,7 +86,7 @@ extern "C" {
 #define GL_PATTERN_INTERIOR_ARK                  0x6F1B
 #define GL_MINIMUM_INTERIOR_ARK                  0x6F1C
 #define GL_SMOOTH_INTERIOR_ARK                   0x6F1D
-#define GL_PHONG_SHAPE_ARK                       0x6F39 /* the shape of GL_PHONG_ARK: 0 to 1, glARKParameterfARK; 0.75 */
+#define GL_PHONG_SHAPE_ARK                       0x6F39 /* 0 to 1, for GL_PHONG_ARK; glARKParameterfARK; 0.75 */
 #define GL_DISCONTINUITY_ATTRIBUTE_ARK           0x6F31 /* Delta and crease of each vertex; GL_MAX_VERTEX_ATTRIBS - 2 */
 #define GL_SCALAR_TAG_ATTRIBUTE_ARK              0x6F32 /* sharpness, tension, bias; GL_MAX_VERTEX_ATTRIBS - 3 */
 #define GL_DISPLACEMENT_UNIT_ARK                 0x6F33 /* a texture image unit, -1: no displacement; -1 */
