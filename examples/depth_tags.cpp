@@ -26,7 +26,7 @@ namespace {
 constexpr int frames = 3;
 constexpr int frame_size = 480;
 constexpr unsigned max_level = 5;
-constexpr unsigned side = 24;  // the number of coarse squares
+constexpr unsigned side = 24;  // coarse squares along a side
 constexpr float field_of_view = 0.9F;
 constexpr std::uint64_t most_triangles = 30000;
 

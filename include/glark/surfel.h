@@ -61,7 +61,7 @@ struct Options {
   // normal is less than delta_a, or if a point is farther from the leaf's plane than delta_d, in radii of the leaf.
   float delta_a = 0.0F;
   float delta_d = 0.6F;
-  // How far a leaf takes in points of its neighbours, in mean spacings of its own points, 0.5 to 8.
+  // The distance within which a leaf takes in points of its neighbours, in mean spacings of its own points, 0.5 to 8.
   float inflation = 1.6F;
   // The longest edge of a triangle, 1 to 100, in units of the triangle's spacing. The spacing is the median of the
   // distances of its three points to their neighbours. Isolated points have no triangles.
@@ -76,7 +76,7 @@ struct Options {
 // A node of the stripping tree of one level of detail.
 struct Node {
   std::array<float, 3> low, high;  // the box of all triangles below; low > high where there are none
-  std::array<float, 3> cone_axis;  // of unit length; the normals of the triangles lie within the cone about the axis
+  std::array<float, 3> cone_axis;  // unit length; the normals of the triangles lie within the cone about the axis
   // A point behind the planes of all triangles. An eye at e with dot(apex - e, axis) > sine * |apex - e| sees only
   // backs.
   std::array<float, 3> cone_apex;

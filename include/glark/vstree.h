@@ -67,7 +67,7 @@ struct Options {
   // distance of each sample from the mean plane, relative to the greatest distance from the centroid, is below delta_d,
   // 0 to 1.
   float delta_a = 0;
-  float delta_d = 0.25F;            // the thesis has 1/6; this divides the octree less deep
+  float delta_d = 0.25F;            // 1/6 in the thesis; 0.25 makes the octree less deep
   std::uint32_t least_samples = 1;  // a node with this many samples or fewer is a leaf
   // If not 0, replaces the threshold: at most `most_leaves` leaves, with the least possible greatest error.
   std::uint32_t most_leaves = 0;
@@ -166,7 +166,7 @@ struct Mesh {
 
 enum class Clustering {
   volume_surface,  // leaves of a volume-surface tree
-  octree,          // of a plain octree
+  octree,          // leaves of a plain octree
   grid,            // cubes of one size
 };
 

@@ -68,7 +68,7 @@ TEST_F(TaggedLimits, LongRecords) {
 TEST_F(TaggedLimits, RecordsThatDoNotFit) {
   GLint components = 0;
   glGetIntegerv(GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, &components);
-  const int more = 9;  // of at most 13 attributes
+  const int more = 9;  // the maximum is 13 attributes
   const GLuint program = link_wide_program(more);
   glUseProgram(program);
   GLint built = GL_FALSE;
