@@ -21,8 +21,8 @@ using namespace vstree::test;
 struct Topology {
   std::size_t boundary = 0;  // the number of edges of one triangle
   std::size_t wrong = 0;     // the number of edges with more than two triangles, or with two of different orientation
-  std::size_t fans =
-      0;  // the number of fans of triangles around vertices; if each vertex has one fan, the number of vertices
+  // The number of fans of triangles around vertices; if each vertex has one fan, the number of vertices.
+  std::size_t fans = 0;
   std::size_t parts = 0;
   std::ptrdiff_t euler = 0;  // vertices - edges + triangles
 };

@@ -37,8 +37,8 @@ struct Geometry {
 };
 
 struct ReadOptions {
-  bool skip_invalid =
-      false;  // leave out points with NaN or infinite coordinates, and their triangles; false: throw Error
+  // Leave out points with NaN or infinite coordinates, and their triangles; false: throw Error.
+  bool skip_invalid = false;
 };
 
 struct Reading {

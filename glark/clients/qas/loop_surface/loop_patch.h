@@ -48,8 +48,8 @@ class LoopPatch {
   Topology topology_;  // the triangle is the first one
   std::vector<Point> positions_;
   bool regular_ = false;
-  std::array<std::uint32_t, 12>
-      control_{};  // for each corner: itself, the vertex beyond the edge to the next corner, two outer vertices
+  // For each corner: itself, the vertex beyond the edge to the next corner, two outer vertices.
+  std::array<std::uint32_t, 12> control_{};
 };
 
 }  // namespace glark::qas

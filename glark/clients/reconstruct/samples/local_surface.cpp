@@ -14,8 +14,8 @@ constexpr float sharpness = 0.01F;  // the least divisor of the weights
 constexpr float bend = 0.6F;        // the share of the curvature that is applied
 constexpr float noise_weight = 100;
 constexpr float least_spread_of_samples = 1e-3F;  // relative to the squared radius: closer samples show no curvature
-constexpr float most_sides =
-    6;  // the largest box that is searched as a whole, relative to the side of the finest cells
+// The largest box that is searched as a whole, relative to the side of the finest cells.
+constexpr float most_sides = 6;
 
 struct Query {
   Float4 point, normal;

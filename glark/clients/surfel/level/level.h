@@ -26,8 +26,8 @@ struct StitchedTriangle {
 // The triangles and the strip of one leaf.
 struct Patch {
   Slot candidates;  // a range of Level::candidates
-  std::uint32_t shared_count =
-      0;  // the number of candidates with points of other leaves; they come first, in ascending order
+  // The number of candidates with points of other leaves; they come first, in ascending order.
+  std::uint32_t shared_count = 0;
   std::vector<StitchedTriangle> stitched;  // empty for most leaves
   Slot strip;                              // a range of the indices of all strips
   std::uint64_t drawn_hash = 0;            // a hash of the triangles in the strip

@@ -9,10 +9,10 @@
 namespace glark::surfel {
 namespace {
 
-constexpr float least_cosine =
-    -0.5F;  // the cosine between the normals of point and leaf; with less, the point is on another sheet
-constexpr std::size_t most_taken =
-    256;  // the most points that a leaf takes in; a sparse leaf among dense ones would find too many
+// The cosine between the normals of point and leaf; with less, the point is on another sheet.
+constexpr float least_cosine = -0.5F;
+// The most points that a leaf takes in; a sparse leaf among dense ones would find too many.
+constexpr std::size_t most_taken = 256;
 
 }  // namespace
 

@@ -223,8 +223,8 @@ void Clusters::set_triangles(std::vector<std::uint32_t> spanning) {
 Clusters cluster(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
   if (surface.size() == 0) return {};
   if (options.clustering != Clustering::grid) return cluster_by_tree(surface, options, workers);
-  const double side =
-      1 / (double{options.threshold} * surface.cube.diagonal);  // clamped below, because it may be infinite
+  // Clamped below, because it may be infinite.
+  const double side = 1 / (double{options.threshold} * surface.cube.diagonal);
   return options.target != 0
              ? finest_grid(surface, options.target, workers)
              : cluster_by_grid(surface,

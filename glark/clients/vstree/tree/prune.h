@@ -26,8 +26,8 @@ class LeafCounts {
 
  private:
   std::vector<Division> divisions_;
-  std::vector<std::uint32_t>
-      more_leaves_;  // the leaves that all divisions of each class of errors add; the least errors first
+  // The leaves that all divisions of each class of errors add; the least errors first.
+  std::vector<std::uint32_t> more_leaves_;
 };
 
 // Turns nodes whose error is within the threshold into leaves, and removes the nodes below them.
