@@ -24,7 +24,7 @@ static void scene_setup(void) {
   glNewList(lists, GL_COMPILE);
   scene_cube();
   glEndList();
-  // Compilation reads the arrays now. Commands that enable arrays are executed at once, not compiled.
+  // glNewList reads the arrays at once. Enabling them is not compiled but executed.
   glNewList(lists + 1, GL_COMPILE);
   scene_sphere();
   glCallList(lists);
