@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "glark/core/capture/layout.h"
+#include "glark/core/context_options.h"
 #include "glark/core/refine/derive.h"
 #include "glark/core/refine/fixed_function/fixed_function.h"
 #include "glark/core/state/programs/program.h"

@@ -4,6 +4,7 @@
 // The vertex inputs of an application program, as GL reports them.
 #pragma once
 
+#include "glark/core/context_options.h"
 #include "glark/core/state/programs/program.h"
 #include "glark/gl/dispatch.h"
 
