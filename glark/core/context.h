@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "glark/core/ark_state.h"
-#include "glark/core/objects/error_scope.h"
 #include "glark/core/context_options.h"
+#include "glark/core/objects/error_scope.h"
 #include "glark/core/state/arrays/buffer_writes.h"
 #include "glark/core/state/attribute_stack.h"
 #include "glark/core/state/capabilities.h"

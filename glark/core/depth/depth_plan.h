@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "glark/core/context_options.h"
 #include "glark/core/pattern/expand.h"
 #include "glark/core/pattern/pool.h"
-#include "glark/core/context_options.h"
 #include "glark/gl/types.h"
 
 namespace glark::depth {

@@ -8,10 +8,10 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/context_options.h"
 #include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
-#include "glark/core/context_options.h"
 #include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
 
