@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 #
-# glark_embed_glsl(TARGET file.glsl ...): makes "generated/<path of the file>.inc" with the text as a raw string literal,
-# to be included as: inline constexpr char source[] = #include "...". #include "..." lines within are expanded once.
+# glark_embed_glsl(TARGET file.glsl ...): makes "generated/<path of the file>.inc" with the text as a raw string
+# literal, to be included as: inline constexpr char source[] = #include "...". #include "..." lines within are expanded
+# once.
 function(glark_embed_glsl target)
   foreach(file ${ARGN})
     set(input ${CMAKE_CURRENT_SOURCE_DIR}/${file})

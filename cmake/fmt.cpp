@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The functions of libfmt that are not templates, compiled once. As headers only, they cost every file that formats a message
-// two seconds; as Debian's shared library, they would be a new dependency of libGLARK.so.
+// The functions of libfmt that are not templates, compiled once. As headers only, they cost every file that formats a
+// message two seconds; as Debian's shared library, they would be a new dependency of libGLARK.so.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

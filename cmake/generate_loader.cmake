@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # glark_generate_loader(TARGET API EXTENSION ...): a static library that loads the functions of OpenGL, with the header
-# <glad/gl.h>. glad 2 (Debian package python3-glad) generates both from gl.xml and glark/gl/glark.xml. API is as glad's --api
-# takes it: "gl:compatibility=4.6,gles2=3.2". GL_ARK_adaptive_refinement is always among the extensions.
+# <glad/gl.h>. glad 2 (Debian package python3-glad) generates both from gl.xml and glark/gl/glark.xml. API is as glad's
+# --api takes it: "gl:compatibility=4.6,gles2=3.2". GL_ARK_adaptive_refinement is always among the extensions.
 #
 # GLARK_HAS_GLAD says whether glad 2 is there.
 execute_process(COMMAND ${Python3_EXECUTABLE} -c "import glad, sys; sys.exit(not glad.__version__.startswith('2.'))"

@@ -46,7 +46,8 @@ def main() -> None:
     out, api, extensions, *registries = sys.argv[1:]
     base, *additions = [ElementTree.parse(path).getroot() for path in registries]
     glad.files.StaticFileOpener = opener_with(ElementTree.tostring(merged(base, additions)))
-    # --reproducible is what makes glad use this opener; it also leaves out the date. --mx: the functions are members of a struct.
+    # --reproducible is what makes glad use this opener; it also leaves out the date. --mx: the functions are members of
+    # a struct.
     glad.__main__.main(["--quiet", "--reproducible", "--merge", "--api", api, "--extensions", extensions, "--out-path", out,
                         "c", "--mx"])
 

@@ -26,7 +26,7 @@ namespace {
 constexpr int frames = 3;
 constexpr int frame_size = 480;
 constexpr unsigned max_level = 5;
-constexpr unsigned side = 24;  // of coarse squares
+constexpr unsigned side = 24;  // coarse squares along a side
 constexpr float field_of_view = 0.9F;
 constexpr std::uint64_t most_triangles = 30000;
 
@@ -63,7 +63,7 @@ Terrain make_terrain() {
   return terrain;
 }
 
-// Three lines set the tags of a frame: this is what the example shows.
+// Three lines set the tags of a frame. This is the example's purpose.
 void tag(Terrain& terrain, glark::depth::Tagger& tagger, const glark::depth::Vector& eye) {
   static std::vector<float> by_distance(terrain.tags.size());
   const glark::depth::View view{.eye = eye, .pixels_at_one = 0.5F * frame_size / std::tan(0.5F * field_of_view)};
@@ -116,7 +116,7 @@ void draw_with_edges(const Terrain& terrain) {
   draw(terrain);
 }
 
-// The terrain is lit, so that the program has the normals that curve the triangles.
+// The terrain is lit. So the program has normals, which curve the triangles.
 void set_up() {
   glARKinit(max_level);
   glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);

@@ -25,7 +25,7 @@ constexpr int size = 512;
 constexpr int map_size = 256;
 constexpr unsigned max_level = 7;
 
-// Waves whose lengths and heights halve. They repeat at the edges of the map.
+// Waves of halving lengths and heights. They repeat at the edges of the map.
 float mountains(float s, float t) {
   float sum = 0;
   float amplitude = 0.5F;
@@ -81,7 +81,7 @@ void light(float red, float green, float blue) {
 void terrain_vertex(int i, int j) {
   const float x = static_cast<float>(i) / 2 - 1;
   const float y = static_cast<float>(j) / 2 - 1;
-  glDepthTag1i(max_level - static_cast<unsigned>(j));  // the eye is at the side of small y
+  glDepthTag1i(max_level - static_cast<unsigned>(j));  // the eye is at the side with small y
   glTexCoord2f(0.4F * x, 0.4F * y);
   glVertex2f(2 * x, 2 * y);
 }
@@ -101,7 +101,8 @@ void draw_terrain() {
   }
 }
 
-// An icosahedron: twenty triangles between neighbours among twelve points, the corners of three golden rectangles.
+// An icosahedron. Its twelve points are the corners of three golden rectangles; its twenty triangles join neighbouring
+// points.
 void draw_planet() {
   std::vector<std::array<float, 3>> points;
   const float t = (1 + std::sqrt(5.0F)) / 2;

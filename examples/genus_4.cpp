@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // A coarse mesh gives the topology of a surface, a refinement shader its shape. A slab of 136 triangles with four holes
-// becomes a smooth body: each refined vertex moves onto the zero of a function. Then the body twists. From the left:
-// the slab, the body, the twisted body, and its refined triangles, which are finer around the holes. Transform feedback
-// reads back what was drawn: it is closed, and Euler's formula finds the four holes.
+// becomes a smooth body: each refined vertex moves onto the zero of a function. Then the body twists.
+// From the left, the picture shows the slab, the body, the twisted body, and its refined triangles, which are finer
+// around the holes. Transform feedback reads the drawn triangles back. They form a closed surface, and Euler's formula
+// finds the four holes.
 //
 //   genus_4 OUT.png
 #define GL_GLEXT_PROTOTYPES
@@ -28,7 +29,7 @@ namespace {
 
 constexpr int size = 400;
 constexpr int columns = 4;
-constexpr int cells = 5;  // along a side of the slab; holes are the cells with two odd numbers
+constexpr int cells = 5;  // number of cells along a side of the slab; cells with two odd numbers are holes
 constexpr unsigned max_level = 4;
 
 constexpr const char* vertex_shader = R"glsl(#version 120
@@ -51,7 +52,7 @@ void main() {
 })glsl";
 
 // The body is the space within w of the middle plane and outside the holes. Each vertex moves along the gradient of
-// that function.
+// this function.
 constexpr const char* refinement_shader = R"glsl(
 uniform float twist;
 
@@ -191,8 +192,8 @@ std::vector<Point> read_back(const Slab& slab) {
   return points;
 }
 
-// Returns the genus; -1 if the surface is not closed. V - E + F of a closed surface of genus g is 2 - 2 g. Vertices
-// with the same bits are one vertex.
+// Returns the genus, or -1 if the surface is not closed. For a closed surface of genus g, V - E + F is 2 - 2 g.
+// Vertices with the same bits are one vertex.
 int genus(const std::vector<Point>& points) {
   std::map<Point, int> vertices;
   std::map<std::pair<int, int>, int> edges;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Procedural displacement: a coarse ground of 128 triangles, and a refinement shader that computes the height of every
-// point, the sum of six octaves of noise. There is no texture and no fine mesh. Vertices near the eye have greater
-// depth tags. The lower half of the picture also shows the refined triangles as lines.
+// point. The height is the sum of six octaves of noise. There is no texture and no fine mesh. Vertices near the eye
+// have greater depth tags. The lower half of the picture also shows the refined triangles as lines.
 //
 //   noise_terrain OUT.png
 #include <GL/gl.h>
@@ -23,8 +23,8 @@
 namespace {
 
 constexpr int width = 800;
-constexpr int height = 400;  // of each half
-constexpr int cells = 8;     // along a side of the ground
+constexpr int height = 400;  // the height of each half
+constexpr int cells = 8;     // number of cells along a side of the ground
 constexpr unsigned max_level = 6;
 
 // Value noise with its derivative, so that the normal is exact. The absolute value makes ridges.
@@ -82,7 +82,7 @@ bool use(const char* source) {
 void vertex(int i, int j) {
   const float x = static_cast<float>(i) - cells / 2.0F;
   const float y = static_cast<float>(j);
-  // Twice the distance gives half as many segments, so that segments have about one size on the screen.
+  // At twice the distance, triangles have half as many segments. So segments have about one size on the screen.
   const double distance = std::hypot(x, y + 1.5);
   glDepthTag1i(static_cast<GLuint>(std::clamp(max_level + 1 - std::log2(distance), 1.0, double{max_level})));
   glVertex2f(x, y);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A subdivision surface in real time: a toy of 60 triangles bends. It is drawn as it is, and as the surface that it
-// controls. In every frame the library glark-qas computes one step of Loop's scheme on the CPU, and the refinement
+// A subdivision surface in real time: a toy of 60 triangles bends. The picture shows the coarse toy and the surface
+// that it controls. In every frame, the library glark-qas computes one step of Loop's scheme on the CPU. The refinement
 // shader fits two quadratic patches to each triangle, one for positions and one for normals. Vertices near the eye have
 // greater depth tags.
 //
@@ -47,7 +47,8 @@ ControlMesh make_jack() {
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool positive : {false, true}) {
       const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = positive ? 1 << axis : 0;
-      int corners[4] = {base, base + u, base + u + v, base + v};  // of the face, counter-clockwise seen from outside
+      int corners[4] = {base, base + u, base + u + v,
+                        base + v};  // the corners of the face, counter-clockwise seen from outside
       if (!positive) std::swap(corners[1], corners[3]);
       const auto tip = static_cast<std::uint32_t>(mesh.positions.size() / 3);
       for (const int corner : corners) {
@@ -66,7 +67,7 @@ ControlMesh make_jack() {
   return mesh;
 }
 
-// Bends the toy: its arms turn about the z axis, more with the distance from it.
+// Bends the toy: its arms turn about the z axis. The angle grows with the distance from the axis.
 std::vector<float> bent(const std::vector<float>& rest, float seconds) {
   std::vector<float> positions = rest;
   for (std::size_t i = 0; i < rest.size(); i += 3) {
@@ -78,7 +79,7 @@ std::vector<float> bent(const std::vector<float>& rest, float seconds) {
   return positions;
 }
 
-// One input has a point and the middle of the edge to the next corner. The refinement shader reads both, the vertex
+// One input has a point and the middle of the edge to the next corner. The refinement shader reads both; the vertex
 // stage reads the point.
 constexpr const char* vertex_shader = R"glsl(#version 130
 in mat2x3 point;
@@ -127,7 +128,7 @@ GLuint make_program() {
   return 0;
 }
 
-// Depth tags by the distance of vertices, so that triangles agree on the edges that they share.
+// Computes depth tags from the distances of vertices. So triangles agree on their common edges.
 std::vector<GLubyte> depth_tags(const std::vector<float>& positions) {
   std::vector<GLubyte> tags;
   for (std::size_t i = 0; i < positions.size(); i += 3) {
@@ -204,7 +205,7 @@ int main(int argc, char** argv) {
   glARKinit(deepest);
   glARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, tag);
 
-  // Once: the topology, the program, the buffers.
+  // Runs once: the topology, the program, the buffers.
   const ControlMesh jack = make_jack();
   glark::qas::Surface surface({jack.positions.size() / 3, jack.triangles});
   const GLuint program = make_program();
@@ -212,7 +213,7 @@ int main(int argc, char** argv) {
   GLuint buffers[2];
   glGenBuffers(2, buffers);
 
-  // Every frame: the mesh moves, its limit points follow, and their patches are refined while they are drawn.
+  // Runs in every frame: the mesh moves, its limit points follow, and the patches are refined while they are drawn.
   const float seconds = argc == 3 ? std::strtof(argv[2], nullptr) : 0.5F;
   const std::vector<float> positions = bent(jack.positions, seconds);
   surface.update(positions);

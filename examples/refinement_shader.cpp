@@ -23,7 +23,7 @@ namespace {
 constexpr int size = 512;
 constexpr unsigned level = 7;
 
-// Rings of height h(r) around the middle. The normal is that of the graph of h.
+// Makes rings of height h(r) around the middle. The normal is the normal of the graph of h.
 constexpr const char* waves = R"glsl(
 void refine() {
   float r = length(gl_Vertex.xy);

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Scalar-tagged PN triangles: one coarse mesh of 72 triangles, a turned spindle with four rings that should be sharp.
-// From the left: the coarse mesh; curved PN triangles, which round the rings off; with the tags that glark/pn.h derives
-// from the hard edges; with another bias; with another tension. Only numbers at the vertices change from one to the
-// next.
+// From the left, the picture shows:
+// - the coarse mesh;
+// - curved PN triangles, which round the rings off;
+// - the spindle with the tags that glark/pn.h derives from the hard edges;
+// - the spindle with another bias;
+// - the spindle with another tension.
+// Between these, only numbers at the vertices change.
 //
 //   scalar_tags OUT.png
 #define GL_GLEXT_PROTOTYPES
@@ -31,7 +35,7 @@ constexpr int height = 480;
 constexpr int level = 4;
 constexpr unsigned sides = 6;
 
-// The coarse mesh: rings of vertices of these radii and heights, and the two ends of the axis.
+// The coarse mesh has rings of vertices with these radii and heights, and the two ends of the axis.
 struct Ring {
   float radius, z;
 };
@@ -72,7 +76,7 @@ Spindle make_spindle() {
   return spindle;
 }
 
-// Positions and normals are set as in any program. The tags are in the two attributes of the extension.
+// The program sets positions and normals as usual. The tags are in the two attributes of the extension.
 void draw(const glark::pn::TaggedMesh& mesh) {
   GLint discontinuity = 0;
   GLint tags = 0;

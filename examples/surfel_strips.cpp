@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Draws a point cloud as triangle strips with the library glark-surfel, without reconstructing its surface. On the left
-// are the points; in the middle the strips of this view, each in its own colour; on the right the same strips with
-// curved triangles, by GL_CURVED_PN_ARK. One glMultiDrawElements draws them. Strips that face away or lie outside the
+// are the points; in the middle the strips of this view, each in its own colour; on the right the same strips as curved
+// triangles, by GL_CURVED_PN_ARK. One glMultiDrawElements draws the strips. Strips that face away or lie outside the
 // picture are culled.
 //
-//   surfel_strips OUT.png [SECONDS]      the moment of the animation: a growing bulge, where only its own strips are updated
+//   surfel_strips OUT.png [SECONDS]      the moment of the animation; only strips of the bulge change
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -53,7 +53,7 @@ Points make_knot() {
     for (int k = 0; k < 3; ++k) tangent[k] = ahead[k] - middle[k];
     for (const float t : tangent) size += t * t;
     for (float& t : tangent) t /= std::sqrt(size);
-    // Two directions across the curve: one away from the z axis as far as possible, and one orthogonal to it.
+    // Two directions across the curve: one as far as possible from the z axis, and one orthogonal to it.
     float across[3] = {std::cos(2 * along), std::sin(2 * along), 0}, other[3];
     const float overlap = across[0] * tangent[0] + across[1] * tangent[1];
     for (int k = 0; k < 3; ++k) across[k] -= overlap * tangent[k];
@@ -70,7 +70,7 @@ Points make_knot() {
   return points;
 }
 
-// Moves points near the tip of the x axis outwards, the nearest ones farthest, and turns their normals. Returns the
+// Moves points near the tip of the x axis outwards, the nearest points farthest, and rotates their normals. Returns the
 // moved points.
 std::vector<std::uint32_t> bulge(Points& points, float by) {
   std::vector<std::uint32_t> moved;
@@ -140,7 +140,7 @@ void set_up() {
   glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, deepest);
 }
 
-// Every frame: select what is visible, then draw it. Here it is drawn in three ways.
+// Runs in every frame: select what is visible, then draw it. The example draws it in three ways.
 void draw_views(const glark::surfel::Strips& strips, std::size_t points) {
   look(0);
   glColor3f(0.2F, 0.35F, 0.6F);
@@ -168,14 +168,14 @@ int main(int argc, char** argv) {
   if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE) return 1;
   set_up();
 
-  // Once: the strips. Their indices go to a buffer. The points stay in their arrays and in their order.
+  // Runs once: the strips. Their indices go to a buffer. The points stay in their arrays and in their order.
   Points points = make_knot();
   glark::surfel::Strips strips({points.positions, points.normals});
   GLuint index_buffer = 0;
   glGenBuffers(1, &index_buffer);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
 
-  // When points move: only their strips are updated. (Large programs upload only the ranges that update() returns.)
+  // Runs when points move: only their strips are updated. Large programs upload only the ranges that update() returns.
   const float seconds = argc == 3 ? std::strtof(argv[2], nullptr) : 0.2F;
   const std::vector<std::uint32_t> moved = bulge(points, seconds);
   strips.update({points.positions, points.normals}, moved);

@@ -25,7 +25,7 @@ constexpr unsigned max_level = 5;
 
 struct Cube {
   std::array<float, 24> positions{};        // xyz of corner i: bit k of i is the side on axis k
-  std::array<unsigned char, 8> depths{};    // tag of corner i: max_level at corner 7, less at corners farther away
+  std::array<unsigned char, 8> depths{};    // the tag of corner i: max_level at corner 7, less at farther corners
   std::array<unsigned char, 36> indices{};  // 12 triangles, counter-clockwise from outside
 };
 

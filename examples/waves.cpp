@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Depth tags that change with every frame: rings of waves run outwards over a pond of 288 triangles. The refinement
-// shader moves the refined vertices by a function of time. In the same frame, the CPU tags each coarse vertex by how
-// much that function bends near it, so that fine triangles travel with the waves. The picture has four frames, with the
-// refined triangles as lines over the water. A query counts the triangles of each frame; the program compares the count
-// with section 11.R.5 of the extension.
+// shader moves the refined vertices by a function of time. In the same frame, the CPU tags each coarse vertex by the
+// bend of this function near it. So fine triangles travel with the waves.
+// The picture has four frames, with the refined triangles as lines over the water. A query counts the triangles of each
+// frame. The program compares the count with section 11.R.5 of the extension.
 //
 //   waves OUT.png
 #define GL_GLEXT_PROTOTYPES
@@ -100,7 +100,7 @@ Pond make_pond() {
   return pond;
 }
 
-// The bend of the waves fades with the packet. With a quarter of the bend, segments may be twice as long.
+// The bend of the waves fades with the packet. At a quarter of the bend, segments may be twice as long.
 void tag(Pond& pond, float time) {
   pond.tags.clear();
   for (const auto& [x, y] : pond.places) {

@@ -14,7 +14,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LEVEL = 3      # every triangle becomes 64
 SECONDS = 20   # the longest run of a program that waits for its user
-LIMIT = 120    # seconds after which a program hangs
+LIMIT = 120    # seconds after which a program counts as hanging
 
 
 @dataclasses.dataclass

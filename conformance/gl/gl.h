@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The GL of the implementation under test, by name: gl.DrawArrays(...). The suite links to no GL: it asks the window system for
-// every function, as any program would, and so judges whatever implementation the dynamic linker finds.
+// every function, as any program would, and so judges the implementation that the dynamic linker finds.
 //
 // glad generates the types, the names and the loader at build time, from Khronos' gl.xml and the extension's own registry,
 // glark/gl/glark.xml. The functions of the extension are there only if GetStringi(EXTENSIONS) has its name.

@@ -16,7 +16,7 @@ using Edge = std::pair<Weights, Weights>;
 // The weight of the corner that edge `edge` does not touch: 0 on the edge.
 std::int64_t opposite(const Weights& at, int edge) { return edge == 0 ? at.v : edge == 1 ? at.w : at.u; }
 
-// How far along edge `edge`, from its first end.
+// The distance along edge `edge`, from its first end.
 std::int64_t along(const Weights& at, int edge) { return edge == 0 ? at.u : edge == 1 ? at.v : at.w; }
 
 std::string text_of(const Weights& at) {
@@ -191,7 +191,7 @@ Depths depths_found(const std::vector<Weights>& triangles) {
 }
 
 float refined(float a0, float a1, float a2, const Weights& weights) {
-  // A double holds the product or the sum of two floats so well that the cast rounds it only once. The casts prevent
+  // A double has enough bits for the product or the sum of two floats: the cast is the only rounding. The casts prevent
   // contraction.
   const auto times = [](std::int64_t weight, float a) {
     return static_cast<float>(static_cast<double>(weight) / static_cast<double>(unit) * static_cast<double>(a));

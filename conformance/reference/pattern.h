@@ -15,7 +15,7 @@ namespace glark::conformance::reference {
 
 using Depths = std::array<int, 3>;  // of edges 0, 1 and 2
 
-// Barycentric coordinates in units of 2^-30: exact for all that single precision holds of a pattern.
+// Barycentric coordinates in units of 2^-30: exact for every weight of a pattern in single precision.
 struct Weights {
   std::int64_t w = 0;
   std::int64_t u = 0;
@@ -43,10 +43,10 @@ std::int64_t minimum_triangles(const Depths& depths);
 // Returns nothing if a weight is not between 0 and 1 or is finer than the unit, or if the sum is not 1.
 std::optional<Weights> exact_weights(float w, float u, float v);
 
-// Checks what 11.R.5 says of every pattern. Returns an empty text, or what is wrong. `triangles` has three corners for
-// each refined triangle.
+// Checks the rules of 11.R.5 for all patterns. Returns an empty text, or what is wrong. `triangles` has three corners
+// for each refined triangle.
 std::string fault_of_pattern(const std::vector<Weights>& triangles, const Depths& depths);
-// Also checks what 11.R.5 says of MINIMUM_INTERIOR_ARK.
+// Also checks the rules of 11.R.5 for MINIMUM_INTERIOR_ARK.
 std::string fault_of_minimum(const std::vector<Weights>& triangles, const Depths& depths);
 // The depths of edges 0, 1 and 2, from the segments along them; -1 if their number is no power of two.
 Depths depths_found(const std::vector<Weights>& triangles);

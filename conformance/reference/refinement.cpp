@@ -50,7 +50,7 @@ Vector normal_on_side(const Corner& i, double side) {
   return unit_normal(i);
 }
 
-// (P_j - P_i) . n, for an edge that other rules do not make straight.
+// (P_j - P_i) . n, for an edge that no other rule makes straight.
 double height(const Corner& i, const Corner& j, const Vector& n) {
   return i.position[3] == j.position[3] ? dot(vector_of(j.position) - vector_of(i.position), n) : 0;
 }

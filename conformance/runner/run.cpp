@@ -150,7 +150,7 @@ class Scheduler {
   bool is_over(Worker& worker) {
     const bool open = worker.listen(progress_);
     if (worker.is_finished()) {
-      // The last case has reported. The driver's exit is not its business, but the process must end.
+      // The last case has reported, so a driver that hangs at exit does not change its verdict.
       worker.process().kill();
       worker.process().wait();
       return true;

@@ -29,11 +29,11 @@ inline constexpr Apis every_api = {Api::gl_compat, Api::gl_core, Api::gles};
 inline constexpr Apis desktop_apis = {Api::gl_compat, Api::gl_core};
 inline constexpr Apis compat_only = {Api::gl_compat};
 
-// Looks at some clauses of the specification in one way.
+// Checks one or more clauses of the specification in one way.
 struct Case {
   std::string name;                  // "ark.area.topic.leaf": lower case, digits, underscores and dots
   std::vector<std::string> clauses;  // ids of clauses/clauses.txt; the sentences are quoted from there
-  std::string plan;                  // how the case looks at it
+  std::string plan;                  // how the case checks the sentences
   std::string wrong = {};            // what typical wrong implementations do or draw, and how that shows
   Apis apis = every_api;
   // Checks what must hold without refinement, in a context of its own. If it fails, the case cannot judge.

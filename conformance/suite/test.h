@@ -39,7 +39,7 @@ class Test {
   // The context that the case began with.
   Context& context() { return *context_; }
 
-  // Logs a failure unless `holds`, and continues. `what` says what was expected.
+  // Logs a failure unless `holds`, and continues. `what` names the expectation.
   bool expect(bool holds, std::string_view what);
   template <typename A, typename B>
   bool expect_equal(const A& actual, const B& expected, std::string_view what);

@@ -8,8 +8,8 @@
 
 namespace glark::conformance {
 
-// The result of a case. The case itself gives the first six. The runner gives crash, timeout and missing, from what it
-// sees of the process. A baseline gives the last three (runner/baseline.h).
+// The result of a case. The case itself gives the first six. The runner gives crash, timeout and missing, by the way
+// the process ends. A baseline gives the last three (runner/baseline.h).
 enum class Verdict {
   pass,
   fail,             // the implementation does not do what the clause says

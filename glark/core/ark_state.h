@@ -4,13 +4,23 @@
 
 #include <optional>
 
-#include "glark/core/refinement.h"
+#include "glark/core/context_options.h"
 #include "glark/gl/types.h"
 
 namespace glark::core {
 
 enum class DepthSource { tag, uniform, measured };
 enum class PolygonSplit { triangles, centroid };
+
+// Refined positions move along their normals by scale * texel + bias.
+struct Displacement {
+  int unit = -1;         // texture image unit with a two-dimensional texture; -1: none
+  unsigned channel = 0;  // of the texel
+  int coordinate = -1;   // location of the attribute with the texture coordinate; -1: by its role
+  float scale = 1;
+  float bias = 0;
+  bool on() const { return unit >= 0; }
+};
 
 // The state of GL_ARK_adaptive_refinement ("New State" of the specification).
 struct ArkState {
@@ -31,7 +41,8 @@ struct ArkState {
   bool geomorph = false;
   bool weld = false;
   bool tag_array = false;
-  // While a display list is compiled, glARKinit may lower the current tag to this value. It is set at the end of the list and not compiled.
+  // While a display list is compiled, glARKinit may lower the current tag to this value. The tag is set at the end of
+  // the list and is not compiled.
   std::optional<GLuint> lowered_tag;
 };
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 #include "glark/core/stages.h"
 
 namespace glark::core {

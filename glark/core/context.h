@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "glark/core/ark_state.h"
+#include "glark/core/context_options.h"
 #include "glark/core/objects/error_scope.h"
-#include "glark/core/refinement.h"
 #include "glark/core/state/arrays/buffer_writes.h"
 #include "glark/core/state/attribute_stack.h"
 #include "glark/core/state/capabilities.h"
@@ -45,7 +45,7 @@ class Context final : private ProgramWatcher {
   void frame_finished();
 
   const gl::Dispatch& gl() const { return gl_; }                // for the application's calls
-  const gl::Dispatch& supported() const { return supported_; }  // for ours: without what the context does not offer
+  const gl::Dispatch& supported() const { return supported_; }  // for our calls: only what the context offers
   const Capabilities& capabilities() const { return capabilities_; }
   bool is_compatibility() const { return capabilities_.is_compatibility(); }
   ContextOptions& options() { return options_; }
@@ -55,7 +55,7 @@ class Context final : private ProgramWatcher {
   ShareGroup& share() const { return *share_; }
   GlState& state() { return state_; }
   const GlState& state() const { return state_; }
-  // To note writes of buffers, and calls that go straight to GL.
+  // Notes writes of buffers, and calls that go straight to GL.
   BufferWrites writes() { return {state_.arrays(), state_.stamps(), share_->buffers}; }
   StateChanges changes() { return StateChanges(state_); }
   // Saves GL_ARK.
@@ -70,7 +70,7 @@ class Context final : private ProgramWatcher {
   bool refining() const { return refining_; }
   // Recomputes `refining` after a change of the state that it depends on.
   void update_refining();
-  // Called before a vertex of so many components between glBegin and glEnd.
+  // Called before a vertex of `components` components between glBegin and glEnd.
   void count_vertex(unsigned components) {
     ImmediateMode& immediate = state_.immediate();
     if (immediate.full()) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The parameters of GL_ARK_adaptive_refinement: a row each. The commands that set them, the queries, and the tables of the
-// extension's text (tests/core/track/parameters_test.cpp) read the same rows.
+// The parameters of GL_ARK_adaptive_refinement, one row each. The commands that set them, the queries, and the tables
+// of the extension's text (tests/core/track/parameters_test.cpp) use the same rows.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace glark::core {
 
-// What the ranges of some parameters depend on.
+// The values that limit the ranges of some parameters.
 struct ParameterLimits {
   GLint level = 0;            // greatest depth: of the pool, 0 before glARKinit
   GLint first_attribute = 0;  // the least index of a generic attribute that can carry tags
@@ -49,9 +49,9 @@ struct Parameter {
   Bounds (*bounds)(const ParameterLimits& limits) = nullptr;
   float least = 0;
   float most = 0;
-  std::string_view initial;       // as the extension's text has it
-  std::string_view values = {};   // the same; lines. Empty: the tokens, a line each
-  std::string_view setting = {};  // the key in a configuration file that means the same; empty: there is none
+  std::string_view initial;       // as in the extension's text
+  std::string_view values = {};   // lines of the extension's text; empty: one line per token
+  std::string_view setting = {};  // the configuration key with the same meaning; empty: there is none
 };
 
 // In the order of table 11.R of the extension's text.

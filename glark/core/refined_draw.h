@@ -3,7 +3,7 @@
 //
 // A draw call from end to end. Each step is a stage in a folder of its own:
 //   plan/ -> keep/ -> capture/ -> weld/ -> polygons/ -> depth/ -> submit/
-// A draw that cannot be refined leaves after plan/. A draw that is kept goes on to submit/.
+// A draw that cannot be refined leaves after plan/. A kept draw goes straight to submit/.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,8 @@
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
+#include "glark/core/report/passed_draws.h"
 #include "glark/core/state/environment.h"
 #include "glark/core/submit/submission.h"
 
@@ -36,12 +37,12 @@ class RefinedDraw {
   };
   RefinedDraw(const Environment& environment, const Parts& parts) : env_(environment), parts_(parts) {}
 
-  // Draws refined, or as the application asked; counts either.
+  // Draws refined or unrefined, and counts the draw.
   void run(const DrawCall& call);
-  // glBegin in a mode of triangles: how many triangles fit until glEnd. 0: the caller begins as the application asked.
+  // glBegin in a triangle mode. Returns how many triangles fit until glEnd; 0 means that the caller begins unrefined.
   std::uint64_t begin_immediate(GLenum mode);
   void end_immediate(std::uint64_t triangles);
-  // Counts a draw that the caller makes as the application asked.
+  // Counts a draw that the caller makes unrefined.
   void pass(Cause cause);
 
  private:

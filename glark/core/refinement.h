@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The refinements, and the choices a user makes about them. The settings, the API, the derivation of programs and the statistics
-// read the same rows.
+// The refinements, and the choices a user makes about them. The settings, the API, the derivation of programs and the
+// statistics read the same rows.
 #pragma once
 
 #include <array>
@@ -52,12 +52,13 @@ struct RefinementTraits {
   bool curves_positions = false;      // needs positions and normals; welded edges have control points in the record
   bool curves_normals = false;        // otherwise normals are linear
   bool takes_tags = false;            // of vertices: discontinuity and scalar tags
-  std::optional<Refinement> displaced_as = std::nullopt;  // evaluates the same surface where it is displaced
+  std::optional<Refinement> displaced_as = std::nullopt;  // evaluates the same surface with displacement
   ShapeNumber number = {};
 };
 
-// To add a refinement: the token in glark.xml and GL/glark.h, an enumerator and a row here, and, if it curves positions,
-// refine/epilogue/WORD.glsl (pn.glsl says what it must define) in the list of refine/CMakeLists.txt.
+// To add a refinement: add a token to glark.xml and GL/glark.h, and an enumerator and a row here. If it curves
+// positions, add refine/epilogue/WORD.glsl to the list of refine/CMakeLists.txt; pn.glsl says what this file must
+// define. Outside the library, add it to the extension's text, docs/reference/api.md, and the conformance suite.
 inline constexpr std::array refinements{
     // Boubekeur 2007, ch. 7.2.4
     RefinementTraits{.refinement = Refinement::linear_inputs,
@@ -146,69 +147,12 @@ constexpr ShapeNumbers initial_shape_numbers() {
   return numbers;
 }
 
-// Draws that transparent refinement leaves as they are: bits of ContextOptions::left_draws. man glark explains the rules.
-namespace left_draws {
-inline constexpr unsigned screen_quads = 1U << 0;  // depth neither read nor written, one or two triangles
-inline constexpr unsigned overlays = 1U << 1;      // depth neither read nor written, and blended
-inline constexpr unsigned orthographic = 1U << 2;  // fixed function without perspective, depth neither read nor written
-inline constexpr unsigned blended = 1U << 3;       // GL_BLEND on
-inline constexpr unsigned no_depth_test = 1U << 4;    // GL_DEPTH_TEST off
-inline constexpr unsigned no_depth_writes = 1U << 5;  // GL_DEPTH_TEST off, or glDepthMask(GL_FALSE)
-inline constexpr unsigned by_default = screen_quads | overlays | orthographic;
-}  // namespace left_draws
-
-// The name of each attribute in the vertex shader, or its location in digits. Empty: glark guesses it.
-struct AttributeRoles {
-  std::string position;
-  std::string normal;
-  std::string texture_coordinate;
-  bool operator==(const AttributeRoles&) const = default;
-};
-
-// How edge depths are measured where the application gives no tags. 0 turns a measure off. With two measures, an edge takes the
-// lesser depth.
-struct EdgeMeasure {
-  float pixels = 0;     // longest segment of an edge on the screen
-  float degrees = 0;    // greatest angle between the normals at the ends of a segment
-  unsigned budget = 0;  // most refined triangles in a frame; 0: no limit
-  bool on() const { return pixels > 0 || degrees > 0; }
-  bool operator==(const EdgeMeasure&) const = default;
-};
-
-// The scalar tags of chapter 8 where vertices carry none of their own.
+// The scalar tags of chapter 8, for vertices that carry none.
 struct ScalarTags {
   float sharpness = 0;  // 0 or more
   float tension = 0;    // -1 to 1
   float bias = 0;       // -1 to 1
   bool operator==(const ScalarTags&) const = default;
-};
-
-// Refined positions move along their normals by scale * texel + bias.
-struct Displacement {
-  int unit = -1;         // texture image unit with a two-dimensional texture; -1: none
-  unsigned channel = 0;  // of the texel
-  int coordinate = -1;   // location of the attribute with the texture coordinate; -1: by its role
-  float scale = 1;
-  float bias = 0;
-  bool on() const { return unit >= 0; }
-};
-
-// What the host of the core wants from a context. Set once, when the context is created.
-struct ContextOptions {
-  bool transparent = false;  // refine a program that does not know of the extension
-  unsigned level = 2;        // uniform level of transparent refinement
-  unsigned max_level = 6;    // level of the pool built for transparent refinement
-  Refinement refinement = Refinement::linear_inputs;
-  ShapeNumbers shape_numbers = initial_shape_numbers();
-  bool weld = true;          // curved triangles by position, where the program has split its vertices
-  EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
-  bool geomorph = false;     // refined vertices move between the levels of measured depths
-  bool centroids = false;    // quads and polygons become fans about their centroids
-  bool wireframe = false;
-  unsigned left_draws = left_draws::by_default;
-  std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources
-  AttributeRoles roles = {};
-  bool read_counts = false;  // once a frame, reads back the numbers that only the GPU has counted, for the statistics
 };
 
 }  // namespace glark::core

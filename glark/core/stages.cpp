@@ -17,7 +17,7 @@ Stages::Stages(const Environment& environment)
       submission_(env_, {pool_, programs_, capture_.stage(), feedback_in_use_}),
       draw_(env_, {pool_, planner_, capture_, kept_, passes_, submission_, feedback_, immediate_}) {}
 
-// Adds to the statistics what only the GPU has counted.
+// Adds the counts that only the GPU knows to the statistics.
 void Stages::read_counts() {
   if (!env_.options.read_counts) {
     return;
@@ -27,7 +27,7 @@ void Stages::read_counts() {
   passes_.sorter().read_counts();
 }
 
-// Between glBegin and glEnd nothing can be asked: the bindings are not read again.
+// Between glBegin and glEnd, GL answers no queries: the bindings are not read again.
 void Stages::frame_finished() {
   const Quiet quiet(env_.gl, env_.bindings().debug_output);
   read_counts();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The stages of one context that can refine. This file puts them together; refined_draw.cpp tells what they do.
+// The stages of one context that can refine. refined_draw.cpp runs them.
 #pragma once
 
 #include <vector>
@@ -36,7 +36,7 @@ class Stages {
   void frame_finished();
   // Deletes all GL objects; only while the context is current.
   void release();
-  // The names of the buffers that hold kept draws, for whoever deletes them. Nothing is kept any more.
+  // Returns the names of the buffers that hold kept draws; the caller has them deleted. Nothing is kept any more.
   std::vector<GLuint> take_kept_buffers() { return kept_.take_buffers(); }
 
  private:

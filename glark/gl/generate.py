@@ -27,7 +27,7 @@ CLASSES = {"draw", "track", "uniform", "count", "count_unseen", "attribute", "op
            "write_gpu", "gpu_may_write", "external_target", "external_buffer", "array", "touch_vertex_array",
            "touch_fixed_function", "touch_matrices", "touch_any_matrix", "hand", "pass", "extra"}
 HOOKED = {"draw", "track", "array", "api"}
-# Class -> what is called on the context after the real function, with the first of these parameters that the function has.
+# Class -> the call on the context after the real function, with the first of these parameters that the function has.
 TOUCH_CALLS = {
     "write_target": ("writes().to_target", ["writeTarget", "target"]),
     "write_buffer": ("writes().to_buffer", ["writeBuffer", "buffer"]),
@@ -42,7 +42,7 @@ TOUCH_CALLS = {
     "touch_matrices": ("changes().touch_matrices", []),
     "touch_any_matrix": ("changes().touch_any_matrix", []),
 }
-# The current value that a function sets: by the start of its name.
+# The current value that a function sets, by the start of the function's name.
 ATTRIBUTE_SLOTS = [
     ("glColor", "color_slot"),
     ("glNormal", "normal_slot"),
@@ -279,7 +279,7 @@ def wrapper_body(command, kind):
 
 
 def components(command):
-    """Of the vertex that the call gives; 0 where its name does not say."""
+    """The number of components of the vertex that the call gives; 0 if its name does not say."""
     digits = re.search(r"\d", command.name)
     return int(digits.group()) if digits else 0
 
@@ -328,7 +328,7 @@ def uniform_body(command, real):
     twin = command.canonical.member if of_program else f"Program{command.canonical.member}"
     values = ", ".join(names[2:] if of_program else names[1:])
     mirrors = f"state.programs().mirrors(state.bindings(){', ' + names[0] if of_program else ''})"
-    # What is rare stands in a function of its own, so that the usual call is a jump.
+    # Rare work stands in a function of its own, so that the usual call is a jump.
     return [
         f"if (here.context == nullptr || (!here.context->state().programs().mirroring() && !here.context->state().lists().compiling() && location < glark::core::virtual_location_base)) "
         f"{{ {real}; return; }}",

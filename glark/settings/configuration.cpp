@@ -14,7 +14,7 @@
 #define TOML_EXCEPTIONS 0  // an exception must not pass through the host program
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/impl/preprocessor.h>
-// toml++ 3.3 marks code as unreachable that Latin and Cyrillic letters outside of strings reach.
+// toml++ 3.3 marks some code as unreachable, although Latin and Cyrillic letters outside of strings reach it.
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false
@@ -126,8 +126,8 @@ void Reader::parse(std::string_view text) {
     parts_.push_back({std::move(whole).table(), 0});
     return;
   }
-  // The file has an error: parse it table by table, so that the other tables count. This also cuts lists of lists and texts of
-  // several lines, so a correct file is never parsed this way.
+  // The file has an error: parse it table by table, so that the other tables count. This also cuts lists of lists and
+  // texts of several lines, so a correct file is never parsed this way.
   const std::vector<std::string_view> lines = lines_of(text);
   for (std::size_t first = 0; first < lines.size();) {
     std::size_t end = first + 1;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Configuration files: TOML; keys for all programs first, then a table [program.NAME] for each program with its own keys.
+// Configuration files: TOML; keys for all programs first, then a table [program.NAME] for each program with its own
+// keys.
 #pragma once
 
 #include <optional>
@@ -28,8 +29,9 @@ std::string find_configuration(const char* const* environment);
 // Returns the text of a file of at most `longest_configuration` bytes; otherwise nothing, with the reason in `problem`.
 std::optional<std::string> read_configuration(const std::string& file, std::string& problem);
 
-// Returns the names of a program in [program.NAME], the most specific last: the executable file; the name that the program was
-// called by; and for an interpreter (Python, Wine, Java ...) the script that it runs, with and without its ending.
+// Returns the names of a program in [program.NAME], the most specific last: the executable file; the name that the
+// program was called by; and for an interpreter (Python, Wine, Java ...) the script that it runs, with and without its
+// ending.
 std::vector<std::string> program_names(const std::string& executable, std::span<const std::string> arguments);
 
 }  // namespace glark::settings

@@ -12,8 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "glark/core/context_options.h"
 #include "glark/core/refinement.h"
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 
 namespace glark::settings {
 
@@ -45,8 +46,8 @@ struct Parsed {
   std::vector<std::string> problems;
 };
 
-// Reads the configuration file, then the environment, which wins. `environment` is like `environ`: "NAME=value" strings up to
-// a null pointer; it may be null. In the file, only the tables of the programs `names` count.
+// Reads the configuration file, then the environment, which wins. `environment` is like `environ`: "NAME=value" strings
+// up to a null pointer; it may be null. In the file, only the tables of the programs `names` count.
 Parsed parse(const char* const* environment, std::span<const std::string> names = {});
 
 // Returns the value of a variable, or nothing if the variable is unset.

@@ -48,7 +48,7 @@ constexpr char attributes[] = "Vertex attributes";
 constexpr char output[] = "Pictures, statistics and messages";
 constexpr char files[] = "Configuration file";
 
-// The words of all refinements, and with them what each does, made at compile time from their rows.
+// The words of all refinements and their descriptions, made at compile time from their rows.
 template <std::size_t size>
 struct Text {
   std::array<char, size> letters{};

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The table of settings, one row each. `glark run --help`, docs/reference/options.md and the manual page are printed from it,
-// and the defaults of Settings come from it.
+// The table of settings, one row each. `glark run --help`, docs/reference/options.md and the manual page are printed
+// from it, and the defaults of Settings come from it.
 #pragma once
 
 #include <span>

@@ -42,8 +42,8 @@ std::optional<CaptureRequest> parse_capture(std::string_view text) {
   return CaptureRequest{*frame, std::string(file)};
 }
 
-// Calls `take` with each word of a comma-separated list, without blanks around it. Returns false if `take` did for a word, or if
-// a word is empty.
+// Calls `take` with each word of a comma-separated list, without blanks around it. Returns false if `take` did for a
+// word, or if a word is empty.
 template <class Take>
 bool for_each_word(std::string_view text, const Take& take) {
   if (text.find_first_not_of(' ') == std::string_view::npos) return true;  // the empty list

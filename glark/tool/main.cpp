@@ -55,8 +55,8 @@ void describe_run(CLI::App& run, glark::tool::RunOptions& options) {
       "PROGRAM and everything after it are run as they are. Write -- before a program whose name begins with a dash.");
 }
 
-// Takes the program and its arguments off the end of `words` and returns them. The program begins after "--", or at the first
-// word that is neither an option nor the value of one.
+// Takes the program and its arguments off the end of `words` and returns them. The program begins after "--", or at the
+// first word that is neither an option nor the value of one.
 std::vector<std::string> take_program(const CLI::App& run, std::vector<std::string>& words) {
   auto word = words.begin() + 1;  // past "run"
   for (; word != words.end() && word->starts_with("-") && *word != "--"; ++word) {

@@ -53,8 +53,8 @@ bool preload(const fs::path& library) {
   return true;
 }
 
-// File names become absolute, because the program may change its folder. Unwritable files are refused now, not after the
-// program has run for an hour.
+// File names become absolute, because the program may change its folder. Unwritable files are refused now, not after
+// the program has run for an hour.
 std::optional<std::string> writable(const std::string& option, const std::string& file) {
   const fs::path path = fs::absolute(file);
   const fs::path folder = path.parent_path();

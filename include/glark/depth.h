@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Depth tags for the vertices of a triangle mesh, computed by metrics on the CPU. They are for
-// glDepthTagPointerARK(GL_FLOAT, ...), or any vertex attribute. Nothing here calls GL. Link to glark-depth. Source:
-// Boubekeur 2007, ch. 7.2.2: any metric may set a tag; these are the usual ones.
+// Depth tags for the vertices of a triangle mesh, computed by metrics on the CPU. The tags go to
+// glDepthTagPointerARK(GL_FLOAT, ...), or to any vertex attribute. The library does not call GL. Link to glark-depth.
+// Source: Boubekeur 2007, ch. 7.2.2: any metric may set a tag. This library has the usual metrics.
 //
-// The caller owns all arrays. A vertex has three floats in `positions` and `normals`, and one in `tags`; lengths must
-// match the mesh. Tags are from 0 to max_level, and never NaN. They may be fractions, which the extension rounds unless
-// it morphs between levels (GL_GEOMORPH_ARK). Metrics of edges and surfaces give vertices without triangles the tag 0.
+// The caller owns all arrays. A vertex has three floats in `positions` and `normals`, and one in `tags`. Lengths must
+// match the mesh. Tags are from 0 to max_level, and never NaN. They may be fractions. The extension rounds fractions,
+// unless it morphs between levels (GL_GEOMORPH_ARK). Metrics of edges and surfaces give the tag 0 to vertices without
+// triangles.
 //
-// Bad input throws Error before anything is written; its message names the element. Nothing allocates memory after
+// Bad input throws Error before anything is written. The message names the element. Nothing allocates memory after
 // construction.
 #pragma once
 
@@ -30,7 +31,7 @@ class Error : public ArgumentError {
 };
 
 // Tags fall linearly from `finest` to `coarsest` between the distances `nearest` and `farthest`, in the units of the
-// mesh. They are constant before and beyond.
+// mesh. Outside this range they are constant.
 struct DistanceRange {
   Vector point{};  // the eye, or another place that needs detail
   float nearest = 1;
@@ -40,8 +41,8 @@ struct DistanceRange {
 };
 
 // The scale of lengths on the screen. A length of 1 at the distance 1 from the eye covers `pixels_at_one` pixels:
-// height / (2 tan(field_of_view / 2)). Smaller distances than `nearest` count as `nearest`. Edges count as if they were
-// seen from the side, so that tags do not change while an edge turns.
+// height / (2 tan(field_of_view / 2)). Distances below `nearest` are raised to `nearest`. Edges are measured as if they
+// were seen from the side. So tags do not change while an edge turns.
 struct View {
   Vector eye{};
   float pixels_at_one = 1000;
@@ -56,21 +57,22 @@ struct HeightMap {
   std::uint32_t height = 0;
 };
 
-// How the extension computes the depth of an edge. `rounded`: the mean of the tags, each rounded to the nearest
-// integer, then rounded down. `geomorph`: the mean, rounded down to 1/64, then up to the next integer; patterns are
+// How the extension computes the depth of an edge.
+// `rounded`: each tag is rounded to the nearest integer. The depth is their mean, rounded down.
+// `geomorph`: the depth is the mean of the tags, rounded down to 1/64, then up to the next integer. The patterns are
 // those of geomorphing.
 enum class EdgeRule { rounded, geomorph };
 
 struct Budget {
   float bias = 0;               // subtracted from every tag
-  std::uint64_t triangles = 0;  // refined ones, with the new tags
-  bool kept = false;            // false: even the coarse mesh has more
+  std::uint64_t triangles = 0;  // the number of refined triangles with the new tags
+  bool kept = false;            // false: even the coarse mesh exceeds the budget
 };
 
 class Tagger {
  public:
-  // triangles: three vertices each; they are copied. Throws Error for a number that is not a multiple of three, an
-  // index that is no vertex, or a level above 11. Triangles may be degenerate, repeated or non-manifold.
+  // triangles: three vertices each. They are copied. Throws Error for a number of indices that is not a multiple of
+  // three, an index beyond the vertices, or a level above 11. Triangles may be degenerate, repeated or non-manifold.
   Tagger(std::size_t vertices, std::span<const std::uint32_t> triangles, unsigned max_level);
   ~Tagger();
   Tagger(const Tagger& other);
@@ -81,26 +83,26 @@ class Tagger {
   std::size_t vertices() const { return vertices_; }
   unsigned max_level() const { return max_level_; }
 
-  // The wanted tags, clamped.
+  // Copies the wanted tags, clamped.
   void manual(std::span<const float> wanted, std::span<float> tags) const;
 
   void by_distance(std::span<const float> positions, const DistanceRange& range, std::span<float> tags) const;
 
-  // Deep enough that no segment of an edge is longer than `pixels`.
+  // The tags are deep enough that no segment of an edge is longer than `pixels`.
   void by_edge_length(std::span<const float> positions, const View& view, float pixels, std::span<float> tags);
 
-  // Deep enough that the segments of an edge are closer than `tolerance`, in the units of the mesh, to the arc that has
-  // the larger principal curvature at an end. Normals may have any length; where they are zero, or the array is empty,
-  // those of the faces count.
+  // The tags are deep enough that the segments of an edge are closer than `tolerance`, in the units of the mesh, to an
+  // arc. The arc has the larger principal curvature at an end of the edge. Normals may have any length. The normals of
+  // the faces replace zero normals and an empty array.
   void by_curvature(std::span<const float> positions, std::span<const float> normals, float tolerance,
                     std::span<float> tags);
-  // The same with a tolerance in pixels.
+  // As above, with a tolerance in pixels.
   void by_curvature(std::span<const float> positions, std::span<const float> normals, const View& view, float pixels,
                     std::span<float> tags);
 
-  // Deep enough that a height, which halves with each level, is below `tolerance`. The height is the root mean square
-  // difference between the map and its linear interpolation on the triangles around a vertex. `coordinates`: two floats
-  // for each vertex.
+  // The tags are deep enough that a height is below `tolerance`. The height halves with each level. It is the root mean
+  // square difference between the map and its linear interpolation on the triangles around a vertex. `coordinates`: two
+  // floats for each vertex.
   void by_displacement(std::span<const float> coordinates, const HeightMap& map, float tolerance,
                        std::span<float> tags);
 
@@ -109,15 +111,16 @@ class Tagger {
   void principal_curvatures(std::span<const float> positions, std::span<const float> normals, std::span<float> greater,
                             std::span<float> lesser);
 
-  // Combine tags with others: the greater of both, the lesser, or weight * other + (1 - weight) * tags with a weight of
-  // 0 to 1.
+  // Each function combines the tags with other tags: the greater of both, the lesser, or weight * other + (1 - weight)
+  // * tags. The weight is from 0 to 1.
   void take_greater(std::span<const float> other, std::span<float> tags) const;
   void take_lesser(std::span<const float> other, std::span<float> tags) const;
   void blend(std::span<const float> other, float weight, std::span<float> tags) const;
 
-  // The exact number of triangles that the extension draws for these tags, with GL_MINIMUM_INTERIOR_ARK.
+  // Returns the exact number of triangles that the extension draws for these tags, with GL_MINIMUM_INTERIOR_ARK.
   std::uint64_t refined_triangles(std::span<const float> tags, EdgeRule rule = EdgeRule::rounded) const;
-  // Subtracts the least bias from all tags, in steps of 1/256, with which at most so many triangles are drawn.
+  // Subtracts a bias from all tags, so that at most `triangles` triangles are drawn. It is the least bias in steps of
+  // 1/256.
   Budget keep_budget(std::uint64_t triangles, std::span<float> tags, EdgeRule rule = EdgeRule::rounded) const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace glark {
 
-// A library cannot take an argument. what() names the library, the element, its value, and what to do about it.
+// A library cannot use an argument. what() names the library, the element, its value, and the remedy.
 class ArgumentError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
@@ -25,7 +25,7 @@ class ElementError : public ArgumentError {
       : ArgumentError(message), element_(element), index_(index) {}
 
   Element element() const { return element_; }
-  std::size_t index() const { return index_; }  // of the element; 0 where there is only one
+  std::size_t index() const { return index_; }  // the index of the element; 0 where there is only one
 
  private:
   Element element_;

@@ -15,8 +15,8 @@
 // from the side that the normals point to. Strips contain degenerate triangles, which join their parts.
 //
 // All clouds are accepted: empty ones, few points, points on a line, duplicates. Only the first of several points at
-// one position is drawn. Points without neighbours within reach have no triangles. Zero normals are ignored. If there
-// are no normals at all, planes are fitted to the positions; then strips have no common orientation, and back faces are
+// one position is drawn. Points without neighbours within reach have no triangles. Zero normals are ignored. If all
+// normals are missing, planes are fitted to the positions. Then strips have no common orientation, and back faces are
 // not culled.
 //
 // The result does not depend on the number of threads.
@@ -40,13 +40,13 @@ inline constexpr std::uint32_t none = 0xFFFFFFFFU;
 
 enum class Element { cloud, point, normal, option, view };
 
-// Names the wrong element of an argument, and what is wrong.
+// Names the wrong element of an argument, and the fault.
 class Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
 };
 
-// The caller owns the arrays. They are read during the call only.
+// The caller owns the arrays. The library reads them during the call only.
 struct Cloud {
   std::span<const float> positions = {};  // [3 * points], x y z
   std::span<const float> normals = {};    // [3 * points], of any length; or empty
@@ -54,20 +54,20 @@ struct Cloud {
 
 struct Options {
   // The most points in a leaf of the stripping tree, 8 to 1024. The thesis has 20 to 40. Larger leaves share fewer
-  // points with their neighbours and have longer strips: building is faster and strips have fewer indices, but culling
-  // is coarser.
+  // points with their neighbours and have longer strips. So building is faster and strips have fewer indices, but
+  // culling is coarser.
   unsigned leaf_points = 192;
   // The height-field indicator of chapter 3.2.2. Leaves are split if the cosine between a point's normal and the leaf's
   // normal is less than delta_a, or if a point is farther from the leaf's plane than delta_d, in radii of the leaf.
   float delta_a = 0.0F;
   float delta_d = 0.6F;
-  // How far a leaf takes in points of its neighbours, in mean spacings of its own points, 0.5 to 8.
+  // The distance within which a leaf takes in points of its neighbours, in mean spacings of its own points, 0.5 to 8.
   float inflation = 1.6F;
-  // The longest edge of a triangle, 1 to 100, in spacings: the distances of its three points to their neighbours, of
-  // which the median counts. Isolated points have no triangles.
+  // The longest edge of a triangle, 1 to 100, in units of the triangle's spacing. The spacing is the median of the
+  // distances of its three points to their neighbours. Isolated points have no triangles.
   float reach = 5.0F;
-  // Whether edges within a leaf may be flipped where that saves indices. The triangles must be flat (normals differ by
-  // less than 26 degrees), and the angles opposite to the new edge must be less than 130 degrees on average.
+  // Edges within a leaf may be flipped where this saves indices. The triangles must be flat: normals differ by less
+  // than 26 degrees. The angles opposite to the new edge must be less than 130 degrees on average.
   bool turn_edges = true;
   unsigned levels = 1;   // levels of detail, 1 to 16; each has about a quarter of the points of the previous one
   unsigned threads = 0;  // the most threads; 0: as many as the machine has, 1: the caller's only
@@ -76,7 +76,7 @@ struct Options {
 // A node of the stripping tree of one level of detail.
 struct Node {
   std::array<float, 3> low, high;  // the box of all triangles below; low > high where there are none
-  std::array<float, 3> cone_axis;  // of unit length; the triangles' normals lie within the cone about it
+  std::array<float, 3> cone_axis;  // unit length; the normals of the triangles lie within the cone about the axis
   // A point behind the planes of all triangles. An eye at e with dot(apex - e, axis) > sine * |apex - e| sees only
   // backs.
   std::array<float, 3> cone_apex;
@@ -86,36 +86,37 @@ struct Node {
   std::uint32_t representative;  // the point nearest to the mean of the points below; `none` if there are none
 };
 
-// How many triangles the leaves' triangulations have of each class of chapter 5.2.2. `dual` triangles are replaced,
-// because leaves disagree on them; `valid` triangles are drawn.
+// The numbers of triangles in the leaves' triangulations, for each class of chapter 5.2.2. Leaves disagree on `dual`
+// triangles, so these are replaced. Only `valid` triangles are drawn.
 struct Counts {
   std::size_t outer = 0, redundant = 0, dual = 0, valid = 0;
   std::size_t out_of_reach = 0;  // triangles with an edge that is longer than Options::reach allows
   std::size_t turned = 0;        // edges that were flipped, see Options::turn_edges
   std::size_t strips = 0;        // leaves that have triangles
-  std::size_t indices = 0;       // of all strips
+  std::size_t indices = 0;       // the indices of all strips
 };
 
 struct View {
   std::array<float, 16>
       clip_from_object{};          // projection times model-view, column-major as in GL; w > 0 in front of the eye
-  unsigned width = 0, height = 0;  // of the viewport, in pixels
+  unsigned width = 0, height = 0;  // the size of the viewport, in pixels
   bool cull_frustum = true;
   bool cull_back_faces = true;  // does not change the picture where GL_CULL_FACE is enabled
   float point_pixels = 1.0F;    // nodes of at most this size are drawn as points; 0: never
-  // The coarsest level of detail is drawn whose points are at most this many pixels apart; 0: the finest level.
+  // The largest distance of points on the screen, in pixels. The coarsest level within this limit is drawn; 0: the
+  // finest level.
   float level_pixels = 1.0F;
 };
 
-// The list of what to draw. A frame that is used again needs no new memory.
+// The strips and points that a frame draws. A frame that is used again needs no new memory.
 struct Frame {
   std::vector<std::int32_t> counts;  // for glMultiDrawElements(GL_TRIANGLE_STRIP, ...)
   std::vector<const void*> offsets;  // in bytes from the beginning of indices()
   std::vector<std::uint32_t>
       points;  // for glDrawElements(GL_POINTS, ...): representatives of nodes that are too small for strips
   unsigned level = 0;
-  std::size_t indices = 0, strips = 0;                          // drawn
-  std::size_t visited = 0, out_of_frustum = 0, back_faces = 0;  // nodes
+  std::size_t indices = 0, strips = 0;                          // drawn indices and strips
+  std::size_t visited = 0, out_of_frustum = 0, back_faces = 0;  // numbers of nodes
   std::int32_t draws() const { return static_cast<std::int32_t>(counts.size()); }
 };
 
@@ -147,11 +148,12 @@ class Strips {
   // strips of the other leaves. Errors: Error for a view without size, or a matrix that is not finite.
   void select(const View& view, Frame& frame) const;
 
-  // Updates strips after points moved or their normals changed. `moved` are the indices of these points. `cloud` has
-  // the same points otherwise; points beyond the old ones are new. Only moved and new points are read. Only leaves
-  // around these points are processed again. Levels of detail keep their points. Returns the sorted ranges of indices()
-  // that changed; indices() may have grown beyond the size of its buffer. Errors: as for the constructor, and for fewer
-  // points than before or an index beyond the points. After an error nothing has changed.
+  // Updates strips after points moved or their normals changed. `moved` are the indices of these points. The other
+  // points of `cloud` must be the same as before. Points beyond the old ones are new. Only moved and new points are
+  // read, and only leaves around these points are processed again. Levels of detail keep their points.
+  // Returns the sorted ranges of indices() that changed. indices() may have grown beyond the size of its buffer.
+  // Errors: as for the constructor, and for fewer points than before or an index beyond the points. After an error,
+  // nothing has changed.
   std::vector<Range> update(const Cloud& cloud, std::span<const std::uint32_t> moved);
 
  private:

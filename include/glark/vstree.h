@@ -37,7 +37,7 @@ namespace glark::vstree {
 
 enum class Element { option, array, point, triangle };
 
-// An error in an argument, the element that has it, and what to do about it.
+// An error in an argument, the element that has it, and the remedy.
 class Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
@@ -67,10 +67,10 @@ struct Options {
   // distance of each sample from the mean plane, relative to the greatest distance from the centroid, is below delta_d,
   // 0 to 1.
   float delta_a = 0;
-  float delta_d = 0.25F;            // the thesis has 1/6; this divides the octree less deep
+  float delta_d = 0.25F;            // 1/6 in the thesis; 0.25 makes the octree less deep
   std::uint32_t least_samples = 1;  // a node with this many samples or fewer is a leaf
-  std::uint32_t most_leaves =
-      0;                 // if not 0, replaces the threshold: at most so many leaves, with the least greatest error
+  // If not 0, replaces the threshold: at most `most_leaves` leaves, with the least possible greatest error.
+  std::uint32_t most_leaves = 0;
   unsigned threads = 0;  // the most threads; 0: as many as the machine has, 1: only the caller's
 };
 
@@ -83,16 +83,16 @@ enum class Kind : std::uint8_t {
 inline constexpr std::uint32_t none = 0xFFFFFFFF;
 
 struct Node {
-  std::uint32_t begin = 0, end = 0;  // its samples, in Tree::order()
-  std::uint32_t first_child =
-      0;  // children with samples follow one another, in the order of the bits of `children`; 0: a leaf
-  std::uint32_t frame = none;  // of the transition node above, or of itself
-  float error = 0;             // in the tree's metric
+  std::uint32_t begin = 0, end = 0;  // the range of its samples in Tree::order()
+  // Children with samples follow one another, in the order of the bits of `children`. 0: a leaf.
+  std::uint32_t first_child = 0;
+  std::uint32_t frame = none;  // the transition node above, or the node itself
+  float error = 0;             // the error in the tree's metric
   Kind kind = Kind::volume;
   std::uint8_t level = 0;     // the root has 0
-  std::uint8_t children = 0;  // which octants (x + 2 y + 4 z) or quadrants (u + 2 v) have samples
-  // Pairs of quadrants that are one leaf, where the surface bends in one direction only: bit 0 for 0 and 1, bit 1 for 2
-  // and 3, bit 2 for 0 and 2, bit 3 for 1 and 3.
+  std::uint8_t children = 0;  // the octants (x + 2 y + 4 z) or quadrants (u + 2 v) that have samples, as bits
+  // Pairs of quadrants that form one leaf, if the surface bends in one direction only. Bit 0 is for quadrants 0 and 1,
+  // bit 1 for 2 and 3, bit 2 for 0 and 2, bit 3 for 1 and 3.
   std::uint8_t joined = 0;
 
   bool is_leaf() const { return first_child == 0; }
@@ -103,13 +103,13 @@ struct Node {
     return static_cast<unsigned>((of_four_bits >> (4 * (bits & 15U))) & 15U) +
            static_cast<unsigned>((of_four_bits >> (4 * (bits >> 4U))) & 15U);
   }
-  // The child that is an octant or quadrant with samples.
+  // Returns the child for an octant or quadrant that has samples.
   std::uint32_t child(unsigned which) const;
   std::uint32_t size() const { return end - begin; }
 };
 
-// The local frame of a transition node. The normal is the mean of the samples' normals. Orthogonal to it, u and v are
-// the main directions in which the normals vary, so that the rectangle is aligned with the surface's curvature.
+// The local frame of a transition node. Its normal is the mean of the samples' normals. Orthogonal to it, u and v are
+// the main directions in which the normals vary. So the rectangle is aligned with the surface's curvature.
 struct Frame {
   std::array<float, 3> origin;  // the centroid
   std::array<float, 3> u, v, normal;
@@ -132,11 +132,11 @@ class Tree {
   std::span<const std::uint32_t> order() const;  // [samples]; the samples of a node follow one another
   std::span<const std::uint32_t> samples(const Node& node) const;  // indices of samples
   std::size_t leaf_count() const;
-  std::size_t bytes() const;  // of all arrays
-  float diagonal() const;     // of the bounding box, in the positions' unit
+  std::size_t bytes() const;  // the size of all arrays
+  float diagonal() const;     // the diagonal of the bounding box, in the positions' unit
 
-  // Returns the leaf whose cell contains the position; the last node on the way there if the cell has no sample; none
-  // outside the root. A sample lies in its own leaf.
+  // Returns the leaf whose cell contains the position. If the cell has no sample, returns the last node on the path to
+  // it. Returns none outside the root. A sample lies in its own leaf.
   std::uint32_t leaf_of(const std::array<float, 3>& position) const;
 
  private:
@@ -152,37 +152,37 @@ struct NormalOptions {
   unsigned threads = 0;  // as in Options
 };
 
-// Returns unit normals: [3 * points]. A normal that points.normals has is kept. The others are the direction in which
-// the nearest neighbours extend least; samples at one place count once. A normal is zero where there is no such
-// direction, that is, with fewer than three places, or places on a line. Source: H. Hoppe et al., Surface
-// Reconstruction from Unorganized Points, 1992. Errors: as Tree.
+// Returns unit normals: [3 * points]. Normals in points.normals are kept. Each other normal is the direction in which
+// the nearest neighbours extend least. Samples at one position count once. With fewer than three positions, or with
+// positions on a line, the normal is zero.
+// Source: H. Hoppe et al., Surface Reconstruction from Unorganized Points, 1992. Errors: as Tree.
 std::vector<float> estimate_normals(const PointSet& points, const NormalOptions& options = {});
 
 // The caller owns the arrays.
 struct Mesh {
   PointSet points;
-  std::span<const std::uint32_t> triangles = {};  // [3 * triangles], points; none: a set of points
+  std::span<const std::uint32_t> triangles = {};  // [3 * triangles], indices of points; empty: a set of points
 };
 
 enum class Clustering {
   volume_surface,  // leaves of a volume-surface tree
-  octree,          // of a plain octree
+  octree,          // leaves of a plain octree
   grid,            // cubes of one size
 };
 
 // The position of the point that represents a cluster.
 enum class Representative {
-  qef,       // nearest to the planes of the cluster's triangles or samples
+  qef,       // the point nearest to the planes of the cluster's triangles or samples
   centroid,  // the mean of its samples
 };
 
 struct SimplifyOptions {
   Clustering clustering = Clustering::volume_surface;
   Representative representative = Representative::qef;
-  // The most triangles, or points of a point set. The result may have about 1 % less. 0: `threshold` counts instead.
+  // The most triangles, or points of a point set. The result may have about 1 % less. 0: `threshold` is used instead.
   std::size_t target = 0;
   Metric metric = Metric::l2;
-  float threshold = 1e-4F;  // of a tree, as in Options; of a grid, the side of a cube relative to the diagonal
+  float threshold = 1e-4F;  // for a tree, as in Options; for a grid, the side of a cube relative to the diagonal
   float delta_a = 0;        // as in Options
   float delta_d = 0.25F;
   // Gives each sheet its own vertices where sheets of the result touch, so that edges have two triangles.
@@ -190,20 +190,20 @@ struct SimplifyOptions {
   unsigned threads = 0;  // as in Options
 };
 
-// Has the attributes of the input, and always normals.
+// The result has the attributes of the input, and always normals.
 struct Simplified {
   std::vector<float> positions, normals;
   std::vector<std::uint8_t> colours;  // means over a cluster, as the normals
-  std::vector<float> texcoords;  // of the sample nearest to the representative; a mean would mix charts of a texture
+  std::vector<float> texcoords;  // from the sample nearest to the representative; a mean would mix charts of a texture
   std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t>
-      representatives;  // [points of the input]: the vertex of each point; none if no triangle uses it
+  // [points of the input]: the vertex of each point; none if no triangle uses the vertex.
+  std::vector<std::uint32_t> representatives;
 };
 
-// Clusters vertices. Triangles whose corners are in three clusters stay, without repeats, and without pairs of opposite
-// orientation. The result has the vertices that its triangles use, or all clusters of a point set. Source: Boubekeur
-// 2007, ch. 3.3; P. Lindstrom, Out-of-Core Simplification of Large Polygonal Models, 2000. Errors: as Tree, and Error
-// for an index that is no point.
+// Clusters vertices. A triangle stays if its corners are in three clusters. Repeats are removed, and so are pairs of
+// opposite orientation. The result has the vertices that its triangles use, or all clusters of a point set.
+// Source: Boubekeur 2007, ch. 3.3; P. Lindstrom, Out-of-Core Simplification of Large Polygonal Models, 2000.
+// Errors: as Tree, and Error for an index that is no point.
 Simplified simplify(const Mesh& mesh, const SimplifyOptions& options = {});
 
 }  // namespace glark::vstree

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "glark/core/context.h"
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 #include "shim/contexts/surface_size.h"
 #include "shim/contexts/thread.h"
 #include "shim/report/options.h"

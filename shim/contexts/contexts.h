@@ -13,7 +13,8 @@ void context_created(Provider provider, void* native, void* share);
 void context_destroyed(Provider provider, void* native);
 // The program copied state into a context, which is current in no thread.
 void context_copied(Provider provider, void* native);
-// Call it before the real MakeCurrent: it is the last chance to free our objects in a context that the program destroyed.
+// Call it before the real MakeCurrent: it is the last chance to free our objects in a context that the program
+// destroyed.
 void make_current_begins(Provider provider, void* native);
 // Call it after a successful MakeCurrent.
 void make_current_done(Provider provider, void* native, const Surface& surface);

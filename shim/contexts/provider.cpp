@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 #include "shim/linker/dynamic_linker.h"
 #include "shim/names/name_table.h"
 #include "shim/names/real_functions.h"
@@ -29,8 +29,8 @@ void log_missing_once(std::size_t index) {
                         gl::members()[index].name));
 }
 
-// Replaces a function that the driver lacks. There is one for each member, so that the log can name the function. Any GL function
-// may be called through it, because the caller cleans the stack and the result is in a register.
+// Replaces a function that the driver lacks. There is one for each member, so that the log can name the function. Any
+// GL function may be called through it, because the caller cleans the stack and the result is in a register.
 template <std::size_t index>
 std::uintptr_t missing_function() {
   log_missing_once(index);

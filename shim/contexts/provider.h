@@ -11,8 +11,8 @@ namespace glark::shim {
 enum class Provider { glx, egl, osmesa };
 inline constexpr int provider_count = 3;
 
-// Returns the functions from the provider's own GetProcAddress; the first call loads them. No member is null: a function that
-// the driver lacks does nothing, returns 0 and logs that once.
+// Returns the functions from the provider's own GetProcAddress; the first call loads them. No member is null: a
+// function that the driver lacks does nothing, returns 0 and logs that once.
 const gl::Dispatch& dispatch_of(Provider provider);
 
 // Returns the functions for a thread without a context, from the GL library that is loaded.

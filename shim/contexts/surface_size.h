@@ -6,7 +6,8 @@
 
 namespace glark::shim {
 
-// Returns the size in pixels of the target of the calling thread's context. Without a surface it is the size of the viewport.
+// Returns the size in pixels of the target of the calling thread's context. Without a surface it is the size of the
+// viewport.
 Size surface_size(Provider provider, const Surface& surface, const gl::Dispatch& gl);
 
 }  // namespace glark::shim

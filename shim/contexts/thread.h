@@ -14,13 +14,15 @@ class Context;
 
 namespace glark::shim {
 
-// `gl` is never null, and no member of it that a wrapper calls is null. `context` is null while the thread has no context of ours.
+// `gl` is never null, and no member of it that a wrapper calls is null. `context` is null while the thread has no
+// context of ours.
 struct Thread {
   const gl::Dispatch* gl;
   core::Context* context;
 };
 
-// The functions of a thread that has not called GL yet: each one adopts the current context and calls its wrapper again.
+// The functions of a thread that has not called GL yet: each one adopts the current context and calls its wrapper
+// again.
 extern constinit const gl::Dispatch first_call;
 
 extern constinit thread_local Thread current_thread __attribute__((tls_model("initial-exec")));

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// dlsym, dlvsym and dlopen for the program. RTLD_NEXT, RTLD_DEFAULT and RUNPATH depend on the caller, which the dynamic linker
-// finds by the return address. So we jump to the real function with the program's return address and arguments in place, and
-// never call it.
+// dlsym, dlvsym and dlopen for the program. RTLD_NEXT, RTLD_DEFAULT and RUNPATH depend on the caller, which the dynamic
+// linker finds by the return address. So we jump to the real function with the program's return address and arguments
+// in place, and never call it.
 #include <dlfcn.h>
 
 #include "shim/linker/dynamic_linker.h"
@@ -36,7 +36,8 @@ bool in_other_namespace(void* handle) {
   return dlinfo(handle, RTLD_DI_LMID, &id) == 0 && id != LM_ID_BASE;
 }
 
-// In the global scope, our export comes first, or a definition by the program itself; the program then means its own.
+// The global scope has our export first, or a definition by the program itself. In the second case, the program means
+// its own function.
 Decision decide_in_scope_with_us(const Name& entry) {
   if (look_up(RTLD_DEFAULT, entry.name, nullptr) != entry.wrapper) return {};
   if (entry.kind == NameKind::ours || exists_without_us(entry)) return {};

@@ -20,7 +20,7 @@
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 #include "shim/contexts/contexts.h"
 #include "shim/report/options.h"
 
@@ -98,7 +98,8 @@ class ReadState {
     }
   }
 
-  // A context without a surface has no default framebuffer; there the picture is the framebuffer that the program reads from.
+  // A context without a surface has no default framebuffer; there the picture is the framebuffer that the program reads
+  // from.
   void select_default_framebuffer(bool es) {
     if (separate_read_) {
       gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer_);

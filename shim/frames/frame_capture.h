@@ -6,7 +6,8 @@
 
 namespace glark::shim {
 
-// Writes the frame as a PNG file if GLARK_CAPTURE asks for it. The context must be current; its state and errors do not change.
+// Writes the frame as a PNG file if GLARK_CAPTURE asks for it. The context must be current; its state and errors do not
+// change.
 void capture_frame(core::Context& context, unsigned long frame);
 
 }  // namespace glark::shim

@@ -14,7 +14,8 @@
 namespace glark::shim {
 namespace {
 
-// Returns an address of the dynamic section. glibc has already relocated it on most machines, but not on MIPS and RISC-V.
+// Returns an address of the dynamic section. glibc has already relocated it on most machines, but not on MIPS and
+// RISC-V.
 template <class T>
 const T* dynamic_address(const link_map& object, ElfW(Addr) value) {
   return reinterpret_cast<const T*>(value >= object.l_addr ? value : value + object.l_addr);
@@ -62,9 +63,9 @@ bool may_define_dlvsym(std::string_view path) {
          file.starts_with("libdl-");
 }
 
-// We cannot look up dlvsym by name, because that name is ours. glibc has it in libc.so.6, before 2.34 in libdl.so.2. We cannot
-// call dl_iterate_phdr either: ThreadSanitizer interposes it and asks us for functions first. The list for debuggers
-// has libc near its head and grows at its end, so reading it needs no lock.
+// We cannot look up dlvsym by name, because that name is ours. glibc has it in libc.so.6, before 2.34 in libdl.so.2. We
+// cannot call dl_iterate_phdr either: ThreadSanitizer interposes it and asks us for functions first. The list for
+// debuggers has libc near its head and grows at its end, so reading it needs no lock.
 void* address_of_dlvsym() {
   for (const link_map* object = _r_debug.r_map; object != nullptr; object = object->l_next) {
     if (object->l_name == nullptr || !may_define_dlvsym(object->l_name)) continue;
@@ -112,7 +113,8 @@ std::vector<std::string> loaded_gl_libraries() {
 
 }  // namespace
 
-// There is no static initialisation guard, because sanitizers interpose it. Threads that race here find the same functions.
+// There is no static initialisation guard, because sanitizers interpose it. Threads that race here find the same
+// functions.
 const DynamicLinker& real_linker() {
   static constinit DynamicLinker linker;
   static constinit std::atomic<bool> found{false};

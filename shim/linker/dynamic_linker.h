@@ -19,12 +19,12 @@ struct DynamicLinker {
 // The first call finds the functions. It may come from any thread, and before any constructor has run.
 const DynamicLinker& real_linker();
 
-// Returns the symbol from the objects after this library in the program's lookup order, or nullptr. Like dlsym, it sets an
-// error for dlerror() when it fails.
+// Returns the symbol from the objects after this library in the program's lookup order, or nullptr. Like dlsym, it sets
+// an error for dlerror() when it fails.
 void* next_symbol(const char* name);
 
-// Returns the symbol from the GL libraries (libGL, libOpenGL, libGLESv2, libGLX, libEGL, libOSMesa, of any version) that
-// dlopen(RTLD_LOCAL) has hidden from RTLD_NEXT. They stay loaded from then on.
+// Returns the symbol from the GL libraries (libGL, libOpenGL, libGLESv2, libGLX, libEGL, libOSMesa, of any version)
+// that dlopen(RTLD_LOCAL) has hidden from RTLD_NEXT. They stay loaded from then on.
 void* symbol_of_loaded_gl(const char* name);
 
 // Tries next_symbol, then symbol_of_loaded_gl.

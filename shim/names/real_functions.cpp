@@ -8,7 +8,7 @@
 #include <atomic>
 #include <string_view>
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 #include "shim/linker/dynamic_linker.h"
 #include "shim/names/name_table.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The functions of GLX, EGL and OSMesa that this library wraps and exports. Types are declared by their size only, so that
-// no header of X11 or EGL is needed.
+// The functions of GLX, EGL and OSMesa that this library wraps and exports. Types are declared by their size only, so
+// that no header of X11 or EGL is needed.
 #pragma once
 
 #include <cstdint>

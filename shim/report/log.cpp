@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Messages go out by one writev(2), not by a logging library: a line stays whole among several threads and processes, and
-// nothing is constructed or destroyed, so that it works before main and after exit.
+// Messages go out by one writev(2), not by a logging library: a line stays whole among several threads and processes,
+// and nothing is constructed or destroyed, so that it works before main and after exit.
 #include "shim/report/log.h"
 
 #include <sys/uio.h>

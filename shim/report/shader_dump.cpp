@@ -11,7 +11,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
+#include "glark/core/report/shown_shader.h"
 #include "glark/core/state/programs/program.h"
 
 namespace glark::shim {
@@ -29,8 +30,8 @@ void complain(const std::string& file, const char* reason) {
                   file, reason));
 }
 
-// For example program12-0123456789abcdef.original.vert or fixed-0123456789abcdef.pn.vert. Further shader objects of a stage end
-// with .1.vert and so on.
+// For example program12-0123456789abcdef.original.vert or fixed-0123456789abcdef.pn.vert. Further shader objects of a
+// stage end with .1.vert and so on.
 std::string file_name(const core::ShownShader& shader) {
   const std::string program = shader.program == 0 ? "fixed" : fmt::format("program{}", shader.program);
   const std::string object = shader.object > 0 ? fmt::format(".{}", shader.object) : "";

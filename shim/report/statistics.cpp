@@ -20,7 +20,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
+#include "glark/core/report/log.h"
+#include "glark/core/report/statistics.h"
 #include "glark/core/state/programs/program.h"
 #include "shim/report/options.h"
 

@@ -6,7 +6,8 @@
 
 namespace glark::shim {
 
-// Call it when a context is created: from now on this process writes statistics. A forked child without a context writes none.
+// Call it when a context is created: from now on this process writes statistics. A forked child without a context
+// writes none.
 void context_made();
 
 // Counts a frame and its duration. Writes the file a few times a second, so that a killed program leaves one, too.

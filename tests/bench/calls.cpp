@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Measures the nanoseconds of GL calls that pass through, the best of many batches, and prints lines of "name ns". It
-// is built with libGLARK (glark-bench-calls) and without it (glark-bench-plain); glark-bench runs both in turn.
+// Measures GL calls that pass through, in nanoseconds: the best of many batches. Prints lines of "name ns". The program
+// is built with libGLARK (glark-bench-calls) and without it (glark-bench-plain). glark-bench runs both in turn.
 #ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES 1
 #endif
@@ -51,7 +51,7 @@ int main() {
   std::vector<unsigned> pixels(static_cast<std::size_t>(size) * size);
   const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
   if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, size, size) == GL_FALSE) return 1;
-  const float outside[] = {5, 5, 0, 6, 5, 0, 5, 6, 0};  // clipped away
+  const float outside[] = {5, 5, 0, 6, 5, 0, 5, 6, 0};  // outside the picture
   GLuint buffer = 0;
   glGenBuffers(1, &buffer);
   glBindBuffer(GL_ARRAY_BUFFER, buffer);

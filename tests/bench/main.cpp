@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark-bench: measures refinement against what it competes with and prints a table. See docs/reference/benchmarks.md.
+// glark-bench: compares refinement with its competitors and prints a table. See docs/reference/benchmarks.md.
 #include <malloc.h>
 
 #include <exception>

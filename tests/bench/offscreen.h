@@ -30,8 +30,8 @@ using Picture = std::vector<std::uint8_t>;  // RGBA
 
 Picture read_picture();
 
-// Compares two pictures. Returns an empty text if both show the same and are not empty; otherwise the difference.
-// Rounding along edges and the sampling of the lighting may differ.
+// Compares two pictures. Returns an empty text if both show the same and are not empty; otherwise describes the
+// difference. Rounding along edges and the sampling of the lighting may differ.
 std::string difference(const Picture& a, const Picture& b);
 
 }  // namespace glark::bench

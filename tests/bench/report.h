@@ -14,7 +14,7 @@ enum class Goal { at_least, at_most, none };
 
 struct Row {
   std::string measure;
-  std::string best_known;  // of the thesis or of others; empty: unknown
+  std::string best_known;  // from the thesis or from others; empty: unknown
   Goal goal = Goal::none;
   double target = 0;
   double measured = 0;
@@ -27,7 +27,7 @@ struct Row {
 class Report {
  public:
   void add(Row row);
-  // Adds a row that could not be measured, with the reason. It does not count as a target that was met.
+  // Adds a row that could not be measured, with the reason. The row does not count as a reached target.
   void add_error(std::string text);
   void note(std::string text);
 
@@ -44,7 +44,7 @@ class Report {
   std::vector<std::string> notes_;
 };
 
-// The processor's name, the number of cores and the GL renderer.
+// Returns the processor's name, the number of cores and the GL renderer.
 std::string machine();
 
 }  // namespace glark::bench

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Groups of rows, each in its own file. A new group takes a function here and a line in main.cpp.
+// Groups of rows, each in its own file. A new group needs a function here and a line in main.cpp.
 #pragma once
 
 #include <cstddef>

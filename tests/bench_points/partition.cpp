@@ -26,7 +26,7 @@ struct Cloud {
   }
 };
 
-// The leaves and bytes of a tree that a work builds.
+// The numbers of leaves and bytes of a tree that a work builds.
 struct TreeSize {
   double leaves = 0, bytes = 0;
 };

@@ -15,12 +15,13 @@
 namespace glark::bench {
 
 struct PeerWork {
-  Work work;                             // its `run` is empty
-  std::size_t found = 0;                 // leaves, or triangles
-  std::vector<std::uint32_t> triangles;  // of "front"
+  Work work;                             // its function `run` is empty
+  std::size_t found = 0;                 // number of leaves, or of triangles
+  std::vector<std::uint32_t> triangles;  // the triangles of "front"
 };
 
-// Returns nothing if there is no such program. Throws std::runtime_error if it fails. `task` is "octree" or "front".
+// Returns nothing if there is no such program. Throws std::runtime_error if the program fails. `task` is "octree" or
+// "front".
 std::optional<PeerWork> peer(const std::string& task, const std::string& name, std::span<const float> positions,
                              int rounds);
 

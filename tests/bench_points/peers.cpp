@@ -41,7 +41,7 @@ std::vector<Point> read_points(const char* file) {
 }
 
 std::size_t leaves_of(const std::vector<Point>& points) {
-  constexpr std::size_t deepest = 20, most_in_a_leaf = 64;  // as for nanoflann's tree in glark-bench-points
+  constexpr std::size_t deepest = 20, most_in_a_leaf = 64;  // same limits as for nanoflann's tree in glark-bench-points
   CGAL::Point_set_3<Point> set;
   set.reserve(points.size());
   for (const Point& point : points) set.insert(point);

@@ -23,8 +23,8 @@ struct Kind {
   vstree::ReconstructOptions options;
 };
 
-// For a model with triangles, the distances both ways. For raw scans, only the distance from the points to the mesh,
-// which includes their noise.
+// For a model with triangles, returns the distances both ways. For raw scans, returns only the distance from the points
+// to the mesh, which includes their noise.
 std::vector<Cell> distances(const Scan& scan, std::span<const float> positions,
                             std::span<const std::uint32_t> triangles) {
   constexpr std::size_t samples = 100000, stride = 50;
@@ -58,7 +58,7 @@ std::vector<Cell> row_of(const Scan& scan, const Work& work, std::span<const flo
   return row;
 }
 
-// The peer needs minutes for raw scans.
+// The peer needs minutes for raw scans, so it only runs if `is_with_peer` is true.
 void add_rows(const Settings& settings, const char* name, bool is_with_peer, Table& table) {
   const Scan scan = read_scan(settings.data, name);
   constexpr std::array<Kind, 2> kinds{{{"", {.threads = 1}}, {", once refined", {.levels = 1, .threads = 1}}}};

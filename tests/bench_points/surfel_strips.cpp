@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Table 5.1 of the thesis: the rows of `glark-bench --filter surfel/`, which lies beside this program, and the number
-// of indices of meshoptimizer's strips for the same triangles.
+// Table 5.1 of the thesis: the rows of `glark-bench --filter surfel/`, a program in the same folder, and the number of
+// indices of meshoptimizer's strips for the same triangles.
 #include <glark/surfel.h>
 #include <meshoptimizer.h>
 #include <unistd.h>
@@ -24,7 +24,7 @@ namespace {
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
-// The triangles of each strip as a list.
+// Returns the triangles of each strip as a list.
 std::vector<std::vector<std::uint32_t>> patches_of(const surfel::Strips& strips) {
   std::vector<std::vector<std::uint32_t>> patches;
   for (const surfel::Node& node : strips.nodes()) {
@@ -92,7 +92,7 @@ Table stripping_table(const Settings& settings) {
   const fs::path file = fs::temp_directory_path() / ("glark-bench-points." + std::to_string(getpid()) + ".json");
   const std::string command = quoted(program) + " --filter surfel/ --json " + quoted(file) +
                               (settings.rounds < 5 ? " --quick" : "") + " >/dev/null 2>&1";
-  const int status = std::system(command.c_str());  // also not 0 if a target is missed
+  const int status = std::system(command.c_str());  // not 0 either if a target is missed
   std::ifstream in(file);
   const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
   in.close();

@@ -24,7 +24,7 @@ static void scene_setup(void) {
   glNewList(lists, GL_COMPILE);
   scene_cube();
   glEndList();
-  // The arrays are read now; enabling them is not compiled but done.
+  // glNewList reads the arrays at once. Enabling them is not compiled but executed.
   glNewList(lists + 1, GL_COMPILE);
   scene_sphere();
   glCallList(lists);

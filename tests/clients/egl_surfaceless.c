@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A core profile context by EGL with no surface at all, drawing to a framebuffer object; linked to libOpenGL, without libGL.
+// A core profile context by EGL without a surface. It draws to a framebuffer object, and is linked to libOpenGL,
+// without libGL.
 #define GL_GLEXT_PROTOTYPES 1
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The functions that the scenes and the GLX clients call, for the clients that have to find each of them by its name.
+// The functions that the scenes and the GLX clients call. Some clients find each of these functions by its name.
 #pragma once
 
 // Each run of clang-format 14 breaks these lists differently.
@@ -38,7 +38,7 @@
 
 #define GLX_CLIENT_FUNCTIONS(X) X(ChooseVisual) X(CreateContext) X(DestroyContext) X(MakeCurrent) X(SwapBuffers)
 
-// Members of a struct of function pointers, typed as GL's own headers have them.
+// Declares members of a struct of function pointers. Their types are those of GL's own headers.
 #define DECLARE_GL(name) __typeof__(&gl##name) gl##name;
 #define DECLARE_GLX(name) __typeof__(&glX##name) glX##name;
 // clang-format on

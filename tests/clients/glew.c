@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Reaches OpenGL 1.1 by being linked to libGL and what came later through GLEW.
+// Reaches OpenGL 1.1 by being linked to libGL, and later functions through GLEW.
 #include <GL/glew.h>
 #include <GL/glx.h>
 

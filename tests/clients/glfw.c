@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A core profile context by GLFW, every function by glfwGetProcAddress.
+// A core profile context by GLFW. Every function comes from glfwGetProcAddress.
 #define GL_GLEXT_PROTOTYPES 1
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The main function of the clients with a GLX window. The includer has defined GLX(name), which stands for the function glXname
-// however it was found, find_functions(), called once before the first of them, and a scene.
+// The main function of the clients with a GLX window. A client defines GLX(name), find_functions() and a scene before
+// it includes this file. GLX(name) stands for the function glXname, however the client found it. find_functions() is
+// called before the first use of GLX.
 #pragma once
 
 #include <string.h>

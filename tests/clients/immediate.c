@@ -14,7 +14,7 @@ static void find_functions(void) {}
 
 #undef scene_draw
 
-// Corner i of n on a bowl about (x, y); the normal leans outwards.
+// Draws corner i of n on a bowl about (x, y). The normal leans outwards.
 static void rim(float x, float y, int i, int n) {
   const double turn = 2 * 3.14159265358979 * i / n;
   glColor3f(0.5f + 0.5f * (float)cos(turn), 0.6f, 0.5f + 0.5f * (float)sin(turn));
@@ -22,7 +22,7 @@ static void rim(float x, float y, int i, int n) {
   glVertex3f(x + 0.5f * (float)cos(turn), y + 0.5f * (float)sin(turn), 0);
 }
 
-// Corner i of a band that bends away, two corners a step.
+// Draws corner i of a band that bends away. Each step has two corners.
 static void band(float x, float y, int i) {
   const int step = i / 2;
   const float along = 0.3f * (float)step - 0.45f;

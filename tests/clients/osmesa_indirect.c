@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Reaches GL through a library that is linked to libOSMesa, as programs of VTK do: a preloaded libGL would break it.
+// Reaches GL through a library that is linked to libOSMesa, as VTK's programs do. A preloaded libGL would break such a
+// program.
 #include "osmesa_library.h"
 #include "picture.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The library between osmesa_indirect or osmesa_plugin and libOSMesa: it alone is linked to it.
+// The library between osmesa_indirect or osmesa_plugin and libOSMesa. Only this library is linked to libOSMesa.
 #include "osmesa_library.h"
 
 #include "osmesa_scene.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Reaches GL through a plug-in opened with RTLD_LOCAL | RTLD_DEEPBIND: libOSMesa is in no global scope, and the plug-in prefers
-// its own symbols to preloaded ones.
+// Reaches GL through a plug-in opened with RTLD_LOCAL and RTLD_DEEPBIND. libOSMesa is in no global scope, and the
+// plug-in prefers its own symbols to preloaded ones.
 #include <dlfcn.h>
 
 #include "picture.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The fixed-function scene drawn to memory by OSMesa, for the clients that reach libOSMesa in their different ways.
+// The fixed-function scene, drawn to memory by OSMesa, for the clients that reach libOSMesa in different ways.
 #pragma once
 
 #include <GL/osmesa.h>

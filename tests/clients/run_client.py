@@ -24,7 +24,7 @@ WITH_DISPLAY = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "with_d
 FRAMES = 3
 CAPTURED_FRAME = 10
 LEVEL = 2
-SECONDS = 60  # for a program that has to be ended
+SECONDS = 60  # the longest run of a program that does not end by itself
 LIMIT = 120
 SKIPPED = 77
 

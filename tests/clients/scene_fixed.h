@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A fixed-function scene: a lit sphere from client arrays beside a lit cube and a fan. The includer defines GL(name), which
-// stands for the function glname however it was found; functions.h lists those used.
+// A fixed-function scene: a lit sphere from client arrays beside a lit cube and a fan. A client defines GL(name) before
+// it includes this file. GL(name) stands for the function glname, however the client found it. functions.h lists these
+// functions.
 #pragma once
 
 #include "picture.h"
@@ -51,7 +52,7 @@ static inline void scene_sphere(void) {
 }
 
 static inline void scene_cube(void) {
-  // Two vectors along each face; the third axis is their product.
+  // Each row has two vectors along a face. The third axis is their product.
   static const float faces[6][2][3] = {{{1, 0, 0}, {0, 1, 0}}, {{0, 1, 0}, {1, 0, 0}}, {{0, 1, 0}, {0, 0, 1}},
                                        {{0, 0, 1}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 0}}, {{1, 0, 0}, {0, 0, 1}}};
   static const float signs[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -82,7 +83,7 @@ static inline void scene_draw(void) {
   scene_cube();
 }
 
-// Reads the frame just drawn back; before it is swapped away.
+// Reads the last frame back, before the buffers are swapped.
 static inline void scene_read(unsigned char pixels[4 * picture_size * picture_size]) {
   GL(Finish)();
   GL(PixelStorei)(GL_PACK_ALIGNMENT, 1);

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A scene of shaders and vertex buffers, lit per vertex, for core profiles and OpenGL ES 2. The includer defines GL(name) as for
-// scene_fixed.h, SCENE_GLSL_VERTEX and SCENE_GLSL_FRAGMENT (the head of each shader: #version and the words of that version for
-// INPUT, OUTPUT, VARYING and COLOR), and SCENE_HAS_VAO to 0 or 1.
+// A scene of shaders and vertex buffers, lit per vertex, for core profiles and OpenGL ES 2. A client defines these
+// macros before it includes this file:
+// - GL(name), as for scene_fixed.h;
+// - SCENE_GLSL_VERTEX and SCENE_GLSL_FRAGMENT, the head of each shader: #version, and the keywords of this version for
+//   INPUT, OUTPUT, VARYING and COLOR;
+// - SCENE_HAS_VAO, 0 or 1.
 #pragma once
 
 #include "picture.h"
@@ -85,7 +88,7 @@ static inline void scene_draw(void) {
   GL(DrawArrays)(GL_TRIANGLE_FAN, 3 * (sphere_sectors + 1), sphere_sectors + 1);
 }
 
-// Reads the frame just drawn back; before it is swapped away.
+// Reads the last frame back, before the buffers are swapped.
 static inline void scene_read(unsigned char pixels[4 * picture_size * picture_size]) {
   GL(Finish)();
   GL(PixelStorei)(GL_PACK_ALIGNMENT, 1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A context by SDL 2, which loads libGL itself; every function by SDL_GL_GetProcAddress.
+// A context by SDL 2, which loads libGL itself. Every function comes from SDL_GL_GetProcAddress.
 #include <SDL.h>
 #include <SDL_opengl.h>
 

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Six threads draw at once, each with contexts of its own and into a tile of the picture. The contexts of even threads share with a
-// first one: programs and buffers go from hand to hand, are drawn with by several threads, and are deleted by others than made
-// them. Contexts end in every way: destroyed while current and not, destroyed by another thread while current, never.
-// Built twice: with WITH_OSMESA for OSMesa, without for EGL without a surface.
+// Six threads draw at once. Each has its own contexts and draws into a tile of the picture. The contexts of even
+// threads share with a first context. Threads exchange shared programs and buffers: several threads draw with them, and
+// other threads than their makers delete them.
+// Contexts end in every way: destroyed while current or not, destroyed by another thread while current, or never
+// destroyed.
+// Built twice: with WITH_OSMESA for OSMesa; without it for EGL without a surface.
 #define GL_GLEXT_PROTOTYPES 1
 #include <pthread.h>
 #if WITH_OSMESA
@@ -59,7 +61,7 @@ static Context create(Context share) {
   static const EGLint attributes[] = {
       EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-  eglBindAPI(EGL_OPENGL_API);  // of each thread
+  eglBindAPI(EGL_OPENGL_API);  // each thread has its own binding
   return eglCreateContext(display, EGL_NO_CONFIG_KHR, share, attributes);
 }
 static void make_current(Context context) {
@@ -143,7 +145,7 @@ static GLuint common_program, common_buffers[2];
 static int frames;
 static unsigned char picture[4 * picture_size * picture_size];
 
-// A program that one thread of the share group has finished and another takes over: draws with it, and deletes it.
+// A program that one thread of the share group finishes. Another thread takes it over, draws with it, and deletes it.
 static pthread_mutex_t exchange_mutex = PTHREAD_MUTEX_INITIALIZER;
 static GLuint exchange_program;
 
@@ -204,7 +206,7 @@ static void* run(void* argument) {
   if (destroyed_by_main(self->index)) {
     pthread_barrier_wait(&self->drawn);
     pthread_barrier_wait(&self->destroyed);
-    glFinish();  // it is current, so it is still there
+    glFinish();  // the context is current, so it still exists
   }
   read_tile(self->index);
   switch (self->index) {
@@ -216,8 +218,8 @@ static void* run(void* argument) {
       destroy(self->context);
       release_current();
       break;
-    case 2: release_current(); break;  // never destroyed
-    case 3: break;                     // never released: the thread ends with it
+    case 2: release_current(); break;  // the context is never destroyed
+    case 3: break;                     // the context is never released: the thread ends with it
     default: release_current();
   }
   return NULL;

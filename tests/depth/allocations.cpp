@@ -12,7 +12,7 @@ std::atomic<int> count = 0;
 
 }  // namespace
 
-// These replacements have their own file, because compilers warn if they see them at the place of a call.
+// These replacements are in a separate file, because compilers warn if they see them where they are called.
 void* operator new(std::size_t size) {
   ++count;
   void* const memory = std::malloc(size);

@@ -18,7 +18,7 @@ struct Mesh {
   std::size_t vertices() const { return positions.size() / 3; }
 };
 
-// A grid of (columns + 1) * (rows + 1) vertices; surface(u, v, position, normal) for u, v in 0..1.
+// Makes a grid of (columns + 1) * (rows + 1) vertices. Calls surface(u, v, position, normal) for u, v in 0..1.
 template <class Surface>
 Mesh make_grid(std::uint32_t columns, std::uint32_t rows, Surface surface) {
   Mesh mesh;

@@ -49,7 +49,7 @@ TEST(Tagger, DistanceMapsItsRange) {
 TEST(Tagger, EdgeLengthHalvesUntilItFits) {
   Tagger tagger(4, square, 6);
   std::vector<float> tags(4);
-  // All edges of the square are seen from (2, 2, 100): about 4 * 100 / 100 = 4 pixels, the diagonal 5.66.
+  // Seen from (2, 2, 100), each edge of the square covers about 4 * 100 / 100 = 4 pixels, and the diagonal 5.66.
   const View view{.eye = {2, 2, 100}, .pixels_at_one = 100};
   tagger.by_edge_length(square_positions, view, 1, tags);
   EXPECT_NEAR(tags[0], std::log2(std::sqrt(32.0F)), 1e-3F);

@@ -109,7 +109,7 @@ TEST_F(Ply, PointsThatAreNotFiniteCanBeLeftOut) {
   EXPECT_NE(std::string::npos, problem.find("--skip-invalid"));
   const Geometry found = read_file(path("a.ply"), {.skip_invalid = true}).geometry;
   EXPECT_EQ(48U, found.point_count());
-  EXPECT_EQ(66U, found.triangle_count());  // six met there
+  EXPECT_EQ(66U, found.triangle_count());  // six triangles met at the vertex
   EXPECT_EQ(std::vector<float>(whole.positions.begin() + 27, whole.positions.end()),
             std::vector<float>(found.positions.begin() + 24, found.positions.end()));
   EXPECT_EQ(std::vector<std::uint8_t>(whole.colours.begin() + 36, whole.colours.end()),

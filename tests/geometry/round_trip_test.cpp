@@ -51,7 +51,7 @@ TEST_F(RoundTrip, PlyKeepsTheDigitsOfGeoreferencedPoints) {
 TEST_F(RoundTrip, XyzAndPtsKeepPointsColoursAndNormals) {
   for (const char* name : {"a.xyz", "a.pts"})
     for (unsigned bits = 0; bits < 4; ++bits) {
-      if (std::string(name) == "a.pts" && bits == 1) continue;  // six columns are colours there
+      if (std::string(name) == "a.pts" && bits == 1) continue;  // six columns are colours in PTS
       SCOPED_TRACE(testing::Message() << name << ", attributes " << bits);
       const Geometry geometry = random_geometry(bits, {(bits & 1U) != 0, (bits & 2U) != 0, false, false});
       write_file(path(name), geometry);
@@ -59,7 +59,7 @@ TEST_F(RoundTrip, XyzAndPtsKeepPointsColoursAndNormals) {
     }
 }
 
-// Vertices without triangles are lost, and Assimp chooses the order. So the test compares corners.
+// Assimp loses vertices without triangles and chooses the order. So the test compares corners.
 std::vector<std::array<float, 3>> corners_of(const Geometry& geometry, const std::vector<float>& attribute) {
   std::vector<std::array<float, 3>> corners;
   for (const std::size_t corner : geometry.triangles)
@@ -73,7 +73,7 @@ TEST_F(RoundTrip, ObjAndStlKeepTriangles) {
     SCOPED_TRACE(name);
     write_file(path(name), geometry);
     const Geometry found = read_file(path(name), {}).geometry;
-    EXPECT_EQ(geometry.point_count(), found.point_count());  // shared between triangles
+    EXPECT_EQ(geometry.point_count(), found.point_count());  // triangles share vertices
     ASSERT_EQ(geometry.triangle_count(), found.triangle_count());
     const auto expected = corners_of(geometry, geometry.positions);
     const auto corners = corners_of(found, found.positions);

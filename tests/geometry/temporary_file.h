@@ -39,7 +39,7 @@ class TemporaryFolder : public testing::Test {
         std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
   }
 
-  // The error of reading; empty if the file can be read.
+  // Returns the error message of the read, or an empty text if the file can be read.
   static std::string problem_with(const std::filesystem::path& file, const ReadOptions& options = {}) {
     try {
       read_file(file, options);

@@ -22,7 +22,7 @@ Point place(LatticeVertex vertex, const Instance& instance) {
           static_cast<std::int64_t>(std::ldexp(instance.ov, 20)) + scale * tile[2]};
 }
 
-// As the vertex shader does it.
+// Computes as the vertex shader does.
 bool float_agrees(LatticeVertex vertex, const Instance& instance, Point exact) {
   float lu = static_cast<float>(vertex.u) * 0x1p-15f;
   float lv = static_cast<float>(vertex.v) * 0x1p-15f;
@@ -46,7 +46,7 @@ std::string text(Point p) {
   return out.str();
 }
 
-// Which edge of the whole both points lie on, and how far along they are; -1 if none.
+// Returns the edge of the whole triangle on which both points lie, and their places along it; -1 if there is none.
 int common_edge(Point a, Point b, std::int64_t along[2]) {
   if (a.v == 0 && b.v == 0) return along[0] = a.u, along[1] = b.u, 0;
   if (a.u + a.v == whole && b.u + b.v == whole) return along[0] = a.v, along[1] = b.v, 1;
@@ -89,7 +89,7 @@ std::string defect_of_areas(const std::vector<Triangle>& triangles) {
   return sum == whole * whole ? "" : "sum of areas " + std::to_string(sum);
 }
 
-// One side that a single triangle has: it must be one of the 2^depth equal segments of an edge.
+// Checks a side that only one triangle has: it must be one of the 2^depth equal segments of an edge.
 std::string defect_of_border_side(const Side& side, std::array<int, 3> depths, std::array<int, 3>& segments) {
   std::int64_t along[2];
   int edge = common_edge(side.low, side.high, along);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Puts the instances of a pattern together in exact integers, and says what is wrong with the result.
+// Puts the instances of a pattern together in exact integers, and finds the first defect of the result.
 #pragma once
 
 #include <array>
@@ -30,9 +30,9 @@ struct Assembly {
 
 Assembly assemble(const Pool& pool, const std::vector<Instance>& instances);
 
-// Empty if the triangles tile the whole: every edge i in 2^depths[i] equal segments, every inner edge in exactly two
-// triangles with opposite directions, every area positive, the sum of areas the whole. Otherwise the first thing that
-// is wrong.
+// Empty if the triangles tile the whole. Every edge i has 2^depths[i] equal segments. Every inner edge lies in exactly
+// two triangles, with opposite directions. Every area is positive, and the areas sum to the whole. Otherwise returns
+// the first defect.
 std::string defect_of(const Assembly& assembly, std::array<int, 3> depths);
 
 // In degrees, measured in the equilateral triangle.

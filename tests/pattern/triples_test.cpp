@@ -38,7 +38,7 @@ void expect_conforming(const Pool& pool, std::array<int, 3> e) {
   EXPECT_EQ(defect_of_triple(pool, e, Interior::smooth), "") << "smooth";
 }
 
-// In a pool that is no deeper than it has to be, so that pieces which it lacks are noticed.
+// The pool is no deeper than needed, so that a missing piece is noticed.
 TEST(Triples, EveryShallowTripleConforms) {
   for (int level = 0; level <= 6; ++level) {
     Pool pool = build_pool(static_cast<unsigned>(level));
@@ -81,7 +81,7 @@ TEST(Triples, DeepestPoolDrawsWhatASmallerOneDraws) {
   EXPECT_EQ(assemble(small, instances).triangles, assemble(deepest_pool(), instances).triangles);
 }
 
-// The checks themselves: each kind of damage is noticed.
+// Tests the checks themselves: they must notice each kind of damage.
 class Damage : public ::testing::Test {
  protected:
   std::string defect() const { return defect_of(assemble(pool, instances), {2, 3, 4}); }
@@ -123,7 +123,7 @@ TEST_F(Damage, SkirtOfAnotherDepth) {
   EXPECT_NE(defect(), "");
 }
 
-// The point in the middle stands apart by a unit of the lattice from piece to piece; the vertex stage puts it in one place.
+// The centre differs by a unit of the lattice from piece to piece. The vertex stage moves it to one place.
 Assembly with_one_centre(Assembly assembly) {
   for (Triangle& triangle : assembly.triangles) {
     for (Point& point : triangle) {

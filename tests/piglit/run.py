@@ -21,14 +21,14 @@ import suite
 
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
-PLAIN_LIMIT = 30  # seconds; a test that is slower without us is left out
-LIMIT = 120       # seconds with us: a hang
+PLAIN_LIMIT = 30  # seconds; a test that is slower on the plain driver is left out
+LIMIT = 120       # seconds with the library; a slower test hangs
 
 # Mode -> further environment. No draw is exempt, because an exempt draw proves nothing.
 REFINED = {"GLARK_ENABLE": "1", "GLARK_EVERYTHING": "1"}
 MODES = {
     "plain": None,
-    "again": None,  # a second time: what is not the same is not stable
+    "again": None,  # the second run on the plain driver: a test that changes is not stable
     "off": {},
     "outputs-2": {**REFINED, "GLARK_REFINE": "outputs", "GLARK_LEVEL": "2"},
     "outputs-3": {**REFINED, "GLARK_REFINE": "outputs", "GLARK_LEVEL": "3"},

@@ -27,8 +27,8 @@ class Outcome:
     result: str      # pass, fail, warn, skip, crash or timeout
     subtests: dict   # name -> result
     seconds: float
-    statistics: dict  # what the library wrote; empty without it
-    output: str = ""  # the end of what the test wrote
+    statistics: dict  # the library's statistics; empty without the library
+    output: str = ""  # the end of the test's output
 
     def same_as(self, other: "Outcome") -> bool:
         return self.result == other.result and self.subtests == other.subtests

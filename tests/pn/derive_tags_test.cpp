@@ -138,7 +138,7 @@ TEST(DeriveTags, EdgesAcrossCapsAreSplit) {
 TEST(DeriveTags, SidesGetTheirNormalsBack) {
   std::vector<float> normals;
   const IndexedMesh mesh = unshared(cylinder(12, true), normals);
-  // Smooth around the wall, flat on the caps.
+  // The normals are smooth around the wall and flat on the caps.
   for (std::size_t i = 0; i < normals.size(); i += 3) {
     if (std::abs(normals[i + 2]) > 0.01F) continue;
     std::copy_n(&mesh.positions[i], 2, &normals[i]);
@@ -241,11 +241,11 @@ TEST(DeriveTags, MeshesOfEveryKind) {
   IndexedMesh mesh = cube();
   mesh.add(5, 5, 5);                   // isolated
   mesh.face(0, 0, 1);                  // degenerate
-  mesh.face(0, 1, 2);                  // at an edge of two others, with the opposite orientation
+  mesh.face(0, 1, 2);                  // at an edge of two other triangles, with the opposite orientation
   mesh.face(3, 2, 1);                  // the same triangle again
   mesh.face(0, mesh.add(1, 0, 0), 7);  // a single edge, and an open one
   const std::uint32_t twin = mesh.add(-0.0F, 0.0F, 3);
-  mesh.face(mesh.add(0, -0.0F, 3), twin, 7);  // two vertices of one point
+  mesh.face(mesh.add(0, -0.0F, 3), twin, 7);  // two vertices at one position
   expect_finite(derive_tags(view(mesh)));
   std::vector<float> normals(mesh.positions.size(), 0);
   normals[4] = std::numeric_limits<float>::infinity();

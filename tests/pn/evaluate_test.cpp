@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The effect of the tags (Boubekeur 2007, ch. 8.2.2) on a ridge along the x axis, whose sides fall towards y > 0 and
-// towards y < 0.
+// Tests the effect of the tags (Boubekeur 2007, ch. 8.2.2) on a ridge along the x axis. The sides of the ridge fall
+// towards y > 0 and towards y < 0.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,8 @@ namespace {
 
 using Triangle = std::array<Corner, 3>;
 
-// Two ends of the ridge, whose normals lean outwards so that it bulges, and a smooth corner on one side. N+ is that of y > 0.
+// The triangle has two ends of the ridge, whose normals lean outwards so that it bulges, and a smooth corner on one
+// side. N+ is the normal of the side y > 0.
 Triangle side(float y, const std::array<float, 3>& tags) {
   const float h = std::sqrt(0.5F);
   const Corner left{{-1, 0, 0}, {-0.5F, 0, 1}, {0, 1, 0, 2}, tags};

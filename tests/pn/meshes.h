@@ -29,8 +29,8 @@ inline IndexedMesh cube() {
   return mesh;
 }
 
-// A cylinder about the z axis, from z = -1 to 1. Caps are fans around their middles, or around a vertex of their
-// boundary.
+// Makes a cylinder about the z axis, from z = -1 to 1. The caps are fans around their middles, or around a vertex of
+// their boundary.
 inline IndexedMesh cylinder(std::uint32_t sides, bool with_middles) {
   IndexedMesh mesh;
   for (const float z : {-1.0F, 1.0F}) {

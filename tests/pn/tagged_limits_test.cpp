@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Scalar tags together with many other attributes: the coarse record is read from a storage block, or does not fit at
+// Scalar tags together with many other attributes. The coarse record is read from a storage block, or does not fit at
 // all.
 #include "tests/core/support/osmesa_context.h"
 #include "tests/pn/tagged_program.h"
@@ -68,7 +68,7 @@ TEST_F(TaggedLimits, LongRecords) {
 TEST_F(TaggedLimits, RecordsThatDoNotFit) {
   GLint components = 0;
   glGetIntegerv(GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS, &components);
-  const int more = 9;  // of 13 attributes at most
+  const int more = 9;  // the maximum is 13 attributes
   const GLuint program = link_wide_program(more);
   glUseProgram(program);
   GLint built = GL_FALSE;

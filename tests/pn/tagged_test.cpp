@@ -118,8 +118,8 @@ TEST_F(Tagged, AttributesOfOnesOwnChoice) {
   for (std::size_t i = 0; i < usual.size(); ++i) ASSERT_EQ(bits_of(usual[i]), bits_of(moved[i]));
 }
 
-// Every pair of depth tags and of tagged and untagged ends, with random scalar tags: the third corners must not affect
-// the edge.
+// Tests every pair of depth tags, and tagged and untagged ends, with random scalar tags. The third corners must not
+// affect the edge.
 TEST_F(Tagged, SharedEdgesHaveTheSameBits) {
   constexpr int depths = 6;
   constexpr int pairs = 16 * depths * depths;
@@ -140,7 +140,7 @@ TEST_F(Tagged, SharedEdgesHaveTheSameBits) {
     glARKParameteriARK(GL_PATTERN_INTERIOR_ARK, static_cast<GLint>(interior));
     std::map<int, std::set<PositionBits>> along;
     for (RefinedVertex vertex : refine(mesh, Shown::position)) {
-      vertex.position[3] = 0;  // keeps the normal of one side
+      vertex.position[3] = 0;  // the vertex keeps the normal of one side
       if (vertex.weights[2] == 0) along[static_cast<int>(vertex.triangle)].insert(bits_of(vertex));
     }
     for (int pair = 0; pair < pairs; ++pair) {

@@ -13,7 +13,7 @@
 namespace glark::qas::test {
 namespace {
 
-// Expects finite positions and unit normals of every patch.
+// Expects finite positions and unit normals for every patch.
 void expect_sound(const ControlMesh& mesh) {
   for (const unsigned which : {0U, 1U, 2U, 3U}) {
     const unsigned splits = which % 2;

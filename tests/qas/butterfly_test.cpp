@@ -67,8 +67,8 @@ TEST(ModifiedButterfly, HasTheNormalsOfQuadraticsInside) {
   EXPECT_NEAR(-middle.normal[0] / middle.normal[2], 0.2 * 3.5 + 0.2 * 3, 1e-5);
 }
 
-// A step does not change the limit. Normals of edges change a little next to extraordinary vertices, where they are
-// approximate.
+// A step does not change the limit. Normals of edges are approximate next to extraordinary vertices. There a step
+// changes them a little.
 TEST(ModifiedButterfly, HasTheSameLimitAfterAStep) {
   for (const ControlMesh& mesh : {shaken(icosahedron(), 0.02), knot(40, 6), bipyramid(7), shaken(asteroid(2), 0.002)}) {
     const Surface surface = butterfly(mesh), split = butterfly(mesh, 1);

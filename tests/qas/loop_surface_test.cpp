@@ -17,7 +17,7 @@ double distance(const std::array<float, 3>& a, const std::array<float, 3>& b) {
 
 class LoopSurfaceOf : public testing::TestWithParam<ControlMesh> {};
 
-// At quarters of the parameter lie the limit points of the mesh after one step, at its vertices and edge midpoints.
+// The limit points of the mesh after one step lie at quarters of the parameter: at vertices and edge midpoints.
 TEST_P(LoopSurfaceOf, MeetsTheLimitStepAtQuarters) {
   const ControlMesh& mesh = GetParam();
   LoopSurface exact(mesh.view());

@@ -246,7 +246,7 @@ ControlMesh goblet(int around, int rings) {
 // Each vertex whose valence changes keeps a valence of 4 to 9.
 ControlMesh flipped(ControlMesh mesh, int flips) {
   using Edge = std::array<std::uint32_t, 2>;
-  std::map<Edge, std::uint32_t> opposite;  // of the directed edge, by its triangle
+  std::map<Edge, std::uint32_t> opposite;  // the half-edge with these two ends
   std::vector<int> valence(mesh.vertex_count(), 0);
   for (std::uint32_t h = 0; h < mesh.triangles.size(); ++h) {
     opposite[{mesh.triangles[h], mesh.triangles[h % 3 == 2 ? h - 2 : h + 1]}] = h;

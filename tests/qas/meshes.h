@@ -21,7 +21,7 @@ struct ControlMesh {
 
   std::size_t vertex_count() const { return positions.size() / 3; }
   Mesh view() const { return {vertex_count(), triangles, creases}; }
-  double diagonal() const;  // of the bounding box
+  double diagonal() const;  // the diagonal of the bounding box
 };
 
 // The name that Google Test prints.
@@ -33,14 +33,14 @@ ControlMesh knot(int along, int around);    // a trefoil of 2 * along * around t
 ControlMesh blocks();                       // a ring of cubes with a post: genus 1, valences 4 to 8
 ControlMesh sheet(int cells);               // a wavy square with a boundary, 2 * cells^2 triangles
 ControlMesh bipyramid(int sides);           // two vertices of the valence `sides`
-ControlMesh drum(int sides);                // a cylinder with lids, and creases along their edges
+ControlMesh drum(int sides);                // a cylinder with lids, with creases along the edges of the lids
 ControlMesh asteroid(int levels);           // 20 * 4^levels triangles
 ControlMesh goblet(int around, int rings);  // a surface of revolution with two poles
 
-std::vector<ControlMesh> seven_meshes();  // of 720 to 1440 triangles, as the coarse meshes of the thesis
-std::vector<ControlMesh> small_meshes();  // of 12 to 720
+std::vector<ControlMesh> seven_meshes();  // with 720 to 1440 triangles each, like the coarse meshes of the thesis
+std::vector<ControlMesh> small_meshes();  // with 12 to 720 triangles each
 
-// Flips random edges, which gives irregular valences, as decimation does.
+// Flips random edges. This gives irregular valences, as decimation does.
 ControlMesh flipped(ControlMesh mesh, int flips);
 
 // Moves vertices by up to `amount` of the diagonal, the same way every time.

@@ -90,8 +90,8 @@ double distance(const Vector& ours, const Point& theirs) {
   return std::hypot(ours.x - theirs.x[0], ours.y - theirs.x[1], ours.z - theirs.x[2]);
 }
 
-// Vertices where several inner creases meet, and boundary vertices of four and more triangles are left out: there
-// OpenSubdiv's masks do not belong to its refinement rules. The test TangentMask below checks our masks.
+// Returns false for vertices where several inner creases meet, and for boundary vertices of four and more triangles.
+// For these, OpenSubdiv's masks do not belong to its refinement rules. The test TangentMask below checks our masks.
 bool has_limit_normal(const Far::TopologyLevel& level, int vertex) {
   bool boundary = false;
   for (const int edge : level.GetVertexEdges(vertex)) {
@@ -106,8 +106,8 @@ struct Farthest {
   double position = 0, normal = 0;
 };
 
-// The errors of all points of all patches, and of normals where the surface has one. They are relative to the diagonal,
-// and to unit length.
+// Returns the errors of all points of all patches, and the errors of normals where the surface has a normal. Errors of
+// points are relative to the diagonal, errors of normals to unit length.
 Farthest compare(const ControlMesh& mesh) {
   Surface surface(mesh.view());
   surface.update(mesh.positions);
@@ -128,7 +128,8 @@ Farthest compare(const ControlMesh& mesh) {
       farthest.position =
           std::max(farthest.position, distance(surface.limit_positions()[patch.positions[i]], point) / mesh.diagonal());
       if (i < 3 && !has_limit_normal(reference.base(), first)) continue;
-      if (i >= 3 && !mesh.creases.empty() && reference.base().GetEdgeSharpness(edge) > 0) continue;  // two normals
+      if (i >= 3 && !mesh.creases.empty() && reference.base().GetEdgeSharpness(edge) > 0)
+        continue;  // the edge has two normals
       farthest.normal = std::max(farthest.normal, distance(surface.limit_normals()[patch.normals[i]], normal));
     }
   }
@@ -140,7 +141,7 @@ class LimitStepAgainstOpenSubdiv : public testing::TestWithParam<ControlMesh> {}
 TEST_P(LimitStepAgainstOpenSubdiv, PointsAndNormalsAreTheSame) {
   const Farthest farthest = compare(GetParam());
   EXPECT_LE(farthest.position, 1e-6);
-  // The triangles of a fan of 500 are 80 times as long as wide, which costs two digits of single precision.
+  // The triangles of a fan of 500 are 80 times as long as wide. This costs two digits of single precision.
   EXPECT_LE(farthest.normal, GetParam().vertex_count() == 502 ? 1e-5 : 1e-6);
 }
 
@@ -162,8 +163,8 @@ std::vector<ControlMesh> all_meshes() {
 INSTANTIATE_TEST_SUITE_P(Meshes, LimitStepAgainstOpenSubdiv, testing::ValuesIn(all_meshes()),
                          [](const auto& parameter) { return parameter.param.name; });
 
-// A left eigenvector of the step at a boundary vertex: its product with any ring is multiplied by a constant in the
-// step.
+// The test finds a left eigenvector of the step at a boundary vertex. A step multiplies its product with any ring by a
+// constant.
 TEST(TangentMask, IsAnEigenvectorForAnyNumberOfTriangles) {
   for (std::uint32_t last = 1; last <= 40; ++last) {
     const TangentMask mask = tangent_mask(last + 1, false);

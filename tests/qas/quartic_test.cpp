@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The quartic through 15 points of a triangle: on the CPU, and as a refinement shader under OSMesa, bit by bit along shared edges.
+// Tests the quartic through 15 points of a triangle on the CPU, and as a refinement shader under OSMesa, bit by bit
+// along shared edges.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -169,7 +170,7 @@ TEST_F(QuarticShader, LeavesNoEdgeOpenUnderRandomTags) {
   }
 }
 
-// The control is an edge whose two sides have different points.
+// The control is an edge with different points on its two sides.
 TEST_F(QuarticShader, ADifferentPointOpensTheEdge) {
   const ControlMesh mesh = icosahedron();
   EXPECT_GT(core::test::open_edges(refined(mesh, surface_of(mesh), "vec4(points[0].xyz, 1.0)", 5, 1e-4F)), 0);

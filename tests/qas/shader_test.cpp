@@ -62,7 +62,7 @@ struct Vertex {
   GLubyte tag;
 };
 
-// torn: added to one edge of one patch.
+// torn: a number that is added to one edge of one patch.
 void upload(const Surface& surface, const std::vector<GLubyte>& tags, float torn) {
   std::vector<Corner> corners(surface.corner_count());
   surface.write_corners(corners);
@@ -86,7 +86,7 @@ void upload(const Surface& surface, const std::vector<GLubyte>& tags, float torn
   glEnable(GL_DEPTH_TAG_ARRAY_ARK);
 }
 
-// Returns `result` at every refined vertex. tags: one for each coarse vertex.
+// Returns the output `result` at every refined vertex. tags: one for each coarse vertex.
 std::vector<RefinedVertex> refined(const Surface& surface, const Language& language, const std::string& result,
                                    const std::vector<GLubyte>& tags, float torn = 0) {
   GLuint array = 0;
@@ -156,7 +156,7 @@ TEST_P(RefinementShader, LeavesNoEdgeOpenUnderRandomTags) {
   }
 }
 
-// The control is an edge whose two sides have different midpoints.
+// The control is an edge with different midpoints on its two sides.
 TEST_P(RefinementShader, ADifferentMiddleOpensTheEdge) {
   const ControlMesh mesh = icosahedron();
   const std::vector<GLubyte> tags(mesh.vertex_count(), 2);

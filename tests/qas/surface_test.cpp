@@ -30,7 +30,7 @@ TEST(Surface, OfATetrahedronIsWorkedByHand) {
   const ControlMesh mesh{
       "tetrahedron", {1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1}, {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}};
   const Surface surface = updated(mesh);
-  // Valence 3: beta = 3/16, the limit weighs a neighbour 1/5.
+  // For valence 3, beta is 3/16, and the limit weighs a neighbour 1/5.
   EXPECT_NEAR(surface.limit_positions()[0].x, 0.4F - 0.2F, 1e-6);
   EXPECT_NEAR(surface.limit_normals()[surface.patches()[0].normals[0]].x, std::sqrt(1.0F / 3), 1e-6);
 }
@@ -42,7 +42,7 @@ TEST(Surface, HasASplineForItsBoundary) {
   EXPECT_NEAR(surface.limit_positions()[1].y, (0 + 4 * 0 + 6) / 6.0, 1e-6);
 }
 
-// The edge of a drum's lid is round. There lid and wall have different normals and the same points.
+// The edge of a drum's lid is round. On this edge, lid and wall have the same points, but different normals.
 TEST(Surface, HasTwoNormalsAlongACrease) {
   const ControlMesh mesh = drum(12);
   const Surface surface = updated(mesh);
@@ -91,7 +91,7 @@ TEST(Surface, ForgetsTheFrameBefore) {
   EXPECT_EQ(numbers_of(surface), first);
 }
 
-// Four patches have the corners of the limit step, and more between them.
+// The four patches have the corners of the limit step, and more points between them.
 TEST(Surface, SplitHasTheSamePoints) {
   const ControlMesh mesh = blocks();
   const Surface surface = updated(mesh), split = updated(mesh, {.splits = 1});

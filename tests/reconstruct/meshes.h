@@ -19,9 +19,10 @@ using namespace vstree;
 using namespace vstree::test;
 
 struct Topology {
-  std::size_t boundary = 0;  // edges of one triangle
-  std::size_t wrong = 0;     // edges of more than two, or of two that run the same way
-  std::size_t fans = 0;      // of triangles around vertices; as many as there are vertices, if each has one
+  std::size_t boundary = 0;  // the number of edges of one triangle
+  std::size_t wrong = 0;     // the number of edges with more than two triangles, or with two of different orientation
+  // The number of fans of triangles around vertices; if each vertex has one fan, the number of vertices.
+  std::size_t fans = 0;
   std::size_t parts = 0;
   std::ptrdiff_t euler = 0;  // vertices - edges + triangles
 };
@@ -77,7 +78,7 @@ inline void expect_closed(const Reconstructed& mesh, std::size_t parts, std::ptr
   EXPECT_EQ(topology.euler, euler);
 }
 
-// The greatest distance(vertex).
+// Returns the greatest distance(vertex).
 template <typename Distance>
 double greatest(const Reconstructed& mesh, const Distance& distance) {
   double most = 0;
@@ -88,7 +89,7 @@ double greatest(const Reconstructed& mesh, const Distance& distance) {
   return most;
 }
 
-// Six times the volume, positive where the triangles face outwards.
+// Returns six times the volume. It is positive if the triangles face outwards.
 inline double volume(const Reconstructed& mesh) {
   double sum = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {

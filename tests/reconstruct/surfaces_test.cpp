@@ -17,7 +17,7 @@ void append(Shape& shape, const Shape& other, float scale, float x) {
   shape.normals.insert(shape.normals.end(), other.normals.begin(), other.normals.end());
 }
 
-// The root mean square distance of the middles of triangles and of edges from the unit sphere.
+// Returns the root mean square distance from the unit sphere, over the middles of triangles and of edges.
 double from_sphere(const Reconstructed& mesh) {
   double squares = 0;
   std::size_t count = 0;
@@ -75,7 +75,7 @@ TEST(Reconstruct, SmallPartsAreLeftOut) {
   EXPECT_EQ(topology_of(reconstruct(shape.points(), {.least_part = 0})).parts, 2U);
 }
 
-// Two sides of a disc, so near to each other that cells contain both.
+// The two sides of the disc are so near to each other that cells contain both.
 TEST(Reconstruct, AThinPlateHasTwoSides) {
   Shape shape;
   for (int i = 0; i < 200; ++i) {
@@ -104,7 +104,7 @@ TEST(Reconstruct, NoiseIsTakenAway) {
   EXPECT_LT(greatest(mesh, off_sphere), 0.008);
 }
 
-// Scans that do not fit: each is a little larger than the one before.
+// The scans do not fit: each is a little larger than the scan before.
 TEST(Reconstruct, LayersBecomeOneSurface) {
   Shape shape;
   const Shape one = sphere(20000);
@@ -173,7 +173,7 @@ TEST(Reconstruct, DependsOnNeitherThreadsNorScale) {
   }
 }
 
-// The colour at a position, in bytes.
+// Returns the colour at a position, in bytes.
 std::array<float, 3> paint(const float* position) {
   return {127 + 100 * position[0], 127 + 100 * position[1], position[2] > 0 ? 200.0F : 50.0F};
 }
@@ -199,7 +199,7 @@ TEST(Reconstruct, ColoursAreThoseOfTheSamplesAround) {
   }
 }
 
-// The two sides of a sheet, thinner than a node.
+// The sheet has two sides and is thinner than a node.
 TEST(Reconstruct, ColoursOfOneSideDoNotShowOnTheOther) {
   Shape shape;
   for (int i = 0; i < 40000; ++i) {
@@ -255,7 +255,7 @@ TEST(Reconstruct, ThresholdsSmoothAndLevelsEndTheRefinement) {
   EXPECT_EQ(reconstruct(shape.points(), {.levels = 4}).levels, 4U);
 }
 
-// Refinement ends at about the given error: the mesh is that of fewer levels.
+// Refinement ends at about the given error. So the result has fewer levels.
 TEST(Reconstruct, RefinementEndsWhereTheErrorIsMet) {
   const Shape shape = sphere(60000);
   const double diagonal = 2 * std::sqrt(3.0);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hand-written vertex stages of every desktop version: what the driver accepts, it accepts derived, in every refinement.
+// Hand-written vertex stages of every desktop version. If the driver accepts a stage, it also accepts the derived text,
+// in every refinement.
 #include <gtest/gtest.h>
 
 #include "tests/refine/derive_harness.h"

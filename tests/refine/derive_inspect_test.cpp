@@ -112,7 +112,7 @@ TEST(DeriveInspect, MalformedStagesGiveAnErrorThatNamesTheLine) {
     EXPECT_FALSE(inspection.error.empty());
     DeriveRequest request;
     request.vertex_sources = {m.source};
-    derive_vertex_stage(request);  // must only not crash: what it returns is the driver's to judge
+    derive_vertex_stage(request);  // must not crash; the driver judges the result
   }
   EXPECT_FALSE(inspect_vertex_stage({}, false).ok);
 }

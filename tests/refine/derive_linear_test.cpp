@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Refinement::linear_inputs: what the application's vertex stage computes from interpolated inputs.
+// Refinement::linear_inputs: the application's vertex stage runs on interpolated inputs.
 #include <gtest/gtest.h>
 
 #include <bit>

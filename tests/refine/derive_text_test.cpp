@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Properties of the derived text that no driver is needed for.
+// Properties of the derived text that can be checked without a driver.
 #include <gtest/gtest.h>
 
 #include "glark/core/refine/derive.h"

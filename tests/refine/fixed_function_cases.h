@@ -106,8 +106,8 @@ inline const std::vector<Case>& lighting_cases() {
   return cases;
 }
 
-// Mesa 22.3's own fixed function is wrong where GL_BACK alone follows a colour that varies (green and blue are lost,
-// save in emission); those states are tested against GL_FRONT_AND_BACK, in fixed_function_test.cpp.
+// Mesa 22.3's own fixed function is wrong if GL_BACK alone follows a varying colour: green and blue are lost, except in
+// emission. fixed_function_test.cpp tests those states against GL_FRONT_AND_BACK, in fixed function.
 inline const std::vector<Case>& color_material_cases() {
   static const std::vector<Case> cases = {
       {"ColorFrontAmbient", [](State& s) { follow_color(s, GL_FRONT, GL_AMBIENT); }},

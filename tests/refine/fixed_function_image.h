@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Drawing the scene under a FixedFunctionState, by fixed function or by a program, and comparing the images.
+// Draws the scene under a FixedFunctionState, by fixed function or by a program, and compares the images.
 #pragma once
 
 #include <set>
@@ -14,7 +14,7 @@ namespace glark::refine::test {
 
 inline void set_enabled(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
 
-// Cube map for directions, 3D where r is generated, else 2D.
+// Cube map for directions, 3D if r is generated, else 2D.
 inline GLenum texture_target(const TextureUnitState& unit) {
   for (GLenum mode : unit.generation)
     if (mode == GL_REFLECTION_MAP || mode == GL_NORMAL_MAP) return GL_TEXTURE_CUBE_MAP;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the fixed-function tests draw, and with what: a software context, textures whose colour is a smooth function of
-// the coordinate, and a curved grid with every attribute.
+// The scene of the fixed-function tests: a software context, textures whose colour is a smooth function of the
+// coordinate, and a curved grid with every attribute.
 #pragma once
 
 #ifndef GL_GLEXT_PROTOTYPES
@@ -51,8 +51,8 @@ class Context {
   std::vector<GLubyte> pixels_ = std::vector<GLubyte>(4 * image_size * image_size);
 };
 
-// A program of the vertex shader alone (the fragment stage stays fixed function); 0 and `log` filled where it does not
-// link.
+// A program with only the vertex shader; the fragment stage stays fixed function. Returns 0 and fills `log` if it does
+// not link.
 inline GLuint link_vertex_shader(const std::string& source, std::string& log) {
   const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
   const char* text = source.c_str();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Fixed function and its shader draw the same picture, in Mesa's software renderer. Mesa 22.3's own fixed function departs
-// from OpenGL 2.1 in these states, which are therefore not compared:
+// Fixed function and its shader draw the same picture, in Mesa's software renderer. Mesa 22.3's own fixed function
+// departs from OpenGL 2.1 in these states, which are therefore not compared:
 //   - shininess 0 on both faces with a spot light or an attenuated light: its exponent is N.L instead of 0;
 //   - lit vertices whose w is not 1: it does not divide by w;
 //   - negative fog coordinates: it takes their absolute value;
@@ -26,8 +26,8 @@ GLuint link_for(const State& state) {
   return program;
 }
 
-// Coverage and depth to the bit, but for the corners that a clip plane cuts: GL intersects in eye or in clip space as
-// it likes.
+// Coverage and depth agree to the bit, except at the corners that a clip plane cuts: GL may intersect in eye space or
+// in clip space.
 void expect_same(const State& state, const Image& reference, const Image& image) {
   EXPECT_LE(largest_difference(reference, image), 2) << fixed_function_vertex_shader(state);
   EXPECT_LE(largest_depth_difference(reference, image), state.clip_planes ? 1e-6f : 0.0f);
@@ -57,7 +57,7 @@ TEST_P(FixedFunctionImage, EqualsFixedFunction) {
 INSTANTIATE_TEST_SUITE_P(Cases, FixedFunctionImage, testing::ValuesIn(all_cases()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-// One case of each group, one on top of the other.
+// Combines cases of several groups, at most one of each.
 TEST(FixedFunctionCombination, EqualsFixedFunction) {
   std::mt19937 random(20260);
   for (int round = 0; round < 40; ++round) {
@@ -80,8 +80,8 @@ TEST(FixedFunctionCombination, EqualsFixedFunction) {
 
 class FixedFunctionBackColor : public testing::TestWithParam<GLenum> {};
 
-// Mesa's fixed function is no reference for these states as a whole, but it is for each face: the back face of
-// GL_FRONT_AND_BACK, and the front face without colour material.
+// Mesa's fixed function is wrong in these states as a whole, but right for each face: for the back face with
+// GL_FRONT_AND_BACK, and for the front face without colour material.
 TEST_P(FixedFunctionBackColor, FollowsOnTheBackOnly) {
   Context context;
   set_up_scene();
@@ -107,7 +107,7 @@ TEST_P(FixedFunctionBackColor, FollowsOnTheBackOnly) {
 INSTANTIATE_TEST_SUITE_P(Parameters, FixedFunctionBackColor,
                          testing::Values(GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT_AND_DIFFUSE));
 
-// Window x, y, z and clip w of every vertex, to the bit, from feedback records of 13 values: a token, these, a colour
+// Window x, y, z and clip w of every vertex, to the bit. A feedback record has 13 values: a token, these four, a colour
 // and a coordinate.
 std::vector<GLfloat> positions(const State& state, GLuint program) {
   std::vector<GLfloat> values(1 << 16);
@@ -218,7 +218,7 @@ TEST(FixedFunctionShader, WritesWhatOnlySomeStatesHave) {
   EXPECT_TRUE(writes({.color_sum = true}, "gl_BackSecondaryColor"));
 }
 
-// The derivation reads the text with a parser of its own; glslang is the judge of whether it is GLSL.
+// The derivation reads the text with a parser of its own; glslang decides whether the text is GLSL.
 TEST(FixedFunctionShader, IsAcceptedByGlslang) {
   if (std::system("command -v glslangValidator >/dev/null") != 0) GTEST_SKIP() << "no glslangValidator";
   Context context;

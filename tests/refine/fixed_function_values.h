@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The values of GL (lights, materials, planes, matrices) that the cases are put together from. Each function sets them
-// in GL and what goes with them in the FixedFunctionState.
+// The values of GL (lights, materials, planes, matrices) for the cases. Each function sets values in GL, and the
+// matching fields of the FixedFunctionState.
 #pragma once
 
 #include <initializer_list>
@@ -36,7 +36,7 @@ inline void set_light(State& state, int light, Values position) {
   light_value(light, GL_SPECULAR, {0.6f, 0.9f, 0.5f, 1.0f});
 }
 
-// Materials of both faces, all different, so that no parameter passes for another.
+// Materials of both faces, all different, so that no parameter can be mistaken for another.
 inline void set_materials() {
   material_value(GL_FRONT, GL_AMBIENT, {0.5f, 0.3f, 0.2f, 0.9f});
   material_value(GL_FRONT, GL_DIFFUSE, {0.8f, 0.5f, 0.4f, 0.7f});

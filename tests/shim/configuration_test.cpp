@@ -28,7 +28,7 @@ Applied apply(std::string_view text, const std::vector<std::string>& names = {"g
   return applied;
 }
 
-// A folder of this process, gone at the end.
+// A folder of this process, deleted at the end.
 class Folder {
  public:
   Folder() : path_(fs::temp_directory_path() / ("glark-configuration-" + std::to_string(getpid()))) {

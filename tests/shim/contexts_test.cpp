@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// However contexts are made, shared, moved between threads and processes, and left: a program sees the same with the shim, off and
-// refining, as without: colours, errors, and the messages of debug output.
+// Programs make, share, move (between threads and processes) and leave contexts in many ways. They must see the same
+// colours, errors and debug messages without the shim, with the shim off, and with refinement.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// libGLARK.so as a file: what it needs and what it shows.
+// libGLARK.so as a file: its dependencies and its exports.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -35,12 +35,13 @@ TEST(Library, ExportsOnlyWhatItInterposes) {
 }
 
 TEST(Library, ThreadStateIsInitialExec) {
-  // The wrappers' own thread-local state is reached without a call: a general-dynamic access would need this relocation for it.
+  // The wrappers' own thread-local state is reached without a call: a general-dynamic access would need this relocation
+  // for it.
   const Outcome outcome = run("readelf -rW " GLARK_LIBRARY " | grep -c TPOFF64");
   EXPECT_GT(std::stoi(outcome.output), 0);
 }
 
-// A registry of the future has a draw that nobody has classed.
+// A future registry has a draw that nobody has classed.
 TEST(Generator, AnUnclassedDrawFailsTheBuild) {
   const std::string folder = testing::TempDir() + "generate" + std::to_string(getpid());
   run("mkdir -p " + folder +

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// However a program reaches its GL functions, we are there, and the picture is the same.
+// A program may find its GL functions in many ways. glark wraps them in each case, and the picture is the same.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -104,7 +104,7 @@ TEST(Configuration, TheTableOfTheProgramIsFoundByItsName) {
 }
 
 TEST(Linker, ResultsAndErrorsAreThoseOfTheProgramAlone) {
-  // Which object the message names is all that may differ.
+  // Only the object that the message names may differ.
   const std::string without_objects = " | sed 's#[^ ]*: undefined#undefined#'";
   EXPECT_EQ(run_preloaded(program("shim_linker") + without_objects).output,
             run(program("shim_linker") + without_objects).output);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float pi = 3.14159265F;
 
-// The output of `zstd -dc FILE`, or nothing if it fails.
+// Returns the output of `zstd -dc FILE`, or nothing if it fails.
 std::string unpacked(const std::string& path) {
   struct Close {
     void operator()(FILE* file) const { pclose(file); }
@@ -59,7 +59,7 @@ Points torus(std::size_t count) {
   while (points.size() < count) {
     const float u = turn(random), v = turn(random);
     const float r = 1 + 0.4F * std::cos(v);
-    if (chance(random) > r) continue;  // uniform on the surface
+    if (chance(random) > r) continue;  // makes the points uniform on the surface
     points.add({r * std::cos(u), r * std::sin(u), 0.4F * std::sin(v)},
                {std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v)});
   }

@@ -50,7 +50,7 @@ TEST(SurfelDegenerateClouds, CollinearPointsHaveNoTriangles) {
   Points points;
   for (int i = 0; i < 1000; ++i) points.add({0.37F * static_cast<float>(i), 0, 0}, {0, 0, 1});
   EXPECT_EQ(triangles(Strips(points.cloud())).size(), 0U);
-  for (std::size_t i = 0; i < points.size(); ++i) {  // a line that rounding bends
+  for (std::size_t i = 0; i < points.size(); ++i) {  // rounding bends this line
     points.positions[3 * i + 1] = points.positions[3 * i] * 0.1234567F;
     points.positions[3 * i + 2] = points.positions[3 * i] * 0.7654321F;
   }
@@ -70,7 +70,7 @@ TEST(SurfelDegenerateClouds, AcceptsNormalsOfAnyLengthAndOpposedNormals) {
   for (float& x : points.normals) x *= 1e-30F;
   EXPECT_EQ(triangles(Strips(points.cloud())).size(), 2U * 39 * 39);
   for (std::size_t i = 0; i < points.size(); i += 2) points.normals[3 * i + 2] = -1;
-  const Strips strips(points.cloud());  // two layers at one place
+  const Strips strips(points.cloud());  // two layers in the same place
   EXPECT_GT(triangles(strips).size(), 0U);
 }
 

@@ -40,7 +40,7 @@ class SurfelRendering : public testing::Test {
     glNormalPointer(GL_FLOAT, 0, points.normals.data());
   }
 
-  // Draws the strips that are selected for a view; without culling all strips.
+  // Draws the strips that are selected for a view. Without culling, draws all strips.
   std::vector<GLuint> draw(const Points& points, const Strips& strips, View view, bool culled) {
     view.cull_frustum = view.cull_back_faces = culled;
     begin(points, view);
@@ -53,8 +53,8 @@ class SurfelRendering : public testing::Test {
     return read();
   }
 
-  // Draws points: white if they face the eye, black like the background if not. Behind a real hole lie points that face
-  // away.
+  // Draws a point white if it faces the eye, and black like the background if it faces away. Behind a real hole lie
+  // points that face away.
   std::vector<GLuint> draw_splats(const Points& points, const View& view, float pixels) {
     begin(points, view);
     std::vector<GLuint> colours;
@@ -124,8 +124,8 @@ std::vector<View> views(const Points& points) {
 }
 
 // Counts pixels where strips are seen from behind: through a hole, or because a triangle has the wrong orientation.
-// Only pixels well inside the area of front-facing splats count. Where nothing is drawn at all, splats cover a real
-// gap.
+// Only pixels well inside the area of front-facing splats count. Pixels without any triangle do not count, because
+// there splats cover a real gap.
 int holes(const std::vector<GLuint>& splats, const std::vector<GLuint>& strips, const std::vector<GLuint>& both_sides,
           int margin) {
   int count = 0;

@@ -67,7 +67,7 @@ TEST(SurfelStrips, CloseLayersStaySeparate) {
   EXPECT_NEAR(static_cast<double>(triangles(strips).size()), 4.0 * 59 * 59, 50);
 }
 
-// Single points, pairs and three points in a row, far from all others or above the surface.
+// The cloud has single points, pairs, and three points in a row, far from all others or above the surface.
 TEST(SurfelStrips, IsolatedPointsHaveNoLongTriangles) {
   Points points = sphere(5000);
   const auto add = [&](float x, float y, float z) { points.add({x, y, z}, {0, 0, 1}); };
@@ -77,7 +77,7 @@ TEST(SurfelStrips, IsolatedPointsHaveNoLongTriangles) {
   add(4, 0, 0);
   for (const float z : {0.0F, 0.01F, 0.02F}) add(-6, 0, z);
   const Strips strips(points.cloud());
-  std::size_t on_a_line = 0;  // the last three may have a degenerate triangle
+  std::size_t on_a_line = 0;  // the last three points may have a degenerate triangle
   for (const auto& [a, b, c] : triangles(strips)) {
     on_a_line += std::min({a, b, c}) == 5004 ? 1 : 0;
     ASSERT_TRUE(std::min({a, b, c}) == 5004 || std::max({a, b, c}) < 5000) << a << ' ' << b << ' ' << c;
@@ -87,7 +87,7 @@ TEST(SurfelStrips, IsolatedPointsHaveNoLongTriangles) {
   EXPECT_EQ(edges.other, 0U);
 }
 
-// Their boundaries are as short as those of holes that are filled.
+// The boundaries of small pieces are as short as the boundaries of holes that are filled.
 TEST(SurfelStrips, BoundariesOfSmallPiecesAreNotFilled) {
   for (const unsigned side : {2U, 3U, 5U, 9U}) {
     const Points points = plane(side, 0);
@@ -99,7 +99,7 @@ TEST(SurfelStrips, BoundariesOfSmallPiecesAreNotFilled) {
   }
 }
 
-// The bends of the sheet are hardly wider than the spacing of its points, so the planes of its leaves differ much.
+// The bends of the sheet are hardly wider than the spacing of its points. So the planes of its leaves differ much.
 TEST(SurfelStrips, CoarseFoldsHaveNoHolesAndNoDuplicateEdges) {
   Points points;
   constexpr unsigned side = 60;

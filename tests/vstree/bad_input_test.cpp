@@ -23,8 +23,8 @@ void expect_error(Element element, std::size_t index, const std::string& words, 
   }
 }
 
-// Expects a tree with every sample in a leaf, with normals and without, and a simplification to at most `target` finite
-// points.
+// Expects a tree with every sample in a leaf, with normals and without. Expects a simplification to at most `target`
+// finite points.
 void expect_sound(const std::vector<float>& positions, std::size_t target = 4) {
   const PointSet points{.positions = positions};
   for (const bool surface : {true, false}) {
@@ -98,7 +98,7 @@ TEST(BadPoints, AMillionDuplicatesAmongOthersAreOneLeaf) {
   Shape shape = sphere(2000);
   const std::vector<float> many = repeated(1000000, {0.6F, 0.8F, 0});
   shape.positions.insert(shape.positions.end(), many.begin(), many.end());
-  shape.normals.resize(shape.positions.size());  // missing
+  shape.normals.resize(shape.positions.size());  // all normals are missing
   const Tree tree(shape.points(), {.threshold = 0});
   EXPECT_EQ(tree.nodes()[tree.leaf_of({0.6F, 0.8F, 0})].size(), 1000000U);
   EXPECT_LE(tree.leaf_count(), 2001U);
@@ -106,7 +106,7 @@ TEST(BadPoints, AMillionDuplicatesAmongOthersAreOneLeaf) {
 
 TEST(BadPoints, FarFromTheOriginKeepTheirOrder) {
   Shape shape = sphere(3000);
-  for (float& number : shape.positions) number += 4e5F;  // a float has a step of 1/32 there
+  for (float& number : shape.positions) number += 4e5F;  // at such coordinates, a float has a step of 1/32
   expect_sound(shape.positions);
 }
 
@@ -136,7 +136,8 @@ TEST(BadPoints, NormalsOfAnyLengthGiveTheSame) {
   for (const float length : {1e-25F, 0.5F, 3e20F}) {
     Shape other = shape;
     for (float& number : other.normals) number *= length;
-    EXPECT_NEAR(static_cast<double>(Tree(other.points()).leaf_count()), leaves, 0.01 * leaves) << length;  // it rounds
+    EXPECT_NEAR(static_cast<double>(Tree(other.points()).leaf_count()), leaves, 0.01 * leaves)
+        << length;  // rounding changes the number of leaves a little
   }
 }
 

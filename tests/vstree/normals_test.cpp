@@ -7,7 +7,7 @@
 namespace glark::vstree::test {
 namespace {
 
-// The least dot product of an estimated normal with the true one.
+// Returns the least dot product of an estimated normal with the true normal.
 float agreement(const std::vector<float>& estimated, const std::vector<float>& normals) {
   float least = 1;
   for (std::size_t i = 0; i < normals.size(); i += 3) {
@@ -35,7 +35,7 @@ TEST(EstimatedNormals, PointToTheScanner) {
 TEST(EstimatedNormals, KeepThoseThatAreGivenAndAgreeWithThem) {
   const Shape shape = sphere(3000);
   std::vector<float> given(shape.normals.size());
-  for (std::size_t k = 0; k < 3; ++k) given[k] = -2 * shape.normals[k];  // one, inwards, too long
+  for (std::size_t k = 0; k < 3; ++k) given[k] = -2 * shape.normals[k];  // one normal is given: inwards and too long
   const std::vector<float> normals = estimate_normals({.positions = shape.positions, .normals = given});
   std::vector<float> inwards = shape.normals;
   for (float& number : inwards) number = -number;
@@ -53,7 +53,7 @@ TEST(EstimatedNormals, OfTwoPartsAreEachRight) {
   EXPECT_GT(agreement(estimate_normals({.positions = shape.positions}), shape.normals), 0.8F);
 }
 
-// Repeated points, as many as neighbours or more, must not be all neighbours of a point.
+// Points may be repeated as often as there are neighbours. They must not be all neighbours of a point.
 TEST(EstimatedNormals, OfPointsManyTimesAreThoseOfPointsOnce) {
   const Shape shape = sphere(2000);
   const std::vector<float> once = estimate_normals({.positions = shape.positions});
@@ -65,7 +65,7 @@ TEST(EstimatedNormals, OfPointsManyTimesAreThoseOfPointsOnce) {
   EXPECT_GT(agreement(estimate_normals({.positions = positions}), normals), 0.999F);
 }
 
-// This is fast; comparing all of them would take hours.
+// The test is fast; comparing all points would take hours.
 TEST(EstimatedNormals, OfAMillionPointsAtOnePlaceAreZero) {
   std::vector<float> positions(3000000, 1.0F);
   const std::vector<float> normals = estimate_normals({.positions = positions});

@@ -26,7 +26,8 @@ struct Shape {
   }
 };
 
-// n times n vertices around a torus of radii 1 and 0.4, a little bumpy and tilted, so that it lies along no axis.
+// Makes n times n vertices around a torus of radii 1 and 0.4. The torus is a little bumpy, and tilted, so that it is
+// parallel to no axis.
 inline Shape torus(std::uint32_t n, float bumps = 0.02F) {
   Shape shape;
   const float step = 2 * 3.14159265F / static_cast<float>(n);

@@ -81,7 +81,7 @@ TEST(Simplified, ByAnErrorHasMoreTrianglesTheSmallerItIs) {
   }
 }
 
-// The root mean square distance of points from the surface of a torus without bumps.
+// Returns the root mean square distance of the points from the surface of a torus without bumps.
 double error_of(const Simplified& few) {
   double sum = 0;
   for (std::size_t t = 0; t < few.triangles.size(); t += 3) {
@@ -122,7 +122,7 @@ TEST(Simplified, CarriesAttributes) {
     ASSERT_EQ(few.colours.size(), 3 * count);
     ASSERT_EQ(few.texcoords.size(), 2 * count);
     for (std::size_t i = 0; i < count; ++i) {
-      EXPECT_TRUE(few.texcoords[2 * i] == 0.25F || few.texcoords[2 * i] == 0.75F);  // of one sample, no mean
+      EXPECT_TRUE(few.texcoords[2 * i] == 0.25F || few.texcoords[2 * i] == 0.75F);  // from one sample, not a mean
       if (std::abs(few.positions[3 * i]) < 0.5F) continue;
       EXPECT_EQ(few.colours[3 * i], few.positions[3 * i] > 0 ? 200 : 100);
       EXPECT_EQ(few.colours[3 * i + 2], 255);
@@ -152,7 +152,7 @@ TEST(Simplified, WithoutNormalsUsesThoseOfItsTriangles) {
   EXPECT_EQ(few.normals.size(), few.positions.size());
 }
 
-// Two tetrahedra that share an edge.
+// Two tetrahedra share an edge.
 TEST(Simplified, CutsSheetsThatTouch) {
   const std::vector<float> positions{0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 1, -1, 0, 0, -1, -1, 1};
   const std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2, 0, 1, 4, 0, 4, 5, 0, 5, 1, 1, 5, 4};
@@ -165,7 +165,7 @@ TEST(Simplified, CutsSheetsThatTouch) {
   EXPECT_EQ(apart.positions.size(), 3U * 8);
 }
 
-// n times n vertices over the unit square; `place` moves its coordinates, `height` has the third.
+// Makes n times n vertices over the unit square. `place` moves their coordinates; `height` gives the third coordinate.
 template <typename Place, typename Height>
 Shape sheet(std::uint32_t n, const Place& place, const Height& height) {
   Shape shape;
@@ -191,7 +191,8 @@ TEST(Simplified, OfAnOpenMeshKeepsItsBorderOnly) {
   for (std::size_t i = 2; i < few.positions.size(); i += 3) EXPECT_NEAR(few.positions[i], 0, 1e-5);
 }
 
-// All errors are equal there. There are more samples than one grid takes, from few clusters to almost all samples.
+// On a plane, all errors are equal. There are more samples than one grid takes. Targets range from few clusters to
+// almost all samples.
 TEST(Simplified, OfAPlaneComesCloseToAnyTarget) {
   const Shape shape = sheet(
       200, [](float x) { return x; }, [](float, float) { return 0.0F; });
@@ -202,7 +203,7 @@ TEST(Simplified, OfAPlaneComesCloseToAnyTarget) {
   }
 }
 
-// The cells of a grid have one size. Where a cell has too many samples there is a grid below it.
+// The cells of a grid have one size. A cell with too many samples has another grid below it.
 TEST(Simplified, DividesDenseCornersDeeper) {
   const auto square = [](float x) { return x * x * x * x; };
   const auto waves = [](float x, float y) {

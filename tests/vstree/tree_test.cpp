@@ -35,7 +35,7 @@ Plane mean_plane(const Shape& shape, std::span<const std::uint32_t> samples) {
   return plane;
 }
 
-// The error by its definition, without sums that cancel.
+// Computes the error by its definition, without sums that cancel.
 double error_by_definition(const Shape& shape, std::span<const std::uint32_t> samples, Metric metric, double diagonal) {
   const Plane plane = mean_plane(shape, samples);
   double sum = 0;
@@ -193,7 +193,7 @@ bool same(const Tree& a, const Tree& b) {
          });
 }
 
-// Enough samples for several tasks.
+// There are enough samples for several tasks.
 TEST(Tree, IsTheSameForAnyNumberOfThreads) {
   const Shape shape = torus(500);
   for (const bool surface : {true, false}) {
@@ -212,7 +212,7 @@ TEST(Tree, IsTheSameAtAnyScale) {
     EXPECT_TRUE(same(tree, Tree(other.points())));
   }
   Shape other = shape;
-  for (float& number : other.positions) number *= 1.7F;  // rounds
+  for (float& number : other.positions) number *= 1.7F;  // this rounds the positions
   const auto leaves = static_cast<double>(tree.leaf_count());
   EXPECT_NEAR(static_cast<double>(Tree(other.points()).leaf_count()), leaves, 0.01 * leaves);
 }
@@ -260,7 +260,7 @@ TEST(Tree, KnowsWhatLiesOutside) {
   const Tree tree(shape.points());
   EXPECT_EQ(tree.leaf_of({3, 0, 0}), none);
   EXPECT_EQ(tree.leaf_of({std::nanf(""), 0, 0}), none);
-  EXPECT_NE(tree.leaf_of({0, 0, 0}), none);  // no sample there: the last node on the way
+  EXPECT_NE(tree.leaf_of({0, 0, 0}), none);  // the cell has no sample: the last node on the path to it
 }
 
 }  // namespace

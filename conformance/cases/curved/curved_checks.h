@@ -20,7 +20,7 @@ inline std::vector<SurfaceVertex> draw_surface(Test& t, const Mesh& mesh) {
   return capture_surface(t, mesh);
 }
 
-// Two corners are at one place, for each edge.
+// For each edge, a triangle with both ends of the edge at one place.
 inline void check_equal_corners(Test& t, GLenum refinement, SurfaceOf surface) {
   refine_uniformly(3, refinement);
   for (const std::size_t from : {0U, 1U, 2U}) {
@@ -31,7 +31,7 @@ inline void check_equal_corners(Test& t, GLenum refinement, SurfaceOf surface) {
   }
 }
 
-// All corners are at one place.
+// A triangle with all corners at one place.
 inline void check_one_place(Test& t, GLenum refinement) {
   refine_uniformly(4, refinement);
   Mesh mesh = bent_mesh();
@@ -57,7 +57,7 @@ inline std::array<std::vector<Vec4>, 2> shared_edge(const std::vector<SurfaceVer
   return sides;
 }
 
-// Only the ends of the shared edge count: the third corners differ.
+// The third corners differ: only the ends of the shared edge matter.
 inline void check_shared_edge(Test& t, GLenum refinement) {
   refine_uniformly(4, refinement);
   const auto sides = shared_edge(draw_surface(t, bent_mesh()), 16);
@@ -65,7 +65,7 @@ inline void check_shared_edge(Test& t, GLenum refinement) {
     t.expect(same_position(sides[0][i], sides[1][i]), "the edge has the same bits in both triangles");
 }
 
-// The vertex stage lacks the normal, or an input that counts as a position: that one is at location 8 then.
+// The vertex stage lacks a normal or a position. Without a position, `where` at location 8 holds the positions.
 inline void check_missing_input(Test& t, GLenum refinement, bool has_position) {
   refine_uniformly(2, refinement);
   const Mesh mesh = bent_mesh();

@@ -157,7 +157,7 @@ void ramp() {
   gl.ActiveTexture(GL_TEXTURE0);
 }
 
-// The surface with the height of one vertex everywhere, by weights that need not have the sum 1.
+// The surface, displaced everywhere by the height of one vertex. The sum of the weights need not be 1.
 reference::Vector raised(const reference::Corners& corners, double w, double u, double v, double height) {
   const reference::Surface surface =
       reference::phong(corners, {static_cast<float>(w), static_cast<float>(u), static_cast<float>(v)}, 1);
@@ -206,7 +206,7 @@ void check_displaced(Test& t) {
     const double off = reference::length(reference::vector_of(vertex.position) - place);
     const reference::Vector normal = displaced_normal(corners, vertex, mesh, 3 * triangle);
     const double turned = reference::length(reference::vector_of(vertex.normal) - normal);
-    // R16F, and 8 bits for the place between texels.
+    // R16F texels, and 8 bits for the position between two texels.
     if (!t.expect(off < 0.005, "a displaced position is off by " + as_text(off))) return;
     if (!t.expect(turned < 0.06, "the normal of the displaced surface is off by " + as_text(turned))) return;
   }

@@ -54,7 +54,7 @@ std::vector<SurfaceVertex> displaced_flat(Test& t, unsigned depth) {
 
 bool expect_flat_normal(Test& t, const SurfaceVertex& vertex, const reference::Vector& expected) {
   const double off = reference::length(reference::vector_of(vertex.normal) - expected);
-  // R16F texels, and the filter's 8 bits between texels: a slope is right to within some hundredths.
+  // R16F texels and the filter's 8 bits between texels give slopes with an error of some hundredths.
   return t.expect(off < 0.05, "the normal of a displaced plane is off by " + as_text(off));
 }
 
@@ -87,10 +87,10 @@ void check_constant(Test& t, GLenum refinement) {
   }
 }
 
-constexpr int half_wave = 8;  // so many texels upwards, then as many downwards
+constexpr int half_wave = 8;  // texels from the lowest to the highest height
 
-// Waves along the longer side. Two texels from a turning point, the slope measured over one texel is the slope of the
-// wave. The slope measured over as many texels as the shorter side would have is not.
+// Waves along the longer side. Two texels from a turning point, a difference over one texel gives the slope of the
+// wave. A step by the size of the shorter side spans several texels and gives another slope.
 void check_waves(Test& t, int width, int height) {
   gl.UseProgram(surface_program(t));
   const bool is_wide = width > height;

@@ -142,7 +142,7 @@ void expect_displaced(Test& t, const Displacing& d, const Mesh& mesh, const std:
     const double height = d.scale * sampled(s, v, d.channel, d.is_linear, d.is_clamped) + d.bias;
     const reference::Vector expected = surface.position + height * reference::direction(surface.normal);
     const double off = reference::length(reference::vector_of(vertex.position) - expected);
-    // Filters have at least 8 bits for the place between two texels. The text gives no number; GPUs have 8.
+    // Filters have at least 8 bits between two texels. The specification gives no number; GPUs have 8.
     if (!t.expect(off < (d.is_linear ? std::abs(d.scale) / 128 : 1e-5),
                   "the displaced position is off by " + as_text(off)))
       return;

@@ -92,7 +92,7 @@ struct Drawing {
   GLuint level;
 };
 
-// Draws often and clears in between. Returns how many pictures differ from the first, or -1 if something else fails.
+// Draws often and clears in between. Returns how many pictures differ from the first, or -1 after another failure.
 int draw_often(const Drawing& drawing) {
   std::string log;
   const GLuint program = try_program({.vertex = drawing.vertex, .fragment = drawing.fragment}, log);
@@ -136,7 +136,7 @@ struct Fault {
   const char* plan;
   void (*set)();
   void (*draw)();
-  bool has_client_memory = false;  // in the compatibility profile it reads the application's memory, and there is none
+  bool has_client_memory = false;  // the compatibility profile reads client memory here, and there is none
 };
 
 void bind_incomplete() {

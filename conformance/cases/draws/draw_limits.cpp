@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws that reach limits: the number of commands is on the GPU, vertices come from streams and separate buffers of
-// transform feedback, there are more vertices than fit at once, more inputs than usual, or a hundred thousand pieces.
+// Draws that reach limits: the number of commands is on the GPU, or vertices come from streams and separate buffers of
+// transform feedback. Others have more vertices than fit at once, more inputs than usual, or a hundred thousand pieces.
 #include <fmt/core.h>
 #include <cmath>
 #include <cstring>

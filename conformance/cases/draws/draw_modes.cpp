@@ -163,7 +163,7 @@ Input input_of(GLenum mode, GLenum type) {
   return {mode, type, type == GL_UNSIGNED_BYTE ? 1U : type == GL_UNSIGNED_SHORT ? 2U : 4U};
 }
 
-// Runs before ARKinit: later unrefined draws may take the way of refined draws.
+// Runs before ARKinit: later unrefined draws may take the code path of refined draws.
 std::vector<Picture> plain_pictures(const Command& command, GLenum mode) {
   std::vector<Picture> pictures;
   for (const GLenum type : index_types) {

@@ -30,7 +30,7 @@ Mesh restart_mesh() {
 struct Restart {
   const char* leaf;
   bool is_fixed;      // PRIMITIVE_RESTART_FIXED_INDEX
-  GLuint index;       // of the last of each type, if fixed
+  GLuint index;       // if `is_fixed`, the greatest index of each type
   bool is_on = true;  // off: the restart index is an ordinary vertex
 };
 

@@ -275,8 +275,8 @@ void check_clip_planes(Test& t, GLenum refinement) {
   t.expect_same_picture(picture_of(draw), expected, "clipped by a plane", 2, 20);
 }
 
-// The API sets the outputs' source indices, not the shader. The result is one output times the other; the colour
-// underneath vanishes.
+// The API sets the outputs' source indices; the shader does not. Blending multiplies the two outputs and drops the
+// colour in the framebuffer.
 void check_two_sources(Test& t, GLenum refinement) {
   const GLuint program = build_program(
       t,

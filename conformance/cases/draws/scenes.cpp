@@ -52,7 +52,7 @@ Picture picture_of(GLsizei count) {
 }
 
 // Counts pixels that differ and lie farther than a subpixel step from every edge of the coarse mesh. Where triangles
-// overlap at nearly the same depth, either may win; these scenes have none that meet at less than a rounding.
+// overlap at nearly the same depth, either may win. In these scenes, depths differ by more than the rounding.
 void expect_same_inside(Test& t, const Mesh& mesh, const Picture& actual, const Picture& expected, const char* what) {
   reference::Raster raster(surface_size, surface_size, 0.25);
   for (std::size_t i = 0; i + 2 < mesh.size(); i += 3)

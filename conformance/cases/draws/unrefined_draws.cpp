@@ -96,7 +96,7 @@ void draw_fixed() {
   gl.End();
 }
 
-// A refined triangle would be out of sight.
+// Moves refined triangles out of the picture.
 void hide_when_refined(Test& t) {
   const char* const source = "void refine() { gl_Vertex.xyz += vec3(5.0); }";
   gl.RefinementShaderSourceARK(0, 1, &source, nullptr);

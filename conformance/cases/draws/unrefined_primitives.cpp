@@ -11,7 +11,7 @@
 namespace glark::conformance {
 namespace {
 
-// A vertex stage that bends whatever lies between corners, so that refinement shows.
+// A vertex stage that moves all points between corners, so that refinement shows.
 const char bending[] =
     "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour; out vec4 colour;\n"
     "void main() { colour = vertex_colour; vec2 p = position.xy;\n"

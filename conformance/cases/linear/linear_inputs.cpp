@@ -218,7 +218,7 @@ struct DifferenceVertex {
   Vec3 weights;
 };
 
-// The corners exceed 1, -3, 2, 5, -1 and 7 by very little: the difference times 1e10.
+// The corners exceed 1, -3, 2, 5, -1 and 7 by very little. Cases compare this difference, times 1e10.
 constexpr double near_by[6] = {1, -3, 2, 5, -1, 7};
 constexpr double differences[3][6] = {{1, 0, 4, -2, 3, -6}, {3, 2, -5, 8, 0, 1}, {-7, -5, 2, 6, -4, 9}};
 

@@ -49,7 +49,7 @@ void check_enable_group_draws(Test& t) {
   t.expect_equal(triangles_of(t, draw_immediate_triangle), 16U, "triangles after PopAttrib");
 }
 
-// A refused PushAttrib leaves nothing on the stack.
+// A PushAttrib that generates an error leaves nothing on the stack.
 void check_enable_group_overflow(Test& t) {
   gl.ARKinit(2);
   const GLint depth = integer_of(GL_MAX_ATTRIB_STACK_DEPTH);

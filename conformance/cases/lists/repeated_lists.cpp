@@ -117,7 +117,7 @@ void check_names(Test& t) {
   t.expect_no_error("the lists");
 }
 
-// A compiled ListBase counts from the call on.
+// A compiled ListBase takes effect when its list is called.
 void check_compiled_base(Test& t) {
   const GLubyte name[] = {1};
   refine();

@@ -17,7 +17,7 @@ struct Stage {
   const char* leaf;
   void (*set)();
   bool has_flat_shading = false;
-  bool is_inputs_only = false;  // what is drawn of the triangles is not the same for more of them
+  bool is_inputs_only = false;  // the picture depends on the number of triangles
 };
 
 void light() {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Draws that are repeated after a change that is not in a buffer: where the draw begins, which corner comes first,
-// which object has the name. An implementation must not use what it kept of the earlier draw.
+// which object has the name. An implementation must not use cached results of the earlier draw.
 #include <cstring>
 
 #include "conformance/cases/cases.h"
@@ -155,7 +155,7 @@ void check_object_again(Test& t, bool is_uniform) {
     t.expect_equal(count_generated(draw_all), 32U, "triangles with another current tag");
 }
 
-// Depths differ by so much that a smooth interior may have vertices of its own. It need not.
+// Depths differ by so much that a smooth interior may have additional vertices. It need not have them.
 void check_interior(Test& t) {
   gl.UseProgram(colour_program(t));
   const std::array<int, 3> tags = {6, 6, 1};

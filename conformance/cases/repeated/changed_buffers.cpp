@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws that are repeated after a change of what they read. An implementation may keep what it found out about a draw
-// (11.R.13), but must drop it after such a change. The expected picture is the unrefined one after the change.
+// Draws that are repeated after a change of the data that they read. An implementation may cache results of a draw
+// (11.R.13), but must drop them after such a change. The expected picture is the unrefined one after the change.
 #include <cstring>
 
 #include "conformance/cases/cases.h"

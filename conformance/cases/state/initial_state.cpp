@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The initial value of every state of the extension ("New State"), in a new context and in one that shares objects with
-// a context in use.
+// The initial value of every state of the extension ("New State"). The context is new, or shares objects with a context
+// in use.
 #include "conformance/cases/cases.h"
 #include "conformance/support/program.h"
 #include "conformance/support/state.h"

@@ -101,7 +101,7 @@ Case drawn_case(const Rounding& rounding) {
       .check = [rounding](Test& t) { check_drawn(t, rounding); }};
 }
 
-// Tags of 4, 1 and 2 between Begin and End give 12 triangles, whatever tag was current before.
+// Tags of 4, 1 and 2 between Begin and End give 12 triangles for every earlier current tag.
 void check_drawn_between(Test& t) {
   gl.UseProgram(capture_program(t));
   refine_by_tags(4);

@@ -89,7 +89,7 @@ void check_client_memory(Test& t, const TagType& type) {
   t.expect_equal(triangles_drawn(t), triangles_of_tags, "triangles");
 }
 
-// Everything that VertexAttribPointer sets has another value before.
+// Before the call, all state that VertexAttribPointer sets has other values.
 void spoil(GLuint attribute) {
   gl.VertexAttribIPointer(attribute, 3, GL_SHORT, 40, offset(16));
   gl.VertexAttribBinding(attribute, 2);

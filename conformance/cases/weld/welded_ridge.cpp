@@ -297,7 +297,7 @@ void check_three_sides(Test& t) {
   t.expect_equal(steps.size(), 17U, "vertices on the edge");
 }
 
-// The third side has the opposite of the first side's normals, so that two sides count: an implementation may take any
+// The third side has the opposite normals of the first side, so two sides are the same. An implementation may take any
 // of the three.
 void check_opposite_of_three(Test& t) {
   for (const Vec3& other : {Vec3{-0.9F, 0.4F, 0.3F}, {0.9F, 0.4F, 0.3F}, {0.01F, 0.9F, 0.5F}, {-0.01F, -0.9F, 0.5F}}) {

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t grain = 1 << 16;  // the least number of records for a thread
 
-// On entry, counts[part * cells + cell] is a number of records; on return, the slot of the first of them.
+// On entry, counts[part * cells + cell] is the number of a part's records in a cell. On return, it is the slot of the
+// first of these records.
 std::vector<std::uint32_t> slots_of(std::vector<std::uint32_t>& counts, std::size_t parts, std::size_t cells) {
   std::vector<std::uint32_t> begins(cells + 1);
   std::uint32_t slot = 0;
@@ -27,7 +28,8 @@ std::vector<std::uint32_t> slots_of(std::vector<std::uint32_t>& counts, std::siz
 std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, const KeyFunction& key,
                                        const MoveFunction& move, const Workers& workers) {
   thread_local std::vector<std::uint32_t> kept_keys;
-  std::vector<std::uint32_t> keys = std::exchange(kept_keys, {});  // this thread may run another task while it waits
+  // While this thread waits, it may run another task that sorts, too. So it takes the buffer.
+  std::vector<std::uint32_t> keys = std::exchange(kept_keys, {});
   keys.resize(std::max(keys.size(), count));
   const std::size_t parts = std::clamp<std::size_t>(count / grain, 1, workers.count());
   std::vector<std::uint32_t> counts(parts * cells);

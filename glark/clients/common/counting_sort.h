@@ -18,7 +18,8 @@ using KeyFunction = std::function<void(std::size_t begin, std::size_t end, std::
 // Moves record i of begin .. end - 1 to slots[i - begin] of the destination.
 using MoveFunction = std::function<void(std::size_t begin, std::size_t end, const std::uint32_t* slots)>;
 
-// Sorts `count` records by keys below `cells`. Returns where the records of each key begin, and where the last end: [cells + 1].
+// Sorts `count` records by keys below `cells`. Returns [cells + 1] slots: the first slot of each key, and the end of
+// the last key.
 std::vector<std::uint32_t> sort_by_key(std::size_t count, std::size_t cells, const KeyFunction& key,
                                        const MoveFunction& move, const Workers& workers);
 

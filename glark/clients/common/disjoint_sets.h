@@ -12,7 +12,8 @@
 
 namespace glark::common {
 
-// Sets of the numbers below `count`. At first every number is a set of its own. The least number of a set stands for it.
+// Sets of the numbers below `count`. Initially, each number is a set of its own. The least number of a set represents
+// the set.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -22,7 +23,7 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  // Makes one set of the two. Returns false where they are one already.
+  // Joins the sets of a and b. Returns false if a and b are in the same set already.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

@@ -36,7 +36,7 @@ inline Float4 cross(Float4 a, Float4 b) {
   return __builtin_shufflevector(zxy, zxy, 1, 2, 0, 3);
 }
 
-// The vector with length 1; zero for zero.
+// Returns the vector with length 1, or zero for the zero vector.
 inline Float4 unit(Float4 a) {
   const float square = dot(a, a);
   return square > 0 ? a / std::sqrt(square) : Float4{};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Points and vectors of three coordinates. float4.h has the ones for loops that the compiler turns into vector instructions.
+// Points and vectors of three coordinates. float4.h has the vectors for loops that use vector instructions.
 #pragma once
 
 #include <algorithm>
@@ -68,7 +68,7 @@ constexpr bool is_zero(Vector3<Scalar> a) {
   return a == Vector3<Scalar>{};
 }
 
-// The square must be within the range of the numbers; robust_length() has no such limit, and takes longer.
+// The squared length must neither overflow nor underflow. robust_length() has no such limit, but is slower.
 template <class Scalar>
 Scalar length(Vector3<Scalar> a) {
   return std::sqrt(dot(a, a));
@@ -82,7 +82,7 @@ Scalar squared_distance(Vector3<Scalar> a, Vector3<Scalar> b) {
   return dot(a - b, a - b);
 }
 
-// The vector with length 1. Vectors of any length are possible; zero, infinity and NaN give zero.
+// Returns the vector with length 1. The vector may have any length. Zero, infinity and NaN give zero.
 template <class Scalar>
 Vector3<Scalar> unit(Vector3<Scalar> a) {
   const Scalar squared = dot(a, a);
@@ -94,7 +94,7 @@ Vector3<Scalar> unit(Vector3<Scalar> a) {
   return scaled * (1 / length(scaled));
 }
 
-// A unit vector perpendicular to `normal`, which has unit length.
+// Returns a unit vector perpendicular to `normal`, which has unit length.
 template <class Scalar>
 Vector3<Scalar> perpendicular(Vector3<Scalar> normal) {
   const Vector3<Scalar> along =

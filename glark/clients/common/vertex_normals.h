@@ -13,8 +13,9 @@
 
 namespace glark::common {
 
-// Adds the normal of each triangle to its three vertices. A normal is twice as long as the area of its triangle, so that the sums, once
-// they have unit length, are means by area. position(vertex) gives a vector, add(vertex, normal) takes one.
+// Adds the normal of each triangle to its three vertices. The length of the normal is twice the area of the triangle.
+// So the sums, scaled to unit length, are means weighted by area.
+// position(vertex) returns a vector; add(vertex, normal) takes one.
 template <class Position, class Add>
 void add_triangle_normals(std::span<const std::uint32_t> triangles, const Position& position, const Add& add) {
   for (std::size_t t = 0; t < triangles.size(); t += 3) {

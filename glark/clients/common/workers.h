@@ -21,8 +21,8 @@
 
 namespace glark::common {
 
-// Tells ThreadSanitizer that the pieces of a loop come after the code before the loop, and before the code after it.
-// oneTBB is not compiled for ThreadSanitizer, which sees no such order.
+// Tells ThreadSanitizer the order: the code before a loop, then the pieces of the loop, then the code after it.
+// ThreadSanitizer cannot see this order, because oneTBB is not compiled for it.
 class Handover {
  public:
 #ifdef __SANITIZE_THREAD__
@@ -36,9 +36,9 @@ class Handover {
 
 class Workers {
  public:
-  // threads: the most threads; 0 for as many as the machine has.
+  // threads: the maximum number of threads; 0 for as many as the machine has.
   explicit Workers(unsigned threads) {
-    const int most = tbb::info::default_concurrency();  // TBB warns about more
+    const int most = tbb::info::default_concurrency();  // TBB warns about a greater number
     count_ = threads == 0 ? most : std::min(most, static_cast<int>(std::min(threads, 1024U)));
     if (count_ == 1) return;
     arena_ = std::make_unique<tbb::task_arena>(count_);
@@ -68,8 +68,8 @@ class Workers {
     });
   }
 
-  // Calls body with pieces that begin at multiples of `grain`, whatever the number of workers. So piece i may write to
-  // the i-th element of an array.
+  // Calls body with pieces that begin at multiples of `grain`, for any number of workers. So piece i may write to
+  // element i of an array.
   template <typename Body>
   void in_pieces(std::size_t count, std::size_t grain, const Body& body) const {
     const auto piece = [&](std::size_t i) { body(i * grain, std::min(count, (i + 1) * grain)); };
@@ -94,7 +94,7 @@ class Workers {
   }
 
  private:
-  // Calls loop(piece), which must run each piece of the loop by piece(code).
+  // Calls loop(piece). The loop must run each of its pieces by piece(code).
   template <typename Loop>
   void share(const Loop& loop) const {
     Handover before, after;

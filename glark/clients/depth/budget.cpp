@@ -9,7 +9,7 @@
 namespace glark::depth {
 namespace {
 
-constexpr int morph_steps = 64;  // steps of a level, as GL_GEOMORPH_ARK has them
+constexpr int morph_steps = 64;  // steps per level with GL_GEOMORPH_ARK
 constexpr int morph_lift = 3;    // up to this depth, one shallow edge does not make the interior shallow
 constexpr int bias_steps = 256;
 
@@ -21,10 +21,10 @@ int edge_depth(float a, float b, EdgeRule rule) {
   return ((steps(a) + steps(b)) / 2 + morph_steps - 1) / morph_steps;
 }
 
-// A triangulation of b points on the boundary and i points inside has 2 i + b - 2 triangles. The points inside are
-// those of a lattice of 2^least segments. With geomorphing, the interior is as deep as the second least depth, but at
-// most 3, where that is more. A triangle whose interior has depth 0 or 1 has a point in its middle, unless it is not
-// divided at all.
+// Returns the number of triangles of a pattern. A triangulation of b points on the boundary and i points inside has 2 i
+// + b - 2 triangles. The points inside are those of a lattice of 2^inner segments.
+// Usually `inner` is the least depth. With geomorphing, it is the second least depth, at most 3, unless the least depth
+// is greater. Then an interior of depth 0 or 1 has one point, unless no edge is divided.
 std::uint64_t triangles_of(int d0, int d1, int d2, EdgeRule rule) {
   const int least = std::min({d0, d1, d2});
   const std::uint64_t border = (std::uint64_t{1} << d0) + (std::uint64_t{1} << d1) + (std::uint64_t{1} << d2);

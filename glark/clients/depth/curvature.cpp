@@ -10,7 +10,8 @@
 namespace glark::depth {
 namespace {
 
-// How high the arc of the larger curvature rises above an edge. It falls to a quarter with each level.
+// Returns the height of the arc over an edge, with the larger principal curvature. Each level divides the height by
+// four.
 float sagitta(std::pair<float, float> curvatures, float edge) {
   return std::max(std::abs(curvatures.first), std::abs(curvatures.second)) * edge * edge / 8;
 }

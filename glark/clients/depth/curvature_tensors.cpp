@@ -15,8 +15,8 @@ using Vector = CurvatureTensors::Vector;
 using Tensor = CurvatureTensors::Tensor;
 using Axes = CurvatureTensors::Axes;
 
-// The tensor that maps the edges of a face to the differences of the normals at their ends, by least squares. Returns false
-// where the face is degenerate or too thin.
+// Fits the tensor that maps the edges of a face to the differences of the normals at their ends, by least squares.
+// Returns false if the face is degenerate or too thin.
 bool fit_tensor(const Vector edges[3], const Vector normals[3], const Axes& axes, Tensor& tensor) {
   double uu = 0;
   double uv = 0;
@@ -35,9 +35,9 @@ bool fit_tensor(const Vector edges[3], const Vector normals[3], const Axes& axes
     right[1] += du * v + dv * u;
     right[2] += dv * v;
   }
-  // [uu uv 0; uv uu+vv uv; 0 uv vv] x = right, by Cramer's rule.
+  // Solves [uu uv 0; uv uu+vv uv; 0 uv vv] x = right by Cramer's rule.
   const double sum = uu + vv;
-  const double area = uu * vv - uv * uv;  // times 4/3, squared
+  const double area = uu * vv - uv * uv;  // 12 times the squared area
   const double determinant = sum * area;
   if (!(area > 1e-12 * sum * sum)) return false;
   const double e = (right[0] * (sum * vv - uv * uv) - right[1] * uv * vv + right[2] * uv * uv) / determinant;
@@ -67,7 +67,8 @@ Tensor in_axes(const Tensor& tensor, const Axes& old, const Axes& axes) {
           tensor[0] * u2 * u2 + tensor[1] * (2 * u2 * v2) + tensor[2] * v2 * v2};
 }
 
-// The parts of a triangle's area that are nearest to each corner: Voronoi areas, cut at the middles of the edges where an angle is obtuse.
+// Returns the part of a triangle's area that is nearest to each corner. This is the Voronoi area; if an angle is
+// obtuse, it is cut at the middles of the edges.
 Vector corner_areas(const Vector edges[3]) {
   const float area = 0.5F * robust_length(cross(edges[0], edges[1]));
   const Vector squares = {dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2])};

@@ -13,9 +13,9 @@
 
 namespace glark::depth {
 
-// Based on: S. Rusinkiewicz, Estimating curvatures and their derivatives on triangle meshes, 3DPVT 2004. Each face has the tensor that
-// explains best how the normals of its corners differ (section 3.1). It is rotated into the tangent planes of the corners (3.2), and
-// weighted there by the part of the face that is nearest to the corner (3.3).
+// Based on: S. Rusinkiewicz, Estimating curvatures and their derivatives on triangle meshes, 3DPVT 2004. The tensor of
+// a face best explains how the normals of its corners differ (section 3.1). It is rotated into the tangent planes of
+// the corners (3.2). At a corner, its weight is the part of the face that is nearest to the corner (3.3).
 class CurvatureTensors {
  public:
   using Vector = common::Vector3f;
@@ -28,7 +28,7 @@ class CurvatureTensors {
   CurvatureTensors(std::size_t vertices, std::size_t triangles)
       : normals_(vertices), axes_(vertices), tensors_(vertices), areas_(vertices), corner_areas_(triangles) {}
 
-  // Normals may have any length. Where they are zero, or the array is empty, the normals of the faces count.
+  // Normals may have any length. The normals of the faces replace zero normals and an empty array.
   void find(std::span<const std::uint32_t> triangles, std::span<const float> positions, std::span<const float> normals);
   // The principal curvatures at a vertex, the greater one first.
   std::pair<float, float> principal(std::size_t vertex) const;
@@ -41,10 +41,10 @@ class CurvatureTensors {
   void add_tensor(std::span<const std::uint32_t> triangles, std::span<const float> positions, std::size_t triangle);
 
   std::vector<Vector> normals_;
-  std::vector<Axes> axes_;  // of the tangent planes
+  std::vector<Axes> axes_;  // the axes of the tangent planes
   std::vector<Tensor> tensors_;
-  std::vector<float> areas_;          // of a vertex: the parts of the faces around that are nearest to it
-  std::vector<Vector> corner_areas_;  // these parts, of each triangle
+  std::vector<float> areas_;          // for each vertex: the sum of the parts of faces that are nearest to it
+  std::vector<Vector> corner_areas_;  // for each triangle: the parts nearest to its corners
 };
 
 }  // namespace glark::depth

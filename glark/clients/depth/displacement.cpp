@@ -9,14 +9,14 @@
 namespace glark::depth {
 namespace {
 
-constexpr int fewest_samples = 8;  // on the longest edge
+constexpr int fewest_samples = 8;  // minimum number of samples on the longest edge
 constexpr int most_samples = 128;
 
 struct Point {
   float u, v;
 };
 
-// Texels lie at the middles of cells, as in a texture.
+// Texels lie at the middles of cells, as in a texture of GL.
 float height_at(const HeightMap& map, float u, float v) {
   const auto wrapped = [](float t, std::uint32_t size) {
     const float scaled = (t - std::floor(t)) * static_cast<float>(size) - 0.5F;
@@ -35,8 +35,8 @@ float height_at(const HeightMap& map, float u, float v) {
          up * ((1 - right) * texel(column, row + 1) + right * texel(column + 1, row + 1));
 }
 
-// The mean square of the difference between the map and the linear interpolation of the corners. The longest side has a sample for every
-// texel.
+// Returns the mean squared difference between the map and the linear interpolation of the corners. The longest side has
+// one sample per texel.
 double variance_within(const HeightMap& map, const Point corner[3]) {
   float texels = 0;
   float height[3];
@@ -80,7 +80,7 @@ void Tagger::by_displacement(std::span<const float> coordinates, const HeightMap
   check_finite("the texture coordinate", coordinates, 2);
   check_map(map);
   require(tolerance > 0, "the tolerance {} is not above 0", tolerance);
-  // The mean over the triangles around a vertex, weighted by their area in the map.
+  // A vertex gets the mean over the triangles around it, weighted by their area in the map.
   const std::vector<std::uint32_t>& triangles = state_->triangles;
   std::vector<float>&sums = state_->longest, &areas = state_->areas;
   std::fill(sums.begin(), sums.end(), 0.0F);

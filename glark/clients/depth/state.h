@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The mesh of a Tagger, and arrays for its computations, so that these allocate nothing.
+// The mesh of a Tagger, and preallocated arrays for its computations.
 #pragma once
 
 #include <glark/depth.h>

@@ -82,7 +82,7 @@ void Tagger::by_edge_length(std::span<const float> positions, const View& view, 
     longest[a] = std::max(longest[a], size);
     longest[b] = std::max(longest[b], size);
   }
-  // The depth of an edge is the mean of its ends, and each end is deep enough for it.
+  // The depth of an edge is the mean of the tags at its ends. The tag of each end is deep enough for the edge.
   for (std::size_t vertex = 0; vertex < vertices_; ++vertex)
     tags[vertex] = clamped(std::log2(std::max(longest[vertex] / pixels, 1.0F)));
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Checks of arguments. Each throws Error, and formats its message only then, so that updates of tags allocate nothing.
+// Checks of arguments. A failed check throws Error, and only then formats a message. So valid tags cause no allocation.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,15 +16,15 @@ void require(bool holds, fmt::format_string<Values...> problem, Values&&... valu
   if (!holds) throw Error("glark-depth: " + fmt::format(problem, std::forward<Values>(values)...));
 }
 
-// The array has `components` floats for each vertex. `what` names it.
+// Checks that the array has `components` floats for each vertex. `what` is the name of the array in the message.
 void check_length(const char* what, std::size_t length, std::size_t vertices, std::size_t components);
 void check_finite(const char* what, std::span<const float> values, std::size_t components);
 
 void check_tags(const char* what, std::span<const float> tags, std::size_t vertices);
-// An array of tags that is about to be written.
+// Checks an array of tags before it is written.
 void check_target(std::span<const float> tags, std::size_t vertices);
 void check_positions(std::span<const float> positions, std::size_t vertices);
-// An empty array is possible.
+// The array may be empty.
 void check_normals(std::span<const float> normals, std::size_t vertices);
 void check_view(const View& view);
 

@@ -11,7 +11,7 @@
 
 namespace glark::geometry {
 
-// Receives the fraction of the work that is done, 0 to 1; less than 0 where it is not known.
+// Receives the finished fraction of the work, 0 to 1. A negative value means that the fraction is unknown.
 using Progress = std::function<void(double fraction)>;
 
 // Reads PLY, OBJ, STL, XYZ (TXT, ASC, CSV) or PTS, or one of these compressed by zstd (with a second ending .zst).
@@ -25,7 +25,7 @@ struct WriteOptions {
 // Writes PLY, OBJ, STL, XYZ, PTS or GLB. The writing is atomic. Throws Error.
 void write_file(const std::filesystem::path& file, const Geometry& geometry, const WriteOptions& options = {});
 
-// Throws Error if write_file() cannot write this file. Called before long computations.
+// Throws Error if write_file() cannot write this file. Commands call it before a long computation.
 void check_writable(const std::filesystem::path& file);
 
 }  // namespace glark::geometry

@@ -20,15 +20,15 @@ class Error : public std::runtime_error {
 };
 
 struct Geometry {
-  // Georeferenced coordinates have more digits than a float: a position is `origin` plus three floats. The origin is
-  // zero where floats suffice.
+  // Georeferenced coordinates have more digits than a float. So a position is `origin` plus three floats. The origin is
+  // zero if floats suffice.
   std::array<double, 3> origin{};
-  std::vector<float> positions;            // 3 a point
-  std::vector<float> normals;              // 3 a point, or none; zero where a point has no normal
-  std::vector<std::uint8_t> colours;       // red, green, blue, alpha, 4 a point, or none
-  std::vector<float> texture_coordinates;  // 2 a point, or none
-  std::vector<std::uint32_t> triangles;    // 3 indices a triangle, or none
-  // Triangle strips, one after the other, and their lengths. PLY files get these instead of triangles.
+  std::vector<float> positions;            // 3 per point
+  std::vector<float> normals;              // 3 per point, or empty; zero where a point has no normal
+  std::vector<std::uint8_t> colours;       // red, green, blue, alpha: 4 per point, or empty
+  std::vector<float> texture_coordinates;  // 2 per point, or empty
+  std::vector<std::uint32_t> triangles;    // 3 indices per triangle, or empty
+  // Triangle strips, one after the other, and their lengths. A PLY file gets the strips instead of the triangles.
   std::vector<std::uint32_t> strips;
   std::vector<std::uint32_t> strip_sizes;
 
@@ -37,16 +37,16 @@ struct Geometry {
 };
 
 struct ReadOptions {
-  bool skip_invalid =
-      false;  // leave out points with NaN or infinite coordinates, and their triangles, instead of an error
+  // Leave out points with NaN or infinite coordinates, and their triangles; false: throw Error.
+  bool skip_invalid = false;
 };
 
 struct Reading {
   Geometry geometry;
-  std::vector<std::string> warnings;  // what was lost in reading
+  std::vector<std::string> warnings;  // data that was lost in reading
 };
 
-// Throws Error if so many bytes do not fit into the memory of this machine.
+// Throws Error if `bytes` bytes do not fit into the memory of this machine.
 void require_memory(const std::string& file, double bytes);
 
 }  // namespace glark::geometry

@@ -38,9 +38,9 @@ constexpr std::uint32_t none = ~0U;
 struct PointTags {
   enum class Kind { smooth, crease, corner };
   Kind kind = Kind::smooth;
-  std::uint32_t plus = none;  // sectors
+  std::uint32_t plus = none;  // the two sectors at a crease
   std::uint32_t minus = none;
-  float number = 1;  // of the crease
+  float number = 1;  // the number of the crease
 };
 using Kind = PointTags::Kind;
 
@@ -194,7 +194,7 @@ class TagDerivation {
     return !is_zero(normal) ? normal : Vector{0, 0, 1};
   }
 
-  // Returns whether the tags of its ends make the edge a crease, though it is none. Edges between two corners are
+  // Returns whether the tags at its ends would make a crease of this smooth edge. An edge between two corners is
   // straight in any case.
   bool misleads(const Edge& edge) const {
     const PointTags& a = tags_[edge.a];
@@ -272,7 +272,7 @@ class TagDerivation {
   const Options& options_;
   SurfacePoints points_;
   std::vector<PointTags> tags_;
-  std::vector<std::uint32_t> sector_of_;  // of each vertex of the result; none: it belongs to all sectors or to none
+  std::vector<std::uint32_t> sector_of_;  // the sector of each vertex of the result; `none`: all sectors, or no sector
   TaggedMesh result_;
 };
 

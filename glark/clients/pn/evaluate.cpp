@@ -20,7 +20,7 @@ double within(double value, double least, double most) {
 // A corner in the letters of the thesis: P, N, Delta, sigma, theta, beta.
 struct TaggedVertex {
   Vector p, n, delta;
-  double size;  // of the given normal
+  double size;  // the length of the given normal
   double crease, sigma, theta, beta;
   bool tagged;
 };

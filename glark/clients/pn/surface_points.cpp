@@ -167,7 +167,8 @@ void SurfacePoints::find_sectors() {
   }
 }
 
-// Means weighted by the angles of the triangles at the point: of the given normals, or else of the triangles' planes.
+// Computes the normal of each sector: a mean of the given normals, or else of the normals of the triangles' planes. The
+// weights are the angles of the triangles at the point.
 void SurfacePoints::find_normals() {
   normals_.assign(sector_.size(), {0, 0, 0});
   std::vector<Vector> of_planes(sector_.size(), {0, 0, 0});

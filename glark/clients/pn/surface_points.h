@@ -15,11 +15,11 @@ namespace glark::pn {
 
 using Vector = common::Vector3d;
 
-// An edge of one or more triangles between two points, a < b.
+// An edge between two points, a < b, with one or more triangles.
 struct Edge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  std::uint32_t first = 0;  // the first of its sides
+  std::uint32_t first = 0;  // the index of the first of its sides
   std::uint32_t count = 0;
   bool crease = false;
 };
@@ -57,7 +57,7 @@ class SurfacePoints {
   void find_normals();
   std::uint32_t corner_of(const Side& side, std::uint32_t point) const;
   Vector position(std::uint32_t vertex) const;
-  Vector given_normal(std::uint32_t vertex) const;  // zero if there is none
+  Vector given_normal(std::uint32_t vertex) const;  // returns zero if there is none
   bool normals_differ(const Edge& edge) const;
   const Edge* find(std::uint32_t a, std::uint32_t b) const;
 
@@ -65,7 +65,7 @@ class SurfacePoints {
   std::uint32_t point_count_ = 0;
   std::vector<std::uint32_t> point_of_;
   std::vector<bool> degenerate_;
-  std::vector<Vector> planes_;  // normals as long as twice the area
+  std::vector<Vector> planes_;  // normals of the triangles; the length is twice the area
   std::vector<Edge> edges_;     // sorted by their points
   std::vector<Side> sides_;
   std::vector<std::uint32_t> sector_;

@@ -19,7 +19,7 @@ inline void store(Vector& to, Float4 value) { std::memcpy(&to, &value, sizeof(to
 
 inline Float4 load(const Vector& from) { return Float4{from.x, from.y, from.z, 0}; }
 
-// Smaller squares leave the range of floats. Tangents with a smaller squared sine are parallel in single precision.
+// Smaller squares underflow. Tangents with a smaller squared sine are parallel in single precision.
 inline constexpr float least_square = 1e-36F;
 inline constexpr float parallel = 1e-12F;
 

@@ -26,8 +26,7 @@ constexpr float barycentric_tolerance = 1e-3F;
               fmt::format("has the {} coordinate {}; it has to be finite and at most 1e37", "xyz"[index % 3], *wrong));
 }
 
-// The greatest magnitude, in four lanes that the compiler keeps in one register. Infinity if a value is NaN or too
-// large.
+// Returns the greatest magnitude, or infinity if a value is NaN or too large. The four lanes stay in one register.
 float greatest_of(std::span<const float> values) {
   std::array<float, 4> greatest{};
   bool numbers = true;

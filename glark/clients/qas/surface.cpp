@@ -39,7 +39,7 @@ std::optional<std::size_t> number_of(Element element, std::size_t index) {
 
 std::array<float, 3> triple(const Vector& vector) { return {vector.x, vector.y, vector.z}; }
 
-// The matrix of a quartic corner: four points as columns, and the inner point in the last row.
+// Returns the matrix of a quartic corner: four points as columns, and the inner point in the last row.
 std::array<std::array<float, 4>, 4> columns(const std::array<const Vector*, 5>& points) {
   std::array<std::array<float, 4>, 4> result{};
   const std::array<float, 3> inner = triple(*points[4]);
@@ -55,12 +55,12 @@ Error::Error(Element element, std::size_t index, const std::string& what)
 
 struct Surface::State {
   Workers workers;
-  std::unique_ptr<LimitStep> subdivision;  // from the coarse mesh to the mesh of the patches; null if that is the same
+  std::unique_ptr<LimitStep> subdivision;  // from the coarse mesh to the mesh of the patches; null if both are the same
   std::unique_ptr<LimitStep> step;
-  std::unique_ptr<ButterflyStep> butterfly_subdivision, butterfly;  // instead of these
+  std::unique_ptr<ButterflyStep> butterfly_subdivision, butterfly;  // for the Butterfly scheme
   std::vector<std::array<std::uint32_t, 2>> corner_vertices;
   std::vector<std::vector<Float4>> levels;  // the scaled vertices, those of the coarse mesh first
-  std::vector<Float4> shift;                // or the points after a step of the Butterfly scheme
+  std::vector<Float4> shift;                // the shifts of Loop's step, or the points after a Butterfly step
   std::vector<Vector> positions, normals;
 
   State(const Mesh& mesh, const Options& options);

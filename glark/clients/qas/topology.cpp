@@ -81,10 +81,10 @@ std::vector<Side> sorted_sides(const Topology& topology) {
   return sides;
 }
 
-// Numbers the edges in the order of the triangles, so that neighbours are close in memory.
+// Numbers the edges in the order of the triangles. So neighbours are close in memory.
 void find_edges(Topology& topology, const std::vector<Side>& sides) {
   std::vector<std::uint32_t> group_of(topology.triangles.size(),
-                                      none);  // of the first side of each edge: its index in `sides`
+                                      none);  // for each edge, the index of its first side in `sides`
   for (std::uint32_t i = 0; i < sides.size(); ++i) {
     if (i == 0 || sides[i].ends != sides[i - 1].ends) group_of[sides[i].half_edge] = i;
   }
@@ -118,7 +118,8 @@ void mark_creases(Topology& topology, const Mesh& mesh, const std::vector<Side>&
   }
 }
 
-// The outgoing half-edge of the next triangle around the same vertex, counter-clockwise or clockwise; none at a crease.
+// Returns the outgoing half-edge of the next triangle around the same vertex, counter-clockwise or clockwise. Returns
+// none at a crease.
 std::uint32_t next_about(const Topology& topology, std::uint32_t half_edge) {
   return topology.twin(Topology::before(half_edge));
 }
@@ -146,7 +147,7 @@ void add_sector(Topology& topology, std::uint32_t any) {
   topology.sectors.push_back(sector);
 }
 
-// Loop's rules as Hoppe et al. (1994) extend them, by the number of creases that meet at a vertex.
+// Chooses Loop's rules, as Hoppe et al. (1994) extend them, by the number of creases that meet at a vertex.
 void find_rules(Topology& topology) {
   topology.rules.assign(topology.vertex_count, Rule::corner);
   topology.crease_neighbours.assign(topology.vertex_count, {none, none});
@@ -166,15 +167,15 @@ void find_rules(Topology& topology) {
     const std::uint32_t v = sector.vertex;
     const bool dart =
         sharp_edges[v] == 1 && topology.rings[sector.first] == topology.rings[sector.first + sector.count - 1];
-    if (dart && sector_count[v] == 1) {  // the crease ends here
+    if (dart && sector_count[v] == 1) {  // the crease ends at this vertex
       sector.closed = true;
       --sector.count;
     }
     if (sector.closed && sector_count[v] == 1) topology.rules[v] = Rule::smooth;
     if (sharp_edges[v] == 2 && !sector.closed) topology.rules[v] = Rule::crease;
   }
-  for (const Sector& sector :
-       topology.sectors) {  // a fan that is not between the two creases makes the vertex a corner
+  // A fan that is not between the two creases makes the vertex a corner.
+  for (const Sector& sector : topology.sectors) {
     const bool between =
         !sector.closed && topology.rings[sector.first] != topology.rings[sector.first + sector.count - 1];
     if (topology.rules[sector.vertex] == Rule::crease && !between) topology.rules[sector.vertex] = Rule::corner;

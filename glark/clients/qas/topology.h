@@ -16,10 +16,10 @@ namespace glark::qas {
 inline constexpr std::uint32_t none = 0xFFFFFFFFU;
 
 // Triangles around a vertex that are joined by smooth edges. They share one normal. The ring of an open sector has one
-// vertex more than triangles.
+// more vertex than the sector has triangles.
 struct Sector {
   std::uint32_t vertex;
-  std::uint32_t first;  // in Topology::rings, counter-clockwise
+  std::uint32_t first;  // an index in Topology::rings; the ring is counter-clockwise
   std::uint32_t count;
   bool closed;  // the triangles surround the vertex, possibly with the one crease of a dart
 };
@@ -28,32 +28,32 @@ enum class Rule : std::uint8_t { smooth, crease, corner };
 
 struct Edge {
   std::array<std::uint32_t, 2> ends;
-  std::uint32_t first_side;  // in Topology::sides
+  std::uint32_t first_side;  // an index in Topology::sides
   std::uint32_t side_count;  // 2 if smooth
   bool smooth;               // not a boundary, crease or non-manifold edge
-  bool marked;               // made a crease by the caller, not by its sides
+  bool marked;               // the caller made it a crease, not its sides
 };
 
 struct Topology {
   std::uint32_t vertex_count = 0;
   std::vector<std::uint32_t> triangles;  // as given, three indices each
-  // For each triangle the one whose points it has: itself, an earlier one with the same vertices, or none if two of its
-  // vertices are equal.
+  // For each triangle, the triangle that it copies: itself, an earlier triangle with the same vertices, or none if two
+  // of its vertices are equal.
   std::vector<std::uint32_t> same_as;
   std::vector<Edge> edges;             // in the order of the triangles
   std::vector<std::uint32_t> sides;    // half-edges 3 * triangle + i, from corner i to corner i + 1
-  std::vector<std::uint32_t> edge_of;  // of each half-edge; none in copies and degenerate triangles
+  std::vector<std::uint32_t> edge_of;  // the edge of each half-edge; none in copies and degenerate triangles
   std::vector<Sector> sectors;
   std::vector<std::uint32_t> rings;
-  std::vector<std::uint32_t> sector_of;                         // of each corner
-  std::vector<Rule> rules;                                      // of each vertex
-  std::vector<std::array<std::uint32_t, 2>> crease_neighbours;  // of crease vertices
+  std::vector<std::uint32_t> sector_of;                         // the sector of each corner
+  std::vector<Rule> rules;                                      // the rule of each vertex
+  std::vector<std::array<std::uint32_t, 2>> crease_neighbours;  // for crease vertices
 
   std::uint32_t corner(std::uint32_t half_edge) const { return triangles[half_edge]; }
   std::uint32_t opposite(std::uint32_t half_edge) const { return triangles[before(half_edge)]; }
   static std::uint32_t after(std::uint32_t half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
   static std::uint32_t before(std::uint32_t half_edge) { return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1; }
-  // The half-edge across a smooth edge; none at other edges.
+  // Returns the half-edge across a smooth edge, or none at other edges.
   std::uint32_t twin(std::uint32_t half_edge) const {
     const Edge& edge = edges[edge_of[half_edge]];
     if (!edge.smooth) return none;

@@ -28,7 +28,7 @@ void check(const ReconstructOptions& options) {
   within(static_cast<double>(options.least_part), 0, 1, "least_part");
 }
 
-// The vertices in the positions' unit, from the unit cube.
+// Writes the vertices, scaled from the unit cube to the unit of the positions.
 void write_vertices(const RefinedMesh& mesh, const Cube& cube, const Workers& workers, Reconstructed& result) {
   result.positions.resize(3 * mesh.points.size());
   result.normals.resize(3 * mesh.points.size());

@@ -26,7 +26,7 @@ const char* name_of(Element element) {
   return "cloud";
 }
 
-// Messages name the number of a point or normal.
+// Only messages about points and normals name a number.
 std::optional<std::size_t> number_of(Element element, std::size_t index) {
   const bool is_one_of_many = element == Element::point || element == Element::normal;
   return is_one_of_many ? std::optional(index) : std::nullopt;

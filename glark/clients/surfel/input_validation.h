@@ -15,7 +15,7 @@ namespace glark::surfel {
 void check_options(const Options& options);
 void check_array_sizes(const Cloud& cloud);
 void check_point(const Cloud& cloud, std::size_t point);
-// had_points, had_normals: the cloud before the update.
+// had_points: the number of points before the update. had_normals: whether the cloud had normals then.
 void check_update(const Cloud& cloud, std::span<const std::uint32_t> moved, std::size_t had_points, bool had_normals);
 void check_level(unsigned level, unsigned level_count);
 void check_view(const View& view);

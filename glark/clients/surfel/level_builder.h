@@ -12,14 +12,14 @@
 
 namespace glark::surfel {
 
-// Takes the surfels over. Appends the strips to `indices`. cloud_indices: see Level.
+// Consumes the surfels. Appends the strips to `indices`. cloud_indices: see Level.
 Level build_level(std::vector<Surfel> surfels, std::vector<std::uint32_t> cloud_indices, const LevelOptions& options,
                   const common::Workers& workers, std::vector<std::uint32_t>& indices);
 
-// The surfels of the next coarser level, about a quarter. cloud_indices: receives their indices in the cloud.
+// Returns the surfels of the next coarser level, about a quarter. cloud_indices: receives their indices in the cloud.
 std::vector<Surfel> coarser_surfels(const Level& level, std::vector<std::uint32_t>& cloud_indices);
 
-// Whether updates have left so many leaves that the level should be built again.
+// Returns whether updates have left too many leaves, so that the level should be built again.
 bool needs_rebuild(const Level& level, const LevelOptions& options);
 
 // Builds the level again from its points. Appends the strips to `indices`.

@@ -19,14 +19,14 @@ float greatest_magnitude(std::span<const float> values) {
   return greatest;
 }
 
-// A power of two that brings coordinates below 1, so that products of them neither overflow nor underflow.
+// Returns a power of two that scales coordinates below 1. Then products of coordinates neither overflow nor underflow.
 float unit_for(float greatest) {
   int exponent = 0;
   if (greatest > 0) std::frexp(greatest, &exponent);
   return std::ldexp(1.0F, std::clamp(exponent, -120, 120));
 }
 
-// Coordinates in units.
+// The coordinates of the surfel are in units of `unit_length`.
 Surfel make_surfel(const Cloud& cloud, std::size_t point, float unit_length) {
   const auto triple = [&](std::span<const float> values) {
     return Vector{values[3 * point], values[3 * point + 1], values[3 * point + 2]};
@@ -35,7 +35,7 @@ Surfel make_surfel(const Cloud& cloud, std::size_t point, float unit_length) {
           cloud.normals.empty() ? Vector{} : unit(triple(cloud.normals)), 0};
 }
 
-// Sorts the ranges, joins those that touch, and removes empty ones.
+// Sorts the ranges, joins ranges that touch, and removes empty ones.
 std::vector<Range> joined(std::vector<Range> ranges) {
   std::erase_if(ranges, [](const Range& range) { return range.count == 0; });
   std::sort(ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
@@ -89,7 +89,7 @@ std::vector<Range> Strips::State::update(const Cloud& cloud, std::span<const std
     const auto [x, y, z] = surfels.back().position;
     farthest = std::max({farthest, std::fabs(x), std::fabs(y), std::fabs(z)});
   }
-  constexpr float most_units = 1024;  // farther points need a larger unit
+  constexpr float most_units = 1024;  // a farther point needs a larger unit
   if (farthest > most_units || points == 0) {
     *this = State(cloud, options);
     return joined({{0, indices.size()}});
@@ -101,7 +101,7 @@ std::vector<Range> Strips::State::update(const Cloud& cloud, std::span<const std
   return joined(std::move(changed));
 }
 
-// moved: in the cloud's indices.
+// moved: the indices in the cloud.
 void Strips::State::update_level_of(Level& level, std::span<const Surfel> moved, std::vector<Range>& changed) {
   std::vector<Surfel> of_level;
   for (Surfel surfel : moved) {
@@ -122,7 +122,7 @@ void Strips::State::update_level_of(Level& level, std::span<const Surfel> moved,
   compact_level(level);
 }
 
-// Closes the gaps between strips where more than half of the indices are unused. Returns whether indices moved.
+// Closes the gaps between strips if more than half of the indices are unused. Returns whether indices moved.
 bool Strips::State::compact_indices() {
   const bool moved = compact_slots(indices, [&](const auto& body) {
     for (Level& level : levels) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a Strips object holds.
+// The state of a Strips object.
 #pragma once
 
 #include <glark/surfel.h>
@@ -25,7 +25,7 @@ struct Strips::State {
 
   State(const Cloud& cloud, const Options& chosen);
   void build(std::vector<Surfel> surfels);
-  // moved: ascending, without duplicates; new points included.
+  // moved: ascending, without duplicates. It includes new points.
   std::vector<Range> update(const Cloud& cloud, std::span<const std::uint32_t> moved);
 
  private:

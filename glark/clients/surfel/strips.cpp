@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The public entry.
+// The class Strips of the public header.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,7 +14,7 @@
 namespace glark::surfel {
 namespace {
 
-// An estimate of the spacing of a level's points: as if they covered the largest face of the root's box.
+// Estimates the spacing of a level's points, as if they covered the largest face of the root's box.
 float spacing_of(const Node& root, std::size_t points) {
   std::array<float, 3> size{};
   for (std::size_t k = 0; k < 3; ++k) size[k] = std::max(0.0F, root.high[k] - root.low[k]);

@@ -24,9 +24,9 @@ Quadric Quadric::moved(Float4 by) const {
   return result;
 }
 
-// A small multiple of the identity keeps the point near the origin in directions that the planes leave open. A
-// pseudo-inverse (P. Lindstrom, Out-of-Core Simplification of Large Polygonal Models, 2000, section 3.2) needs a
-// threshold for that, and takes ten times as long.
+// Planes may leave some directions open. A small multiple of the identity keeps the point near the origin in these
+// directions. The alternative, a pseudo-inverse, needs a threshold and takes ten times as long (P. Lindstrom,
+// Out-of-Core Simplification of Large Polygonal Models, 2000, section 3.2).
 Float4 Quadric::best_point() const {
   const double hold = 1e-4 * double{weight()};
   if (!(hold > 0)) return Float4{};

@@ -13,9 +13,9 @@ namespace glark::vstree {
 
 using namespace common;  // Float4, records and workers
 
-// A quadratic error function relative to an origin that the user keeps: the error at x is x^T A x + 2 b x + c.
+// A quadratic error function relative to an origin, which the user stores. The error at x is x^T A x + 2 b x + c.
 struct Quadric {
-  Float4 rows[3] = {};  // of A; the fourth column is b
+  Float4 rows[3] = {};  // the rows of A; the fourth column is b
   float constant = 0;
 
   // Adds the plane through `point` with the unit normal, times `weight`.
@@ -32,15 +32,15 @@ struct Quadric {
     for (int i = 0; i < 3; ++i) rows[i] += other.rows[i];
     constant += other.constant;
   }
-  float weight() const { return rows[0][0] + rows[1][1] + rows[2][2]; }  // of all planes
-  // The same function relative to an origin that is moved by `by`.
+  float weight() const { return rows[0][0] + rows[1][1] + rows[2][2]; }  // the weight of all planes
+  // Returns the same function relative to an origin that is moved by `by`.
   Quadric moved(Float4 by) const;
   float error_at(Float4 point) const;
-  // The point of the least error. In directions that the planes leave open it stays at the origin.
+  // Returns the point of the least error. In directions that the planes leave open, it stays at the origin.
   Float4 best_point() const;
 };
 
-// The mean of the squared distances of the best point from the tangent planes of the records that have normals.
+// Returns the mean squared distance of the best point from the tangent planes of the records that have normals.
 float best_point_error(std::span<const Record> records, const Moments& moments);
 
 }  // namespace glark::vstree

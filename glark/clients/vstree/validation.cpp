@@ -48,7 +48,8 @@ void check_triangles(std::span<const std::uint32_t> triangles, std::size_t point
   if (triangles.size() % 3 != 0) {
     throw Error(Element::array, 0, fmt::format("triangles has {} indices; give three for each", triangles.size()));
   }
-  std::uint32_t beyond = 0;  // at most 2^31 points, so that signed comparisons suffice, which have vector instructions
+  // There are at most 2^31 points. So signed comparisons suffice, for which there are vector instructions.
+  std::uint32_t beyond = 0;
   const auto last = static_cast<std::int32_t>(static_cast<std::int64_t>(points) - 1);
   for (const std::uint32_t index : triangles)
     beyond |= index | (static_cast<std::int32_t>(index) > last ? 0x80000000U : 0U);

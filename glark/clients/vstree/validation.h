@@ -12,7 +12,7 @@
 
 namespace glark::vstree {
 
-// Both throw Error.
+// Both functions throw Error.
 void check(const Options& options);
 void check_triangles(std::span<const std::uint32_t> triangles, std::size_t points);
 

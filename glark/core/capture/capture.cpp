@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The thesis (Boubekeur 2007, ch. 7.2.3) sends the attributes of each coarse triangle as uniforms. Here transform feedback captures
-// them: GL itself then handles every draw call, mode and index type.
+// The thesis (Boubekeur 2007, ch. 7.2.3) sends the attributes of each coarse triangle as uniforms. Here transform
+// feedback captures them: GL itself then handles every draw call, mode and index type.
 #include "glark/core/capture/capture.h"
 
 #include <algorithm>

@@ -60,7 +60,7 @@ class CaptureStage {
   std::map<std::string, GLuint> programs_;  // by vertex source
   GLuint feedback_ = 0;
   std::array<GLuint, 2>
-      queries_{};  // primitives written; primitives generated, where the application counts the others
+      queries_{};  // primitives written; primitives generated, if the application uses a query of the former
   core::GpuBuffer ring_;
   core::GpuBuffer count_command_;
   GLintptr cursor_ = 0;

@@ -10,8 +10,8 @@
 
 namespace glark::capture {
 
-// Where the coarse records of a draw are. Records in the ring of the capture stage are valid until the next capture, records in the
-// cache until their entry is dropped.
+// The place of a draw's coarse records. Records in the ring of the capture stage are valid until the next capture,
+// records in the cache until their entry is dropped.
 struct CoarseTriangles {
   GLuint buffer = 0;
   GLintptr offset = 0;
@@ -19,7 +19,8 @@ struct CoarseTriangles {
   bool count_on_gpu = false;
 };
 
-// A DrawElementsIndirectCommand. The GPU writes the number of triangles to its instance count, where the CPU does not know it.
+// A DrawElementsIndirectCommand. If the CPU does not know the number of triangles, the GPU writes it to the instance
+// count.
 struct CountCommand {
   std::uint32_t index_count = 0;
   std::uint32_t instance_count = 0;

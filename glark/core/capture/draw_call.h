@@ -53,7 +53,7 @@ struct DrawCall {
   const PolygonSides* polygon_sides =
       nullptr;                        // sizes of several GL_POLYGONs, if they are known; for a bound, the greatest ones
   bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
-  const ArrayDraw* arrays = nullptr;  // these or a segment are set if its capture may be kept
+  const ArrayDraw* arrays = nullptr;  // set, or a segment is, if the capture may be kept
   const ListSegment* segment = nullptr;
   Issue issue;  // makes the application's own call
 };
@@ -63,12 +63,14 @@ inline bool is_triangle_mode(GLenum mode) {
          mode == GL_QUAD_STRIP || mode == GL_POLYGON;
 }
 
-// Whether the polygons of `primitives` commands can be told apart. Each quad is two triangles; a GL_POLYGON has any number.
+// Returns whether the polygons of `primitives` commands can be told apart. Each quad is two triangles; a GL_POLYGON has
+// any number.
 inline bool tells_polygons_apart(GLenum mode, std::uint64_t primitives) {
   return mode != GL_POLYGON || primitives == 1;
 }
 
-// Triangles that GL makes of `vertices` in `mode` (OpenGL 4.6 compatibility, 10.1); primitive restart can only lower it.
+// Triangles that GL makes of `vertices` in `mode` (OpenGL 4.6 compatibility, 10.1); primitive restart can only lower
+// it.
 inline std::uint64_t triangles_of(GLenum mode, std::uint64_t vertices) {
   switch (mode) {
     case GL_TRIANGLES: return vertices / 3;

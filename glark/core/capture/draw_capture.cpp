@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/capture/draw_capture.h"
 
-#include "glark/core/report.h"
+#include "glark/core/report/statistics.h"
 
 namespace glark::capture {
 
@@ -78,7 +78,8 @@ CoarseTriangles DrawCapture::end(const CapturePlan& plan, std::uint64_t triangle
     env_.gl.PolygonMode(GL_FRONT, b.front_polygon_mode);
     env_.gl.PolygonMode(GL_BACK, b.back_polygon_mode);
   }
-  // The application's queries have counted the capture too. Only here, and if GL alone knows the number, it is read back.
+  // The application's queries have counted the capture, too. The count is read back only here, and only if GL alone
+  // knows it.
   if (b.primitives_generated_query != 0 || b.primitives_written_query != 0) {
     add_surplus(env_.state, static_cast<std::int64_t>(exact ? triangles : stage_.counted(b)));
   }

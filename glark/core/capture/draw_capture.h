@@ -19,7 +19,7 @@ namespace glark::capture {
 
 Language language_of(const core::Capabilities& capabilities);
 
-// Vertices have edge flags that the polygon mode shows.
+// Returns whether vertices have edge flags that the polygon mode shows.
 bool takes_edge_flags(const core::Environment& environment);
 
 // Corrects the application's open queries by the triangles that our own draws have added to them.
@@ -40,7 +40,8 @@ class DrawCapture {
   void begin(const CapturePlan& plan, const Target& target);
   CoarseTriangles end(const CapturePlan& plan, std::uint64_t triangles, bool exact);
 
-  // Adds a capture to the statistics; `level`: of its uniform draw. What only the GPU has counted is added later.
+  // Adds a capture to the statistics. `level` is the level of its uniform draw. Counts that only the GPU knows are
+  // added later.
   void count_drawn(const CoarseTriangles& triangles, unsigned level);
   void read_uncounted();
 

@@ -8,8 +8,8 @@
 
 namespace glark::capture {
 
-// Binds an idle transform feedback object while it lives: GL does not link a program with varyings while the bound object is active,
-// even if it is paused.
+// Binds an idle transform feedback object while it lives: GL does not link a program with varyings while the bound
+// object is active, even if it is paused.
 class FeedbackAside {
  public:
   FeedbackAside(const gl::Dispatch& gl, CaptureStage& capture, const core::Bindings& bindings)

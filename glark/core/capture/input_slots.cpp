@@ -22,7 +22,7 @@ int builtin_slot(std::string_view name) {
                                        : no_slot;
 }
 
-// System values follow from the call.
+// The draw call determines the system values.
 bool is_system_value(const capture::Field& field) {
   return field.name == "gl_VertexID" || field.name == "gl_InstanceID" || field.name == "gl_BaseVertex" ||
          field.name == "gl_BaseInstance" || field.name == "gl_DrawID";

@@ -9,7 +9,8 @@
 
 namespace glark::core {
 
-// The attributes that a capture of `layout` reads, by AttributeSlot. An attribute that glark does not follow is no_slot.
+// The attributes that a capture of `layout` reads, by AttributeSlot. An attribute that glark does not follow is
+// no_slot.
 std::vector<int> input_slots(const capture::Layout& layout, GLuint tag_attribute);
 
 }  // namespace glark::core

@@ -66,7 +66,7 @@ const TypeRow* row_of(GLenum type) {
   return found != std::end(type_rows) ? found : nullptr;
 }
 
-// "tex" names a texture only where it is not a part of "vertex".
+// "tex" names a texture unless it is a part of "vertex".
 bool contains(const std::string& lower, std::string_view word) {
   std::size_t at = lower.find(word);
   while (at != std::string::npos && word.starts_with("tex") && at >= 3 && lower.compare(at - 3, 6, "vertex") == 0) {
@@ -95,7 +95,7 @@ struct RoleRule {
   Role role;
   const char* builtin;
   bool (*fits)(const Field&);
-  std::initializer_list<std::string_view> words;  // the first that a name has wins
+  std::initializer_list<std::string_view> words;  // the first word that a name contains decides
 };
 
 Field* find_told(std::vector<Field>& fields, const std::string& told) {
@@ -136,7 +136,7 @@ bool names_something_else(const Field& field) {
       [&](std::string_view word) { return contains(name, word); });
 }
 
-// Locations 1 and 2 are where programs that number their attributes have it; a vec4 is more often a colour.
+// Programs that number their attributes have the normal at location 1 or 2; a vec4 is more often a colour.
 Field* guess_normal(std::vector<Field>& fields) {
   Field* found = nullptr;
   for (const int location : {1, 2}) {
@@ -220,7 +220,7 @@ void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told) 
     }
     return field != nullptr;
   };
-  // Told roles first: a guess must not take their inputs.
+  // The roles that the user set come first: a guess must not take their inputs.
   std::array<bool, 3> known{};
   for (std::size_t i = 0; i < known.size(); ++i) {
     known[i] = assign(find_told(fields, *names[i]), rules[i].role);
@@ -314,7 +314,8 @@ class CaptureText {
     return name;
   }
 
-  // In OpenGL ES two inputs cannot have one location: if the program reads the tag itself, the capture takes it from that input.
+  // In OpenGL ES two inputs cannot have one location: if the program reads the tag itself, the capture takes it from
+  // that input.
   void note_first_components(const TypeRow& row, const std::string& value, int location) {
     for (int column = 0; column < row.columns; ++column) {
       std::string component = row.columns > 1 ? value + "[" + std::to_string(column) + "]" : value;
@@ -329,7 +330,8 @@ class CaptureText {
     return name + "ARB";
   }
 
-  // Captures doubles as pairs of unsigned integers, two doubles at a time: not every driver captures outputs that are doubles.
+  // Captures doubles as pairs of unsigned integers, two doubles at a time: not every driver captures outputs that are
+  // doubles.
   void add_wide(const TypeRow& row, const std::string& value) {
     for (int column = 0; column < row.columns; ++column) {
       const std::string vector = row.columns > 1 ? value + "[" + std::to_string(column) + "]" : value;

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// From the active inputs of a vertex stage to the layout of its coarse record, and to the program that captures it.
+// The layout of a coarse record, made from the active inputs of a vertex stage, and the program that captures it.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "glark/core/capture/record.h"
-#include "glark/core/refinement.h"
+#include "glark/core/context_options.h"
 
 namespace glark::capture {
 
@@ -21,19 +21,20 @@ bool is_wide(GLenum type);  // doubles: two words each
 // A system value that all vertices of a triangle share.
 bool is_constant_in_draw(const Field& field);
 
-// "gl_Vertex" and the like: read by their names, without a location.
+// Returns whether the field is built in ("gl_Vertex"): such inputs are read by name, without a location.
 bool is_builtin(const Field& field);
 
 // Places the fields one after the other. `tagged` adds the depth tag, `welded` the words that welding writes.
 Layout make_layout(std::vector<Field> fields, bool tagged, WeldedWords welded = {});
 
-// Decides which input is the position, the normal and the texture coordinate: the input that `told` names, by name or location. If the
-// program does not have it, the role is guessed: a built-in input, else the first input whose name says so, else by location. By
-// location, 0 is the position; 1 or 2 is the normal if only one of them can be it and its name says nothing else.
+// Decides which input is the position, the normal and the texture coordinate: the input that `told` names, by name or
+// location. If the program lacks this input, the role is guessed: a built-in input, else the first input with a fitting
+// name, else by location. Location 0 is the position. Location 1 or 2 is the normal if only one of them can be it and
+// its name says nothing else.
 void assign_roles(std::vector<Field>& fields, const core::AttributeRoles& told);
 std::string roles_text(const std::vector<Field>& fields);             // "position is v, normal is n, ..."
 const Field* find_role(const std::vector<Field>& fields, Role role);  // null: no field has it
-// Whether there are a position and a normal of three or four floats each.
+// Returns whether there are a position and a normal of three or four floats each.
 bool can_curve(const std::vector<Field>& fields);
 // First word of the normal in a corner; -1 without one.
 int normal_offset(const std::vector<Field>& fields);

@@ -25,33 +25,34 @@ struct Field {
   int words = 0;            // words of the whole input: array_size * columns * rows
 };
 
-// Words that welding writes to a corner: the control points of its edges, 3 b210 (vec3) towards the next corner, then towards the one
-// before.
+// The words that welding writes to a corner: the control points of its edges, 3 b210 (vec3) towards the next corner,
+// then towards the one before.
 inline constexpr int control_words = 6;
 
-// Words that welding writes to a corner for displacement on the border of a triangle: the normal (vec3) and the texture coordinate (vec2)
-// of the position, then the texture coordinates (two vec2) of both ends of the edge to the next corner.
+// The words that welding writes to a corner for displacement on the border of a triangle. The normal (vec3) and the
+// texture coordinate (vec2) of the position come first. Then come the texture coordinates (two vec2) at both ends of
+// the edge to the next corner.
 inline constexpr int border_words = 9;
 
-// Which words welding adds to a corner, besides a depth tag that is there already.
+// The words that welding adds to a corner, besides a depth tag that is there already.
 struct WeldedWords {
   bool controls = false;
   bool turns = false;
   int displaced_by = -1;  // the field of the texture coordinate; -1: nothing is displaced
 };
 
-// A corner has its fields one after the other, then the depth tag (float) if `tagged`, then the words that welding adds: the control
-// points, the half-edge of the greatest turn, and the words for displacement on the border.
+// A corner has its fields one after the other, then the depth tag (float) if `tagged`, then the words that welding
+// adds: the control points, the half-edge of the greatest turn, and the words for displacement on the border.
 struct Layout {
   std::vector<Field> fields;
   bool tagged = false;
   int corner_words = 0;  // stride of one corner; a coarse record is 3 * corner_words words
   int tag_offset = -1;
   int control_offset = -1;  // in a corner; < 0: edges are not welded
-  // In a corner: among the sides of the edge that begins there, the half-edge between whose ends the normal turns most, as the number of
-  // its first corner in the draw. < 0: each side is measured by itself.
+  // In a corner: the half-edge with the greatest turn of the normal, among all sides of the edge that begins at this
+  // corner. It is the number of its first corner in the draw. < 0: each side is measured by itself.
   int turn_offset = -1;
-  int border_offset = -1;      // in a corner; < 0: displacement takes what each triangle has
+  int border_offset = -1;      // in a corner; < 0: displacement uses each triangle's own values
   int coordinate_offset = -1;  // the texture coordinate for displacement, where there is a border
 
   bool welded() const { return control_offset >= 0; }

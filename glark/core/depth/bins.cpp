@@ -59,7 +59,7 @@ namespace {
 constexpr GLsizeiptr bytes_an_instance = 12 + 16;  // the numbers of its corners, and its patch
 
 std::uint32_t most_instances(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
-  // At most four instances a triangle, unless it is cut into tiles (more than tile_level levels deep on every edge).
+  // A triangle has at most four instances, unless it is cut into tiles (more than tile_level levels on every edge).
   std::uint64_t instances = std::uint64_t{4} * triangles;
   if (deepest_tag > static_cast<unsigned>(pattern::tile_level)) {
     const std::uint64_t tiles = std::uint64_t{1} << (2 * (deepest_tag - pattern::tile_level));

@@ -3,7 +3,8 @@
 //
 // Sorts the instances of a draw into bins by piece (counting sort). GLARK_PASS: 0 count, 1 scan, 2 scatter.
 // The includer supplies #version and GLARK_PASS.
-// Based on: Boubekeur 2007, ch. 7.2.2-7.2.3 (edge depths select the pattern); the sort is ours: the thesis draws triangle by triangle.
+// Based on: Boubekeur 2007, ch. 7.2.2-7.2.3 (edge depths select the pattern). The thesis draws triangle by triangle;
+// the sort is ours.
 #include "glark/core/pattern/pieces.glsl.h"
 
 #if GLARK_PASS == 1
@@ -13,11 +14,12 @@ layout(local_size_x = 64) in;
 #endif
 
 layout(std430, binding = 0) readonly buffer Records { uint records[]; };
-// Sorted by piece: the corners of instance_capacity coarse triangles (3 words each), then as many patches (4 words each).
+// Sorted by piece: the corners of instance_capacity coarse triangles (3 words each), then as many patches (4 words
+// each).
 layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
-// uint words: 0 refined triangles (low), 1 (high), 2 those of this frame (measure.glsl), 3 unused, 4 a DrawElementsIndirectCommand of all instances (5 words),
-// 9 to 11 unused, then counts, cursors, pieces (4 words each: index count, first index, base vertex, 0) and the
-// DrawElementsIndirectCommands of the pieces (5 words each).
+// Words (uint): 0 refined triangles (low), 1 (high), 2 refined triangles of this frame (measure.glsl), 3 unused, 4 a
+// DrawElementsIndirectCommand of all instances (5 words), 9 to 11 unused. Then counts, cursors, pieces (4 words each:
+// index count, first index, base vertex, 0) and the DrawElementsIndirectCommands of the pieces (5 words each).
 layout(std430, binding = 2) buffer Work { uint work[]; };
 layout(std430, binding = 3) readonly buffer Count { uint count_command[]; };
 
@@ -36,7 +38,7 @@ uniform int count_on_gpu;
 uniform int pool_level;
 uniform int interior;  // pattern::Interior
 uniform int tags_are_edge_depths;  // corner k holds the depth of edge k
-uniform int packed_bits;           // > 0: records holds a word for each triangle, so many bits for each edge, edge 0 in the lowest
+uniform int packed_bits;           // > 0: records has a word per triangle, this many bits per edge, edge 0 lowest
 uniform int instance_capacity;
 
 #if GLARK_PASS == 1
@@ -117,7 +119,7 @@ void main() {
     edge_steps = ivec3(word & mask, (word >> packed_bits) & mask, (word >> (2 * packed_bits)) & mask);
   } else {
     ivec3 tags = ivec3(tag_of(0), tag_of(1), tag_of(2));
-    // Erratum 1: the mean of two tags may lie between two steps; any rule of the two ends alone keeps edges together.
+    // Erratum 1: the mean of two tags may lie between two steps. Any rule that uses only the two ends is crack-free.
     edge_steps = tags_are_edge_depths != 0 ? tags : (tags + tags.yzx) >> 1;
   }
   expand_pattern(depth_of(edge_steps.x), depth_of(edge_steps.y), depth_of(edge_steps.z), interior);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// From depth tags to draw commands, on the GPU: edge depths, pattern, instances sorted by piece, one command a piece.
+// From depth tags to draw commands, on the GPU: edge depths, pattern, instances sorted by piece, one command per piece.
 #pragma once
 
 #include <array>
@@ -27,22 +27,23 @@ struct BinRequest {
   unsigned uniform_tag = 0;  // where the layout holds no tags
   unsigned pool_level = 0;   // greatest depth
   pattern::Interior interior = pattern::Interior::minimum;
-  bool tags_are_edge_depths = false;  // instead of the tags of corners 0, 1, 2: the depths of edges 0, 1, 2
-  MeasuredDepths measured;            // if there are any, instead of tags
+  bool tags_are_edge_depths = false;  // corners 0, 1, 2 hold the depths of edges 0, 1, 2 in place of tags
+  MeasuredDepths measured;            // replace the tags, if there are any
 };
 
 class BinStage {
  public:
   BinStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language), reorder_(gl, language) {}
 
-  // Compiles the passes and uploads the piece table; again after the pool was replaced. False: adaptive drawing is not available.
+  // Compiles the passes and uploads the piece table. Call it again after the pool was replaced. Returns false if
+  // adaptive drawing is not available.
   bool prepare(const pattern::GpuPool& pool);
-  // Room for the instances of a draw; false without memory.
+  // Makes room for the instances of a draw; false without memory.
   bool reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag);
   bool has_room(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) const;
   std::uint32_t capacity() const { return capacity_; }  // instances of any draw
-  // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer bindings 0 to
-  // 3, which the caller restores.
+  // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer
+  // bindings 0 to 3, which the caller restores.
   BinnedInstances sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings);
   // The size of the result of the last sort(); reads back.
   InstanceExtent extent(const BinnedInstances& sorted) const;

@@ -1,22 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Depths in steps: whole levels, or morph_steps to a level where refined vertices move between levels. The includer has
-// pieces.glsl.h, and `pool_level`.
+// Depths in steps: whole levels, or morph_steps per level if refined vertices move between levels. The includer has
+// pieces.glsl.h and `pool_level`.
 
-uniform int depth_steps;  // to a level
+uniform int depth_steps;  // per level
 
 // Not-a-number gives 0.
 int steps_of(float tag) {
   if (!(tag > 0.0)) return 0;
   float steps = min(tag * float(depth_steps), float(pool_level * depth_steps));
-  float whole = floor(steps);  // steps + 0.5 would round what is just below a half up to 1
+  float whole = floor(steps);  // steps + 0.5 would round values just below a half up to 1
   return int(whole) + (steps - whole >= 0.5 ? 1 : 0);
 }
 
 int depth_of(int steps) { return (steps + depth_steps - 1) / depth_steps; }
 
-// The placement of a piece; with the steps of the three edges in it where vertices move (docs/explanation/depths.md, Geomorphing).
+// The placement of a piece. If vertices move, it also holds the steps of the three edges (docs/explanation/depths.md,
+// Geomorphing).
 vec4 placement_of(vec4 placed, ivec3 steps) {
   if (depth_steps == 1) {
     return placed;

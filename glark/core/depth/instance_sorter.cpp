@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "glark/core/capture/draw_capture.h"
-#include "glark/core/report.h"
+#include "glark/core/report/statistics.h"
 
 namespace glark::depth {
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Sorts the triangles of an adaptive draw into instances of pieces: all in one dispatch where there are few triangles, in bins
-// where there are many.
+// Sorts the triangles of an adaptive draw into instances of pieces: few triangles in one dispatch, many triangles in
+// bins.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,8 @@ class InstanceSorter {
   bool has_room(const SortRoom& room) const;
   // False without memory. Wrap in an ErrorScope and set the application's transform feedback aside.
   bool reserve(const SortRoom& room);
-  // Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer bindings, which the caller restores.
+  // Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer bindings, which the caller
+  // restores.
   BinnedInstances sort(const SortRequest& request);
   // The size of the instances that sort() has just returned. Reads back.
   InstanceExtent extent(const SortRequest& request, const BinnedInstances& sorted) const;
@@ -68,7 +69,7 @@ class InstanceSorter {
   OrderedStage ordered_;
   core::GpuBuffer numbers_;
   std::uint64_t prepared_for_ = 0;  // the number of the pool whose pieces the bins know
-  bool counted_ = false;            // on the GPU, since the last reading
+  bool counted_ = false;            // triangles were counted on the GPU since the last reading
 };
 
 }  // namespace glark::depth

@@ -15,7 +15,7 @@ constexpr std::size_t base_instance = 4;
 constexpr GLsizeiptr patch_bytes = 16;
 constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 
-// Whether `next` goes on where `last` ends, with the same piece.
+// Returns whether `next` continues `last` with the same piece.
 bool continues(std::span<const std::uint32_t> last, std::span<const std::uint32_t> next) {
   return last[0] == next[0] && last[2] == next[2] && last[3] == next[3] &&
          last[base_instance] + last[instance_count] == next[base_instance];

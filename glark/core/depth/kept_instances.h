@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Sorted instances that are kept beyond the next draw: their size, and a copy of them.
+// The size and a copy of sorted instances that are kept for later draws.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ constexpr const char* uniform_names[] = {"record_offset",  "corner_words", "tag_
                                          "triangle_count", "pool_level",   "normal_offset", "on_screen",
                                          "depth_steps",    "turn_offset",  "half_size"};
 constexpr std::size_t half_size = 10;
-constexpr int most_triangles = 128;  // the least that GL and ES guarantee as the size of a work group
+constexpr int most_triangles = 128;                               // the size of a work group that GL and ES guarantee
 constexpr std::uint32_t group_sizes[] = {8, 32, most_triangles};  // idle invocations are not free
 constexpr int most_instances = 4;                                 // of one triangle that is not deeper than a tile
 constexpr GLsizeiptr slots = GLsizeiptr{most_triangles} * most_instances;

@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Edge depths, instances and commands of a draw of few triangles, in one work group and in the order of its triangles: an
-// invocation for each, and a command for each instance. The includer supplies #version, GLARK_DEPTHS, GLARK_GROUP (size
-// of the work group), GLARK_TRIANGLES (the greatest of those) and GLARK_INSTANCES (the most of one triangle).
+// Computes edge depths, instances and commands of a draw of few triangles in one work group. The order of the triangles
+// is kept: each triangle has an invocation, each instance a command.
+// The includer supplies #version, GLARK_DEPTHS, GLARK_GROUP (size of the work group), GLARK_TRIANGLES (greatest size of
+// a work group) and GLARK_INSTANCES (most instances of one triangle).
 #include "glark/core/pattern/pieces.glsl.h"
 
 layout(local_size_x = GLARK_GROUP) in;
 
 layout(std430, binding = 0) readonly buffer Records { uint records[]; };
-// DrawElementsIndirectCommands (5 words), then patches (4 words), then records, of GLARK_TRIANGLES * GLARK_INSTANCES instances.
+// DrawElementsIndirectCommands (5 words each), then patches (4 words each), then records, for GLARK_TRIANGLES *
+// GLARK_INSTANCES instances.
 layout(std430, binding = 1) writeonly buffer Output { uint result[]; };
-layout(std430, binding = 2) buffer Work { uint work[]; };           // as bins.glsl has it
-layout(std430, binding = 3) readonly buffer Ends { uint ends[]; };  // as measure.glsl has it
+layout(std430, binding = 2) buffer Work { uint work[]; };           // see bins.glsl
+layout(std430, binding = 3) readonly buffer Ends { uint ends[]; };  // see measure.glsl
 layout(std430, binding = 4) readonly buffer Limits { float limits[]; };
 
 const int pieces = 12 + 2 * piece_count;
@@ -25,7 +27,7 @@ uniform int tag_offset;  // in a corner; < 0: depths are measured
 uniform int tags_are_edge_depths;
 uniform int triangle_count;
 uniform int pool_level;
-uniform int normal_offset;  // in a corner; < 0: the normals do not count
+uniform int normal_offset;  // in a corner; < 0: normals are not measured
 uniform int on_screen;
 uniform vec2 half_size;
 
@@ -112,7 +114,7 @@ void main() {
   for (int i = 0; i < emitted; ++i) {
     write_instance(triangle, first + i, emitted_piece[i], emitted_patch[i]);
   }
-  // The number of commands is known to the GPU alone: the rest draw nothing.
+  // Only the GPU knows the number of commands, so the unused commands draw nothing.
   for (int slot = all + triangle; slot < GLARK_INSTANCES * triangle_count; slot += GLARK_GROUP) {
     for (int i = 0; i < 5; ++i) {
       result[5 * slot + i] = 0u;

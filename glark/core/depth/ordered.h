@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws of few triangles: depths, instances and commands in one dispatch. Many programs have hundreds of them, for which the
-// passes of BinStage cost more than the triangles. Instances keep the order of the triangles, which matters for blending.
+// Handles draws of few triangles: depths, instances and commands in one dispatch. Many programs have hundreds of such
+// draws. The passes of BinStage would cost more than their triangles. Instances keep the order of the triangles, which
+// matters for blending.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@
 namespace glark::depth {
 
 struct OrderedRequest {
-  MeasureRequest measure;  // layout, triangles, and the measures, which count unless the layout has tags
+  MeasureRequest measure;  // layout, triangles and measures; tags in the layout replace the measures
   EdgeEnds ends;
   GLuint work = 0;  // BinStage::work_buffer()
   bool tags_are_edge_depths = false;
@@ -29,9 +30,9 @@ class OrderedStage {
 
   // Compiles the pass when first called. Rare path: wrap in an ErrorScope.
   void reserve(const capture::Layout& layout, std::uint32_t triangles);
-  // Whether reserve() would change nothing.
+  // Returns whether reserve() would change nothing.
   bool has_room(const capture::Layout& layout, std::uint32_t triangles) const;
-  // Whether the draw is one for this stage; with a minimum interior only.
+  // Returns whether this stage handles the draw. The draw must have a minimum interior.
   bool takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles, unsigned deepest) const;
   // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. Valid until the next call.
   BinnedInstances sort(const OrderedRequest& request, const core::Bindings& bindings);
@@ -46,7 +47,7 @@ class OrderedStage {
   const gl::Dispatch& gl_;
   capture::Language language_;
   bool prepared_ = false;
-  std::array<core::ComputePass, 3> passes_;  // by size of the work group; all or none
+  std::array<core::ComputePass, 3> passes_;  // by size of the work group; built together
   core::GpuBuffer result_;
 };
 

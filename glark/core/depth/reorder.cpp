@@ -14,7 +14,7 @@ namespace {
 constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 constexpr const char* types[] = {"", "float", "vec2", "vec3", "vec4"};
 
-// The words of a corner in as few inputs as can be: four at a time, then the rest.
+// The least number of inputs that hold the words of a corner, four words each.
 int inputs_of(int corner_words) { return (corner_words + 3) / 4; }
 int size_of_input(int corner_words, int input) { return std::min(4, corner_words - 4 * input); }
 
@@ -85,7 +85,7 @@ void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles&
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   gl_.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, records_.name());
   gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER,
-                 bindings.feedback_buffer);  // only the generic point: the object keeps its own
+                 bindings.feedback_buffer);  // only the generic binding point: the indexed one belongs to the object
   gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, order.commands);
   if (!bindings.rasterizer_discard) {
     gl_.Enable(GL_RASTERIZER_DISCARD);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Puts coarse records into the order of their instances: draws them through an index buffer and captures them again. Vertex fetch moves
-// whole corners, which a compute shader would do word by word. Drawn as triangles, since Mesa keeps the mode of a paused
-// transform feedback (the application's) in the context, not in the object: ours must use the same mode.
+// Puts coarse records into the order of their instances: draws the records through an index buffer and captures them
+// again. Vertex fetch moves whole corners; a compute shader would move single words.
+// The draw uses triangles. Mesa keeps the mode of a paused transform feedback (the application's) in the context, not
+// in the object, so our feedback must use the same mode.
 #pragma once
 
 #include <map>
@@ -16,7 +17,8 @@
 
 namespace glark::depth {
 
-// The order: three corners an instance (uint32) from the start of `indices`, as many as the DrawElementsIndirectCommand in `commands` says.
+// The order: three corners per instance (uint32) from the start of `indices`. The DrawElementsIndirectCommand in
+// `commands` holds their number.
 struct Order {
   GLuint indices = 0;
   GLuint commands = 0;
@@ -27,11 +29,12 @@ class Reorder {
  public:
   Reorder(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
 
-  // Room for `instances` records, and the program for their layout. Rare path inside: wrap in an ErrorScope.
+  // Makes room for `instances` records, and builds the program for their layout. Rare path inside: wrap in an
+  // ErrorScope.
   bool reserve(const capture::Layout& layout, std::uint32_t instances);
   bool has_room(const capture::Layout& layout, std::uint32_t instances) const;
 
-  // Binds a program, a vertex array and GL_DRAW_INDIRECT_BUFFER; the rest is put back as `bindings` has it.
+  // Binds a program, a vertex array and GL_DRAW_INDIRECT_BUFFER. Restores other bindings from `bindings`.
   void run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order,
            const core::Bindings& bindings);
 
@@ -48,7 +51,7 @@ class Reorder {
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::map<int, Mover> movers_;  // by words of a corner
+  std::map<int, Mover> movers_;  // by the number of words in a corner
   core::GpuBuffer records_;
   GLuint feedback_ = 0;
 };

@@ -50,7 +50,7 @@ std::uint64_t bytes_bound(const gl::Dispatch& gl, GLuint index) {
 
 }  // namespace
 
-// The program of the last stage before the fragments; 0: there is none.
+// The program of the last stage before the fragments; 0 without such a stage.
 GLuint FeedbackRoom::capturing_program() const {
   const Bindings& b = env_.bindings();
   GLuint program = b.program;
@@ -63,7 +63,7 @@ GLuint FeedbackRoom::capturing_program() const {
   return program;
 }
 
-// Streams of a geometry shader go to buffers of their own: the one with most room bounds them all.
+// Streams of a geometry shader go to separate buffers: the buffer with the most room bounds them all.
 void FeedbackRoom::note() {
   const Quiet quiet = env_.state.quiet();
   ErrorScope errors(env_.errors);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// How many vertices the application's transform feedback objects can hold: a bound for draws of what they captured.
+// How many vertices the application's transform feedback objects can hold. This bounds draws of their captured
+// vertices.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ class FeedbackRoom {
 
   // glBeginTransformFeedback: notes the room of the buffers that are bound.
   void note();
-  // Nothing if glark has not seen the object begin.
+  // Returns nothing if glark has not seen the object's glBeginTransformFeedback.
   std::optional<std::uint64_t> vertices(GLuint object) const;
 
  private:

@@ -7,8 +7,8 @@
 namespace glark::core {
 namespace {
 
-// The kind of primitives that transform feedback captures of triangles that go through this program. GL_NONE: the program takes no
-// triangles.
+// The primitive type that transform feedback captures when triangles run through this program. GL_NONE: the program
+// takes no triangles.
 GLenum feedback_mode(const gl::Dispatch& gl, const Program& owner, GLuint derived) {
   if (!owner.has_stage(GL_GEOMETRY_SHADER)) {
     return GL_TRIANGLES;

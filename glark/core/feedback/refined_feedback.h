@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The application's transform feedback, when it enabled GL_ARK itself: it captures refined triangles.
+// The application's transform feedback, if the application enabled GL_ARK itself: it captures refined triangles.
 #pragma once
 
 #include "glark/core/feedback/feedback_room.h"
@@ -11,7 +11,7 @@
 
 namespace glark::core {
 
-// After a call of a function that is not const, the caller updates what depends on watches_draws().
+// After a call of a non-const function, the caller updates the state that depends on watches_draws().
 class RefinedFeedback {
  public:
   RefinedFeedback(const Environment& environment, FeedbackInUse& in_use, Planner& planner,
@@ -20,11 +20,12 @@ class RefinedFeedback {
 
   // glBeginTransformFeedback. False: nothing was done.
   bool begin(GLenum mode);
-  // The application began feedback while GL_ARK was disabled. If its first draw is glDrawARP, take_over() begins it again.
+  // The application began feedback while GL_ARK was disabled. If its first draw is glDrawARP, take_over() begins it
+  // again.
   void await(GLenum mode) { awaited_ = mode; }
-  // Before a refined draw: takes over feedback that was awaited.
+  // Before a refined draw: takes over awaited feedback.
   void take_over();
-  // Before a draw that stays as it is: gives the feedback to GL, unless it has captured refined triangles.
+  // Before an unrefined draw: gives the feedback to GL, unless it has captured refined triangles.
   void hand_back();
   void end();
 
@@ -32,7 +33,8 @@ class RefinedFeedback {
 
   bool ours() const { return in_use_.ours(); }
   bool watches_draws() const { return ours() || awaited_ != GL_NONE; }
-  // Draws in this mode are an error. The driver does not see it, because we pause the feedback between our draws.
+  // Returns whether a draw in this mode is an error. The driver cannot see this error, because we pause the feedback
+  // between our draws.
   bool refuses(GLenum mode) const;
 
  private:

@@ -13,7 +13,7 @@ constexpr std::uint64_t most_bytes = std::uint64_t{512} << 20;
 
 }  // namespace
 
-// Triangles that a capture by the plan may have.
+// The number of triangles that a capture of the plan may hold.
 std::uint64_t ImmediateCapture::room() const {
   return bytes_ / static_cast<std::uint64_t>(plan_.capture.layout->triangle_words() * 4);
 }
@@ -52,7 +52,7 @@ ImmediateCapture::Captured ImmediateCapture::end(std::uint64_t triangles) {
   triangles = limited(triangles);
   Captured captured;
   captured.triangles = capture_.end(plan_.capture, triangles, exact_);
-  captured.plan = std::exchange(plan_, DrawPlan{});  // the programs that it is derived from may go
+  captured.plan = std::exchange(plan_, DrawPlan{});  // the plan's programs may be deleted
   if (triangles > 0 && !captured.plan.depth.adaptive) {
     captured.cause = planner_.exempt(*captured.plan.program, triangles);
     captured.plan.depth.level = captured.cause ? 0 : captured.plan.depth.level;

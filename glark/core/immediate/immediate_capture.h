@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A draw by glBegin and glEnd: the vertices in between go straight into a capture, and their number is known only at the end.
+// A draw by glBegin and glEnd: its vertices go straight into a capture. Their number is known only at the end.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class ImmediateCapture {
                    capture::DrawCapture& capture)
       : env_(environment), planner_(planner), passes_(passes), capture_(capture) {}
 
-  // Begins the capture, and returns how many triangles fit. 0: the draw stays as it is, because of `cause`.
+  // Begins the capture and returns how many triangles fit. 0: the draw stays unrefined, because of `cause`.
   std::uint64_t begin(GLenum mode, std::optional<Cause>& cause);
 
   struct Captured {
@@ -28,7 +28,7 @@ class ImmediateCapture {
     capture::CoarseTriangles triangles;
     std::optional<Cause> cause;  // the triangles are drawn coarse
   };
-  // The cause of a small draw is known only when its triangles are counted: what was captured is then drawn at level 0.
+  // The cause of a small draw is known only when its triangles are counted. Its capture is then drawn at level 0.
   Captured end(std::uint64_t triangles);
 
  private:

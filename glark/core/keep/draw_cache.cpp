@@ -76,8 +76,8 @@ void DrawCache::drop_oldest(const gl::Dispatch& gl) {
 }
 
 bool DrawCache::make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeiptr bytes) {
-  // Draws that are repeated use all entries in turns. An entry that was not used for two turns is no longer drawn. If an entry in use
-  // were dropped, its draw would have to capture again instead of this one.
+  // Repeated draws use all entries in turn. An entry that was not used for two turns is no longer drawn. Dropping an
+  // entry in use would only make its draw capture again instead of this one.
   while (kept_bytes_ - wanted.buffer.size() + bytes > most_bytes && &entries_.back() != &wanted &&
          uses_ - entries_.back().last_use > 2 * entries_.size()) {
     drop_oldest(gl);

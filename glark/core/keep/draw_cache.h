@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The cache of captures and sorted instances of draws that do not change. A draw is kept when it is seen for the second time, so that
-// streams of new geometry cost almost nothing. The entry that was not used for longest is dropped first.
+// The cache of captures and sorted instances of draws that do not change. A draw is kept when it is seen for the second
+// time, so that streams of new geometry cost almost nothing. The entry that was not used for longest is dropped first.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,7 @@ class DrawCache {
   // Drops entries that no draw of the last frames used.
   void frame_finished(const gl::Dispatch& gl);
   void release(const gl::Dispatch& gl);
-  // Forgets all entries, and returns the names of their buffers for whoever deletes them later.
+  // Forgets all entries, and returns the names of their buffers, for deletion by the caller or another context.
   std::vector<GLuint> take_buffers();
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Everything that the capture and the sorted instances of a draw depend on. Draws with equal keys have the same ones, unless their
-// buffers were written in between.
+// Everything that the capture and the sorted instances of a draw depend on. Draws with equal keys have the same ones,
+// unless their buffers were written in between.
 #pragma once
 
 #include <algorithm>

@@ -15,7 +15,7 @@ GLsizeiptr bytes_to_keep(const capture::Layout& layout, std::uint64_t triangles)
   return static_cast<GLsizeiptr>(triangles) * layout.triangle_words() * 4 + 16;
 }
 
-// Whether glark notices every write to the buffer.
+// Returns whether glark notices every write to the buffer.
 bool watched(const gl::Dispatch& gl, const BufferStamps& stamps, GLuint buffer) {
   if (gl.IsBuffer(buffer) == GL_FALSE) {  // binding it would make it
     return false;
@@ -52,7 +52,8 @@ bool KeptDraws::add_array_input(int slot) {
   if (slot == no_slot) {
     return false;
   }
-  // In compatibility contexts glVertexPointer and attribute 0 are one attribute; the array of attribute 0 has precedence.
+  // In compatibility contexts glVertexPointer and attribute 0 are one attribute; the array of attribute 0 has
+  // precedence.
   if (env_.capabilities.is_compatibility() && (slot == vertex_slot || slot == 0)) {
     slot = env_.state.arrays().attribute_source(0).enabled ? 0 : static_cast<int>(vertex_slot);
     if (!env_.state.arrays().attribute_source(slot).enabled) {
@@ -90,7 +91,7 @@ void KeptDraws::add_welded_words(const capture::Layout& layout) {
   key_.add(static_cast<std::uint32_t>(layout.coordinate_offset));
 }
 
-// The key holds everything that decides what is captured and, where instances are kept, how they are sorted. False: nothing of this
+// The key holds everything that determines the capture and, if instances are kept, their order. False: nothing of this
 // draw can be kept.
 bool KeptDraws::make_key(const DrawCall& call, const KeyFacts& facts) {
   if ((!call.exact || call.arrays == nullptr) && call.segment == nullptr) {
@@ -127,7 +128,7 @@ KeptDraw KeptDraws::find(const DrawCall& call, const KeyFacts& facts) {
   if (answer == DrawCache::Answer::kept) {
     return {entry, true};
   }
-  // To keep a capture, its size is read back from a query that the application has open at the moment.
+  // Keeping a capture reads its size from a query that the application has open at the moment.
   if (answer == DrawCache::Answer::fresh || env_.bindings().primitives_written_query != 0) {
     return {};
   }

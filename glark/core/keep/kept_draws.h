@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Keeps captures and sorted instances for draws that repeat: the same call on the same arrays of buffers that were not written since, or
-// the same segment of a display list with the same inherited values.
+// Keeps captures and sorted instances for draws that repeat. A repeated draw is the same call on the same arrays, whose
+// buffers were not written since, or the same segment of a display list with the same inherited values.
 #pragma once
 
 #include <cstdint>
@@ -51,7 +51,7 @@ class KeptDraws {
 
   void frame_finished() { cache_.frame_finished(env_.gl); }
   void release() { cache_.release(env_.gl); }
-  std::vector<GLuint> take_buffers() { return cache_.take_buffers(); }  // for whoever deletes them
+  std::vector<GLuint> take_buffers() { return cache_.take_buffers(); }  // the caller has them deleted
 
  private:
   bool make_key(const DrawCall& call, const KeyFacts& facts);

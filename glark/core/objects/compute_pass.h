@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {
@@ -31,8 +31,8 @@ class ComputePass {
  public:
   static constexpr std::uint32_t group_size = 64;  // local_size_x of every shader that dispatch() runs
 
-  // Compiles and links, and looks up `uniforms`. Returns false and logs the program's log if that fails. Rare path: wrap in an
-  // ErrorScope.
+  // Compiles and links, and looks up `uniforms`. Returns false and logs the program's log if that fails. Rare path:
+  // wrap in an ErrorScope.
   bool build(const gl::Dispatch& gl, const ComputeText& text, std::span<const char* const> uniforms);
   bool built() const { return program_ != 0; }
   void release(const gl::Dispatch& gl);
@@ -43,7 +43,8 @@ class ComputePass {
   // Sets the first uniforms, which are integers. The pass must be in use.
   void set_integers(const gl::Dispatch& gl, std::span<const GLint> values) const;
 
-  // Dispatches at least `invocations` in groups of group_size. Groups beyond the guaranteed limit go to the second dimension.
+  // Dispatches at least `invocations` in groups of group_size. Groups beyond the guaranteed limit go to the second
+  // dimension.
   static void dispatch(const gl::Dispatch& gl, std::uint32_t invocations);
 
  private:

@@ -14,7 +14,7 @@ class PendingError {
   explicit PendingError(const gl::Dispatch& gl) : gl_(gl) {}
   // The first error stays, as in GL.
   void raise(GLenum error) { error_ = error_ == GL_NO_ERROR ? error : error_; }
-  GLenum take();  // and forgets it
+  GLenum take();  // returns the error and clears it
 
  private:
   friend class ErrorScope;

@@ -33,7 +33,7 @@ bool GpuBuffer::allocate(const gl::Dispatch& gl, GLsizeiptr size, const void* da
 }
 
 bool GpuBuffer::reserve(const gl::Dispatch& gl, GLsizeiptr size, GLenum usage) {
-  constexpr GLsizeiptr grain = 16;  // ranges of it are bound, whose sizes must be multiples of 4
+  constexpr GLsizeiptr grain = 16;  // the sizes of bound ranges must be multiples of 4
   const GLsizeiptr wanted = (std::max(size, size_ + size_ / 2) + grain - 1) / grain * grain;
   return size <= size_ || allocate(gl, wanted, nullptr, usage);
 }

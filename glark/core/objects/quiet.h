@@ -17,7 +17,7 @@ class Quiet {
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
 
-  // Switches debug output on for a call of the application in between.
+  // Switches debug output on again for a call of the application.
   void interrupt() const {
     if (gl_ != nullptr) {
       gl_->Enable(GL_DEBUG_OUTPUT);

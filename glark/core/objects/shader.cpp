@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 
 namespace glark::core {
 namespace {

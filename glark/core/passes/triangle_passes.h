@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The passes on the GPU between capture and submission: triangles are split, welded, and sorted into instances; and the room that a
-// draw needs for all of that.
+// The GPU passes between capture and submission. They split and weld triangles, sort them into instances, and make the
+// room that a draw needs.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include "glark/core/depth/instance_sorter.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/polygons/centroid_split.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 #include "glark/core/state/environment.h"
 #include "glark/core/weld/draw_weld.h"
 
@@ -32,13 +32,13 @@ class TrianglePasses {
   weld::WeldStage& weld_stage() { return weld_.stage(); }
   depth::InstanceSorter& sorter() { return sorter_; }
 
-  // Makes room for a draw of so many triangles. The cause if there is no memory.
+  // Makes room for a draw of `triangles` triangles. Returns the cause if there is no memory.
   std::optional<Cause> ensure_room(const DrawPlan& plan, std::uint64_t triangles);
-  // Welds what was captured. Returns whether storage buffer bindings have changed.
+  // Welds the captured triangles. Returns whether storage buffer bindings have changed.
   bool weld(const DrawPlan& plan, const capture::CoarseTriangles& captured) {
     return weld_.weld_captured(plan.weld, *plan.capture.layout, captured, capture_.count_command());
   }
-  // Splits polygons, where the plan says so, and welds the edges of the result.
+  // Splits polygons if the plan asks for it, and welds the edges of the result.
   Records split(const DrawPlan& plan, const capture::CoarseTriangles& captured);
   void release();
 

@@ -14,7 +14,7 @@ using Chain = std::vector<std::uint16_t>;
 
 LatticeVertex lattice_vertex(int u, int v) { return {static_cast<std::uint16_t>(u), static_cast<std::uint16_t>(v)}; }
 
-// A point of an edge, `along` (of lattice_one) of the way from its first corner.
+// A point of an edge, at `along` / lattice_one of the way from its first corner.
 LatticeVertex edge_vertex(int edge, int along) {
   if (edge == 0) return lattice_vertex(along, 0);
   if (edge == 1) return lattice_vertex(lattice_one - along, along);
@@ -43,8 +43,8 @@ class BorderBlock {
 
   const Chain& inner_row(int m) const { return inner_rows_[static_cast<std::size_t>(m - shallowest_interior)]; }
 
-  // A row of 2^g segments between edge 0 and the inner row of interior(m), from corner to corner: it rises at about 15
-  // degrees, half of the angle between edge 0 and the cut in the corner, to 3/8 of the height of the ring.
+  // A row of 2^g segments between edge 0 and the inner row of interior(m), from corner to corner. It rises to 3/8 of
+  // the height of the ring, at about 15 degrees: half of the angle between edge 0 and the cut in the corner.
   Chain append_middle_row(int m, int g) {
     int step = lattice_one >> g;
     int ceiling = (lattice_one >> m) / 8 * 3;
@@ -58,7 +58,7 @@ class BorderBlock {
     return row;
   }
 
-  // A third of everything, as nearly as the lattice can: the vertex stage puts it in the same place whatever the rotation.
+  // The centre, as nearly as the lattice allows. The vertex stage moves it to the same place for every rotation.
   Chain append_centre() { return {append(lattice_vertex(lattice_one / 3 + 1, lattice_one / 3 + 1))}; }
 
   template <class MakeTriangles>
@@ -93,7 +93,7 @@ class BorderBlock {
     }
   }
 
-  // The vertex k / 2^d of the way along an edge.
+  // The vertex at k / 2^d of the way along an edge.
   std::uint16_t edge_index(int edge, int k, int d) const {
     while (d > 0 && k % 2 == 0) {
       k /= 2;
@@ -121,8 +121,8 @@ void append_skirts(BorderBlock& block, int m, int max_level) {
   }
 }
 
-// Segments of the middle row are about the geometric mean of those on its two sides, so that the least angles of both
-// of its strips are alike.
+// The middle row has about the geometric mean of the segments on its two sides, so that the least angles of both strips
+// are alike.
 void append_smooth_skirts(BorderBlock& block, int m, int max_level) {
   for (int d = m + smooth_difference; d <= max_level; ++d) {
     Chain middle = block.append_middle_row(m, (m + d) / 2);
@@ -133,8 +133,9 @@ void append_smooth_skirts(BorderBlock& block, int m, int max_level) {
   }
 }
 
-// Triangles between an edge and a row of points beside it. Halving every segment of the edge halves triangles, and moving each row to
-// the next shallower one turns its triangles into those of that row (docs/explanation/depths.md, Geomorphing).
+// Appends the triangles between an edge and a row of points beside it. Halving every segment of the edge halves
+// triangles. Moving each row to the next shallower one gives the triangles of that row (docs/explanation/depths.md,
+// Geomorphing).
 void append_nested(const Chain& edge, const Chain& row, int segments_at_row, std::vector<std::uint16_t>& indices) {
   const int segments = static_cast<int>(edge.size()) - 1;
   const auto apex = [&](int segment) {

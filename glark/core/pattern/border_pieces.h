@@ -8,7 +8,7 @@
 
 namespace glark::pattern {
 
-// Appends one block of vertices that they all share, and each piece's indices. pool.max_level is set.
+// Appends one block of vertices that all these pieces share, and the indices of each piece. Needs pool.max_level.
 void append_border_pieces(Pool& pool);
 
 }  // namespace glark::pattern

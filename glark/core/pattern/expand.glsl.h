@@ -4,15 +4,15 @@
 // The rule from the depths of three edges to instances of pieces, once for C++ and for GLSL 4.30 / ES 3.10.
 //
 // The includer defines, before the #include:
-//   GLARK_EMIT(piece, ou, ov, s, r)  takes one instance: int piece; float ou, ov, s, r (docs/explanation/architecture.md, *patch*)
+//   GLARK_EMIT(piece, ou, ov, s, r)  takes one instance: int piece; float ou, ov, s, r (architecture.md, *patch*)
 //   GLARK_SINK_PARAMETER             C++: "Sink& sink," for GLARK_EMIT to use; GLSL: leave undefined
 //   GLARK_SINK_ARGUMENT              C++: "sink,"; GLSL: leave undefined
 // and calls expand_pattern(GLARK_SINK_ARGUMENT e0, e1, e2, interior). C++ code includes expand.h instead.
 //
-// Based on: Boubekeur 2007, ch. 7.2.3, Algorithm 5 (interior at the minimum depth, the border split). Where that keeps
-// one pattern for every triple, the border is cut at the corners here, so that 278 pieces make all 1728 triples: the
+// Based on: Boubekeur 2007, ch. 7.2.3, Algorithm 5 (interior at the minimum depth, the border split). The thesis keeps
+// one pattern for every triple. Here the border is cut at the corners, so that 278 pieces make all 1728 triples: the
 // pool is 1.1 MB at level 10 instead of 26 MB. The ring of triangles along an edge is zipped, not split triangle by
-// triangle: split, the triangles in the corners, which belong to two edges, are left undefined, and angles are worse.
+// triangle. Splitting leaves the corner triangles undefined, which belong to two edges, and its angles are worse.
 #pragma once
 
 #include "glark/core/pattern/pieces.glsl.h"
@@ -28,19 +28,20 @@ namespace glark::pattern {
 #endif
 #endif
 
-// How the interior is chosen: pattern::Interior, for GLSL.
+// The values of pattern::Interior, for GLSL.
 const int smooth_interior = 1;
 const int morphing_interior = 2;
 
 GLARK_SHARED_FUNCTION int lesser(int a, int b) { return a < b ? a : b; }
 GLARK_SHARED_FUNCTION int greater(int a, int b) { return a < b ? b : a; }
 
-// A smooth interior is at level 2 although an edge has depth 0, when another edge is much deeper.
+// A smooth interior is at level 2 even if an edge has depth 0, when another edge is much deeper.
 GLARK_SHARED_FUNCTION bool lifts_interior(int least, int most, int interior) {
   return interior == smooth_interior && least == 0 && most >= smooth_difference;
 }
 
-// While morphing, one shallow edge does not keep the interior from being there: the row beside it merges (refine/epilogue/morph.cpp).
+// While morphing, a single shallow edge does not remove the interior: the row beside this edge merges
+// (refine/epilogue/morph.cpp).
 GLARK_SHARED_FUNCTION int morphing_level(int d0, int d1, int d2) {
   int least = lesser(d0, lesser(d1, d2));
   int middle = greater(lesser(d0, d1), lesser(greater(d0, d1), d2));
@@ -52,13 +53,13 @@ GLARK_SHARED_FUNCTION int skirt_of(int level, int d, int interior) {
                                                                        : skirt_piece(level, d);
 }
 
-// One tile: all depths equal and at most 8, or the least 0 or 2..6. GLARK_EMIT stands here twice only: processors that run both
-// sides of a branch pay for each place.
+// Expands one tile. All its depths are equal and at most 8, or the least depth is 0 or 2..6. GLARK_EMIT stands here
+// only twice, because processors that run both sides of a branch pay for each place.
 GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int d2, int interior, float ou, float ov,
                                        float s) {
   int least = lesser(d0, lesser(d1, d2));
   int most = greater(d0, greater(d1, d2));
-  // The skirts cut the corners otherwise than a regular pattern: while morphing they are there for equal depths, too.
+  // Skirts cut the corners in another way than a regular pattern. While morphing, equal depths have skirts, too.
   bool regular = least == most && (interior != morphing_interior || least == 0);
   int inner = interior == morphing_interior ? morphing_level(d0, d1, d2) : least;
   bool skirted = !regular && (inner >= shallowest_interior || lifts_interior(least, most, interior));
@@ -78,9 +79,10 @@ GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int 
   }
 }
 
-// How often the whole triangle is halved into tiles (4^halvings of them), so that a tile needs no piece that does not
-// exist. Least depth 1 has neither a fan nor an interior: four tiles of least depth 0, of which the smooth interior
-// lifts the steep ones (better angles than one lifted interior: 10.9 degrees instead of 4.7 for depths 1, 1, 4).
+// How often the whole triangle is halved into tiles (4^halvings of them), so that every piece that a tile needs exists.
+// Least depth 1 has neither a fan nor an interior. It becomes four tiles of least depth 0, and the smooth interior
+// lifts the steep ones. This gives better angles than one lifted interior: for depths 1, 1, 4,
+// 10.9 degrees instead of 4.7.
 GLARK_SHARED_FUNCTION int tile_halvings(int least, int most, int interior) {
   if (interior == morphing_interior && least <= tile_level) return 0;
   if (least == most) return greater(least - deepest_uniform, 0);
@@ -88,8 +90,8 @@ GLARK_SHARED_FUNCTION int tile_halvings(int least, int most, int interior) {
 }
 
 // Emits the instances of the pattern with 2^e0, 2^e1 and 2^e2 segments on edges 0, 1 and 2; depths are 0..11.
-// interior 0: at the least depth; 1: wider transitions where depths differ by 3 or more; 2: pattern::Interior::morphing. Of
-// that, patterns whose least depth is above tile_level are as with 0, and a tile has no centre.
+// interior 0: at the least depth; 1: wider transitions where depths differ by 3 or more; 2: morphing.
+// With 2, patterns whose least depth is above tile_level are as with 0, and their tiles have no centre.
 GLARK_EXPAND_FUNCTION void expand_pattern(GLARK_SINK_PARAMETER int e0, int e1, int e2, int interior) {
   int least = lesser(e0, lesser(e1, e2));
   int most = greater(e0, greater(e1, e2));
@@ -105,7 +107,7 @@ GLARK_EXPAND_FUNCTION void expand_pattern(GLARK_SINK_PARAMETER int e0, int e1, i
       float ov = float(j) * s;
       expand_tile(GLARK_SINK_ARGUMENT j == 0 ? e0 - halvings : inner, last ? e1 - halvings : inner,
                   i == 0 ? e2 - halvings : inner, tile_interior, ou, ov, s);
-      // The upside-down tile to the right meets no edge of the whole: its three edges are inner ones.
+      // The upside-down tile to the right touches no edge of the whole triangle: its three edges are inner ones.
       if (!last) GLARK_EMIT(uniform_piece(inner), ou + s, ov + s, -s, 0.0f);
     }
   }

@@ -11,7 +11,7 @@ namespace glark::pattern {
 enum class Interior {
   minimum = 0,   // as deep as the shallowest edge
   smooth = 1,    // the same with wider transitions where depths differ by 3 or more; more triangles, better angles
-  morphing = 2,  // for a nested pool: while vertices move between levels, the surface is that of these patterns
+  morphing = 2,  // for a nested pool, while vertices move between levels
 };
 
 // One piece and where it lies: with local barycentrics l, tile weights t[(k + r) mod 3] = l[k], and then

@@ -24,11 +24,11 @@ std::vector<Patch> uniform_tiles(unsigned max_level) {
   return patches;
 }
 
-// Makes indices count from the beginning of the pool, so that no draw needs a base vertex: with one, llvmpipe takes a
-// slower way for every index, which costs a sixth of the speed of the vertex stage.
+// Makes indices count from the beginning of the pool, so that no draw needs a base vertex. With a base vertex, llvmpipe
+// takes a slower path for every index, which costs a sixth of the speed of the vertex stage.
 void point_into_pool(Pool& pool) {
   assert(pool.vertices.size() <= 0x10000);
-  // The other pieces share the indices of these, or have 0 for a base.
+  // The other pieces share these indices, or their base vertex is 0.
   for (int m = 0; m <= deepest_uniform; ++m) {
     const Piece& piece = pool.pieces[static_cast<std::size_t>(uniform_piece(m))];
     for (std::uint32_t i = 0; i < piece.index_count; ++i) {

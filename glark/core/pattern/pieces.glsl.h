@@ -16,7 +16,7 @@ const int deepest_level = 11;       // 2^11 segments on an edge
 const int deepest_uniform = 8;      // deeper uniform patterns are tiles of uniform(8)
 const int tile_level = 6;           // deepest interior; deeper patterns are tiles whose inner edges have this depth
 const int shallowest_interior = 2;  // uniform(1) has no triangle that keeps clear of the border
-const int lifted_interior = 3;      // while morphing: as deep as this, or as the second least depth if that is less
+const int lifted_interior = 3;      // while morphing: interior depth, or the second least edge depth if that is less
 const int smooth_difference = 3;    // from this many levels on, a smooth interior puts a row between edge and interior
 const int morph_steps = 64;         // of a level, where refined vertices morph between levels
 const int lattice_one = 32768;      // the lattice coordinate (16-bit, unsigned) that stands for a barycentric of 1
@@ -45,7 +45,8 @@ GLARK_SHARED_FUNCTION int smooth_skirt_piece(int m, int d) {
   return first_smooth_skirt + (m - shallowest_interior) * (deepest_level + 1) + d;
 }
 
-// d = 0..11: from 2^d segments on edge 0 to the point in the middle. Of a nested pool, which has no smooth skirts.
+// d = 0..11: from 2^d segments on edge 0 to the centre point. Only nested pools have these pieces, in place of smooth
+// skirts.
 GLARK_SHARED_FUNCTION int centre_skirt_piece(int d) { return first_smooth_skirt + d; }
 
 // b, c = 0..11: 1 segment on edge 0, 2^b on edge 1, 2^c on edge 2.

@@ -19,7 +19,7 @@ struct LatticeVertex {
   std::uint16_t u, v;
 };
 
-// Where a piece lies in the pool. index_count is 0 for a piece that the pool's level does not reach.
+// The place of a piece in the pool. index_count is 0 for a piece that the pool's level does not reach.
 struct Piece {
   std::uint32_t first_index;   // into Pool::indices
   std::uint32_t index_count;   // a triangle list: a multiple of 3
@@ -31,7 +31,8 @@ struct Piece {
 using PieceTable = std::array<Piece, piece_count>;
 static_assert(sizeof(PieceTable) <= 4000, "Boubekeur 2007, ch. 7: less than 4 kB on the CPU");
 
-// A pool of level L draws every triple of depths 0..L, with either interior; a nested one with Interior::morphing alone.
+// A pool of level L draws every triple of depths 0..L, with either interior; a nested pool only with
+// Interior::morphing.
 struct Pool {
   unsigned max_level;
   bool nested;
@@ -45,7 +46,8 @@ struct Pool {
 };
 
 // Throws std::invalid_argument for a level above deepest_level.
-// `nested`: for vertices that move between levels, each skirt has the triangles of the next shallower one, halved at their edges.
+// A `nested` pool is for vertices that move between levels: each skirt has the triangles of the next shallower skirt,
+// halved at their edges.
 Pool build_pool(unsigned max_level, bool nested = false);
 
 }  // namespace glark::pattern

@@ -36,7 +36,7 @@ class PoolInUse {
   }
 
   const GpuPool& pool() const { return pool_; }
-  std::uint64_t number() const { return number_; }  // counts the pools that were built; 0: there is none
+  std::uint64_t number() const { return number_; }  // counts the pools that were built; 0: no pool yet
   void release() { pool_.release(env_.gl); }
 
  private:

@@ -17,7 +17,7 @@ using LatticeTriangle = std::array<LatticePoint, 3>;
 
 struct UniformOrder {
   std::vector<LatticeTriangle> triangles;  // n^2
-  std::size_t interior_count;              // so many at the front do not touch the border: (n - 3)^2, or 0 if n < 4
+  std::size_t interior_count;              // the first triangles do not touch the border: (n - 3)^2, or 0 if n < 4
 };
 
 UniformOrder order_uniform(int n);

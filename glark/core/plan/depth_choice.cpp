@@ -51,7 +51,7 @@ EdgeMeasure edge_measure(const ContextOptions& options, const ArkState& ark) {
   return ark.depth_source == DepthSource::measured ? ark.measure : EdgeMeasure{};
 }
 
-// Behind a geometry shader, the vertex stage need not know where on the screen its vertices go.
+// If there is a geometry shader, the vertex stage may not know where its vertices are on the screen.
 bool measures_screen(const EdgeMeasure& wanted, const Program& program) {
   return wanted.pixels > 0 && !program.has_stage(GL_GEOMETRY_SHADER);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// To which depths a draw is refined: by measures, by tags, or to a uniform level. No GL.
+// Chooses the depths of a draw: by measures, by tags, or a uniform level. No GL.
 #pragma once
 
 #include "glark/core/ark_state.h"
@@ -10,9 +10,10 @@
 
 namespace glark::core {
 
-// The measure that holds: the user's in transparent refinement, else the application's. Off: depths come from elsewhere.
+// The measure that applies: the user's in transparent refinement, else the application's. If it is off, depths are not
+// measured.
 EdgeMeasure edge_measure(const ContextOptions& options, const ArkState& ark);
-// Whether that measure applies to the program. `subroutines`: the program in use has chosen some.
+// Returns whether that measure applies to the program. `subroutines`: the program in use has chosen subroutines.
 bool can_measure(const EdgeMeasure& wanted, const Program& program, bool subroutines);
 bool measures_screen(const EdgeMeasure& wanted, const Program& program);
 
@@ -22,10 +23,10 @@ struct DepthFacts {
   bool measurable = false;  // can_measure()
   bool tags_vary = false;   // between the vertices of the draw
   double current_tag = 0;   // the current value of the tag attribute, where tags do not vary
-  bool coarse = false;      // the draw is captured by the program of refined draws, but at depth 0
+  bool coarse = false;      // captured by the program of refined draws, but drawn at depth 0
 };
 
-// Whether `tags_vary` and `current_tag` matter.
+// Returns whether `tags_vary` and `current_tag` matter.
 bool takes_tags(const DepthFacts& facts);
 depth::DepthPlan choose_depths(const DepthFacts& facts);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which of the programs derived from an application's program a draw needs. No GL.
+// Selects the derived program of an application's program that a draw needs. No GL.
 #pragma once
 
 #include "glark/core/ark_state.h"
@@ -18,8 +18,9 @@ struct KeyState {
   const Capabilities& capabilities;
 };
 
-// OpenGL 4.6 compatibility, 13.4: under GL_FIRST_VERTEX_CONVENTION, the provoking vertex of quads may still be their last one. Such
-// draws are captured under the last vertex convention, where the triangles of a quad end with its provoking vertex.
+// OpenGL 4.6 compatibility, 13.4: under GL_FIRST_VERTEX_CONVENTION, the provoking vertex of quads may still be their
+// last one. Such draws are captured under the last vertex convention, where the triangles of a quad end with its
+// provoking vertex.
 bool captures_last_vertex(const Bindings& bindings, const Capabilities& capabilities, GLenum mode);
 
 struct KeyRequest {
@@ -29,7 +30,7 @@ struct KeyRequest {
   bool morphing = false;  // vertices move between levels
 };
 DerivedKey derived_key(const KeyState& state, const KeyRequest& request);
-// Asks for what welding leaves in the records, where there is room. `turns`: normals are measured.
+// Adds the words that welding writes to the records, if there is room. `turns`: normals are measured.
 void add_welded_words(DerivedKey& key, bool turns);
 
 }  // namespace glark::core

@@ -15,7 +15,7 @@ std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& con
   if (b.transform_feedback_active && !b.transform_feedback_paused && !conditions.feedback_is_ours) {
     return Cause::transform_feedback;
   }
-  // To count our own triangles would take a query that the application has open.
+  // Counting our own triangles would take a query that the application has open.
   const bool needs_query = !call.exact && b.primitives_written_query != 0 && b.primitives_generated_query != 0;
   if ((conditions.transparent && b.primitive_queries > 0) || needs_query) {
     return Cause::primitive_query;

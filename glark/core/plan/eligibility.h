@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "glark/core/capture/draw_call.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 #include "glark/core/state/bindings.h"
 
 namespace glark::core {
@@ -18,7 +18,8 @@ struct DrawConditions {
   bool plans_feedback = false;    // nothing is drawn yet: glBeginTransformFeedback asks for the program
 };
 
-// Whether the state of the context lets the draw be refined, whatever its program. No GL.
+// Returns the cause why the state of the context forbids refinement, if there is one. It does not look at the program.
+// No GL.
 std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& conditions);
 
 }  // namespace glark::core

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/plan/exemptions.h"
 
-#include "glark/core/refinement.h"
+#include "glark/core/context_options.h"
 
 namespace glark::core {
 namespace {

@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws that transparent refinement leaves as they are: user interfaces, full-screen passes, and what the user names. No GL.
+// Decides which draws transparent refinement leaves unrefined: user interfaces, full-screen passes, and draws that the
+// user names. No GL.
 //
-// A draw that neither reads nor writes depth cannot meet another draw by its depth values. If it is left alone, the other passes
-// over the same triangles still fit. All rules that hold by default depend on that, with one exception: drawings in the plane are
-// left because of their matrices, which are the same in all passes.
+// A draw that neither reads nor writes depth cannot meet another draw by its depth values. If it stays unrefined, the
+// other passes over the same triangles still fit. All default rules rely on this, with one exception: drawings in the
+// plane are exempt because of their matrices, which are the same in all passes.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/matrices.h"
 

@@ -138,7 +138,7 @@ void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
     facts.tags_vary = call.tags_vary || feedback.tagged() || env_.state.arrays().attribute_source(tag_slot).enabled;
     facts.current_tag = facts.tags_vary ? 0 : current_tag(env_);
   }
-  // The feedback's program has to draw what the application wants coarse, too.
+  // The feedback's program must also draw the triangles that the application wants coarse.
   facts.coarse = feedback.ours() && !env_.options.transparent && !env_.ark.enabled;
   plan.depth = core::choose_depths(facts);
   plan.placed = plan.depth.adaptive || plan.depth.level > static_cast<unsigned>(pattern::deepest_uniform);
@@ -155,7 +155,7 @@ void Planner::choose_polygons(const DrawCall& call, DrawPlan& plan) {
   }
 }
 
-// The refined draw would be the original one.
+// Returns whether the refined draw would equal the original one.
 bool Planner::changes_nothing(const DrawPlan& plan, Purpose purpose) const {
   const bool may_split = purpose == Purpose::feedback && splits_polygons(env_.options, env_.ark);
   const bool reshapes = displaces(env_.options, env_.ark) || plan.polygons || may_split;
@@ -196,8 +196,8 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
 }
 
-// Where the record with welded words would have to be stored and cannot be, or the tables would be too large, the draw is not
-// welded: that is better than no refinement.
+// A draw stays unwelded if its tables would be too large, or if its record with welded words would have to be stored
+// and cannot be. It is still refined.
 void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangles) {
   if (plan.derived == nullptr || !key.welded) {
     return;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// From a draw call and the tracked state to a plan, or to the cause for which the draw stays as it is. The decisions are pure
-// functions in the other files of this folder; the planner gathers what they need, and the programs that the plan names.
+// Turns a draw call and the tracked state into a plan, or into the cause why the draw stays unrefined. The decisions
+// are pure functions in the other files of this folder. The planner gathers their inputs, and the programs of the plan.
 #pragma once
 
 #include <memory>
@@ -30,7 +30,7 @@ class Planner {
 
   enum class Purpose { draw, feedback };  // feedback: what will be drawn is not known yet
   Decision plan(const DrawCall& call, Purpose purpose = Purpose::draw);
-  // Whether the user's rules leave such a draw alone. `triangles`: 0 before they are counted.
+  // Returns the cause if the user's rules exempt such a draw. `triangles`: 0 before they are counted.
   std::optional<Cause> exempt(const Program& program, std::uint64_t triangles) const;
 
   // The derived program for the current state, for GL_REFINEMENT_STATUS_ARK. Null if it cannot be built.

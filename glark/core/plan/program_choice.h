@@ -4,14 +4,14 @@
 
 #include <optional>
 
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/programs/program.h"
 #include "glark/core/state/programs/program_pipelines.h"
 
 namespace glark::core {
 
-// Where the vertex stage of a draw comes from.
+// The origin of a draw's vertex stage.
 enum class VertexStage { program, program_pipeline, fixed_function };
 
 struct ProgramChoice {
@@ -19,9 +19,9 @@ struct ProgramChoice {
   VertexStage stage = VertexStage::program;
 };
 
-// `current`: what is known of the program in use; null: nothing. No GL.
+// `current` is the program in use; null if it is unknown. No GL.
 ProgramChoice choose_program(const Bindings& bindings, const Program* current, bool is_compatibility);
-// Whether the stages of a program pipeline can be refined at all. No GL.
+// Returns the cause why the stages of a program pipeline cannot be refined, if there is one. No GL.
 std::optional<Cause> check_stages(const PipelineObject& pipeline);
 
 }  // namespace glark::core

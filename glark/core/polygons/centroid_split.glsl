@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// From the captured triangles of polygons to coarse records of triangles about their centroids. GLARK_PASS: 0 centroids and
-// face depths, 1 records. The includer supplies #version and GLARK_PASS.
-// Based on: Boubekeur 2007, ch. 7.2.3, "ARP for General Polygonal Meshes" (edge depths, their mean as the face depth, the split at
-// the centroid). Means are rounded down here, where the thesis leaves open how.
+// Turns the captured triangles of polygons into coarse records of triangles about the centroids. GLARK_PASS: 0
+// centroids and face depths, 1 records. The includer supplies #version and GLARK_PASS.
+// Based on: Boubekeur 2007, ch. 7.2.3, "ARP for General Polygonal Meshes" (edge depths, their mean as the face depth,
+// the split at the centroid). Means are rounded down here; the thesis does not say how.
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Captured { uint captured[]; };
 layout(std430, binding = 1) buffer Split { uint split[]; };  // records, then one corner for each centroid
 layout(std430, binding = 2) readonly buffer CapturedCount { uint captured_count[]; };
 layout(std430, binding = 3) writeonly buffer SplitCount { uint split_count[]; };
-// Two words for each polygon, and two more: its first captured triangle, and its first record.
+// Two words per polygon and two more at the end: the first captured triangle, and the first record.
 layout(std430, binding = 4) readonly buffer Table { uint table[]; };
 
 uniform int record_offset;  // first captured triangle, in words
@@ -19,7 +19,7 @@ uniform int corner_words;
 uniform int tag_offset;     // in a corner; < 0: there are no tags
 uniform int first_integer;  // words from here to the tag are integers, the same at all vertices of a polygon
 uniform int pool_level;
-uniform int depth_steps;    // to a level, as edge_steps.glsl has it; depths of edges and faces are in steps
+uniform int depth_steps;    // per level (edge_steps.glsl); depths of edges and faces are in steps
 uniform int equal_sides;    // sides of every polygon; 0: the table has their numbers
 uniform int polygon_bound;
 uniform int count_on_gpu;
@@ -27,7 +27,7 @@ uniform int centroids;      // first word of the centroids
 uniform int is_fan;
 uniform int corners[4];     // polygons::Decomposition
 
-// The number of the polygons that end by the entry `limit` in one of the table's columns.
+// Returns the number of polygons that end by the entry `limit` in one of the table's columns.
 int polygons_until(int column, int limit) {
   int from = 0;
   int to = polygon_bound;
@@ -71,7 +71,7 @@ int tag_at(int vertex_word) {
   float tag = uintBitsToFloat(captured[vertex_word + tag_offset]);
   if (!(tag > 0.0)) return 0;
   float steps = min(tag * float(depth_steps), float(pool_level * depth_steps));
-  float whole = floor(steps);  // steps + 0.5 would round what is just below a half up to 1
+  float whole = floor(steps);  // steps + 0.5 would round values just below a half up to 1
   return int(whole) + (steps - whole >= 0.5 ? 1 : 0);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_POLYGON_CENTROID_ARK: each polygon of n vertices becomes n coarse triangles (V_k, V_k+1, centroid) in place of those that
-// GL cut it into. Where the layout holds tags, the new records hold the depths of edges 0, 1 and 2 in their place.
+// GL_POLYGON_CENTROID_ARK: each polygon of n vertices becomes n coarse triangles (V_k, V_k+1, centroid). They replace
+// the triangles that GL made. If the layout holds tags, the new records hold the depths of edges 0, 1 and 2 in their
+// place.
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@ struct SplitRequest {
   unsigned pool_level = 0;
   int depth_steps = 1;  // steps of a level
   std::span<const std::uint32_t> sides =
-      {};  // sides of each polygon, where there are several fans; then no count need be exact
+      {};  // sides of each polygon, if there are several fans; counts need not be exact then
 
   std::uint32_t polygons() const {
     return !sides.empty() ? static_cast<std::uint32_t>(sides.size()) : decomposition.fan ? 1 : triangles.count / 2;
@@ -45,8 +46,8 @@ class CentroidSplit {
   bool has_room(const SplitRequest& request) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
   bool reserve(const SplitRequest& request);
-  // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. The records are valid until the next
-  // split. `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
+  // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. The records are valid until
+  // the next split. `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
   capture::CoarseTriangles split(const SplitRequest& request, GLuint captured_count);
 
   // The count of the last split, if it is on the GPU.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// How GL cuts quads and polygons into triangles. OpenGL 4.6 compatibility, 10.1, leaves that to the implementation. glark finds it out: it
-// captures vertices whose attribute is their number.
+// How GL cuts quads and polygons into triangles. OpenGL 4.6 compatibility, 10.1, leaves this to the implementation.
+// glark finds it out: it captures vertices whose attribute is their number.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 namespace glark::polygons {
 
 // The places of the vertices of a polygon, in the order of its boundary, among the corners of its triangles.
-// Quad: corners[k] of the six corners of its two triangles is vertex k. Fan (GL_POLYGON): in every triangle, corners[0] is
-// vertex 0 of the polygon, corners[1] and corners[2] of triangle t are its vertices t + 1 and t + 2.
+// Quad: corners[k] of the six corners of its two triangles is vertex k. Fan (GL_POLYGON): in every triangle, corners[0]
+// is vertex 0 of the polygon, corners[1] and corners[2] of triangle t are its vertices t + 1 and t + 2.
 struct Decomposition {
   bool fan = false;
   std::array<GLint, 4> corners{};
@@ -26,8 +26,8 @@ inline bool is_polygon_mode(GLenum mode) { return mode == GL_QUADS || mode == GL
 // The number of vertices of the probe, a draw that shows the decomposition of `mode`: two quads, or a pentagon.
 constexpr GLsizei probe_vertices(GLenum mode) { return mode == GL_QUADS ? 8 : mode == GL_QUAD_STRIP ? 6 : 5; }
 
-// `numbers`: the numbers (0, 1, ...) of the probe's vertices in the order in which transform feedback captured them. Empty if GL does
-// not cut each quad along a diagonal, always in the same way, or a polygon into a fan about its first vertex.
+// `numbers`: the numbers (0, 1, ...) of the probe's vertices in the order in which transform feedback captured them.
+// Empty unless GL cuts all quads along a diagonal in the same way, and a polygon into a fan about its first vertex.
 std::optional<Decomposition> decomposition_of(GLenum mode, std::span<const float> numbers);
 
 }  // namespace glark::polygons

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "glark/core/capture/feedback_aside.h"
-#include "glark/core/report.h"
+#include "glark/core/report/log.h"
 
 namespace glark::polygons {
 namespace {
@@ -49,8 +49,8 @@ std::optional<Decomposition> Decompositions::find(GLenum mode, bool last_vertex_
   return found;
 }
 
-// Draws vertices that are numbered, and returns the numbers in the order of the corners that GL makes of them. Empty if GL
-// captures nothing (conditional rendering, no memory).
+// Draws numbered vertices, and returns the numbers in the order of the corners that GL makes. Empty if GL captures
+// nothing (conditional rendering, no memory).
 std::vector<float> Decompositions::probe(GLenum mode, bool last_vertex_convention) {
   core::ErrorScope errors(env_.errors);
   const std::uint64_t triangles = core::triangles_of(mode, static_cast<std::uint64_t>(probe_vertices(mode)));

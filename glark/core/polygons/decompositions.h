@@ -22,7 +22,7 @@ class Decompositions {
                  const core::ProgramSwitch& programs)
       : env_(environment), capture_(capture), programs_(programs) {}
 
-  // Nothing if polygons cannot be put together from the triangles, or if GL captures nothing at the moment.
+  // Returns nothing if polygons cannot be recovered from the triangles, or if GL captures nothing at the moment.
   std::optional<Decomposition> find(GLenum mode, bool last_vertex_convention);
 
  private:

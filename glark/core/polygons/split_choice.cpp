@@ -10,8 +10,9 @@
 namespace glark::polygons {
 namespace {
 
-// The centroid has no value of an input that does not vary linearly. Flat outputs take the value of the provoking vertex, which is a
-// corner of only two of the triangles. An input that is constant in a draw is the same at all vertices.
+// An input that does not vary linearly has no value at the centroid. Flat outputs take the value of the provoking
+// vertex, which is a corner of only two of the triangles. An input that is constant in a draw is the same at all
+// vertices.
 bool gives_centroids(const core::Program& program) {
   return !program.traits.writes_flat_outputs &&
          std::none_of(program.fields.begin(), program.fields.end(), [](const capture::Field& field) {

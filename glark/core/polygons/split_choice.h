@@ -8,7 +8,7 @@
 
 namespace glark::polygons {
 
-// Whether the polygons of a draw can be split at their centroids, in a compatibility context. No GL.
+// Returns whether the polygons of a draw can be split at their centroids, in a compatibility context. No GL.
 bool splits_at_centroid(const core::DrawCall& call, const core::Program& program, const core::Bindings& bindings);
 
 }  // namespace glark::polygons

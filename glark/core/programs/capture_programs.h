@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The programs that capture what derived programs draw. Each context has its own: Mesa 22 cannot draw with one program from two
-// threads, and the application may share its programs between two.
+// The programs that capture the draws of derived programs. Each context has its own: Mesa 22 cannot draw with one
+// program from two threads, and the application may share its programs between two contexts.
 #pragma once
 
 #include <map>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The programs derived from the application's: built when they are first asked for, dropped when the application's program changes.
+// Programs derived from the application's programs. They are built on first use, and dropped when the application's
+// program changes.
 #pragma once
 
 #include <memory>
@@ -16,17 +17,18 @@ class DerivedPrograms {
  public:
   DerivedPrograms(const Environment& environment, capture::CaptureStage& stage);
 
-  // Finds out whether and how the program can be refined, if that is not known.
+  // Determines whether and how the program can be refined, unless this is known.
   void prepare(Program& program) const;
-  // Null: it cannot be built. `owner`: the application's program whose uniforms the derived one follows; null: fixed function.
+  // Returns null if the program cannot be built. The derived program follows the uniforms of `owner`, the application's
+  // program; null for fixed function.
   std::shared_ptr<DerivedProgram> find(Program& program, Program* owner, const DerivedKey& key) const;
   // A program that holds the generated vertex stage of `state` beside the fragment stages of `fragment` (may be null).
   std::shared_ptr<Program> fixed_function(const refine::FixedFunctionState& state, const Program* fragment) const;
   // Takes over the uniform values of the owner that a display list has set.
   void copy_stale_uniforms(Program& owner) const;
-  // Drops what was derived from the program.
+  // Drops the programs derived from this program.
   void discard(Program& program);
-  // The same; says nothing to those who refer to programs by their names.
+  // Does the same without a notice to those that refer to programs by name.
   void discard_quietly(Program& program) { builder_.discard(program); }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// All GL programs that refined draws run, and what changes them.
+// All GL programs that refined draws run, and the events that change them.
 #pragma once
 
 #include <string>
@@ -23,11 +23,11 @@ class DrawPrograms {
   CapturePrograms& capture() { return capture_; }
   const ProgramSwitch& in_use() const { return in_use_; }
 
-  // The program that a refinement command names; 0: fixed function. Null: it was not linked.
+  // The program that a refinement command names; 0 is fixed function. Returns null if the program was not linked.
   Program* named(GLuint name);
   // The program was linked again or deleted.
   void changed(Program& program, GLuint name);
-  // Captures read the tag from another attribute.
+  // Captures now read the tag from another attribute.
   void tag_attribute_changed();
   void release();
 

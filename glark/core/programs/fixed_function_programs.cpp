@@ -53,7 +53,8 @@ void FixedFunctionPrograms::discard_derived() {
   }
 }
 
-// Another context may go on with the fragment program. Its uniforms must no longer be mirrored to derived programs that are gone.
+// Another context may still use the fragment program. Its uniforms must no longer be mirrored to deleted derived
+// programs.
 void FixedFunctionPrograms::remove(GLuint fragment, Program& program) {
   if (const std::shared_ptr<Program> owner = env_.state.programs().find(fragment)) {
     const std::lock_guard lock(owner->mutex);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The fixed-function vertex stage as programs: one for each of its states and each fragment program that it was drawn with.
+// The fixed-function vertex stage as programs: one program for each state and each fragment program that it was drawn
+// with.
 #pragma once
 
 #include <map>
@@ -19,7 +20,7 @@ class FixedFunctionPrograms {
   FixedFunctionPrograms(const Environment& environment, DerivedPrograms& derived)
       : env_(environment), derived_(derived) {}
 
-  // The program for the current state. `fragment`: the application's program with fragment stages alone; null: none.
+  // The program for the current state. `fragment` is the application's program with only fragment stages, or null.
   Program* find(Program* fragment);
   // The state that find() has last read.
   const refine::FixedFunctionState& state() const { return state_; }
@@ -28,7 +29,7 @@ class FixedFunctionPrograms {
   const std::string& refinement_source() const { return refinement_source_; }
   void set_refinement_source(std::string source);
 
-  void discard_derived();             // drops what was derived from any of the programs
+  void discard_derived();             // drops the programs derived from any of these programs
   void forget_fragment(GLuint name);  // the program was linked again or deleted
   void release();
 

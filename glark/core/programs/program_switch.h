@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Puts a derived program in use in place of the application's, and gives the application's program back: by name, or as a stage of
-// a program pipeline, and with the subroutines that were chosen.
+// Replaces the application's program with a derived program, and restores it afterwards: by name, or as a stage of a
+// program pipeline, with the chosen subroutines.
 #pragma once
 
 #include "glark/core/state/environment.h"

@@ -43,7 +43,8 @@ class Deriver {
   }
 
  private:
-  // A compiler turns each index that is no constant into a choice among all elements, and here for three corners: minutes.
+  // A compiler turns each non-constant index into a choice among all elements, here for three corners. That takes
+  // minutes.
   static constexpr int most_indexed_words = 48;
 
   bool read() {
@@ -69,7 +70,7 @@ class Deriver {
     return resolve_collisions();
   }
 
-  // Names that the contract fixes and that the application may have taken: its variable gets another name, unless the API can see it.
+  // The application may use names that the contract fixes. Its variable gets another name, unless the API can see it.
   bool resolve_collisions() {
     IdentifierSet fixed = {lattice_input,      patch_input,         records_block,          words_member,
                            first_word_uniform, height_map_uniform,  height_channel_uniform, height_range_uniform,
@@ -143,7 +144,7 @@ class Deriver {
     return true;
   }
 
-  // Outputs that are linear in between do not move; what cannot be saved keeps its own value.
+  // Outputs that vary linearly do not move. Outputs that cannot be saved keep their own values.
   void plan_morphing() {
     plan_.morphing = request_.morphing;
     if (!plan_.morphing || plan_.interpolates_outputs()) return;
@@ -174,7 +175,7 @@ class Deriver {
     return true;
   }
 
-  // By its name, or by another name of the same built-in.
+  // Returns whether the text mentions the field, by its name or by another name of the same built-in.
   bool is_mentioned(const std::string& field) const {
     if (all_identifiers_.contains(field)) return true;
     return std::any_of(all_identifiers_.begin(), all_identifiers_.end(), [&](const std::string& identifier) {
@@ -187,7 +188,7 @@ class Deriver {
     plan_.refinement = request_.refinement;
     plan_.constant_tags = request_.scalar_tags;
     const bool own = !request_.refinement_source.empty();
-    // The application's refinement shader places inputs: there is nothing for it to do between outputs.
+    // The application's refinement shader places inputs, so it has nothing to do between outputs.
     if (own && plan_.interpolates_outputs()) plan_.refinement = core::Refinement::linear_inputs;
     if (plan_.curved() && (position_of(plan_) == nullptr || normal_of(plan_) == nullptr)) {
       plan_.refinement = core::Refinement::linear_inputs;
@@ -195,7 +196,7 @@ class Deriver {
     if (plan_.interpolates_outputs() || position_of(plan_) == nullptr || normal_of(plan_) == nullptr) {
       plan_.coordinate.reset();  // nothing to move, or no direction
     }
-    if (plan_.displaced() && plan_.traits().displaced_as) {  // the same bits, where vertices are untagged
+    if (plan_.displaced() && plan_.traits().displaced_as) {  // gives the same bits if vertices are untagged
       plan_.refinement = *plan_.traits().displaced_as;
       plan_.discontinuity.reset();
       plan_.scalar_tags.reset();
@@ -216,7 +217,7 @@ class Deriver {
     return global && variable.has_initializer() && !variable.type.empty();
   }
 
-  // Globals keep their values from one run of main to the next, and those initialised from inputs precede the inputs' values.
+  // Globals keep their values from one run of main to the next. Their initialisers run before the inputs have values.
   void plan_resets() {
     const bool runs_again = !plan_.outputs.empty() || !plan_.morphed.empty() || plan_.interpolates_outputs();
     IdentifierSet varying;
@@ -288,7 +289,7 @@ class Deriver {
     for (const std::string& name : mentioned) {
       const BuiltInInput* const input = built_in_input(name);
       if (input == nullptr || is_declared(units_[u].interface, name)) continue;
-      // One that the record does not hold is constant for the draw, or no value of it matters, if it is a number.
+      // The record lacks built-ins that are constant for the draw, or whose value does not matter. Any number will do.
       const bool captured = std::any_of(plan_.inputs.begin(), plan_.inputs.end(), [&](const InputVariable& variable) {
         return variable.field.name == input->field;
       });
@@ -351,7 +352,7 @@ class Deriver {
   EpiloguePlan plan_;
   std::vector<std::vector<Variable>> resets_;
   std::vector<std::vector<Variable>>
-      idle_inputs_;  // that the application's compiler has removed; to be numbers all the same
+      idle_inputs_;  // inputs that the application's compiler has removed; they must still be numbers
   std::string refinement_extensions_;
   std::string error_;
 };

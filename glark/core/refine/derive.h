@@ -21,12 +21,14 @@ inline constexpr const char* patch_input = "glark_patch";      // vec4: placemen
 inline constexpr const char* chunk_input_prefix =
     "glark_chunk";  // vec4 glark_chunk0, glark_chunk1, ...: words of the coarse record
 
-// If a record is too long for the chunks: a storage block with the words of all records, and the first word of the draw.
+// For records that are too long for the chunks: a storage block with the words of all records, and the first word of
+// the draw.
 inline constexpr const char* records_block = "glark_Records";
 inline constexpr const char* words_member = "glark_words";
 inline constexpr const char* first_word_uniform = "glark_first_word";
 inline constexpr unsigned records_binding = 4;
-// uint, in OpenGL ES and with a placement: the number of the instance among those of all bins. Its place is that of the first chunk.
+// uint, in OpenGL ES with a placement: the number of the instance among all bins. It takes the place of the first
+// chunk.
 inline constexpr const char* instance_input = "glark_instance";
 
 // The ShapeNumber of the refinement.
@@ -41,7 +43,8 @@ inline constexpr const char* height_range_uniform = "glark_height_range";
 struct OutputRules {
   bool flat_colors = false;   // glShadeModel(GL_FLAT): built-in colours are flat
   bool clamp_colors = false;  // built-in colours end at 0 and 1 before they are interpolated
-  // Outputs from which a geometry shader takes positions. It reads the value of every vertex, also where they are `flat`.
+  // Outputs from which a geometry shader computes positions. It reads the value of every vertex, even if they are
+  // `flat`.
   std::set<std::string> positions = {};
 };
 
@@ -51,8 +54,8 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
-  // For a refinement that takes tags: the fields of the layout with the discontinuities of the normals and with the scalar tags, vec3
-  // or vec4. -1: vertices carry none, and the constant tags hold.
+  // For a refinement that takes tags: the fields of the layout with the discontinuities of the normals and with the
+  // scalar tags, vec3 or vec4. -1: vertices carry no tags, and the constant tags apply.
   int discontinuity_field = -1;
   int scalar_tag_field = -1;
   core::ScalarTags scalar_tags;

@@ -21,7 +21,7 @@ bool writes_memory_by_name(const Tokens& tokens) {
   });
 }
 
-// glslang cannot be trusted to understand the shader where it does not know an extension that the shader asks for.
+// glslang may misunderstand a shader that asks for an extension that glslang does not know.
 bool uses_unknown_extension(const Tokens& tokens) {
   for (const Token& token : tokens) {
     if (directive_name(token) != "extension") continue;

@@ -20,7 +20,8 @@ struct RefinementSource {
   std::set<std::string> identifiers;
 };
 
-// A uniform that both declare is one uniform (11.R.9): takes declarations out of the source that the shader around it has.
+// A uniform that both texts declare is one uniform (11.R.9). Removes such declarations from the source; the shader
+// around it keeps them.
 void drop_repeated_uniforms(Tokens& source, const Interface& elsewhere, bool es_context);
 
 // `names` as for the application's own text. Macros are left to the driver's preprocessor.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the driver's context offers.
+// The features of the driver's context.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ struct Capabilities {
 Capabilities read_capabilities(const gl::Dispatch& gl);
 
 // A copy of `gl` without the functions that the context does not offer. Some GL libraries have an address for every
-// name, so a function pointer alone proves nothing; in the copy it does.
+// name, so a function pointer proves nothing. In the copy, a pointer means that the function exists.
 gl::Dispatch supported_functions(const gl::Dispatch& gl, const Capabilities& capabilities);
 
 }  // namespace glark::core

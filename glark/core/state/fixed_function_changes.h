@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What may have changed of the fixed function since a draw read it.
+// Tracks what may have changed in the fixed function since a draw read it.
 #pragma once
 
 #include "glark/core/state/matrices.h"
@@ -10,7 +10,7 @@ namespace glark::core {
 
 class FixedFunctionChanges {
  public:
-  // Lights, materials, texture generation ...; the matrices apart.
+  // Lights, materials, texture generation and other state, but not the matrices.
   void touch() { stale_ = true; }
   bool stale() const { return stale_; }
   void mark_read() { stale_ = false; }

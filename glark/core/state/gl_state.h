@@ -38,7 +38,7 @@ class GlState {
       read();
     }
   }
-  // Everything may have changed without our seeing it.
+  // Everything may have changed unseen.
   void forget();
   // Switches debug output off for the time of our own GL calls.
   Quiet quiet();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What is known between glBegin and glEnd. The vertices go straight to GL; here they are only counted.
+// The state between glBegin and glEnd. The vertices go straight to GL; here they are only counted.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,7 @@ class ImmediateMode {
     ++vertices_;
     components_ |= 1U << components;
   }
-  // A called list gives so many vertices.
+  // A called list gives this many vertices.
   void count_called(std::uint64_t vertices) { vertices_ += vertices; }
   bool before_vertices() const { return vertices_ == 0 && vertices_before_ == 0; }
   // Since glBegin or the last restart.
@@ -62,8 +62,8 @@ class ImmediateMode {
   // Bits: the numbers of components that the vertices have.
   unsigned components() const { return components_; }
 
-  // glPrimitiveRestartNV ends a primitive of so many triangles. Its mode takes `step` vertices for each; 0: vertices
-  // are shared.
+  // glPrimitiveRestartNV ends a primitive of `triangles` triangles. Each takes `step` vertices; 0: triangles share
+  // vertices.
   void restart(std::uint64_t triangles, std::uint64_t step) {
     restarted_ = true;
     vertices_before_ += vertices_;

@@ -16,7 +16,7 @@ bool keeps_z_apart(const GLfloat* m) { return is_affine(m) && m[2] == 0 && m[6] 
 // Moves, turns and scales in the plane.
 bool keeps_z(const GLfloat* m) { return keeps_z_apart(m) && m[10] == 1 && m[14] == 0; }
 
-// gluOrtho2D; or the space between near and far plane is a sheet, as where a scene graph fits it to what is drawn.
+// gluOrtho2D, or a very flat space between near and far plane: some scene graphs fit these planes to the scene.
 bool projects_plane(const GLfloat* m) {
   constexpr GLfloat thin = 8;
   const bool sheet = std::abs(m[10]) >= thin * std::max(std::abs(m[0]), std::abs(m[5]));

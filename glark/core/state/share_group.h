@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The state that several contexts share: shaders, programs, display lists, and when buffers were written.
+// The state that several contexts share: shaders, programs, display lists, and the times of buffer writes.
 #pragma once
 
 #include <atomic>
@@ -33,7 +33,8 @@ struct ShareGroup {
   std::vector<GLuint> orphaned_buffers;         // left by contexts that could not delete them; guarded by `mutex`
   std::atomic<bool> any_derived{false};
   std::atomic<bool> lists_push{false};  // a display list has glPushAttrib or glPopAttrib
-  // Changes whenever a program is linked, deleted or derived. What refers to programs by name is valid only until then.
+  // Changes whenever a program is linked, deleted or derived. Data that refers to programs by name is valid only until
+  // then.
   std::atomic<std::uint64_t> program_epoch{1};
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Numbers that never come again in a share group: for writes, for list segments, and for whatever a context has to tell
-// apart.
+// Numbers that never repeat in a share group: for writes, for list segments, and for other things that a context has to
+// tell apart.
 #pragma once
 
 #include <atomic>

@@ -9,7 +9,8 @@
 
 namespace glark::submit {
 
-// Every edge of a refined triangle is a boundary edge. Our vertex arrays have no array of edge flags: the current one counts.
+// Every edge of a refined triangle is a boundary edge. Our vertex arrays have no edge flags, so GL uses the current
+// one.
 void DrawModes::raise_edge_flag() {
   const bool wireframe = env_.capabilities.is_compatibility() && env_.options.wireframe;
   if (!capture::takes_edge_flags(env_) && !wireframe) {

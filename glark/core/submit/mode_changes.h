@@ -8,14 +8,14 @@
 
 namespace glark::submit {
 
-// Modes that mean something else for a vertex shader than for the fixed function which it stands for: they are changed for the draw.
+// Modes that differ between a vertex shader and the fixed function that it replaces. They are changed for the draw.
 struct ModeChanges {
   bool two_side = false;    // GL_VERTEX_PROGRAM_TWO_SIDE is switched on
   bool color_sum = false;   // GL_COLOR_SUM is switched on
-  bool point_size = false;  // GL_PROGRAM_POINT_SIZE is switched over
+  bool point_size = false;  // GL_PROGRAM_POINT_SIZE is toggled
 };
 
-// No GL. `state`: of the fixed function, if the plan's program stands for it.
+// `state` is the fixed function's, if the plan's program replaces it. No GL.
 ModeChanges mode_changes(const core::DrawPlan& plan, const refine::FixedFunctionState& state,
                          const core::Bindings& bindings);
 

@@ -3,7 +3,7 @@
 #include "glark/core/submit/submission.h"
 
 #include "glark/core/refine/derive.h"
-#include "glark/core/report.h"
+#include "glark/core/report/statistics.h"
 #include "glark/core/shape.h"
 
 namespace glark::submit {
@@ -24,10 +24,10 @@ void Submission::begin(const core::DrawPlan& plan, bool indirect) const {
     parts_.programs.derived().copy_stale_uniforms(*plan.owner);
   }
   if (b.primitive_restart) {
-    env_.gl.Disable(GL_PRIMITIVE_RESTART);  // it must not apply to our own index buffers, those of the passes included
+    env_.gl.Disable(GL_PRIMITIVE_RESTART);  // must not apply to our own index buffers, nor to those of the passes
   }
   if (indirect && b.parameter_buffer != 0) {
-    env_.gl.BindBuffer(GL_PARAMETER_BUFFER, 0);  // Mesa 22 takes the count of any indirect draw from it
+    env_.gl.BindBuffer(GL_PARAMETER_BUFFER, 0);  // Mesa 22 reads the count of every indirect draw from it
   }
 }
 

@@ -35,7 +35,8 @@ class Submission {
   };
   Submission(const core::Environment& environment, const Parts& parts);
 
-  // Switches off modes of the application that would disturb the passes before the draw. `indirect`: the draw or a pass is indirect.
+  // Switches off modes of the application that would disturb the passes before the draw. `indirect`: the draw or a pass
+  // is indirect.
   void begin(const core::DrawPlan& plan, bool indirect) const;
   // Draws, and restores the application's state.
   void draw(const core::DrawPlan& plan, const RefinedTriangles& refined);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Based on: Boubekeur 2007, ch. 7.2.3 (drawing a pattern in place of a triangle). The thesis binds an index buffer and sets
-// uniforms per triangle; instancing draws all triangles of a pattern at once.
+// Based on: Boubekeur 2007, ch. 7.2.3 (drawing a pattern in place of a triangle). The thesis binds an index buffer and
+// sets uniforms per triangle; instancing draws all triangles of a pattern at once.
 #include "glark/core/submit/submit.h"
 
 #include <cstddef>
@@ -77,7 +77,7 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
                                    : static_cast<unsigned>(pattern::deepest_uniform);
   const pattern::Piece& piece = pool.piece(pattern::uniform_piece(static_cast<int>(piece_level)));
   if (triangles.count_on_gpu) {
-    // All but the instance count, which the query has written.
+    // All words but the instance count, which the query has written.
     const std::uint32_t rest[3] = {piece.first_index, piece.base_vertex, 0};
     gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, draw.count_command->name());
     gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, index_count), sizeof(std::uint32_t),

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws refined triangles: the vertex arrays of lattice, patch and coarse record, and the draw calls. The caller binds the program.
+// Draws refined triangles: sets up the vertex arrays of lattice, patch and coarse record, and issues the draws. The
+// caller binds the program.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ struct UniformDraw {
   const capture::Layout* layout = nullptr;
   bool stored = false;  // the program reads the records by itself
   unsigned level = 0;
-  bool placed = false;                             // the program takes a patch; it must, above level deepest_uniform
+  bool placed = false;                             // the program takes a patch; required above level deepest_uniform
   const core::GpuBuffer* count_command = nullptr;  // for a count on the GPU
 };
 
@@ -29,8 +30,8 @@ class SubmitStage {
  public:
   explicit SubmitStage(const gl::Dispatch& gl) : gl_(gl) {}
 
-  // Draws every coarse triangle at the same level, with one instanced draw for each tile of the level. Binds a vertex array of ours; with
-  // a count on the GPU also GL_DRAW_INDIRECT_BUFFER.
+  // Draws every coarse triangle at the same level, with one instanced draw for each tile of the level. Binds a vertex
+  // array of ours. With a count on the GPU, also binds GL_DRAW_INDIRECT_BUFFER.
   void draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw);
   struct BinnedInputs {
     int chunks = 0;      // chunks of a record that are attributes of the program

@@ -91,7 +91,7 @@ void set_parameter(Context& c, GLenum name, const Set& set) {
   }
 }
 
-// The program that a refinement command names. Null: the error is raised.
+// Returns the program that a refinement command names. Null: the error is raised.
 Program* named_program(Context& c, GLuint name) {
   if (refuse(c, false)) {
     return nullptr;
@@ -106,7 +106,7 @@ Program* named_program(Context& c, GLuint name) {
   }
   Program* program = c.stages()->programs().named(name);
   if (program == nullptr) {
-    // Not linked yet: the source waits for it.
+    // The program is not linked yet: its source is kept until it is.
     const std::lock_guard lock(c.share().mutex);
     std::shared_ptr<Program>& slot = c.share().programs[name];
     slot = std::make_shared<Program>();
@@ -142,7 +142,7 @@ void ARKinit(Context& c, GLuint max_level) {
     c.raise(GL_OUT_OF_MEMORY);
     return;
   }
-  // From here on the program knows of the extension: it is refined as it says, no longer without its knowledge.
+  // From here on, the program uses the extension and is no longer refined transparently.
   c.options().transparent = false;
   const GLuint tag = track::current_tag(c);  // of the old level
   c.ark().pool_level = static_cast<int>(max_level);

@@ -30,7 +30,7 @@ struct Pointer {
   const void* pointer;
 };
 
-// glVertexPointer and the like take the buffer that is bound to GL_ARRAY_BUFFER.
+// glVertexPointer and similar functions use the buffer that is bound to GL_ARRAY_BUFFER.
 bool attach(Context& c, AttributeSource& source, const Pointer& to) {
   const BoundBuffer bound = c.state().arrays().bound_buffer(GL_ARRAY_BUFFER);
   const bool es_double = to.type == GL_DOUBLE && c.capabilities().api == Capabilities::Api::es;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks of the attribute stack, which saves GL_ARK with the group of GL_ENABLE_BIT. GL_ARK itself is never compiled
-// into a list, but glPushAttrib and glPopAttrib are. After a list was executed, our stack follows what the list did to
-// GL's.
+// into a list, but glPushAttrib and glPopAttrib are. After a list was executed, our stack repeats the list's changes of
+// GL's stack.
 #include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
 

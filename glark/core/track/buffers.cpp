@@ -7,13 +7,13 @@
 namespace glark::core {
 namespace {
 
-// GL has surely accepted the name. In core contexts it refuses names that it did not give out.
+// Returns whether GL has certainly accepted the name. Core contexts refuse names that GL did not give out.
 bool surely_bound(const Context& c, GLuint buffer, std::uint64_t generation) {
   return !c.state().immediate().open() && (buffer == 0 || c.capabilities().api != Capabilities::Api::core ||
                                            c.state().arrays().bound_buffers().confirmed(buffer, generation));
 }
 
-// Notes the buffer that writes to `target` go to. If it is not sure, the first write asks GL.
+// Notes the buffer that writes to `target` change. If this is uncertain, the first write asks GL.
 void follow_binding(Context& c, GLenum target, GLuint buffer) {
   const std::uint64_t generation = c.share().buffers.generation(buffer);
   const BoundBuffer bound{surely_bound(c, buffer, generation), buffer, generation};
@@ -119,7 +119,7 @@ void BindBuffersRange(Context& c, GLenum target, GLuint first, GLsizei count, co
 void DeleteBuffers(Context& c, GLsizei n, const GLuint* buffers) {
   c.gl().DeleteBuffers(n, buffers);
   c.state().forget_bindings();                          // deleting unbinds
-  c.state().arrays().vertex_arrays().forget_current();  // others keep the object
+  c.state().arrays().vertex_arrays().forget_current();  // other vertex arrays keep the object
   c.state().arrays().vertex_arrays().forget_elements();
   for (GLsizei i = 0; i < n && buffers != nullptr; ++i) {
     c.writes().deleted(buffers[i]);

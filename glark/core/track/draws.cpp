@@ -152,7 +152,7 @@ void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, 
                  .issue = issue});
 }
 
-// The extension does not refine rectangles and evaluator meshes. Transparent refinement takes them for triangles.
+// The extension does not refine rectangles and evaluator meshes. Transparent refinement treats them as triangles.
 GLenum mode_of_shape(Context& context, GLenum mode) {
   if (context.options().transparent) {
     return mode;
@@ -171,7 +171,7 @@ void draw_rectangle(Context& context, Issue issue) {
 namespace hook {
 namespace {
 
-// Mesa 22 joins the strips of one list by triangles of no area.
+// Mesa 22 joins the strips of one list by triangles without area.
 bool joins_strips(const Context& c, GLenum mode, GLsizei draws) {
   return c.state().lists().compiling() && mode == GL_TRIANGLE_STRIP && draws > 1;
 }

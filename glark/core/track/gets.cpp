@@ -19,7 +19,7 @@ GLint tag_array_parameter(const Context& c, GLenum parameter) {
   return value;
 }
 
-// The value of a state of the extension; empty for any other name.
+// Returns the value of a state of the extension; empty for any other name.
 std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
   if (!c.capabilities().refinable) {
     return std::nullopt;
@@ -40,7 +40,7 @@ std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
   return parameter != nullptr ? std::optional(parameter->get(ark)) : std::nullopt;
 }
 
-// Writes our state, or leaves the query to GL. True if it was ours.
+// Writes our state, or leaves the query to GL. Returns whether it was ours.
 template <typename Value>
 bool answer(Context& c, GLenum name, Value* data) {
   constexpr GLenum last_name = 0x6F3F;  // of the block of tokens
@@ -143,7 +143,7 @@ void GetPointerv(Context& c, GLenum name, void** data) {
   c.gl().GetPointerv(name, data);
 }
 
-// The application's own pending errors, which we may have taken aside, come before ours in time; GL returns them in any order.
+// We may have set the application's own errors aside. They are older than ours, but GL may return errors in any order.
 GLenum GetError(Context& c) {
   if (c.state().immediate().open()) {
     return c.gl().GetError();

@@ -67,7 +67,7 @@ void set_tag_array(Context& c, bool enabled) {
   }
 }
 
-// Notes the enables that refined draws depend on. Unnamed ones can only change the generated vertex stage.
+// Notes the enables that refined draws depend on. All others can only change the generated vertex stage.
 void set_capability(Context& c, GLenum capability, bool enabled) {
   Bindings& b = c.state().bindings();
   switch (capability) {

@@ -16,7 +16,7 @@ void leave_program(Context& c) {
   }
 }
 
-// False: GL may have refused the program.
+// Returns false if GL may have refused the program.
 bool use_known(Context& c, GLuint program) {
   if (c.state().bindings().transform_feedback_active) {
     return false;
@@ -39,7 +39,7 @@ void UseProgram(Context& c, GLuint program) {
   c.state().programs().forget_subroutines();
   c.state().programs().refresh_mirroring();
   if (c.state().bindings().transform_feedback_active && c.state().bindings_stale()) {
-    // Feedback may have ended. Then GL takes the program, and the uniform calls that follow are for it.
+    // Feedback may have ended. Then GL accepts the program, and later uniform calls set its values.
     c.state().refresh();
   }
   if (program != 0 && !use_known(c, program)) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of queries. The results of those that count primitives must not include our captures.
+// Hooks of queries. Queries that count primitives must not count our captures.
 #include <algorithm>
 
 #include "glark/core/track/track.h"
@@ -27,7 +27,7 @@ bool counts_primitives(GLenum target) {
   }
 }
 
-// Where the query that counts triangles of stream 0 is noted; null for other targets.
+// Returns the place of the query that counts triangles of stream 0; null for other targets.
 GLuint* triangle_query(Context& c, GLenum target, GLuint index) {
   if (index != 0) {
     return nullptr;

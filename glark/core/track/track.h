@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the hooks share.
+// Functions that the hooks share.
 #pragma once
 
 #include "glark/core/capture/draw_call.h"
@@ -12,16 +12,16 @@
 
 namespace glark::core::track {
 
-// A draw of the application: goes into the display list being cut, or to the stages.
+// Records the application's draw in the display list that is being cut, or gives it to the stages.
 void draw(Context& context, const DrawCall& call);
-// A draw that goes to the stages, and one that stays as it is: either may give the application's transform feedback
+// refine() gives a draw to the stages; pass() leaves it unrefined. Either may give the application's transform feedback
 // back to GL.
 void refine(Context& context, const DrawCall& call);
 void pass(Context& context, Cause cause);
 void hand_back_feedback(Context& context);
 
-// False while a display list is compiled and not executed: the call then changes no state. To be asked by hooks of
-// calls that change state that refined draws depend on.
+// Returns false while a display list is compiled and not executed: the call then changes no state. Hooks of calls that
+// change the state of refined draws must ask this.
 inline bool executes(Context& context) {
   ListCompilation& lists = context.state().lists();
   lists.note_state_change();
@@ -30,7 +30,7 @@ inline bool executes(Context& context) {
 
 // GL_CURRENT_DEPTH_TAG_ARK.
 GLuint current_tag(const Context& context);
-// Between glBegin and glEnd; GL_INVALID_OPERATION is then raised.
+// Returns whether the call lies between glBegin and glEnd, and raises GL_INVALID_OPERATION if so.
 bool inside_begin(Context& context);
 
 }  // namespace glark::core::track

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The values that displacement uses on edges and at corners: for an edge, the texture coordinates of its least side; for a place, its
-// least texture coordinate and one normal. weld.glsl includes this; it declares the tables and finds places and edges.
+// The values that displacement uses on edges and at corners. An edge gets the texture coordinates of its least side. A
+// position gets its least texture coordinate and one normal. weld.glsl includes this file, declares the tables, and
+// finds positions and edges.
 
 int border_of(int corner) { return border_table() + 5 * slot_of_place(corner); }
 
-// The angle of the triangle at a corner; 0 where it has none.
+// The angle of the triangle at a corner; 0 without an area.
 float angle_at(int corner) {
   int next = next_corner(corner);
   vec3 at = uintBitsToFloat(position_of(corner).xyz);
@@ -16,8 +17,9 @@ float angle_at(int corner) {
   return a != vec3(0.0) && b != vec3(0.0) && abs(cosine) <= 1.0 ? acos(cosine) : 0.0;
 }
 
-// The least texture coordinate of the place, and the sum of its normals: each unit normal by the angle of its triangle, in whole
-// numbers, so that the order does not count.
+// Inserts a texture coordinate and a normal into the slot of the position. The slot keeps the least coordinate and the
+// sum of the unit normals. Each normal is weighted by the angle of its triangle, in whole numbers, so that the order
+// does not matter.
 void insert_border(int corner) {
   int word = border_of(corner);
   uint own = uint(corner + 1);
@@ -41,7 +43,8 @@ void insert_border(int corner) {
   }
 }
 
-// The normal of a place: that of all corners there, or else the direction of their sum, or zero where they outweigh one another.
+// The normal of a position: the common normal of all corners there, else the direction of their sum. Zero if the sum is
+// almost zero.
 vec3 normal_of_place(int corner) {
   int word = border_of(corner);
   if (tables[word + 1] == 0u) {

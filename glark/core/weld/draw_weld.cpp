@@ -7,7 +7,7 @@
 namespace glark::weld {
 namespace {
 
-// Words of a corner that differ between instances: vertices of two instances are never in the same place.
+// Words of a corner that differ between instances. Vertices of two instances are never welded.
 std::vector<GLint> instance_words(const core::Environment& environment, const capture::Layout& layout) {
   std::vector<GLint> words;
   const auto add = [&](int offset, int count) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Welds the triangles of one draw: tags as soon as they are captured, edges when the triangles are those that will be drawn.
+// Welds the triangles of one draw: tags after the capture, edges when the triangles to draw are known.
 #pragma once
 
 #include "glark/core/state/environment.h"
@@ -10,8 +10,8 @@
 namespace glark::weld {
 
 struct WeldPlan {
-  bool on = false;           // edges, if the layout has room for them, and tags, if it has any
-  bool edges_later = false;  // edges are those of the triangles that polygons are split into
+  bool on = false;           // welds edges if the layout has room for them, and tags if it has any
+  bool edges_later = false;  // welds the edges of the triangles that polygons are split into
 };
 
 class DrawWeld {

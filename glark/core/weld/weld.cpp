@@ -50,7 +50,7 @@ bool WeldStage::can_hold(const capture::Layout& layout, std::uint64_t triangles)
   return bytes_for(layout, triangles) <= static_cast<std::uint64_t>(largest_block_);
 }
 
-// Room for many triangles is room for few.
+// Room for many triangles is also room for few.
 bool WeldStage::has_room(const capture::Layout& layout, std::uint32_t triangles) const {
   return passes_[takes_one_dispatch(triangles) ? all_in_one : all_in_one - 1].built() &&
          bytes_for(layout, triangles) <= static_cast<std::uint64_t>(tables_.size());

@@ -1,25 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Joins coarse triangles by position: what the sides of an edge and the triangles about a vertex must share is found in hash tables
-// and written into the coarse records. GLARK_PASS: 0 clear the tables, 1 insert, 2 write, 3 all in one work group. The includer
-// supplies #version, GLARK_PASS, GLARK_GROUP (size of a work group) and GLARK_KEY_WORDS (most words of a key besides the position).
+// Joins coarse triangles by position. Hash tables find what the sides of an edge and the triangles about a vertex must
+// share; the results go into the coarse records. GLARK_PASS: 0 clear the tables, 1 insert, 2 write, 3 all in one work
+// group. The includer supplies #version, GLARK_PASS, GLARK_GROUP (size of a work group) and GLARK_KEY_WORDS (most words
+// of a key besides the position).
 //
-// Order-independent to the bit: a slot keeps the least and the greatest of its sides by content, which no order of insertion and no
-// duplicate changes, the greatest tag, and sums of whole numbers.
-// Based on: J. McDonald, M. Kilgard, Crack-Free Point-Normal Triangles Using Adjacent Edge Normals, 2010 (an edge is bent by the
-// normals of all its sides; the sides are found here by hashing, where they take an index buffer that is made beforehand; across an angle the edge
-// follows the line in which the tangent planes meet, where they take the mean of the control points).
+// The results do not depend on the order, to the bit. A slot keeps the least and the greatest of its sides by content,
+// the greatest tag, and sums of whole numbers. Neither the order of insertion nor duplicates change these.
+// Based on: J. McDonald, M. Kilgard, Crack-Free Point-Normal Triangles Using Adjacent Edge Normals, 2010 (the normals
+// of all sides bend an edge). The paper finds the sides by an index buffer that is made beforehand; here hashing finds
+// them. Across an angle, the paper takes the mean of the control points; here the edge follows the line in which the
+// tangent planes meet.
 #define glark_precise precise
 #include "glark/core/weld/tangent.glsl"
 
 layout(local_size_x = GLARK_GROUP) in;
 
 layout(std430, binding = 0) buffer Records { uint records[]; };
-// Slots of edges (2 words: least and greatest side; 0: empty), slots of vertices (2 words: a corner from 1, the bits of the greatest
-// tag), the edge slot of each half-edge, the vertex slot of each corner; those of edges and of vertices only where they are welded.
-// Then, for each slot of edges, the side that turns most, and for each slot of vertices 5 words of what displacement takes there (the corner,
-// from 1, with the least texture coordinate; 1 where the normals differ; their sum in fixed point), where either is asked for.
+// Slots of edges (2 words: least and greatest side; 0: empty). Slots of vertices (2 words: a corner from 1, the bits of
+// the greatest tag). The edge slot of each half-edge. The vertex slot of each corner. Parts of edges and of vertices
+// exist only if these are welded.
+// Then, if asked for: for each slot of edges, the side that turns most. For each slot of vertices, 5 words for
+// displacement: the corner, from 1, with the least texture coordinate; 1 if the normals differ; their sum in fixed
+// point.
 layout(std430, binding = 1) coherent buffer Tables { uint tables[]; };
 layout(std430, binding = 2) readonly buffer Count { uint count_command[]; };
 
@@ -31,13 +35,13 @@ uniform int position_offset;
 uniform int position_words;
 uniform int normal_offset;
 uniform int control_offset;  // in a corner; < 0: the edges have no control points
-uniform int turn_offset;     // in a corner; < 0: how much the sides turn does not count
+uniform int turn_offset;     // in a corner; < 0: the turns of the sides are not measured
 uniform int border_offset;   // in a corner; < 0: nothing is displaced
 uniform int coordinate_offset;
 uniform int tag_offset;      // in a corner; < 0: the tags are not welded
 uniform int slot_count;      // of either table
 uniform int key_count;
-uniform int key_words[GLARK_KEY_WORDS];  // vertices with different values here are never one
+uniform int key_words[GLARK_KEY_WORDS];  // vertices with different values here are never welded
 
 int bound;  // of triangles
 
@@ -84,7 +88,7 @@ int first_slot(uint hash, int corner) {
 
 int next_slot(int slot) { return slot + 1 < slot_count ? slot + 1 : 0; }
 
-// Lexicographic.
+// Lexicographic order.
 bool before(uvec4 a, uvec4 b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;
 }
@@ -97,8 +101,8 @@ int vertex_slots() { return edge_slots() + (joins_edges() ? 3 * triangle_bound :
 int turn_table() { return vertex_slots() + (joins_vertices() ? 3 * triangle_bound : 0); }
 int border_table() { return turn_table() + (turn_offset >= 0 ? slot_count : 0); }
 
-// A side of an edge is named by its half-edge, the number of the corner where it begins, and by whether that is the higher of its ends:
-// all sides have the lower end first.
+// A side of an edge is named by its half-edge (the number of the corner where it begins), and by whether this corner is
+// the higher end. All sides have the lower end first.
 int next_corner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 uint side_name(int half_edge, bool falling) { return uint(2 * half_edge) + (falling ? 2u : 1u); }
 int end_of_side(uint side, bool high) {
@@ -107,8 +111,8 @@ int end_of_side(uint side, bool high) {
   return begin ? half_edge : next_corner(half_edge);
 }
 
-// The tangent plane that the normal stands on: of the two directions the one whose first component that is not zero is positive. What is no
-// direction gives zero.
+// The tangent plane of the normal. Of the two opposite directions, it is the one whose first nonzero component is
+// positive. Zero if the normal is zero or not finite.
 uvec4 plane_of(int corner) {
   uvec3 words = uvec3(word_of(corner, normal_offset), word_of(corner, normal_offset + 1), word_of(corner, normal_offset + 2));
   if (any(greaterThanEqual(words & 0x7fffffffu, uvec3(0x7f800000u)))) {
@@ -122,7 +126,7 @@ uvec4 plane_of(int corner) {
   return uvec4(words, 0u);
 }
 
-// An edge with what one of its sides has at the ends.
+// An edge, with the values of one of its sides at the ends.
 struct Edge {
   uvec4 low;  // positions
   uvec4 high;
@@ -143,7 +147,7 @@ uvec4 coordinates_of(uint side) {
   return border_offset < 0 ? uvec4(0u) : uvec4(coordinate_of(end_of_side(side, false)), coordinate_of(end_of_side(side, true)));
 }
 
-// -1: the edge's own side comes before the other, 1: behind it.
+// -1: the edge's own side comes before the other; 1: after it; 0: they are equal.
 int order_of(Edge edge, uint other) {
   uvec4 low = plane_of(end_of_side(other, false));
   uvec4 high = plane_of(end_of_side(other, true));
@@ -158,7 +162,7 @@ int order_of(Edge edge, uint other) {
   return own == others ? 0 : before(own, others) ? -1 : 1;
 }
 
-// Puts the side in the place of another that comes behind it (direction -1) or before it (1).
+// Puts the side in the place of another that comes after it (direction -1) or before it (1).
 void rank_side(int word, Edge edge, uint now, int direction) {
   while (now == 0u || (now != edge.side && order_of(edge, now) == direction)) {
     uint seen = atomicCompSwap(tables[word], now, edge.side);
@@ -202,7 +206,8 @@ void rank_turn(int word, Edge edge) {
   }
 }
 
-// A triangle with two corners in one place is no side of its edges: its normals are those of what it stitches together.
+// A triangle with two corners in one place is not a side of its edges: its normals belong to the triangles that it
+// stitches together.
 bool is_side(int half_edge) {
   int next = next_corner(half_edge);
   uvec4 from = position_of(half_edge);
@@ -238,7 +243,7 @@ void insert_edge(int half_edge) {
   tables[edge_slots() + half_edge] = uint(slot);
 }
 
-// -1: nothing is known of the edge, which no triangle with an area has. After all insertions.
+// -1: no triangle with an area has this edge, so nothing is known of it. Call it after all insertions.
 int slot_of(int half_edge) {
   if (is_side(half_edge)) {
     return int(tables[edge_slots() + half_edge]);
@@ -284,9 +289,10 @@ int slot_of_place(int corner) { return int(tables[vertex_slots() + corner]); }
 
 vec3 unit_of(uvec4 plane) { return glark_pn_unit(uintBitsToFloat(plane.xyz)); }
 
-// 3 b210 where tangent planes a and b meet at `near`: in that line if they differ, in both if they are one. The sum of the unit
-// normals is perpendicular to their difference, so that both are taken away in turn; either counts for less where it is short,
-// which is where its direction means little. The shortest that counts in full is that of normals 20 degrees apart.
+// 3 b210 where tangent planes a and b meet at `near`: in their common line if they differ, else in the plane. The sum
+// of the unit normals is perpendicular to their difference, so both components are removed in turn. A short vector
+// counts for less, because its direction means little. The shortest that counts in full is that of normals 20 degrees
+// apart.
 vec3 tangent(vec4 near, uvec4 a, uvec4 b, vec4 far) {
   const float shortest = 0.12;
   if (a == uvec4(0u)) {

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Welds the coarse triangles of a draw by position, on the GPU. Programs split vertices where normals or texture coordinates jump; the
-// values that two triangles share there must be computed from data that both have. Positions are equal if their bits are (-0 is 0).
-// - Edges: the control points of curved PN triangles, from the normals of all sides (weld.glsl), at Layout::control_offset.
-//   Where normals are measured, which of the sides turns most, at Layout::turn_offset.
-// - Vertices: the greatest of the depth tags that meet in a position.
-// - For displacement, the texture coordinates of one of an edge's sides, and a normal and a texture coordinate of each position, at
-//   Layout::border_offset.
+// Welds the coarse triangles of a draw by position, on the GPU. Programs split vertices where normals or texture
+// coordinates jump. The values that two triangles share there must be computed from data that both have. Positions are
+// equal if their bits are (-0 is 0).
+// - Edges: the control points of curved PN triangles, from the normals of all sides (weld.glsl), at
+//   Layout::control_offset. If normals are measured, the side that turns most, at Layout::turn_offset.
+// - Vertices: the greatest of the depth tags at a position.
+// - Displacement: the texture coordinates of one side of each edge, and a normal and a texture coordinate of each
+//   position, at Layout::border_offset.
 #pragma once
 
 #include <array>
@@ -37,13 +38,13 @@ class WeldStage {
  public:
   WeldStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
 
-  // Whether the tables for so many triangles fit into a storage block.
+  // Returns whether the tables for `triangles` triangles fit into a storage block.
   bool can_hold(const capture::Layout& layout, std::uint64_t triangles);
   bool has_room(const capture::Layout& layout, std::uint32_t triangles) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
   bool reserve(const capture::Layout& layout, std::uint32_t triangles);
-  // Writes into the records themselves. Changes the program and the storage buffer bindings 0 to 2, which the caller restores.
-  // `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
+  // Writes into the records themselves. Changes the program and the storage buffer bindings 0 to 2, which the caller
+  // restores. `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
   void run(const WeldRequest& request, GLuint captured_count);
   void release();
 

@@ -12,7 +12,7 @@ namespace glark::tool {
 
 using Report = nlohmann::ordered_json;
 
-// A progress line on standard error, which disappears when the step is done. There is none unless standard error is a
+// A progress line on standard error. It disappears when the step is done. It is only shown if standard error is a
 // terminal.
 class Progress {
  public:
@@ -21,7 +21,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // The fraction is 0 to 1; less than 0 if it is not known.
+  // The fraction is 0 to 1; a negative value means that it is unknown.
   void show(double fraction);
   double seconds() const;
 
@@ -34,7 +34,8 @@ class Progress {
 
 void warn(const std::string& text);
 
-// Prints to standard output: JSON, or one line for each value, with the values of an object indented below its name.
+// Prints to standard output, as JSON or as one line for each value. The values of an object are indented below its
+// name.
 void print(const Report& report, bool json);
 
 }  // namespace glark::tool

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // glark-scan: the commands of `glark` that work on files of points and triangles. It is a separate program, because its
-// libraries would make `glark run` slow to start.
+// libraries would slow down the start of `glark run`.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>

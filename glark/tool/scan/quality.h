@@ -10,7 +10,7 @@
 
 namespace glark::tool {
 
-// Reports points at the places of others, edges and components.
+// Reports duplicate positions, edges and components.
 Report topology_report(const geometry::Geometry& geometry);
 
 void describe_measure(CLI::App& command, std::string& reference);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Conversions of colours, for the libraries take colours without alpha.
+// Conversions of colours, because the libraries take colours without alpha.
 #pragma once
 
 #include <fmt/format.h>

@@ -51,7 +51,7 @@ std::size_t seam_points(const geometry::Geometry& geometry) {
   return count;
 }
 
-// Warns about attributes that the result loses.
+// Warns about attributes that the result does not have.
 void warn_of_losses(const geometry::Geometry& geometry, const std::string& file) {
   if (const std::size_t seams = seam_points(geometry); seams > 0) {
     warn(fmt::format(

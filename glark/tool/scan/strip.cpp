@@ -24,7 +24,7 @@ struct Strip {
   unsigned level = 0;
 };
 
-// Adds the strip of a leaf, and its triangles without those of no area, which only join its parts.
+// Adds the strip of a leaf. Adds its triangles without the degenerate ones, which only join parts of the strip.
 void add_strip(geometry::Geometry& geometry, std::span<const std::uint32_t> strip) {
   geometry.strips.insert(geometry.strips.end(), strip.begin(), strip.end());
   geometry.strip_sizes.push_back(static_cast<std::uint32_t>(strip.size()));

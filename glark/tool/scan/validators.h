@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Checks of options with readable messages; those of CLI11 show its own notation.
+// Checks of options with readable messages. The checks of CLI11 show its own notation.
 #pragma once
 
 #include <fmt/format.h>

@@ -24,7 +24,7 @@ float Camera::pixels_per_length(int height) const {
   return static_cast<float>(height) / (2 * std::tan(half_opening()));
 }
 
-// The whole sphere fits into the shorter side of the picture.
+// The projection fits the whole sphere into the shorter side of the picture.
 glm::mat4 Camera::projection(int width, int height) const {
   const float far = distance() + radius;
   const float near = std::max(distance() - radius, far * 1e-3F);

@@ -11,11 +11,11 @@ namespace glark::tool {
 
 struct Camera {
   glm::vec3 target{0};   // in the positions' space
-  float radius = 1;      // of a sphere about the target that holds everything
+  float radius = 1;      // the radius of a sphere about the target that holds everything
   float yaw = 30;        // degrees about the upright axis
   float pitch = 20;      // degrees above the horizon, -90 to 90
   float zoom = 1;        // 1 shows everything
-  bool z_is_up = false;  // otherwise y is
+  bool z_is_up = false;  // true: the z axis points up; false: the y axis
 
   float distance() const;
   glm::mat4 projection(int width, int height) const;

@@ -79,7 +79,7 @@ bool Offscreen::open_egl() {
 bool Offscreen::open_osmesa() {
   if (dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_GLOBAL) == nullptr) return false;
   osmesa_ = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, nullptr);
-  constexpr int side = 16;  // any size will do, for pictures are drawn to a framebuffer object
+  constexpr int side = 16;  // any size is possible, because a framebuffer object receives the pictures
   surface_.resize(std::size_t{4} * side * side);
   return osmesa_ != nullptr &&
          OSMesaMakeCurrent(static_cast<OSMesaContext>(osmesa_), surface_.data(), GL_UNSIGNED_BYTE, side, side) != 0;

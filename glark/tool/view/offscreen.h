@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// An OpenGL context without a display, by EGL or else by OSMesa, and pictures of what it draws.
+// An OpenGL context without a display, by EGL or else by OSMesa, and its pictures as files.
 #pragma once
 
 #include <cstdint>

@@ -61,7 +61,7 @@ Camera Scene::default_camera() const {
   const glm::vec3 size = high_ - low_;
   camera.target = (low_ + high_) / 2.0F;
   camera.radius = std::max(glm::length(size) / 2, std::numeric_limits<float>::min() * 1e6F);
-  // Terrain is flat in z and is seen from above.
+  // Flat terrain extends little in z and is seen from above.
   camera.z_is_up = 4 * size.z < std::min(size.x, size.y);
   if (camera.z_is_up) camera.pitch = 40;
   return camera;

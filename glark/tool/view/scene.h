@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws points as splats, surfel strips, or the triangles of the file. It uses the fixed functions of OpenGL, so that the extension can
-// refine the triangles.
+// Draws points as splats, surfel strips, or the triangles of the file. It uses the fixed functions of OpenGL, so that
+// the extension can refine the triangles.
 #pragma once
 
 #include <glark/surfel.h>
@@ -30,7 +30,7 @@ struct Statistics {
 
 class Scene {
  public:
-  // An OpenGL context must be current as long as the scene lives.
+  // An OpenGL context must be current during the scene's lifetime.
   explicit Scene(geometry::Geometry geometry);
   ~Scene();
   Scene(const Scene&) = delete;

@@ -62,7 +62,7 @@ float estimated_spacing(std::span<const float> positions, const glm::vec3& low, 
     count += taken[cube] ? 0 : 1;
     taken[cube] = true;
   }
-  // A surface crosses about one and a half cubes for the area of a face.
+  // For each face-sized area, a surface crosses about one and a half cubes.
   const double area = static_cast<double>(count) * side * side / 1.5;
   return static_cast<float>(std::sqrt(area / (static_cast<double>(positions.size()) / 3)));
 }

@@ -13,13 +13,13 @@
 
 namespace glark::tool {
 
-// Normals at the points: means of the triangles' normals, weighted by area.
+// Returns normals at the points: means of the triangles' normals, weighted by area.
 std::vector<float> normals_of_triangles(const geometry::Geometry& geometry);
 
-// Red green blue alpha for each point: blue at the bottom, then green, sand at the top.
+// Returns red green blue alpha for each point: blue at the bottom, then green, sand at the top.
 std::vector<std::uint8_t> colours_by_height(std::span<const float> positions, float low, float high);
 
-// The approximate distance of neighbouring points, from the number of cubes of a grid that have points.
+// Estimates the distance of neighbouring points, from the number of cubes of a grid that have points.
 float estimated_spacing(std::span<const float> positions, const glm::vec3& low, const glm::vec3& high);
 
 }  // namespace glark::tool

@@ -18,7 +18,7 @@ struct ViewOptions {
   std::optional<bool> z_is_up;
   int width = 1024;
   int height = 768;
-  int level = 2;  // of refinement
+  int level = 2;  // the level of refinement
   bool cull = true;
 };
 

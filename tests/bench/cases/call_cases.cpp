@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The cost of calls that pass through the library: two programs, with and without it, run in turn; the best time of
-// each counts.
+// Measures the cost of calls that pass through the library. Two programs, with the library and without it, run in turn.
+// The best time of each is compared.
 #include <unistd.h>
 
 #include <array>
@@ -19,7 +19,7 @@ namespace glark::bench {
 namespace {
 
 constexpr int runs = 12;
-constexpr double most_added = 2;  // ns
+constexpr double most_added = 2;  // in nanoseconds
 
 std::string folder_of_this_program() {
   std::array<char, PATH_MAX> path{};

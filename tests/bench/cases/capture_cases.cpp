@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The cost of a draw before its refined triangles are drawn: capture, and binning where tags differ. Everything is
-// culled, so that nothing is rasterised.
+// Measures the cost of a draw before its refined triangles are drawn: the capture, and binning where tags differ. All
+// triangles are culled, so nothing is rasterised.
 #include <algorithm>
 
 #include "tests/bench/cases/case.h"
@@ -18,7 +18,7 @@ Mesh mesh_of(int triangles) {
   return first_triangles(sphere, static_cast<std::size_t>(triangles));
 }
 
-// Draws once before, so that caches are filled again after the draws of the competitors.
+// Draws once before the timing. This fills the caches again after the draws of the competitors.
 Competitor settled(const Competitor& competitor) {
   return {[competitor] {
             competitor.prepare();
@@ -31,9 +31,9 @@ Competitor settled(const Competitor& competitor) {
 struct Costs {
   double coarse = 0;            // the original draw
   double cached = 0;            // refined to level 1 with a cached capture, minus the coarse draw
-  double uniform_capture = 0;   // what the capture adds to that
-  double adaptive_capture = 0;  // what capture and binning add to it, with all tags 1
-  double adaptive_flat = 0;     // all tags 0, minus the coarse draw
+  double uniform_capture = 0;   // additional time of the capture
+  double adaptive_capture = 0;  // additional time of the capture and of binning, with all tags 1
+  double adaptive_flat = 0;     // with all tags 0, minus the coarse draw
 };
 
 Costs measure(int triangles, const Effort& effort) {

@@ -17,14 +17,14 @@ constexpr unsigned pool_level = 11;
 
 struct DrawCase {
   Shading shading;
-  int coarse;  // triangles drawn
+  int coarse;  // drawn triangles
   unsigned level;
-  View view = View::sphere;  // culled: the vertex stage alone
+  View view = View::sphere;  // with culled, only the vertex stage runs
 };
 
 double goal_of(unsigned level) { return level == 0 ? 0.85 : level >= 2 && level <= 6 ? 1.4 : 1.0; }
 
-// A prototype without a library, with a vertex stage written by hand.
+// The comparison is with a prototype without a library, whose vertex stage was written by hand.
 std::string known_speed(unsigned level) {
   constexpr const char* prototype[] = {"", "1.1x", "1.7x", "1.75x", "1.7x", "", "1.6x", "", "1.0x"};
   return level < std::size(prototype) && prototype[level][0] != 0 ? std::string("prototype ") + prototype[level] : "";
@@ -44,7 +44,7 @@ Picture picture_of(const Competitor& competitor) {
   return read_picture();
 }
 
-// The third picture of a refined draw comes from the cache that the second one filled.
+// The cache, which the second picture of a refined draw filled, provides the third picture.
 void expect_same(const std::string& name, const Competitor& refined, const Competitor& other) {
   const Picture expected = picture_of(other);
   for (int i = 0; i < 3; ++i) {
@@ -78,7 +78,7 @@ void run_static(const std::string& name, const DrawCase& which, const Mesh& mesh
             times);
 }
 
-// For comparison with published figures, most of which use a mesh without shared vertices.
+// For comparison with published figures. Most of them use a mesh without shared vertices.
 void run_separate(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report,
                   const Effort& effort) {
   const Subject coarse(mesh, which.shading, which.view);

@@ -17,12 +17,12 @@
 namespace glark::bench {
 namespace {
 
-constexpr unsigned deepest = 11;                           // the level does not limit tags
-constexpr std::array<float, 3> eye_of_sphere{0, 0, 3.2F};  // of View::sphere
+constexpr unsigned deepest = 11;                           // so large that the level does not limit tags
+constexpr std::array<float, 3> eye_of_sphere{0, 0, 3.2F};  // the eye of View::sphere
 constexpr std::array<float, 3> eye_of_plane{0, 7.91F, 19.1F};
 constexpr float pixels_at_one = 0.5F * picture_size / 0.35F;
 
-// A torus. Its inside bends more than its outside, and its near side appears larger.
+// Makes a torus. Its inside bends more than its outside, and its near side appears larger.
 Mesh make_torus(int rings, int sides) {
   Mesh mesh;
   for (int i = 0; i < rings; ++i) {
@@ -47,7 +47,7 @@ Mesh make_torus(int rings, int sides) {
   return mesh;
 }
 
-// Hills, from View::plane's place above their near end.
+// Makes hills. View::plane sees them from above their near end.
 Mesh make_landscape() {
   Mesh mesh = make_plane(30, 18);
   const auto height = [](float x, float z) {
@@ -65,7 +65,7 @@ Mesh make_landscape() {
   return mesh;
 }
 
-// Tags by the length of edges on the screen.
+// Computes tags from the length of edges on the screen.
 class ScreenTags {
  public:
   ScreenTags(const Mesh& mesh, const depth::View& view)
@@ -81,12 +81,12 @@ class ScreenTags {
     triangles_ = static_cast<double>(tagger_.refined_triangles(tags_));
     return {tags_.begin(), tags_.end()};
   }
-  // The length of the longest edge in pixels.
+  // Returns the length of the longest edge in pixels.
   float longest() {
     tagger_.by_edge_length(positions_, view_, 1, tags_);
     return std::exp2(*std::max_element(tags_.begin(), tags_.end()));
   }
-  double triangles() const { return triangles_; }  // of the last tags
+  double triangles() const { return triangles_; }  // for the last tags
 
  private:
   depth::Tagger tagger_;

@@ -33,7 +33,7 @@ double million_triangles(const ControlMesh& mesh, const Times& times) {
 #ifdef GLARK_BENCH_OPENSUBDIV
 namespace Far = OpenSubdiv::Far;
 
-// Evaluates limit positions and derivatives at the same points: each vertex and each edge midpoint once.
+// Evaluates limit positions and derivatives at the same points: once at each vertex and each edge midpoint.
 class OpenSubdivStep {
  public:
   explicit OpenSubdivStep(const ControlMesh& mesh) {

@@ -103,7 +103,7 @@ class Frames {
     return {[this] { use_patches(); },
             [this] { glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size())); }};
   }
-  // A frame: the step, the upload, and the draw.
+  // Returns a whole frame: the step, the upload, and the draw.
   Competitor animated() {
     return {[this] { use_patches(); },
             [this] {
@@ -133,7 +133,8 @@ class Frames {
     input(normal_input + 1, sizeof(qas::Corner), offsetof(qas::Corner, edge_normal));
   }
 
-  // One refined triangle with barycentric coordinates as positions. Its vertices are shared within the coarse triangle.
+  // Prepares one refined triangle with barycentric coordinates as positions. Vertices are shared within the coarse
+  // triangle.
   void prepare_points() {
     const Mesh corners{{{{1, 0, 0}, {}, {}}, {{0, 1, 0}, {}, {}}, {{0, 0, 1}, {}, {}}}, {0, 1, 2}};
     const Mesh pattern = refine(corners, level_);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Frames of many draws that do not change: compares a scene with the same scene refined beforehand, and measures what
+// Frames of many draws that do not change. Compares a scene with the same scene refined beforehand. Measures what
 // refinement adds to each of many small draws, for all ways in which programs repeat draws.
 #include <memory>
 #include <stdexcept>
@@ -18,7 +18,7 @@ constexpr int rows = 10;
 constexpr int objects = columns * rows;
 constexpr unsigned pool_level = 6;
 
-// The objects stand side by side.
+// Moves the mesh, so that the objects stand side by side.
 Mesh placed(Mesh mesh, int object) {
   constexpr float size = 0.05F;
   const float x = 0.1F * (static_cast<float>(object % columns) - 0.5F * (columns - 1));
@@ -125,7 +125,7 @@ std::string name_of(Shading shading, Way way) {
   return std::string(shading == Shading::glsl ? "glsl/" : "fixed/") + ways[static_cast<int>(way)];
 }
 
-// A frame of objects of 100 triangles each, against the frame of the refined objects.
+// Compares a frame of objects with 100 triangles each with a frame of the refined objects.
 void run_static(Shading shading, Way way, unsigned level, Report& report, const Effort& effort) {
   constexpr int triangles = 100;
   glARKinit(pool_level);
@@ -148,7 +148,7 @@ void run_static(Shading shading, Way way, unsigned level, Report& report, const 
                {"ratio_of_least", times[1].least() / times[0].least()}}});
 }
 
-// Two culled triangles in each draw, so that only the cost of the draw itself remains.
+// Each draw has two culled triangles, so only the cost of the draw itself remains.
 void run_small(Shading shading, Way way, bool tagged, Report& report, const Effort& effort) {
   glARKinit(pool_level);
   const Scene scene(2, 0, shading, View::culled, way, tagged);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The cost of a shape: compares a sphere refined linearly, by curved triangles, by scalar-tagged triangles and
-// displaced, with the same number of triangles refined beforehand.
+// Measures the cost of a shape. Spheres are refined linearly, by curved triangles, by scalar-tagged triangles, and
+// displaced. Each is compared with the same number of triangles refined beforehand.
 #include <cmath>
 #include <vector>
 

@@ -23,7 +23,7 @@ using surfel::View;
 using surfel::test::Points;
 
 void report_build(Report& report, const std::string& name, const Points& points, const Effort& effort) {
-  // Seconds of CPU time, because others may use the machine too.
+  // Measures seconds of CPU time, because others may use the machine, too.
   double least = 1e9;
   std::unique_ptr<Strips> strips;
   for (int round = 0; round < effort.fewest_rounds; ++round) {
@@ -62,12 +62,12 @@ void report_build(Report& report, const std::string& name, const Points& points,
               {}});
 }
 
-// Pulls up the highest 5 % of 76 000 points, a little more with every turn.
+// Pulls the highest 5 % of 76 000 points up, a little more each time.
 void report_update(Report& report, const Effort& effort) {
   Points points = surfel::test::sphere(76000);
   const Points rest = points;
   std::vector<std::uint32_t> moved(points.size() / 20);
-  std::iota(moved.begin(), moved.end(), 0U);  // the sphere begins at its top
+  std::iota(moved.begin(), moved.end(), 0U);  // the points of the sphere begin at its top
   Strips strips(points.cloud(), {.threads = 1});
   int turn = 0;
   const auto times = interleave({{[] {},
@@ -83,7 +83,7 @@ void report_update(Report& report, const Effort& effort) {
   report.add({"surfel/update/5-percent", "thesis 180 ms", Goal::at_most, 8, times[0].least() * 1e3, "ms", {}});
 }
 
-// A view from a point towards the middle of the cloud, which lies around the origin and has the radius 1.
+// Returns a view from a point towards the middle of the cloud. The cloud lies around the origin and has the radius 1.
 View view_from(float x, float y, float z, float slope) {
   const float distance = std::sqrt(x * x + y * y + z * z);
   const float f[3] = {-x / distance, -y / distance, -z / distance};
@@ -158,7 +158,7 @@ void report_frame(Report& report, const std::string& name, const Points& points,
   glDeleteBuffers(3, buffers);
 }
 
-// Scales the cloud into the cube around the origin for which the views are made.
+// Scales the cloud into the cube around the origin, for which the views are made.
 Points scaled(Points points) {
   std::array<float, 3> low{1e30F, 1e30F, 1e30F}, high{-1e30F, -1e30F, -1e30F};
   for (std::size_t i = 0; i < points.positions.size(); ++i) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_WELD_ARK: what it costs to find the sides of all edges in a capture, and what the longer records cost the draw.
-// Everything is culled.
+// GL_WELD_ARK: measures the cost of finding the sides of all edges in a capture, and the cost of the longer records in
+// a draw. All triangles are culled.
 #include <algorithm>
 
 #include "tests/bench/cases/case.h"

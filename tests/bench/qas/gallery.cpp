@@ -36,7 +36,7 @@ namespace {
 using glark::qas::Corner;
 using glark::qas::test::ControlMesh;
 
-constexpr int side = 360;  // pixels of one view
+constexpr int side = 360;  // side of one view, in pixels
 constexpr int views = 4;
 constexpr unsigned level = 5;
 enum : GLuint { point = 0, normal = 2 };  // a matrix takes two locations
@@ -95,7 +95,7 @@ GLuint link(const char* vertex) {
   return program;
 }
 
-// The mean of the triangles around a vertex, by area.
+// Returns the sum of the triangles' normals around each vertex, weighted by area.
 std::vector<float> vertex_normals(const ControlMesh& mesh) {
   std::vector<float> normals(mesh.positions.size());
   const std::span<const float> positions = mesh.positions;
@@ -193,7 +193,7 @@ struct Programs {
   GLuint qas = link(vertex_shader);
 };
 
-// The first view and the last.
+// Draws the first view and the last.
 void draw_coarse_and_limit(const ControlMesh& mesh, const Programs& programs, const Corners& coarse) {
   const GLint flat_shaded = glGetUniformLocation(programs.plain, "flat_shaded");
   glDisable(GL_ARK);
@@ -243,7 +243,7 @@ bool write_picture(const std::filesystem::path& file, const std::vector<unsigned
   return true;
 }
 
-// Returns the exit status.
+// Writes all pictures and returns the exit status.
 int write_gallery(const std::filesystem::path& directory, std::vector<unsigned char>& pixels) {
   glEnable(GL_DEPTH_TEST);
   glClearColor(1, 1, 1, 1);

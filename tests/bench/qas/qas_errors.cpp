@@ -97,7 +97,7 @@ class PnTriangle {
   Vector inner_;
 };
 
-// The patch of the mesh split once in which (w, u, v) lies, and the coordinates there.
+// Evaluates the split mesh: finds the patch in which (w, u, v) lies, and the coordinates there.
 Sample of_split(const qas::Surface& split, std::size_t triangle, const std::array<double, 3>& b) {
   std::size_t child = 3;
   std::array<double, 3> there = {1 - 2 * b[2], 1 - 2 * b[0], 1 - 2 * b[1]};

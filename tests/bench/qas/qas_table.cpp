@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark-qas-errors: the table of errors of QAS, of QAS after one more step, and of PN triangles, against Loop's limit surface.
+// glark-qas-errors: the table of errors of QAS, of QAS after one more step, and of PN triangles. The reference is
+// Loop's limit surface.
 //
 //   glark-qas-errors [--csv] [MESH.obj ...]      without meshes: the seven of tests/qas/meshes.h
 #include <charconv>
@@ -19,7 +20,7 @@ namespace {
 using glark::bench::Deviation;
 using glark::qas::test::ControlMesh;
 
-// "7", "7/1" or "7//3": 6.
+// Returns 6 for "7", "7/1" or "7//3".
 std::uint32_t index_of(const std::string& word, const std::string& path) {
   std::uint32_t number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -28,7 +29,7 @@ std::uint32_t index_of(const std::string& word, const std::string& path) {
   return number - 1;
 }
 
-// Vertices and triangles; polygons are cut into fans.
+// Reads vertices and triangles. Polygons become fans.
 ControlMesh read_obj(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error(path + ": cannot be read");

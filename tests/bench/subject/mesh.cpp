@@ -21,7 +21,7 @@ Vertex sphere_vertex(float polar, float azimuth) {
   return {{x, y, z}, {x, y, z}, {azimuth / (2 * pi), polar / pi}};
 }
 
-// The numbers of vertices of the rings, in proportion to their lengths, `total` altogether.
+// Returns the numbers of vertices of the rings, in proportion to their lengths. The sum is `total`.
 std::vector<int> ring_sizes(int total) {
   const int rings = std::max(2, static_cast<int>(std::lround(std::sqrt(pi * static_cast<float>(total)) / 2)));
   std::vector<float> weights;
@@ -48,7 +48,7 @@ struct Ring {
   std::uint32_t at(int i) const { return first + static_cast<std::uint32_t>(i % size); }
 };
 
-// The triangles between two rings. Each step advances on the ring whose next vertex comes first.
+// Makes the triangles between two rings. Each step advances on the ring whose next vertex comes first.
 void join_rings(const Ring& upper, const Ring& lower, std::vector<std::uint32_t>& indices) {
   int i = 0;
   int j = 0;

@@ -17,24 +17,25 @@ struct Vertex {
 
 struct Mesh {
   std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> indices;  // triangles; empty: every three vertices are one
+  std::vector<std::uint32_t> indices;  // triangles; empty: every three vertices form one triangle
   std::size_t triangles() const { return indices.size() / 3; }
 };
 
-// A sphere of radius 1 about the origin with `triangles` triangles of about equal size; an even number, at least 20.
+// Makes a sphere of radius 1 about the origin. `triangles` is the number of triangles of about equal size: even, at
+// least 20.
 Mesh make_sphere(int triangles);
 
-// A square of side 2 * half in the plane y = 0 with 2 * cells * cells triangles.
+// Makes a square of side 2 * half in the plane y = 0 with 2 * cells * cells triangles.
 Mesh make_plane(int cells, float half);
 
-// The first `triangles` triangles of a mesh.
+// Returns the first `triangles` triangles of a mesh.
 Mesh first_triangles(const Mesh& mesh, std::size_t triangles);
 
-// Divides each triangle into 4^level, in the order of the pattern. Vertices are shared within a coarse triangle; from
-// level 9, within a tile of it.
+// Divides each triangle into 4^level triangles, in the order of the pattern. Vertices are shared within a coarse
+// triangle. From level 9, they are shared within a tile of it.
 Mesh refine(const Mesh& coarse, unsigned level);
 
-// The same triangles with three vertices of their own each, without indices.
+// Returns the same triangles without indices. Each triangle has three vertices of its own.
 Mesh separate(const Mesh& mesh);
 
 }  // namespace glark::bench

@@ -39,7 +39,7 @@ struct Header {
   std::size_t vertex_bytes = 0;
 };
 
-// x, y, z are floats and the first three properties; faces are one list of 32-bit indices.
+// The coordinates x, y, z must be floats and the first three properties. Faces must be one list of 32-bit indices.
 Header read_header(std::istream& file) {
   Header header;
   std::string line;
@@ -112,7 +112,8 @@ struct Cluster {
   float count = 0;
 };
 
-// The cells of a grid that have points, with the sums of the points; cluster_of: the cell of each point.
+// Returns the cells of a grid that have points, with the sums of the points. cluster_of: receives the cell of each
+// point.
 std::vector<Cluster> clusters_of(const Model& model, float cell, std::vector<std::uint32_t>& cluster_of) {
   std::map<std::array<int, 3>, std::uint32_t> number_of;
   std::vector<Cluster> clusters;

@@ -14,11 +14,12 @@ namespace glark::bench {
 // The folder that --models names; empty without models.
 inline std::string models_folder;  // NOLINT: an option of the program
 
-// The PLY files (binary, little endian, with vertices x y z and triangles) of the folder, by name without suffix.
+// Returns the names of the PLY files in the folder, without suffix. The files are binary, little endian, with vertices
+// x y z and triangles.
 std::vector<std::string> model_names();
 
-// Scales a model into the unit sphere and clusters it on a grid, so that it has about so many triangles. Normals are
-// means of the faces of a cluster. Throws std::runtime_error for a file that cannot be read.
+// Scales a model into the unit sphere and clusters it on a grid, so that it has about `triangles` triangles. Normals
+// are means of the faces of a cluster. Throws std::runtime_error for a file that cannot be read.
 Mesh load_model(const std::string& name, std::size_t triangles);
 
 }  // namespace glark::bench

@@ -120,10 +120,10 @@ void Subject::draw_by_pointers() const {
   draw();
 }
 
-// Draws in pieces of less than 2^16 vertices, because llvmpipe 22.3 draws wrong triangles beyond.
+// Draws in pieces of less than 2^16 vertices, because llvmpipe 22.3 draws wrong triangles in larger pieces.
 Competitor Subject::tessellated(unsigned level) const {
   const GLsizei segments = 1 << level;
-  const GLsizei vertices_of_patch = segments * segments + 2 * segments + 4;  // at most
+  const GLsizei vertices_of_patch = segments * segments + 2 * segments + 4;  // the most vertices of a patch
   const GLsizei most_indices = 3 * std::max(1, 65000 / vertices_of_patch);
   return {[this, level] {
             use_tessellation(view_, level);

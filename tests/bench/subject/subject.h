@@ -21,16 +21,16 @@ class Subject {
   Subject(const Subject&) = delete;
   Subject& operator=(const Subject&) = delete;
 
-  // The competitors refer to the subject.
+  // A competitor refers to the subject, which must outlive it.
   Competitor as_is() const;
   Competitor refined(unsigned level) const;  // all edges have the same level
-  Competitor tagged() const;                 // by the tags
+  Competitor tagged() const;                 // refined by the tags
   Competitor tessellated(unsigned level) const;
   // Writes a few bytes of the vertices before each draw, so that nothing can be cached.
   Competitor touched(const Competitor& competitor) const;
 
-  // Draws one of several objects with the current program: by its vertex array, or by vertex array 0 with all pointers
-  // set again.
+  // Draws one of several objects with the current program. Uses the object's vertex array, or vertex array 0 with all
+  // pointers set again.
   void draw_by_array() const;
   void draw_by_pointers() const;
 

@@ -140,7 +140,7 @@ Matrix projection_matrix() {
 
 Matrix view_matrix(View view) {
   switch (view) {
-    case View::plane: {  // 2 above the plane at its near end, looking a little down
+    case View::plane: {  // the eye is 2 above the near end of the plane and looks a little down
       const float s = std::sin(0.3F);
       const float c = std::cos(0.3F);
       return {1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, -2 * c, -20 - 2 * s, 1};

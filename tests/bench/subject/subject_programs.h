@@ -19,10 +19,10 @@ inline constexpr GLuint uv_input = 3;
 enum class View {
   sphere,  // the unit sphere fills the picture
   plane,   // from above the plane y = 0, towards the horizon
-  culled,  // as sphere, but no triangle is rasterised
+  culled,  // like sphere, but no triangle is rasterised
 };
 
-// The program is built at its first use in the only context. Throws std::runtime_error if it does not link.
+// Builds the program at its first use, in the only context. Throws std::runtime_error if the program does not link.
 GLuint shaded_program();
 GLuint tessellation_program();
 

@@ -37,7 +37,7 @@ std::optional<double> peak_of(const std::function<void()>& run) {
 }  // namespace
 
 void take_turns(std::vector<Work>& works, int rounds) {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the value that it reaches in a program that runs for a while
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the value in a program that has run for a while
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
   for (int round = 0; round < rounds; ++round) {
     for (Work& work : works) {

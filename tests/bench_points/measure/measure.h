@@ -16,17 +16,17 @@ namespace glark::bench {
 struct Work {
   std::string name;
   std::function<void()> run;
-  double cpu_seconds = 1e300;             // of all threads; the least of all rounds
-  double seconds = 1e300;                 // of the clock; the least of all rounds
-  std::optional<double> peak_bytes = {};  // the peak of memory, minus the memory before
+  double cpu_seconds = 1e300;             // the sum over all threads; the least of all rounds
+  double seconds = 1e300;                 // on the clock; the least of all rounds
+  std::optional<double> peak_bytes = {};  // the peak memory, minus the memory before
 };
 
-// Runs the works in turns, so that other load on the machine affects all of them. Then runs each once more for its
-// memory: the most pages of the process (VmHWM of Linux, reset before), with an allocator that frees all larger blocks
-// at once. So the memory includes everything that was touched, also the results.
+// Runs the works in turns, so that other load on the machine affects all of them. Then runs each work once more to
+// measure its memory: the most pages of the process (VmHWM of Linux, reset before). For this run, the allocator frees
+// all larger blocks at once. So the memory includes everything that was touched, and the results.
 void take_turns(std::vector<Work>& works, int rounds);
 
-// CPU seconds, these relative to the first work or another one, seconds, and bytes for each point.
+// Returns CPU seconds, their ratio to the other work's CPU seconds, seconds, and bytes for each point.
 std::vector<Cell> costs_of(const Work& work, const Work& other, double points);
 inline const std::vector<std::string> cost_columns{"", "CPU s", "of the peer's", "wall s", "peak B a point"};
 

@@ -90,13 +90,13 @@ namespace {
 
 using Point = common::Vector3d;
 
-// The position or normal at a corner of the triangles.
+// Returns the position or normal at a corner of the triangles.
 Point corner(const std::vector<float>& numbers, const Scan& mesh, std::size_t index) {
   const common::Vector3f at = common::vector_at(std::span<const float>(numbers), mesh.triangles[index]);
   return {at.x, at.y, at.z};
 }
 
-// Adds the point of a triangle with these weights of the corners.
+// Adds the point of a triangle that has these weights of the corners.
 // Based on: T. Boubekeur, M. Alexa, Phong Tessellation, 2008, equation 4, with alpha 3/4.
 void add_sample(const Scan& mesh, std::size_t triangle, const std::array<double, 3>& weights, Scan& result) {
   Point flat, round, normal;

@@ -15,8 +15,8 @@ struct Scan {
   std::vector<std::uint32_t> triangles;   // [3 * triangles], may be empty
 };
 
-// NAME.ply or NAME.ply.zst of the folder: binary little endian, x y z [nx ny nz] floats first. Throws
-// std::runtime_error that says what is missing or wrong. Compressed files need the program zstd.
+// Reads NAME.ply or NAME.ply.zst from the folder. The file must be binary little endian, with x y z [nx ny nz] as its
+// first floats. Throws std::runtime_error with the missing or wrong part. Compressed files need the program zstd.
 Scan read_scan(const std::string& folder, const std::string& name);
 
 // Samples a mesh with normals at `count` points, evenly by area. The surface between the vertices is slightly rounded.

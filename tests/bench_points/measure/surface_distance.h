@@ -14,10 +14,10 @@ namespace glark::bench {
 
 class SurfaceDistance {
  public:
-  // The arrays must outlive it, and have at least one triangle.
+  // The arrays must outlive this object, and have at least one triangle.
   SurfaceDistance(std::span<const float> positions, std::span<const std::uint32_t> triangles);
   double squared(const std::array<double, 3>& point) const;
-  // The root mean square distance of the points [3 * count].
+  // Returns the root mean square distance of the points [3 * count].
   double rms(std::span<const float> points) const;
 
  private:
@@ -33,13 +33,13 @@ class SurfaceDistance {
   std::vector<std::uint32_t> begins_, entries_;
 };
 
-// Random points on the triangles, evenly by area: [3 * count]. They are the same every time.
+// Returns random points on the triangles, evenly by area: [3 * count]. They are the same every time.
 std::vector<float> samples_of(std::span<const float> positions, std::span<const std::uint32_t> triangles,
                               std::size_t count);
 
 struct Edges {
-  std::size_t boundary = 0;      // of one triangle
-  std::size_t non_manifold = 0;  // of more than two
+  std::size_t boundary = 0;      // edges of one triangle
+  std::size_t non_manifold = 0;  // edges of more than two triangles
 };
 Edges edges_of(std::span<const std::uint32_t> triangles);
 

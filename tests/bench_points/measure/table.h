@@ -11,7 +11,7 @@
 
 namespace glark::bench {
 
-// A cell: nothing, a word, or a number with so many digits after the point.
+// A cell: nothing, a word, or a number with `digits` digits after the point.
 struct Number {
   double value;
   int digits;
@@ -22,14 +22,14 @@ struct Table {
   std::string title;
   std::vector<std::string> columns;  // the first has the names of the rows
   std::vector<std::vector<Cell>> rows;
-  std::string note = {};  // below it
+  std::string note = {};  // printed below the table
 };
 
 std::string markdown_of(const std::vector<Table>& tables);
 std::string json_of(const std::vector<Table>& tables);
 
-// Replaces the text between the lines "<!-- glark-bench-points -->" and "<!-- end of glark-bench-points -->" of the
-// file. Throws std::runtime_error if these lines or the file are missing.
+// Replaces the text of the file between the lines "<!-- glark-bench-points -->" and "<!-- end of glark-bench-points
+// -->". Throws std::runtime_error if these lines or the file are missing.
 void replace_in(const std::string& file, const std::string& markdown);
 
 }  // namespace glark::bench

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL without memory: the core is given a dispatch whose glBufferData fails when told to. Links the core without the shim.
+// GL without memory: the core is given a dispatch whose glBufferData fails when told to. Links the core without the
+// shim.
 #include <GL/osmesa.h>
 #include <gtest/gtest.h>
 

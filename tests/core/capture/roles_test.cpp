@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which vertex attribute is taken for what.
+// Checks which role each vertex attribute gets.
 #include <gtest/gtest.h>
 
 #include "glark/core/capture/layout.h"
@@ -9,7 +9,7 @@
 namespace glark::capture {
 namespace {
 
-// Names; the locations are their places. vec3 all of them, but for names that end in 2 or 4.
+// Takes names; the location of each is its index. All are vec3, except names that end in 2 or 4.
 std::string roles(const std::vector<std::string>& names, const core::AttributeRoles& told = {}) {
   std::vector<Field> fields;
   for (const std::string& name : names) {

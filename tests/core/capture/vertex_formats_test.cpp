@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// How vertices lie in their buffers: every format, stride, offset and divisor; the picture stays.
+// Vertices in buffers: every format, stride, offset and divisor. The picture must not change.
 #include <cstring>
 
 #include "tests/core/support/program_scene.h"
@@ -41,7 +41,7 @@ const Format formats[] = {
     {"packed_floats", GL_UNSIGNED_INT_10F_11F_11F_REV, 3, GL_FALSE, 4, 1},
 };
 
-// Bytes that are colours in that format: fractions where they are numbers with a point, anything where they are integers.
+// Bytes that are colours in that format: fractions for floating-point formats, any value for integers.
 std::vector<GLubyte> colors_in(const Format& format, GLuint stride, int vertices) {
   std::vector<GLubyte> bytes(static_cast<std::size_t>(stride) * static_cast<std::size_t>(vertices));
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<GLubyte>(i * 83 + 40);
@@ -148,7 +148,8 @@ INSTANTIATE_TEST_SUITE_P(All, VertexFormatsInterleaved,
                                          GL_C4F_N3F_V3F, GL_T2F_V3F, GL_T2F_C4UB_V3F, GL_T2F_C3F_V3F, GL_T2F_N3F_V3F,
                                          GL_T2F_C4F_N3F_V3F, GL_T4F_V4F, GL_T4F_C4F_N3F_V4F));
 
-// All floats between 0 and 1, so that each of them may be any of the attributes. A colour of bytes is made of one of them.
+// All floats are between 0 and 1, so that each of them may be any of the attributes. Some colours are made from the
+// bytes of one float.
 TEST_P(VertexFormatsInterleaved, InterleavedArrays) {
   std::vector<GLfloat> data(15 * 9);
   for (std::size_t i = 0; i < data.size(); ++i) data[i] = static_cast<GLfloat>((i * i * 37 + 11 * i) % 101) / 101.0F;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What vertex stages read and write beyond plain floats: doubles, draw parameters, outputs that are linear on the screen.
+// Inputs and outputs of vertex stages beyond plain floats: doubles, draw parameters, outputs that are linear on the
+// screen.
 #include "tests/core/support/program_scene.h"
 #include "tests/core/support/scene.h"
 
@@ -52,7 +53,7 @@ TEST_P(VertexInputs, DoubleVectors) {
   expect_same_scene({4, GL_LINEAR_INPUTS_ARK}, draw);
 }
 
-// What differs far behind the digits of a float survives.
+// A difference far beyond the digits of a float survives.
 TEST_P(VertexInputs, DoublesAreCapturedExactly) {
   use("layout(location = 4) in dvec2 a; out vec3 c;\n", "c = vec3((a - dvec2(1.0LF, 2.0LF)) * 1.0e12LF, 0.5);\n");
   std::vector<GLdouble> data;
@@ -75,7 +76,7 @@ TEST_P(VertexInputs, DoubleMatrix) {
   expect_same_scene({4}, draw);
 }
 
-// More than an instance has attributes for: the records are read from a storage block.
+// There are more attributes than an instance can have: the records are read from a storage block.
 TEST_P(VertexInputs, MoreAttributesThanAnInstanceHas) {
   use("layout(location = 4) in mat4 m; layout(location = 8) in ivec3 n; out vec3 c;\n",
       "gl_Position = m * gl_Position; c = vec3(c.xy * m[3].w, float(n.z) / 7.0);\n");
@@ -97,7 +98,7 @@ TEST_P(VertexInputs, MoreAttributesThanAnInstanceHas) {
   });
 }
 
-// The bins of tags that vary, and the triangles whose number the GPU alone knows.
+// Uses the bins of tags that vary, and triangles whose number only the GPU knows.
 TEST_P(VertexInputs, ManyAttributesWithTagsAndWithRestart) {
   use("layout(location = 4) in mat4 m; out vec3 c;\n", "c = c * m[3].w;\n");
   for (GLuint column = 0; column < 4; ++column) glVertexAttrib4f(4 + column, 0, 0, 0, 0.7F);

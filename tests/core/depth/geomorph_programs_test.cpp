@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_GEOMORPH_ARK with the vertex stages that differ in how they are derived: fixed function, and programs with a geometry shader;
-// and under a budget, which moves measured depths from frame to frame. And the state.
+// GL_GEOMORPH_ARK with vertex stages that are derived in different ways: fixed function, and programs with a geometry
+// shader. Also under a budget, which moves measured depths from frame to frame, and the state.
 #include <cmath>
 
 #include "tests/core/support/measured_program.h"
@@ -61,7 +61,7 @@ GLuint tag_attribute() {
   return static_cast<GLuint>(attribute);
 }
 
-// White all over; a light makes the normals inputs of the vertex stage.
+// Draws in white; a light makes the normals inputs of the vertex stage.
 void shine() {
   constexpr GLfloat white[] = {1, 1, 1, 1};
   glEnable(GL_LIGHTING);
@@ -100,7 +100,7 @@ TEST(GeomorphPrograms, FixedFunctionFromBeginToEnd) {
   });
 }
 
-// The geometry shader sees what has moved: it draws every refined triangle twice.
+// The geometry shader sees the moved vertices: it draws every refined triangle twice.
 TEST(GeomorphPrograms, GeometryShader) {
   const OsmesaContext context(Profile::core);
   start(4);
@@ -171,7 +171,8 @@ class GeomorphBudget : public testing::Test {
   OsmesaContext context_{Profile::core};
 };
 
-// Frames that draw the mesh three times instead of once go beyond the budget: how its surface moves until they do not.
+// Frames that draw the mesh three times instead of once exceed the budget. Measures how the surface moves until they do
+// not.
 TEST_F(GeomorphBudget, DepthsGlideWhenTheLoadChanges) {
   for (const bool morphs : {true, false}) {
     glARKParameteriARK(GL_GEOMORPH_ARK, morphs ? GL_TRUE : GL_FALSE);
@@ -203,7 +204,7 @@ TEST_F(GeomorphBudget, DepthsGlideWhenTheLoadChanges) {
   }
 }
 
-// Far beyond the budget it comes first.
+// Far beyond the budget, keeping the budget is more important than smooth changes.
 TEST_F(GeomorphBudget, AGreatExcessIsNotWaitedFor) {
   glARKParameteriARK(GL_EDGE_PIXELS_ARK, 1);
   glARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 200);

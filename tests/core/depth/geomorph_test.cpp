@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_GEOMORPH_ARK (section 11.R.14), read back through transform feedback: no cracks at any fraction, whole depths have the vertices
-// that they have without it, and the surface is a continuous function of the tags. The control of the last is the same path of tags
-// without geomorphing, which jumps.
+// GL_GEOMORPH_ARK (section 11.R.14), read back through transform feedback. There are no cracks at any fraction. Whole
+// depths have the same vertices as without geomorphing. The surface is a continuous function of the tags. The control
+// for continuity is the same path of tags without geomorphing, where the surface jumps.
 #include <cmath>
 #include <map>
 #include <random>
@@ -42,7 +42,7 @@ constexpr Corner corner_b{{1.07F, 0.59F, -0.41F}, {0.7F, 0.3F, 1.1F}, 0};
 constexpr Corner corner_c{{-0.93F, 0.77F, 0.21F}, {-0.6F, 0.4F, 0.8F}, 0};
 constexpr Corner corner_d{{1.31F, -1.03F, -0.17F}, {0.5F, -0.9F, 0.7F}, 0};
 
-// Mixed of equal numbers in thirds, where there are three.
+// With three parents, the number is a mix of equal numbers in thirds, so it is rounded.
 std::size_t triangle_of(const RefinedVertex& vertex) { return static_cast<std::size_t>(std::lround(vertex.triangle)); }
 
 Corner tagged(Corner corner, GLfloat tag) {
@@ -54,7 +54,7 @@ struct TaggedMesh {
   std::vector<CurvedVertex> vertices;
   std::vector<GLfloat> tags;
 
-  // Weights are those of the corners, in this order, wherever `rotation` begins.
+  // Weights belong to the corners in this order, for every `rotation`.
   void add(const std::array<Corner, 3>& corners, int rotation, std::size_t number) {
     for (int k = 0; k < 3; ++k) {
       const auto corner = static_cast<std::size_t>((k + rotation) % 3);
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(All, GeomorphCurved,
                                          Way{Language::glsl_450_core, GL_LINEAR_INPUTS_ARK}),
                          name_of);
 
-// Both triangles of a pair share the edge A-B; their third corners and so all that is inside differ.
+// Both triangles of a pair share the edge A-B. Their third corners differ, and so do all inner vertices.
 TEST_P(Geomorph, SharedEdgesHaveTheSameBits) {
   constexpr std::size_t pairs = 400;
   std::mt19937 random(5);
@@ -152,8 +152,8 @@ TEST_P(Geomorph, ClosedMeshesStayClosed) {
   }
 }
 
-// Points inside that geomorphing alone has: the one in the middle of a shallow triangle, and the interior that a single shallow
-// edge takes away otherwise.
+// The inner points that only geomorphing has: the centre of a shallow triangle, and the interior that a single shallow
+// edge removes without geomorphing.
 std::size_t added_points(GLfloat a, GLfloat b, GLfloat c) {
   std::array<int, 3> depths{static_cast<int>(a + b) / 2, static_cast<int>(b + c) / 2, static_cast<int>(c + a) / 2};
   std::sort(depths.begin(), depths.end());
@@ -267,7 +267,7 @@ struct Motion {
   double whole = 0;    // from the first step to the last
 };
 
-// How far the surface moves over fixed points while the tags go along a path.
+// Measures how far the surface moves over fixed points while the tags follow a path.
 Motion motion_of(const std::vector<Surface>& path) {
   Motion motion;
   for (const auto& point : sample_points()) {
@@ -313,14 +313,15 @@ TEST_P(GeomorphCurved, TheSurfaceIsContinuousInTheTags) {
       }
       motions[morphs ? 0 : 1] = motion_of(surfaces);
     }
-    // 64 steps take a level, and the first levels move most: a pop would be the whole way of a level at once.
+    // A level has 64 steps, and the first levels move most. A pop would move a whole level at once.
     EXPECT_LT(motions[0].largest, 0.08 * motions[0].whole);
     EXPECT_GT(motions[1].largest, 0.25 * motions[1].whole);
   }
 }
 
-// Between two triples of whole depths the surface is nowhere much farther from the limit, that of the deepest level, than one of
-// the two that GL_GEOMORPH_ARK FALSE draws; with a single point inside, where that has none, somewhat.
+// Between two triples of whole depths, the surface is nowhere much farther from the limit (the deepest level) than one
+// of the two surfaces without GL_GEOMORPH_ARK. It may be somewhat farther where it has a single inner point and they
+// have no inner point.
 TEST_P(GeomorphCurved, FractionsAreAsGoodAsTheWholeDepthsAbout) {
   const auto points = sample_points();
   const auto surfaces_of = [](bool morphs, std::array<Corner, 3> corners, std::size_t moved, std::size_t count) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Measured depths (section 11.R.4), read back through transform feedback: no cracks whatever the camera, and the depth of an
-// edge is that of its length on the screen or of the turn between its normals.
+// Measured depths (section 11.R.4), read back through transform feedback. There are no cracks for any camera. The depth
+// of an edge follows from its length on the screen, or from the turn between its normals.
 #include <algorithm>
 #include <random>
 #include <set>
@@ -87,7 +87,8 @@ std::vector<CurvedVertex> turned(const Mesh& mesh, std::mt19937& random) {
   return vertices;
 }
 
-// The camera is outside, in the mesh (ends behind the eye), in a corner and on an edge (ends and edges through the eye).
+// The camera is outside, in the mesh (ends behind the eye), in a corner and on an edge (ends and edges through the
+// eye).
 TEST_P(MeasureRefinement, ClosedMeshesHaveNoCracks) {
   glARKParameteriARK(GL_REFINEMENT_ARK, static_cast<GLint>(GetParam()));
   std::mt19937 random(11);
@@ -106,7 +107,8 @@ TEST_P(MeasureRefinement, ClosedMeshesHaveNoCracks) {
   EXPECT_GT(sizes.size(), 10U) << "the depths do not follow the camera";
 }
 
-// A fan of many triangles about the whole mesh's edges goes through the bins, the mesh itself does not: they agree on depths.
+// A fan of many triangles about all edges of the mesh goes through the bins; the mesh itself does not. Their depths
+// must agree.
 TEST_P(MeasuredDepths, SmallAndLargeDrawsMeet) {
   std::mt19937 random(5);
   const Mesh sphere = icosahedron();

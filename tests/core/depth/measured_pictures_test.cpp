@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Pictures of draws with measured depths, what they read, and the budget.
+// Pictures of draws with measured depths, the state that these draws read, and the budget.
 #include "tests/core/support/measured_program.h"
 #include "tests/core/support/scene.h"
 
 namespace glark::core::test {
 namespace {
 
-// draw() gives the same picture refined by measured depths as without, of more triangles.
+// draw() gives the same picture refined by measured depths as unrefined, with more triangles.
 template <typename Draw>
 void expect_same_picture(GLuint coarse_triangles, Draw&& draw) {
   glDisable(GL_ARK);
@@ -66,7 +66,7 @@ TEST_F(MeasuredPictures, InPerspective) {
   }
 }
 
-// The numbers that sort the triangles are no indices of the application's.
+// Primitive restart must not apply to the indices that sort the triangles.
 TEST_F(MeasuredPictures, RestartAtASmallIndex) {
   constexpr GLfloat rows[9][2] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
   constexpr GLuint two_strips[] = {3, 0, 4, 1, 5, 2, 9, 6, 3, 7, 4, 8, 5};
@@ -107,7 +107,7 @@ TEST_F(MeasuredPictures, FixedFunctionOfEveryKind) {
   EXPECT_LT(generated_primitives, near);
 }
 
-// Small draws keep the order of their triangles, whatever their patterns: the picture of a painter.
+// Small draws keep the order of their triangles, in all patterns: later triangles cover earlier ones.
 TEST_F(MeasuredPictures, OrderOfASmallDraw) {
   const GLuint program = link_measured_program();
   glUseProgram(program);
@@ -130,7 +130,7 @@ TEST_F(MeasuredPictures, OrderOfASmallDraw) {
   expect_same_picture(40, [] { glDrawArrays(GL_TRIANGLES, 0, 120); });
 }
 
-// The viewport is followed whoever changes it.
+// glark follows the viewport, no matter which call changes it.
 TEST_F(MeasuredPictures, ViewportsOfListsAndStacks) {
   const GLuint program = link_measured_program();
   draw_with(program, 1);
@@ -160,7 +160,7 @@ TEST_F(MeasuredPictures, ViewportsOfListsAndStacks) {
   EXPECT_LT(triangles(), whole);
 }
 
-// Passes of ours use the same storage bindings.
+// glark's own passes use the same storage bindings.
 TEST_F(MeasuredPictures, VertexStageReadsStorage) {
   const GLuint program =
       link_program({.vertex = "#version 430\nlayout(location = 0) in vec3 position;\n"
@@ -211,7 +211,7 @@ TEST_F(MeasuredPictures, TheBudgetIsKeptAndUsed) {
   EXPECT_GT(frame(), 2 * budget);
 }
 
-// More coarse triangles than the budget: all are drawn, and the depths come back with the room.
+// The mesh has more coarse triangles than the budget. All are drawn, and the depths come back when there is room.
 TEST_F(MeasuredPictures, ABudgetThatCannotBeKept) {
   const GLuint program = link_measured_program();
   draw_with(program, 20);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Indexed and instanced draws, in both profiles, each by one application's call.
+// Indexed and instanced draws, in both profiles, each by one call of the application.
 #include <cstdint>
 
 #include "tests/core/support/modes.h"
@@ -44,7 +44,7 @@ std::vector<Index> indices_of(const Grid& grid) {
   return {grid.indices.begin(), grid.indices.end()};
 }
 
-// gl_InstanceID moves, the attribute `shift` (divisor 1) moves and colours.
+// gl_InstanceID moves the shape; the attribute `shift` (divisor 1) moves and colours it.
 const char* const vertex_shader = R"(#version 430 core
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec3 color;
@@ -205,7 +205,7 @@ TEST_P(DrawsElements, MultiElementsIndirect) {
   expect_same_scene({16 + 32}, [] { glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, 2, 0); });
 }
 
-// The number of commands is in a buffer too.
+// The number of commands is in a buffer, too.
 TEST_P(DrawsElements, IndirectWithACountOfTheGpu) {
   upload<GLushort>();
   const auto arrays = proc<PFNGLMULTIDRAWARRAYSINDIRECTCOUNTARBPROC>("glMultiDrawArraysIndirectCountARB");
@@ -249,7 +249,7 @@ TEST_P(DrawsElements, RestartInAMultiDraw) {
   expect_same_scene({7}, [&] { glMultiDrawElements(GL_TRIANGLE_STRIP, count, GL_UNSIGNED_SHORT, offsets, 2); });
 }
 
-// An index of restart that lies in the pool's own index range must not cut patterns.
+// A restart index within the index range of the pool must not cut patterns.
 TEST_P(DrawsElements, RestartEnabledWithoutRestarts) {
   upload<GLushort>();
   glEnable(GL_PRIMITIVE_RESTART);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// OpenGL ES 3.2 through EGL without a surface: refinement by tags and by a uniform depth, errors, and what is kept.
+// OpenGL ES 3.2 through EGL without a surface: refinement by tags and by a uniform depth, errors, and kept captures.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES3/gl32.h>
@@ -213,7 +213,8 @@ TEST_F(Es, MeasuredDepths) {
   expect_same_picture(2 * 6, draw_strip);
 }
 
-// Depths between two levels: as many triangles as the finer one has, but for corners and the middle, which are cut otherwise.
+// Depths between two levels: as many triangles as the finer level, except for corners and the middle, which are cut in
+// another way.
 TEST_F(Es, Geomorphing) {
   glARKinit(4);
   glARKParameteriARK(GL_GEOMORPH_ARK, GL_TRUE);
@@ -227,11 +228,11 @@ TEST_F(Es, Geomorphing) {
     glVertexAttrib1f(static_cast<GLuint>(attribute), tag);
     expect_same_picture(2 * 6, draw_strip);
   }
-  glDepthTag1i(1);  // cut as fractions are, too, and not as a uniform pattern
+  glDepthTag1i(1);  // cut like a fraction, not as a uniform pattern
   expect_same_picture(2 * 6, draw_strip);
 }
 
-// The middle of an edge is half of the way from the middle of its ends to its own place, by the square that the vertex stage takes.
+// The middle of an edge is half way from the middle of its ends to its own place. The vertex stage squares positions.
 TEST_F(Es, GeomorphingMovesVertices) {
   const GLuint bent = glCreateProgram();
   attach(bent, GL_VERTEX_SHADER,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which draws transparent refinement leaves as they are, rule by rule. Links the core without the shim, so that each test has
-// options of its own and reads the counters.
+// Checks each rule by which transparent refinement leaves draws unrefined. Links the core without the shim, so that
+// each test has its own options and reads the counters.
 #include <GL/osmesa.h>
 #include <gtest/gtest.h>
 
@@ -96,7 +96,7 @@ class ExemptDraws : public testing::Test {
     return all;
   }
 
-  // "refined", or the cause for which it was not.
+  // Returns "refined", or the cause why the draw was not refined.
   std::string draw(int triangles) {
     const std::vector<GLfloat> vertices(static_cast<std::size_t>(triangles) * 12, 0.25F);
     real.VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, vertices.data());
@@ -145,7 +145,7 @@ TEST_F(ExemptDraws, PassesThatMeetByDepthAreRefined) {
     EXPECT_EQ(draw(8), "refined");
     EXPECT_EQ(draw(2), "refined");
   }
-  test_depth(GL_ALWAYS, true);  // what is written is met later
+  test_depth(GL_ALWAYS, true);  // later draws meet the written depth
   EXPECT_EQ(draw(2), "refined");
 }
 
@@ -284,7 +284,7 @@ TEST(SourceHash, IsTheSameInEveryVersion) {
   EXPECT_EQ(hash_text(source_hash({{GL_VERTEX_SHADER, text}})), "d1098884e0dc9531");
 }
 
-// Two triangles of a quad, or four about its centre, by four each.
+// The two triangles of a quad, or the four about its centre, become four triangles each.
 TEST_F(ExemptDraws, QuadsAreSplitAtTheirCentresOnRequest) {
   for (const bool centroids : {false, true}) {
     start({.centroids = centroids});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Programs at the limits: very large ones, malformed ones, and those without source.
+// Programs at the limits: very large ones, malformed ones, and ones without source.
 #include "tests/core/support/program_scene.h"
 #include "tests/core/support/scene.h"
 #include "tests/core/support/spirv_shaders.h"
@@ -11,7 +11,7 @@ namespace {
 
 class ExtremePrograms : public ProgramScene {
  protected:
-  // The same picture as without us, of the coarse triangles alone.
+  // The picture is the same as without glark, with only the coarse triangles.
   static void expect_left_alone() {
     glDisable(GL_ARK);
     const Picture plain = picture_of(draw);
@@ -128,7 +128,7 @@ TEST_P(ExtremePrograms, ProgramFromABinary) {
   expect_left_alone();
 }
 
-// Not in shader objects that had GLSL before: Mesa 22.3 then frees memory twice.
+// This test needs new shader objects: if they had GLSL before, Mesa 22.3 frees memory twice.
 TEST_P(ExtremePrograms, Spirv) {
   const auto specialize = proc<PFNGLSPECIALIZESHADERPROC>("glSpecializeShader");
   const GLuint program = glCreateProgram();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The fixed function, and programs that have only one of its stages; the picture stays.
+// The fixed function, and programs that have only one of its stages. The picture must not change.
 #include "tests/core/support/modes.h"
 #include "tests/core/support/programs.h"
 #include "tests/core/support/scene.h"
@@ -51,7 +51,7 @@ TEST_F(FixedFunction, TwoSidedProgram) {
   });
 }
 
-// More triangles in one glBegin than are captured at once: most of them are of no area.
+// One glBegin has more triangles than one capture holds. Most of them have no area.
 TEST_F(FixedFunction, ImmediateTrianglesWithoutEnd) {
   constexpr GLuint triangles = 500'000;
   glColor3f(1, 0.5F, 0.25F);

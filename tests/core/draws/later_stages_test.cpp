@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What follows the vertex stage: geometry shaders, and framebuffers that take integers; and records of many lengths.
+// Stages after the vertex stage: geometry shaders, and framebuffers with integers. Also records of many lengths.
 #include "tests/core/support/modes.h"
 #include "tests/core/support/programs.h"
 #include "tests/core/support/scene.h"
@@ -26,7 +26,7 @@ class LaterStages : public testing::TestWithParam<Profile> {
 
 INSTANTIATE_TEST_SUITE_P(All, LaterStages, testing::Values(Profile::compatibility, Profile::core), profile_name);
 
-// To a geometry shader every vertex has its own value of a `flat` output, so it may hold what differs in a triangle.
+// A geometry shader sees the value of a `flat` output at every vertex, so the value may differ within a triangle.
 TEST_P(LaterStages, GeometryShaderReadsFlatOutputsOfEveryVertex) {
   glUseProgram(link_program(
       {.vertex = inputs + "flat out vec2 place; out vec3 tint;\nvoid main() { place = position; tint = color; }\n",
@@ -39,7 +39,7 @@ TEST_P(LaterStages, GeometryShaderReadsFlatOutputsOfEveryVertex) {
   expect_same_scene({4, GL_LINEAR_INPUTS_ARK}, draw);
 }
 
-// A triangle goes if all its corners are outside: not the refined ones at one corner.
+// A triangle is culled if all its corners are outside. Refined triangles at one outside corner are not culled.
 TEST_P(LaterStages, CullDistances) {
   glUseProgram(link_program(
       {.vertex =
@@ -79,7 +79,7 @@ TEST_P(LaterStages, IntegerFramebuffer) {
   }
 }
 
-// The buffer of captures grows by half, whatever its size: ranges of it must stay bindable.
+// The capture buffer grows by half, from any size: its ranges must stay bindable.
 TEST(LaterStagesImmediate, RecordsOfEveryLengthInOneContext) {
   const OsmesaContext context(Profile::compatibility);
   for (const int units : {0, 1, 2, 3, 5, 7}) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Programs that are more than one name: subroutines, separate programs in pipelines, links that fail.
+// Subroutines, separate programs in pipelines, and links that fail.
 #include "tests/core/support/program_scene.h"
 #include "tests/core/support/scene.h"
 
@@ -177,7 +177,7 @@ TEST_P(ProgramPipelines, DeletedProgramsAndNoVertexStage) {
   EXPECT_EQ(pending_errors(), "");
 }
 
-// Vertices that transform feedback has captured: the GPU alone knows how many.
+// Draws vertices that transform feedback has captured: only the GPU knows their number.
 TEST_P(ProgramStages, DrawsFromTransformFeedback) {
   const GLuint recorder = link_program(
       {.vertex = inputs +
@@ -205,7 +205,7 @@ TEST_P(ProgramStages, DrawsFromTransformFeedback) {
   expect_same_scene({8}, [&] { glDrawTransformFeedbackInstanced(GL_TRIANGLE_FAN, feedback[1], 2); });
 }
 
-// What ran before a link that fails stays in use.
+// After a failed link, the previous executable stays in use.
 TEST_P(ProgramStages, FailedRelinkOfTheProgramInUse) {
   const GLuint program = use("out vec3 c;\n", "");
   expect_same_scene({4}, draw);

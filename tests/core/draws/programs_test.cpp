@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Programs of the application: every kind of input, uniform and life cycle; the picture stays.
+// Programs of the application: every kind of input, uniform and life cycle. The picture must not change.
 #include "tests/core/support/program_scene.h"
 #include "tests/core/support/scene.h"
 
@@ -50,7 +50,7 @@ TEST_P(DrawsPrograms, DoubleMatrixUniformSetBeforeTheFirstDraw) {
   expect_same_scene({4}, draw);
 }
 
-// The first refined draw makes its programs while a feedback of the application is open.
+// The first refined draw builds its programs while the application's transform feedback is open.
 TEST_P(DrawsPrograms, FirstDrawWhileTransformFeedbackIsPaused) {
   const GLuint recorder = glCreateProgram();
   const char* source = "#version 430\nout float x;\nvoid main() { x = 1.0; gl_Position = vec4(0.0); }\n";

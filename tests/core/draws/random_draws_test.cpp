@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Random programs: draws, writes of buffers, current values, vertex arrays and display lists in any order, in two contexts at once. One
-// draws as the application asked, the other refined by outputs; after every step both show the same picture and have the same current
-// values. Asking for them each time also keeps the plain driver in order: Mesa 22.3 sometimes draws with stale ones otherwise.
+// Random programs: draws, writes of buffers, current values, vertex arrays and display lists in any order, in two
+// contexts at once. One context draws unrefined, the other one refines by outputs. After every step, both must show the
+// same picture and have the same current values. Reading these each time also keeps the plain driver in order:
+// otherwise Mesa 22.3 sometimes draws with stale values.
 #include <array>
 #include <cstring>
 #include <functional>
@@ -218,8 +219,9 @@ class Script {
             }};
   }
 
-  // Mesa 22.3 crashes or draws wrong where an attribute appears after the first vertex in a list, and forgets current values that lists set
-  // among draws: the glBegins of one list set all attributes, or none. It also executes glShadeModel before the vertices that it follows.
+  // Mesa 22.3 crashes or draws wrong if an attribute appears after the first vertex in a list. It also forgets current
+  // values that lists set between draws. So the glBegins of one list set all attributes, or no attribute.
+  // Mesa 22.3 also executes glShadeModel before the vertices that precede it.
   Step compile() {
     const GLuint list = pick(lists);
     const GLenum mode = pick(4) == 0 ? GL_COMPILE_AND_EXECUTE : GL_COMPILE;

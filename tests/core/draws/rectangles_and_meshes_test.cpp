@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glRect and evaluator meshes: GL may draw them refined or not (11.R "Refined Drawing Commands"), the picture stays.
+// glRect and evaluator meshes: GL may refine them or not (11.R "Refined Drawing Commands"). The picture must not
+// change.
 #include "tests/core/support/modes.h"
 #include "tests/core/support/scene.h"
 
@@ -10,7 +11,7 @@ namespace {
 
 class RectanglesAndMeshes : public testing::Test {
  protected:
-  // The picture with GL_ARK and without it, and state kept; the number of triangles is free.
+  // The picture with GL_ARK is the picture without it, and the state is kept; the number of triangles is free.
   template <typename Draw>
   void expect_same_picture(Draw&& draw) {
     const Picture plain = picture_of(draw);

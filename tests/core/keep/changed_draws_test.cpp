@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Unchanged draws may reuse what was captured; whatever changes their vertices must be seen. Each test draws twice, so that
-// a capture is kept, changes the source in one way, and compares with the unrefined picture; or counts what is captured.
+// Unchanged draws may reuse captures. Every change of their vertices must be seen. Each test draws twice, so that a
+// capture is kept, and changes the source in one way. Then it compares with the unrefined picture, or counts captures.
 #include <thread>
 
 #include "tests/core/support/kept_scene.h"
@@ -39,7 +39,7 @@ TEST_P(ChangedDraws, MapRangeWithFlush) {
   });
 }
 
-// Written while it stays mapped: nothing tells us.
+// The buffer is written while it stays mapped, which glark cannot see.
 TEST_P(ChangedDraws, PersistentMap) {
   const GLuint buffer = make_buffer(GL_ARRAY_BUFFER, std::vector<GLubyte>());
   glDeleteBuffers(1, &buffer);
@@ -92,7 +92,7 @@ TEST_P(ChangedDraws, NamedBuffersOfEveryKind) {
   expect_captured_again(draw_arrays, [&] { glInvalidateBufferData(vertices_); });
 }
 
-// From EXT_direct_state_access.
+// These functions are from EXT_direct_state_access.
 TEST_P(ChangedDraws, NamedBuffersOfTheExtension) {
   if (GetParam() == Profile::core) GTEST_SKIP() << "compatibility contexts only";
   const auto data = proc<PFNGLNAMEDBUFFERDATAEXTPROC>("glNamedBufferDataEXT");
@@ -182,7 +182,8 @@ TEST_P(ChangedDraws, ImageOfABufferTexture) {
   });
 }
 
-// Stored by a draw that is not refined, and without the barrier that OpenGL asks for but this driver does without.
+// A draw that is not refined stores to the buffer. The test omits the barrier that OpenGL asks for, because this driver
+// does without.
 TEST_P(ChangedDraws, FragmentShaderOfAnotherDraw) {
   const GLuint writer = link_program(
       {.vertex = "#version 430\nvoid main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); gl_PointSize = 1.0; }\n",
@@ -291,7 +292,7 @@ TEST_P(ChangedDraws, BufferDeletedAndMadeAgain) {
   });
 }
 
-// The name goes to another object, while a vertex array that is not bound keeps the old one.
+// Another object gets the name, while a vertex array that is not bound keeps the old object.
 TEST_P(ChangedDraws, NameOfADeletedBufferThatIsStillAttached) {
   if (GetParam() == Profile::core) GTEST_SKIP() << "names cannot be chosen there";
   GLuint other = 0;
@@ -354,7 +355,7 @@ TEST_P(ChangedDraws, ElementsOfAnArrayBoundAgain) {
   });
 }
 
-// A capture under a condition that fails has nothing; it must not be kept.
+// If a condition fails, the capture is empty and must not be kept.
 TEST_P(ChangedDraws, ConditionalRendering) {
   GLuint query = 0;
   glGenQueries(1, &query);

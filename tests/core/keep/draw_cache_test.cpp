@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The bounds of what is kept, over a GL that only hands out names.
+// The limits of the cache, over a GL that only hands out names.
 #include "glark/core/keep/draw_cache.h"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST_F(DrawCacheBounds, WrittenBuffersAndTheirNeighbours) {
   EXPECT_EQ(ask(), DrawCache::Answer::keep);
   stamps_->wrote(5, 2);
   EXPECT_EQ(ask(), DrawCache::Answer::fresh);
-  stamps_->gpu_wrote(3);  // was never bound for it
+  stamps_->gpu_wrote(3);  // the buffer was never bound for GPU writes
   EXPECT_EQ(ask(), DrawCache::Answer::keep);
   stamps_->gpu_may_write(5);
   EXPECT_EQ(ask(), DrawCache::Answer::fresh);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Display lists and the fixed function: their captures are kept as long as the current values that they inherit are the same,
-// and what a kept list leaves behind is what GL would leave.
+// Display lists and the fixed function: captures are kept while the current values that they inherit stay the same. A
+// kept list leaves the current values that GL would leave.
 #include <array>
 #include <utility>
 
@@ -42,7 +42,7 @@ TEST_F(KeptLists, ListIsKept) {
   expect_kept([list] { glCallList(list); }, [] { glTranslatef(0.001F, 0, 0); });
 }
 
-// It sets all that its vertices have: nothing that happens to the current values matters.
+// The list sets all attributes of its vertices, so changed current values do not matter.
 TEST_F(KeptLists, ListInheritsNothing) {
   const GLuint list = compile([] { draw_immediate(strip()); });
   const GLuint unseen = compile([] { glPopAttrib(); });
@@ -122,7 +122,7 @@ TEST_F(KeptLists, ColorRestoredByPopAttribOfAList) {
   expect_seen([list] { glCallList(list); }, [pop] { glCallList(pop); });
 }
 
-// Its first vertices inherit, and its last colour stays.
+// The first vertices of the list inherit a colour, and the list's last colour stays.
 TEST_F(KeptLists, LateColorInTheList) {
   const GLuint list = compile([] {
     glBegin(GL_TRIANGLE_STRIP);
@@ -182,7 +182,7 @@ TEST_F(KeptLists, WhatAKeptListLeavesBehind) {
   EXPECT_EQ(pending_errors(), "");
 }
 
-// No attribute stands for it: such lists are executed each time.
+// No attribute stands for a material, so such lists are executed each time.
 TEST_F(KeptLists, MaterialOfAListStays) {
   glEnable(GL_LIGHTING);
   const GLuint list = compile([] {
@@ -265,7 +265,7 @@ TEST_F(KeptFixedFunction, ArraysEnabledAndDisabled) {
   expect_seen(draw, [] { glDisableClientState(GL_COLOR_ARRAY); });
 }
 
-// As client states, by the functions for capabilities.
+// Arrays are enabled as client states, but by the functions for capabilities.
 TEST_F(KeptFixedFunction, ArraysEnabledAsCapabilities) {
   glColor3f(1, 0.5F, 0);
   glColorPointer(3, GL_FLOAT, sizeof(ColoredVertex), byte_offset(sizeof(ColoredVertex::position)));
@@ -295,7 +295,7 @@ TEST_F(KeptFixedFunction, RestartEnabled) {
   expect_seen(draw_strip, [] { glDisableClientState(GL_PRIMITIVE_RESTART_NV); });
 }
 
-// It binds the generic binding point as well, like glBindBufferBase.
+// glBindBufferOffsetEXT binds the generic binding point as well, like glBindBufferBase.
 TEST_F(KeptFixedFunction, WrittenThroughAnOffsetBinding) {
   const auto bind = proc<PFNGLBINDBUFFEROFFSETEXTPROC>("glBindBufferOffsetEXT");
   if (bind == nullptr) GTEST_SKIP() << "no glBindBufferOffsetEXT here";

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What does not change is not captured again, whatever else the program does: arrays, current values, bins.
+// Unchanged draws are not captured again, no matter what else the program does: arrays, current values, bins.
 #include "tests/core/support/kept_scene.h"
 
 namespace glark::core::test {
@@ -48,7 +48,7 @@ TEST_P(UnchangedDraws, GpuWritesOfOtherBuffers) {
   });
 }
 
-// A program without a vertex array of its own for each object points anew before each draw.
+// A program without one vertex array per object sets its pointers again before each draw.
 TEST_P(UnchangedDraws, PointersSetAnew) {
   const GLuint other = make_buffer(GL_ARRAY_BUFFER, two());
   const auto draw = [&] {
@@ -77,7 +77,7 @@ TEST_P(UnchangedDraws, PointersSetAnewShowTheirBuffers) {
   }
 }
 
-// The format is part of what is kept, however it is set.
+// The format is part of the key, no matter which call sets it.
 TEST_P(UnchangedDraws, FormatsShow) {
   const auto shown = [](const std::function<void()>& format) {
     format();
@@ -185,7 +185,7 @@ TEST_P(UnchangedDrawsTags, InteriorAndPool) {
   EXPECT_LE(differing_pixels(plain, picture_of(draw_arrays)), tolerated_pixels);
 }
 
-// What a context keeps is deleted by others of the share group when it is gone.
+// After a context is gone, other contexts of the share group delete its kept buffers.
 TEST(UnchangedDrawsSharing, ContextGoesFirst) {
   OsmesaContext first(Profile::core);
   {
@@ -206,7 +206,7 @@ TEST(UnchangedDrawsSharing, ContextGoesFirst) {
   EXPECT_EQ(pending_errors(), "");
 }
 
-// What the ring of captures holds from earlier draws must not be drawn in place of a draw that GL rejects.
+// The ring of captures holds earlier draws. They must not be drawn in place of a draw that GL rejects.
 void expect_rejected(const std::string& errors, const std::function<void()>& draw) {
   for (int i = 0; i < 4; ++i) {
     const Picture picture = picture_of(draw);
@@ -216,8 +216,8 @@ void expect_rejected(const std::string& errors, const std::function<void()>& dra
   }
 }
 
-// A negative number is known before; that GL rejects the others is known by its error alone, after the capture of as many triangles
-// as they ask for.
+// A negative number is known before the draw. Other rejections are known only by GL's error, after the capture of as
+// many triangles as the draws ask for.
 TEST_P(UnchangedDraws, RejectedDrawsDrawNothing) {
   const Picture drawn = picture_of(draw_arrays);
   expect_rejected("0x0501 ", [] {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// No cracks, ever: sections 11.R.5 (patterns) and 11.R.8 (shared edges), read back through transform feedback.
+// There are no cracks: sections 11.R.5 (patterns) and 11.R.8 (shared edges), read back through transform feedback.
 //
-// Plan: two triangles share the edge A-B. For every triple of tags, every rotation of both triangles and both orientations
-// of the second one, the refined vertices along A-B are the same bits from both sides, 2^d segments of them. The control is
-// SharedEdgeOfDifferentTags: with different tags at A the sides must differ.
+// Plan: two triangles share the edge A-B. The refined vertices along A-B have the same bits from both sides, and make
+// 2^d segments. This holds for every triple of tags, every rotation of both triangles and both orientations of the
+// second one. The control is SharedEdgeOfDifferentTags: with different tags at A the sides must differ.
 #include <algorithm>
 #include <random>
 #include <set>
@@ -62,7 +62,7 @@ void append_triangle(std::vector<CurvedVertex>& mesh, const std::array<Corner, 3
                         {},
                         static_cast<GLfloat>(number),
                         static_cast<GLubyte>(corners[corner].tag)};
-    vertex.weights[corner] = 1;  // of A, B and the third corner, whatever the rotation
+    vertex.weights[corner] = 1;  // of A, B and the third corner, for every rotation
     mesh.push_back(vertex);
   }
 }

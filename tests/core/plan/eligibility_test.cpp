@@ -63,7 +63,7 @@ TEST(Eligibility, TransparentRefinementDoesNotShowInQueries) {
   EXPECT_EQ(setting.check(), Cause::primitive_query);
 }
 
-// To count the triangles of such a draw, one of the two queries would have to be free.
+// Counting the triangles of such a draw takes one of the two queries.
 TEST(Eligibility, AnInexactDrawNeedsAQuery) {
   Setting setting{.exact = false};
   setting.bindings.primitives_written_query = 1;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "glark/core/refinement.h"
+#include "glark/core/context_options.h"
 
 namespace glark::core {
 namespace {

@@ -17,7 +17,7 @@ TEST(ProgramChoice, AProgramWithAVertexStage) {
   EXPECT_EQ(choice.stage, VertexStage::program);
 }
 
-// Whether a program from a binary has a vertex stage is not known: the builder says so later.
+// It is unknown whether a program from a binary has a vertex stage. The builder finds out later.
 TEST(ProgramChoice, AProgramFromABinary) {
   const Program program;
   EXPECT_EQ(choose_program({.program = 1}, &program, false).stage, VertexStage::program);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_POLYGON_CENTROID_ARK by every drawing command that can have several polygons: they give the very triangles, bit by bit, that the
-// polygons give one by one (which centroid_test.cpp checks against the neighbours of their edges).
+// GL_POLYGON_CENTROID_ARK by every drawing command that can have several polygons. Each command gives the same
+// triangles, bit by bit, as the polygons drawn one by one. centroid_edges_test.cpp checks those against the neighbours
+// of their edges.
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -17,7 +18,7 @@ namespace {
 constexpr GLuint level = 4;
 constexpr std::size_t most = 100000;
 
-// Polygons of so many vertices, one after the other; of two vertices no polygon comes.
+// The numbers of vertices of polygons that follow one another. Two vertices make no polygon.
 const std::vector<GLsizei> sizes = {3, 5, 2, 4, 7, 6};
 
 std::vector<GLint> firsts() {
@@ -131,7 +132,7 @@ TEST_F(CentroidCommands, IndirectDraws) {
                   [] { draw_one_by_one(GL_POLYGON); });
 }
 
-// The GPU tells that fewer polygons are drawn than there could be.
+// A buffer on the GPU says that fewer polygons are drawn than the command allows.
 TEST_F(CentroidCommands, IndirectDrawsWithACountOfTheGpu) {
   const auto draw = proc<PFNGLMULTIDRAWARRAYSINDIRECTCOUNTARBPROC>("glMultiDrawArraysIndirectCountARB");
   std::vector<GLuint> commands;
@@ -179,7 +180,7 @@ TEST_F(CentroidCommands, MultiDrawsOfAList) {
   }
 }
 
-// Between 0 and 1 of the way from a corner to the centroid, depths are fractions, too.
+// Edges from a corner to the centroid have fractional depths, too.
 TEST_F(CentroidCommands, Geomorphing) {
   glARKParameteriARK(GL_GEOMORPH_ARK, GL_TRUE);
   const std::vector<GLint> first = firsts();
@@ -188,8 +189,8 @@ TEST_F(CentroidCommands, Geomorphing) {
       [] { draw_one_by_one(GL_POLYGON); });
 }
 
-// A quad in the plane of the screen, 32 by 32 pixels of 64: edges of 32 pixels are cut in 4 where 8 pixels are asked for, those to the
-// centre (22.6) in 4 as well.
+// A quad in the plane of the screen, 32 by 32 of 64 pixels. At 8 pixels a segment, edges of 32 pixels get 4 segments.
+// The edges to the centre (22.6 pixels) get 4 as well.
 TEST(CentroidMeasured, EdgesToTheCentreAreMeasured) {
   const OsmesaContext context(Profile::compatibility);
   glViewport(0, 0, 64, 64);

@@ -3,9 +3,10 @@
 //
 // GL_POLYGON_CENTROID_ARK (11.R.3, 11.R.4), read back through transform feedback.
 //
-// Plan: "weights" carry the place in the plane of the polygon and, as the third one, 0 at the ends of one edge and 1 elsewhere:
-// the refined vertices of that edge are those where it is 0. Per edge, they are the same bits as those of a GL_TRIANGLES
-// neighbour. The control is GL_POLYGON_TRIANGLES_ARK, which has no vertex at the centroid and another number of triangles.
+// Plan: "weights" hold the place in the plane of the polygon. The third weight is 0 at the ends of one edge and 1
+// elsewhere, so the refined vertices of this edge are those where it is 0. They have the same bits as those of a
+// GL_TRIANGLES neighbour. The control is GL_POLYGON_TRIANGLES_ARK, which has no vertex at the centroid and another
+// number of triangles.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -148,7 +149,7 @@ double area_of(const Shape& shape) {
   return area;
 }
 
-// Of every refined triangle, signed.
+// Returns the signed area of every refined triangle.
 std::vector<double> areas_of(const std::vector<RefinedVertex>& vertices) {
   std::vector<double> areas;
   for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {
@@ -166,7 +167,7 @@ std::set<PositionBits> edge_vertices(const std::vector<RefinedVertex>& vertices)
   return result;
 }
 
-// Different vertices within 1e-6 of the centroid of the ring.
+// Counts different vertices within 1e-6 of the centroid of the ring.
 std::size_t vertices_at_centroid(const std::vector<RefinedVertex>& vertices, const Shape& shape,
                                  const std::vector<std::size_t>& ring) {
   double x = 0;

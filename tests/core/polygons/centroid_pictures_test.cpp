@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_POLYGON_CENTROID_ARK in the picture: planar polygons look as ever, and what cannot be split stays triangles.
+// GL_POLYGON_CENTROID_ARK in the picture: planar polygons look the same, and polygons that cannot be split stay
+// triangles.
 #include <algorithm>
 #include <cmath>
 
@@ -35,7 +36,7 @@ PolygonScene polygon() { return {"polygon", 6, planar(mode_shapes()[5])}; }
 class CentroidPictures : public testing::TestWithParam<PolygonScene> {
  protected:
   CentroidPictures() { glARKParameteriARK(GL_POLYGON_SPLIT_ARK, GL_POLYGON_CENTROID_ARK); }
-  // expect_same_scene for so many triangles about centroids.
+  // Calls expect_same_scene() for so many triangles about centroids.
   template <typename Draw>
   void expect_split(GLuint sides, Draw&& draw) {
     for (const GLenum refinement : {GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK}) {
@@ -255,7 +256,7 @@ TEST_P(CentroidDraws, TrianglesStay) {
   expect_triangles(4, [] { draw_immediate(mode_shapes()[1]); });
 }
 
-// More vertices than a driver keeps in one piece between glBegin and glEnd.
+// There are more vertices than a driver keeps in one piece between glBegin and glEnd.
 TEST_P(CentroidDraws, LongStripsAndPolygons) {
   constexpr int columns = 6000;
   expect_split(4 * columns, [] {

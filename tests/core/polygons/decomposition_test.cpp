@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What is read from the captured numbers of a probe: GL may cut a quad along either diagonal and begin a triangle at any corner.
+// Reads a decomposition from the captured numbers of a probe. GL may cut a quad along either diagonal and begin a
+// triangle at any corner.
 #include "glark/core/polygons/decomposition.h"
 
 #include <gtest/gtest.h>

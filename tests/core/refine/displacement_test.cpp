@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Displacement by a texture (11.R.7b), read back through transform feedback: positions against the heights, normals against finite
-// differences of the positions, and the bits along edges.
+// Displacement by a texture (11.R.7b), read back through transform feedback: positions against the heights, normals
+// against finite differences of the positions, and the bits along edges.
 #include <cmath>
 #include <functional>
 #include <map>
@@ -159,8 +159,8 @@ std::array<double, 3> difference(const RefinedVertex& a, const RefinedVertex& b)
           double{a.position[2]} - b.position[2]};
 }
 
-// Greatest angle, in degrees, between the normals and those of finite differences of the positions at the inner vertices of the
-// patterns.
+// The greatest angle, in degrees, between the normals and those of finite differences of the positions, at the inner
+// vertices of the patterns.
 double worst_angle(const std::vector<Vertex>& mesh) {
   using Place = std::array<int, 3>;  // triangle, 16 u, 16 v
   std::map<Place, RefinedVertex> positions;

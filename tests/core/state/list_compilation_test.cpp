@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What is recorded while a display list is compiled.
+// The record of a display list that is being compiled.
 #include "glark/core/state/lists/list_compilation.h"
 
 #include <gtest/gtest.h>

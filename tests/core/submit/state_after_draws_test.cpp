@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A refined draw leaves the state as the same draw leaves it unrefined: nothing changes but what the draw itself changes.
+// A refined draw leaves the state that the same unrefined draw leaves.
 //
-// Plan: with unusual state of the application bound, compare every queryable value before and after a draw. Values that the
-// unrefined draw changes too (the current colour of glBegin) are left out. Proof of life: the draw gives 4^level triangles.
+// Plan: with unusual state of the application bound, compare every queryable value before and after a draw. Values that
+// the unrefined draw changes too (the current colour of glBegin) are left out. Proof of life: the draw gives 4^level
+// triangles.
 #include "tests/core/support/modes.h"
 #include "tests/core/support/programs.h"
 #include "tests/core/support/scene.h"
@@ -103,7 +104,7 @@ class StateAfterDraws : public testing::TestWithParam<Profile> {
       EXPECT_EQ(pending_errors(), "");
       EXPECT_EQ(before.difference(StateSnapshot::take(names_), own), "") << "repetition " << repetition;
     }
-    // A pending error of the application survives the draw, alone.
+    // The application's pending error survives the draw, and no other error appears.
     glDisable(GL_ARK);
     glEnable(GL_ARK);
     glEnable(0xFFFF);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A program with a position and a normal that says where its refined vertices are.
+// A program with a position and a normal, whose outputs tell where its refined vertices are.
 #pragma once
 
 #include "tests/core/support/refined_capture.h"

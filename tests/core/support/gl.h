@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The GL as a client of libGLARK sees it: linked, and by name where libOSMesa does not export a function.
+// GL as a client of libGLARK sees it: linked functions, or found by name if libOSMesa does not export them.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What tests of kept captures share: a scene of coloured triangles in buffers, and ways to see that a draw was captured.
+// Shared by tests of kept captures: a scene of coloured triangles in buffers, and ways to see that a draw was captured.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ inline GLuint64 settle(const std::function<void()>& draw) {
   return kept;
 }
 
-// After `change` the draw is as before: nothing is captured.
+// After `change`, the draw is the same as before: nothing is captured.
 inline void expect_kept(const std::function<void()>& draw, const std::function<void()>& change) {
   const GLuint64 kept = settle(draw);
   for (int i = 0; i < 3; ++i) {
@@ -53,7 +53,7 @@ inline void expect_captured_again(const std::function<void()>& draw, const std::
   EXPECT_EQ(pending_errors(), "");
 }
 
-// The draw is kept; `change` shows in the picture, as it does without refinement.
+// The draw is kept. `change` shows in the picture as it does without refinement.
 inline void expect_seen(const std::function<void()>& draw, const std::function<void()>& change) {
   const Picture before = picture_of(draw);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(differing_pixels(before, picture_of(draw)), 0);

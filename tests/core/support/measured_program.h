@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A program with a camera, and a context that refines by what it measures.
+// A program with a camera, and a context that refines by measured depths.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace glark::core::test {
 
 using Matrix = std::array<GLfloat, 16>;  // by columns
 
-// Of 90 degrees, from `distance` in front of the origin, turned about y by `turn`.
+// A view of 90 degrees, from `distance` in front of the origin, turned about y by `turn`.
 inline Matrix perspective(GLfloat distance, GLfloat turn = 0) {
   const GLfloat c = std::cos(turn);
   const GLfloat s = std::sin(turn);
@@ -21,7 +21,7 @@ inline Matrix perspective(GLfloat distance, GLfloat turn = 0) {
 
 inline constexpr Matrix flat_view{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
-// Attributes as link_curved_program() has them.
+// The attributes are those of link_curved_program().
 inline GLuint link_measured_program() {
   return link_program(
       {.vertex = "#version 450 core\nin vec3 position; in vec3 normal; in vec3 weights; in float triangle;\n"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A GL context of its own for every test, with the picture it draws into.
+// A separate GL context for every test, and the picture that it draws into.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ inline constexpr int picture_size = 128;
 
 class OsmesaContext {
  public:
-  // Current from the beginning.
+  // The context is current from the beginning.
   explicit OsmesaContext(Profile profile, const OsmesaContext* share = nullptr);
   ~OsmesaContext();
   OsmesaContext(const OsmesaContext&) = delete;

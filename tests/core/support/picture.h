@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What was drawn, and how two pictures differ.
+// A picture, and the difference between two pictures.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ inline Picture read_picture() {
   return picture;
 }
 
-// Pixels of which a channel differs by more than 2 levels.
+// Counts the pixels in which a channel differs by more than 2 levels.
 inline int differing_pixels(const Picture& a, const Picture& b) {
   int count = 0;
   for (std::size_t pixel = 0; pixel < a.size(); pixel += 4) {

@@ -26,7 +26,7 @@ class ProgramScene : public testing::TestWithParam<Profile> {
     make_buffer(GL_ARRAY_BUFFER, mode_shapes()[1].vertices);
     point_generic_arrays(nullptr);
   }
-  // `declarations` and the body of main after gl_Position and c have their plain values.
+  // `declarations` stand before main. `body` follows the statements that give gl_Position and c their plain values.
   GLuint use(const std::string& declarations, const std::string& body, const std::string& fragment = pass_color) {
     const GLuint program =
         link_program({.vertex = inputs + declarations +

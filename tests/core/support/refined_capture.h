@@ -19,7 +19,7 @@ struct RefinedVertex {
   GLfloat triangle;                 // of the coarse mesh, as an attribute
 };
 
-// What draw() gives to transform feedback, three vertices for each triangle.
+// Returns the vertices that draw() gives to transform feedback, three for each triangle.
 template <typename Draw>
 std::vector<RefinedVertex> capture_refined(std::size_t most_triangles, Draw&& draw) {
   GLuint buffer = 0;

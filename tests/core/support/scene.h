@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The check of most draw tests: refinement shows in the number of triangles and not in the picture.
+// The check of most draw tests: refinement changes the number of triangles, but not the picture.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,12 +28,12 @@ Picture picture_of(Draw&& draw) {
 }
 
 struct SameScene {
-  GLuint coarse_triangles = 0;  // 0: the driver's own affair
+  GLuint coarse_triangles = 0;  // 0: depends on the driver
   GLenum refinement = GL_LINEAR_OUTPUTS_ARK;
   GLuint level = 2;
 };
 
-// draw() gives the same picture with GL_ARK as without, of 4^level times as many triangles, twice in a row.
+// draw() gives the same picture with GL_ARK as without it, with 4^level times as many triangles, twice in a row.
 template <typename Draw>
 void expect_same_scene(const SameScene& scene, Draw&& draw) {
   glDisable(GL_ARK);

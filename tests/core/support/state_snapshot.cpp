@@ -23,7 +23,8 @@ void drop_errors() {
   }
 }
 
-// The time; and the device's identity (GL_EXT_memory_object, GL_EXT_memory_object_win32), where OSMesa ends in a null pointer.
+// Leaves out the time, and the device's identity (GL_EXT_memory_object, GL_EXT_memory_object_win32), for which OSMesa
+// uses a null pointer.
 bool is_left_out(GLenum name) { return name == GL_TIMESTAMP || (name >= 0x9596 && name <= 0x959A); }
 
 template <typename Get>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Everything that a context answers about its state.
+// All state values that a context returns.
 #pragma once
 
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the commands of the extension do: tags from every source, parameters, refinement shaders.
+// The effects of the extension's commands: tags from every source, parameters, refinement shaders.
 #include <algorithm>
 #include <cmath>
 
@@ -184,7 +184,7 @@ TEST_F(Commands, SmoothInteriorKeepsThePicture) {
   EXPECT_EQ(triangles_of([] { emit_tagged_triangle({3, 3, 3}); }), 64U) << "equal depths are the same for both";
 }
 
-// The centre of a quad split at its centroid has the mean of four colours; the GL's own split has the mean of two.
+// The centre of a quad split at its centroid has the mean of four colours; GL's own split gives the mean of two.
 TEST_F(Commands, CentroidSplit) {
   const auto draw = [] {
     const GLfloat corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -258,7 +258,7 @@ TEST_F(Commands, RefinementShaderOfTheFixedFunction) {
   EXPECT_EQ(differing_pixels(plain, picture_of(draw)), 0);
 }
 
-// A point of each refined vertex, as large as fixed function has it, whatever programs may say.
+// A point at each refined vertex has the size of the fixed function, for any setting of GL_PROGRAM_POINT_SIZE.
 TEST_F(Commands, PointSizesOfTheFixedFunction) {
   const GLfloat attenuation[] = {1.5625F, 0, 0};
   glPolygonMode(GL_FRONT_AND_BACK, GL_POINT);

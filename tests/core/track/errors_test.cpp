@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The errors of every command of the extension: the error, and that nothing else happened ("Errors" of the specification).
+// The errors of every command of the extension: the error is raised, and nothing else happens ("Errors" of the
+// specification).
 #include <cstring>
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The table of ARK parameters and the registry of refinements: against the extension's text and the settings.
+// Compares the table of ARK parameters and the registry of refinements with the extension's text and the settings.
 #include "glark/core/parameters.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ std::vector<std::string> value_lines(const Parameter& parameter) {
   return lines;
 }
 
-// As table 11.R has it: a long name has a line of its own.
+// An entry as in table 11.R: a long name has a line of its own.
 std::string table_entry(const Parameter& parameter) {
   const std::vector<std::string> values = value_lines(parameter);
   const std::string indent(8, ' ');

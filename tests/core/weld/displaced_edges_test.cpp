@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_WELD_ARK under displacement: what lies on an edge has the same bits for all its sides, whatever their texture coordinates and
-// normals. The controls are the same meshes without it, which must part.
+// GL_WELD_ARK under displacement: points on an edge have the same bits for all its sides, for any texture coordinates
+// and normals. The controls are the same meshes without welding, which must crack.
 #include <limits>
 
 #include "tests/core/support/measured_program.h"
@@ -35,7 +35,7 @@ TEST_F(DisplacedEdges, SeamsPartWithoutWeld) {
   }
 }
 
-// Sides that are repeated and that turn round, with other coordinates on each, on edges of many sides.
+// Sides are repeated and reversed, each with other coordinates, on edges of many sides.
 TEST_F(DisplacedEdges, NonManifoldEdgesAndFlippedWindings) {
   SplitMesh mesh = seams_everywhere(icosahedron(), 0.4F, 6);
   for (std::size_t t = 0; t < mesh.triangles(); t += 3) {
@@ -54,7 +54,7 @@ TEST_F(DisplacedEdges, NonManifoldEdgesAndFlippedWindings) {
   expect_welded(mapped_at_random(mesh, 9));
 }
 
-// More than one work group takes.
+// There are more triangles than one work group takes.
 TEST_F(DisplacedEdges, ManyTriangles) {
   const SplitMesh gears = gear(12, 0.3F, true);
   ASSERT_GT(gears.triangles(), 128U);
@@ -98,7 +98,8 @@ TEST_F(DisplacedEdges, MeasuredDepths) {
   EXPECT_EQ(pending_errors(), "");
 }
 
-// Creases by scalar tags on split vertices: one discontinuity and one set of tags for each place, coordinates and normals at random.
+// Creases by scalar tags on split vertices: one discontinuity and one set of tags for each place, coordinates and
+// normals at random.
 TEST_F(DisplacedEdges, TaggedCreases) {
   set_refinement(GL_SCALAR_TAGGED_PN_ARK);
   std::mt19937 random(31);
@@ -202,7 +203,7 @@ TEST_F(DisplacedEdges, TheOrderOfTrianglesDoesNotMatter) {
   }
 }
 
-// What is no direction has none; triangles without an area say nothing of edges.
+// Invalid normals have no direction. Triangles without an area do not affect edges.
 TEST_F(DisplacedEdges, BadInput) {
   const GLfloat nan = std::numeric_limits<GLfloat>::quiet_NaN();
   const GLfloat infinity = std::numeric_limits<GLfloat>::infinity();
@@ -233,7 +234,8 @@ TEST_F(DisplacedEdges, BadInput) {
   EXPECT_EQ(pending_errors(), "");
 }
 
-// A record so long that only a storage block could hold it, in a program that has storage blocks of its own: displaced as without weld.
+// The record is so long that only a storage block could hold it, but the program has storage blocks of its own. It is
+// displaced as without welding.
 TEST_F(DisplacedEdges, WhereTheRecordHasNoRoom) {
   capture_program_ = link_program(
       {.vertex = "#version 450 core\nin vec3 position; in vec3 normal; in vec3 weights; in float triangle;\n"
@@ -255,7 +257,7 @@ TEST_F(DisplacedEdges, WhereTheRecordHasNoRoom) {
   EXPECT_EQ(pending_errors(), "");
 }
 
-// What was kept of a draw has the border's coordinates from the attribute that they came from then.
+// A kept capture has the border's coordinates from the attribute that was set at the time of the capture.
 TEST_F(DisplacedEdges, KeptDrawsFollowTheCoordinateAttribute) {
   const GLuint program = link_program(
       {.vertex =
@@ -288,7 +290,7 @@ TEST_F(DisplacedEdges, KeptDrawsFollowTheCoordinateAttribute) {
   EXPECT_EQ(pending_errors(), "");
 }
 
-// A flat sheet, cut in two, with steps of height: on the cut, all have the height of one of the two.
+// A flat sheet, cut in two, with steps of height. On the cut, all vertices have the height of one of the two sides.
 TEST_F(DisplacedEdges, AnEdgeHasTheHeightsOfOneOfItsSides) {
   set_refinement(GL_LINEAR_INPUTS_ARK);
   const std::vector<GLfloat> heights = {0, 1};
@@ -313,7 +315,7 @@ TEST_F(DisplacedEdges, AnEdgeHasTheHeightsOfOneOfItsSides) {
   EXPECT_GE(on_cut, 18);
 }
 
-// At right angles, with the same heights: the edge goes outwards half way between.
+// Two sheets at right angles, with the same heights: the edge moves outwards half way between their normals.
 TEST_F(DisplacedEdges, HardEdgesGoBetweenTheirNormals) {
   set_refinement(GL_LINEAR_INPUTS_ARK);
   const std::vector<GLfloat> heights = {1};

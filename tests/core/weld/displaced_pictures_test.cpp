@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_WELD_ARK under displacement on the screen: closed meshes from 26 directions at levels 1 to 7, counted as in weld_scene_test.cpp.
+// GL_WELD_ARK under displacement on the screen: closed meshes from 26 directions at levels 1 to 7, counted as in
+// welded_pictures_test.cpp.
 #include "tests/core/support/meshes/mapped_mesh.h"
 #include "tests/core/support/meshes/views.h"
 
@@ -63,7 +64,8 @@ TEST_F(DisplacedPictures, SeamsEverywhere) {
   expect_closed(mapped_at_random(seams_everywhere(icosahedron(), 0.4F, 12), 5));
 }
 
-// A program pipeline has no storage block for what displacement takes; the edges of the curved triangles are welded all the same.
+// A program pipeline has no storage block for the border words of displacement. The edges of the curved triangles are
+// still welded.
 TEST_F(DisplacedPictures, PipelinesWeldTheirCurvedEdges) {
   const char* const vertex =
       "#version 450 core\nlayout(location = 0) in vec3 position; layout(location = 1) in vec3 normal;\n"

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_WELD_ARK in every way to draw: fixed function, arrays, elements, strips, fans, restart, lists, glBegin, quads, instances. A closed
-// mesh with seams has no hole with it, and must have some without. The counting is that of weld_scene_test.cpp; light that is
-// emitted alone makes the counters, and the fixed function read the normal.
+// GL_WELD_ARK in every way to draw: fixed function, arrays, elements, strips, fans, restart, lists, glBegin, quads,
+// instances. A closed mesh with seams has no hole with welding, and must have some without. Holes are counted as in
+// welded_pictures_test.cpp. Only emitted light is visible: it gives the counters, and lighting makes the fixed function
+// read the normal.
 #include <functional>
 #include <numeric>
 
@@ -168,7 +169,7 @@ TEST_F(WeldedCommands, Quads) {
   }
 }
 
-// With as many attributes as there are, the records are read from a storage block.
+// With the greatest number of attributes, the records are read from a storage block.
 TEST_F(WeldedCommands, LongRecords) {
   for (GLenum unit = 0; unit < 4; ++unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
@@ -187,7 +188,7 @@ struct MappedVertex {
   SceneVertex vertex;
 };
 
-// Every edge is a seam of the texture, too.
+// Every edge is also a seam of the texture.
 TEST_F(WeldedCommands, Displacement) {
   std::mt19937 random(17);
   const auto number = [&] { return static_cast<GLfloat>(random() % 1001) / 1000; };
@@ -224,7 +225,8 @@ TEST_F(WeldedCommands, Displacement) {
   });
 }
 
-// The same mesh three times in one draw, each with normals of its own: what one instance has does not bend another.
+// One draw has the same mesh three times, each with its own normals. The normals of one instance do not bend another
+// one.
 TEST_F(WeldedCommands, InstancesAreNotWelded) {
   glUseProgram(link_program(
       {.vertex = "#version 120\nattribute vec3 turn;\nvarying vec3 n;\n"

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_WELD_ARK: triangles that meet in the same positions refine to the same bits there, whatever their normals and tags (section
-// 11.R.8), read back through transform feedback. The control is NormalsPartWithoutWeld: the same meshes must crack without it.
+// GL_WELD_ARK: triangles that meet in the same positions refine to the same bits there, for all normals and tags
+// (section 11.R.8). Read back through transform feedback. The control is NormalsPartWithoutWeld: the same meshes must
+// crack without it.
 #include <map>
 #include <set>
 
@@ -112,7 +113,7 @@ TEST_F(WeldedEdges, DegenerateAndRepeatedTriangles) {
   expect_welded(mesh);
 }
 
-// As strips are stitched together: between a face and a wall.
+// A triangle that stitches strips together, between a face and a wall.
 TEST_F(WeldedEdges, ATriangleOfTwoPlacesCoversNothing) {
   const Vector a{-1, 0.25F, 0};
   const Vector b{1, 0.5F, 0.5F};
@@ -138,7 +139,7 @@ TEST_F(WeldedEdges, ATriangleOfTwoPlacesCoversNothing) {
   }
 }
 
-// -0 is 0; normals of no length, and none at all.
+// -0 equals 0. Normals may be zero, not finite, or of extreme length.
 TEST_F(WeldedEdges, SignsOfZeroAndStrangeNormals) {
   SplitMesh mesh = flat_shaded(cube());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -168,7 +169,7 @@ TEST_F(WeldedEdges, TagsThatDifferTakeTheGreatest) {
   }
 }
 
-// Draws do not keep the order of their triangles: by coarse triangle and weights.
+// Draws do not keep the order of their triangles, so the key is the coarse triangle and the weights.
 using Surface = std::map<std::array<GLfloat, 4>, std::array<GLfloat, 4>>;
 
 Surface surface_of(const std::vector<RefinedVertex>& refined) {
@@ -189,7 +190,7 @@ float furthest_between(const Surface& a, const Surface& b) {
   return furthest;
 }
 
-// The tension of all vertices.
+// Sets the tension of all vertices.
 void set_tension(GLfloat tension) {
   GLint attribute = 0;
   glGetIntegerv(GL_SCALAR_TAG_ATTRIBUTE_ARK, &attribute);
@@ -208,7 +209,7 @@ TEST_F(WeldedEdges, TenseEdges) {
   EXPECT_GT(parted_edges(seams_everywhere(icosahedron(), 0.5F, 4).tagged_at_random(level, 1)), 20);
 }
 
-// What displacement starts from: here nothing is added to it.
+// The surface that displacement starts from. Here displacement adds nothing to it.
 TEST_F(WeldedEdges, DisplacedPatches) {
   glARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, 0);
   glARKParameteriARK(GL_DISPLACEMENT_COORDINATE_ARK, 0);
@@ -236,7 +237,7 @@ TEST_F(WeldedEdges, TensionIsThatOfUnweldedEdges) {
   EXPECT_GT(furthest_between(welded, loose), 0.02F);
 }
 
-// A tagged corner says itself how its edges run, welded or not.
+// A tagged corner determines the shape of its edges by itself, welded or not.
 TEST_F(WeldedEdges, TaggedCornersAreAsWithoutWeld) {
   const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 17).tagged_at_random(level, 1);
   GLint attribute = 0;
@@ -252,7 +253,7 @@ TEST_F(WeldedEdges, TaggedCornersAreAsWithoutWeld) {
   EXPECT_GT(furthest_between(tagged, untagged), 0.02F);
 }
 
-// The depth of an edge is that of the side whose normals turn most.
+// An edge takes its depth from the side whose normals turn most.
 class WeldMeasured : public WeldedEdges {
  protected:
   WeldMeasured() {
@@ -284,7 +285,8 @@ TEST_F(WeldMeasured, DepthsPartWithoutWeld) {
   EXPECT_GT(parted_edges(seams_everywhere(icosahedron(), 0.5F, 19)), 10);
 }
 
-// Two triangles on an edge, in either order and with more of the flat side: 8 segments, as its normals turn by 90 degrees on one side.
+// Two triangles share an edge, in either order and with more flat sides. The edge has 8 segments, because the normals
+// of one side turn by 90 degrees.
 TEST_F(WeldMeasured, TheGreaterTurnCounts) {
   glARKParameteriARK(GL_EDGE_DEGREES_ARK, 12);
   const Vector a{0, 0, 0};
@@ -304,7 +306,7 @@ TEST_F(WeldMeasured, TheGreaterTurnCounts) {
   }
 }
 
-// Where all sides turn alike, depths are as they were.
+// Where all sides turn alike, welding does not change depths.
 TEST_F(WeldMeasured, SmoothMeshIsAsBefore) {
   const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 20);
   const Surface welded = surface_of(refine(mesh));
@@ -313,14 +315,14 @@ TEST_F(WeldMeasured, SmoothMeshIsAsBefore) {
   EXPECT_GT(welded.size(), 1000U);
 }
 
-// More triangles than one work group takes.
+// There are more triangles than one work group takes.
 TEST_F(WeldedEdges, LargeMesh) {
   const SplitMesh mesh = gear(60, 0.3F, true);
   ASSERT_GT(mesh.triangles(), 900U);
   expect_welded(mesh);
 }
 
-// Whatever the order of triangles and corners.
+// The surface does not depend on the order of triangles and corners.
 TEST_F(WeldedEdges, OrderDoesNotMatter) {
   const SplitMesh mesh = seams_everywhere(icosahedron(), 0.5F, 10).tagged_at_random(3, 1);
   std::mt19937 random(10);
@@ -345,7 +347,7 @@ TEST_F(WeldedEdges, OrderDoesNotMatter) {
   EXPECT_EQ(points(refine(mesh)), points(refine(other)));
 }
 
-// Where normals agree, welding is not to be seen.
+// Where normals agree, welding does not change the surface.
 TEST_F(WeldedEdges, SmoothMeshIsAsBefore) {
   const SplitMesh mesh = seams_everywhere(icosahedron(), 0, 11).tagged_at_random(level, 1);
   const auto points = [](const std::vector<RefinedVertex>& refined) {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// GL_WELD_ARK on the screen: closed meshes from 26 directions at levels 1 to 7. The plan: front and back faces are counted in every
-// pixel, without a depth test. Where a mesh is closed both are the same in number, whatever lies behind what; a pixel of the
-// background that shows through a crack counts one more of the one than of the other.
+// GL_WELD_ARK on the screen: closed meshes from 26 directions at levels 1 to 7. The plan: front and back faces are
+// counted in every pixel, without a depth test. In a closed mesh, both counts are equal. A pixel of the background that
+// shows through a crack counts one more of one kind.
 #include "tests/core/support/meshes/models.h"
 #include "tests/core/support/meshes/views.h"
 
@@ -34,7 +34,7 @@ class WeldedPictures : public testing::Test {
     glBlendFunc(GL_ONE, GL_ONE);
     glClearColor(0, 0, 0, 0);
   }
-  // Of the picture from this direction.
+  // Counts the open pixels of the picture from this direction.
   int open_pixels(const SplitMesh& mesh, const Vector& direction) {
     set_view(program_, view_along(direction));
     glClear(GL_COLOR_BUFFER_BIT);

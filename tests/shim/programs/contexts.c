@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Contexts of EGL in the ways that programs make, share, move and leave them: one case by name. Prints what a program can see:
-// colours, errors, and every message of debug output. Status 3: not here.
+// Contexts of EGL in the ways that programs make, share, move and leave them: one case by name. Prints what a program
+// can see: colours, errors, and every message of debug output. Status 3: not here.
 #define GL_GLEXT_PROTOTYPES 1
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -179,7 +179,7 @@ static void debug(void) {
   print_middle();
 }
 
-// The context that has drawn first goes, destroyed while current; the other one draws with what they share.
+// The context that drew first is destroyed while current. The other one draws with the shared objects.
 static void share(void) {
   open_display();
   const EGLContext first = create(NULL, EGL_CONTEXT_OPENGL_DEBUG, EGL_FALSE);
@@ -262,7 +262,8 @@ static void wait_for(pid_t child) {
   printf("child %d %d\n", WIFEXITED(status), WEXITSTATUS(status));
 }
 
-// The child of a fork before any GL draws by itself; one of a fork after it leaves, or becomes another program that draws.
+// The child of a fork before any GL draws by itself; one of a fork after it leaves, or becomes another program that
+// draws.
 static void process(char* self) {
   fflush(stdout);
   pid_t child = fork();

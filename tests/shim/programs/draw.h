@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// One red triangle by functions that the program has reached in its own way. Prints what it saw.
+// Draws one red triangle with functions that the program has found in its own way. Prints the result.
 #pragma once
 #include <GL/osmesa.h>
 #include <dlfcn.h>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A library that asks for the functions behind it. RTLD_NEXT must give it the driver's, as its own position says.
+// A library that asks for the functions behind it. RTLD_NEXT must give the driver's functions, according to the
+// library's position.
 #include "draw.h"
 
 const char* next_draw_arrays_is(void) { return is_ours(dlsym(RTLD_NEXT, "glDrawArrays")) ? "ours" : "the driver's"; }

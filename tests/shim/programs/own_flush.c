@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A program that defines a GL function itself means its own.
+// A program that defines a GL function itself calls its own function.
 #include "draw.h"
 
 static int flushed = 0;

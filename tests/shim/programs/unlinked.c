@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Needs no GL library: reaches OSMesa by dlsym, a dlsym from dlvsym, or OSMesaGetProcAddress, or through a plug-in that is linked with it.
+// Needs no GL library: reaches OSMesa by dlsym, a dlsym from dlvsym, or OSMesaGetProcAddress, or through a plug-in that
+// is linked with it.
 #include <stdlib.h>
 
 #include "draw.h"

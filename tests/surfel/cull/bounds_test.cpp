@@ -10,7 +10,7 @@
 namespace glark::surfel::test {
 namespace {
 
-// The triangles that are drawn, with flipped edges, count.
+// The test uses the drawn triangles, with flipped edges.
 TEST(SurfelBounds, ConesContainAllNormalsAndTheApexIsBehindAllTriangles) {
   const Points points = torus(20000);
   const Strips strips(points.cloud());

@@ -11,7 +11,7 @@
 namespace glark::surfel::test {
 namespace {
 
-// Whether a triangle is visible: not outside a plane of the frustum, and counter-clockwise on the screen.
+// Returns whether a triangle is visible: not outside a plane of the frustum, and counter-clockwise on the screen.
 bool is_visible(const Points& points, const Matrix& matrix, const Triangle& triangle) {
   std::array<std::array<float, 4>, 3> p{};
   for (std::size_t k = 0; k < 3; ++k) p[k] = clip(matrix, &points.positions[3 * triangle[k]]);

@@ -15,7 +15,7 @@ namespace {
 
 using Triangles = std::vector<Triangle>;
 
-// Rotated to begin with the lowest corner.
+// Rotates the triangle, so that the lowest corner comes first.
 Triangle normal_form(Triangle triangle) {
   std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
   return triangle;
@@ -64,7 +64,7 @@ Sheet sheet(std::uint32_t side, unsigned seed, float bend = 0) {
   return all;
 }
 
-// The half-edges of a single triangle.
+// Returns the half-edges that belong to a single triangle.
 std::set<std::pair<std::uint32_t, std::uint32_t>> boundary(const Triangles& triangles) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> open;
   for (const Triangle& triangle : triangles) {
@@ -86,7 +86,7 @@ TEST(SurfelStripifier, StripHasAllTriangles) {
   }
 }
 
-// Isolated triangles, three triangles at an edge, triangles on their mirror images, duplicates.
+// The sets have isolated triangles, three triangles at an edge, triangles on their mirror images, and duplicates.
 TEST(SurfelStripifier, StripHasAllTrianglesOfNonManifoldSets) {
   std::mt19937 random(1);
   for (unsigned round = 0; round < 300; ++round) {

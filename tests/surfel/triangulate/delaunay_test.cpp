@@ -20,7 +20,7 @@ std::int64_t cross(Point from, Point a, Point b) {
   return std::int64_t{a.x - from.x} * (b.y - from.y) - std::int64_t{a.y - from.y} * (b.x - from.x);
 }
 
-// The definition, in exact integers: no point is inside the circumcircle of a triangle.
+// This is the definition, in exact integers: no point is inside the circumcircle of a triangle.
 bool has_empty_circles(const Delaunay& delaunay, const std::vector<Point>& points) {
   for (const Delaunay::Triangle& triangle : delaunay.triangles()) {
     if (!delaunay.finite(triangle)) continue;
@@ -50,7 +50,7 @@ std::int64_t area(const Delaunay& delaunay, const std::vector<Point>& points) {
   return sum;
 }
 
-// Whether links lead back, across an edge with the same ends.
+// Returns whether links lead back across an edge with the same ends.
 bool has_consistent_links(const Delaunay& delaunay) {
   const std::span<const Delaunay::Triangle> triangles = delaunay.triangles();
   std::size_t outside = 0;
@@ -86,7 +86,7 @@ TEST(SurfelDelaunay, RandomPointsHaveEmptyCircumcircles) {
   }
 }
 
-// All points lie on common circles and lines, and each is there twice.
+// All points lie on common circles and lines, and each point occurs twice.
 TEST(SurfelDelaunay, GridWithDuplicatesHasEmptyCircumcircles) {
   std::vector<Point> points;
   for (std::int32_t i = 0; i < 200; ++i) points.push_back({i % 10 * 100, i / 10 % 10 * 100});
@@ -97,8 +97,8 @@ TEST(SurfelDelaunay, GridWithDuplicatesHasEmptyCircumcircles) {
   EXPECT_EQ(area(delaunay, points), 2 * 900 * 900);
 }
 
-// Coordinates are as large as possible. In the second part, each point is slightly off the circle: doubles can hardly
-// tell.
+// Coordinates are as large as possible. In the second part, each point is slightly off the circle. Doubles can hardly
+// represent this difference.
 TEST(SurfelDelaunay, CocircularPointsHaveEmptyCircumcircles) {
   constexpr std::int32_t radius = 5 * 13 * 17 * 29, scale = 32;
   std::vector<Point> points;
@@ -141,7 +141,7 @@ TEST(SurfelDelaunay, AlmostCocircularPointsNeedExactPredicates) {
   Delaunay delaunay;
   for (const std::array<Point, 4>& four : all) {
     std::vector<Point> points(four.begin(), four.end());
-    for (int turned = 0; turned < 4; ++turned) {  // another point is inserted last
+    for (int turned = 0; turned < 4; ++turned) {  // each time, another point is inserted last
       for (Point& point : points) point = {-point.y, point.x};
       delaunay.triangulate(points);
       EXPECT_TRUE(has_empty_circles(delaunay, points));
@@ -150,7 +150,7 @@ TEST(SurfelDelaunay, AlmostCocircularPointsNeedExactPredicates) {
   }
 }
 
-// A dense cluster far away from two other points; then all points on a line.
+// The first part has a dense cluster far away from two other points. The second part has all points on a line.
 TEST(SurfelDelaunay, UnevenPointsHaveEmptyCircumcircles) {
   std::mt19937 random(8);
   std::uniform_int_distribution<std::int32_t> any(0, 60);

@@ -21,7 +21,7 @@ float distance_to(const std::vector<Place>& points, Place place) {
 
 class SurfelProximityGrid : public testing::Test {
  protected:
-  // The answer may be wrong by two cells, and near a distance that is a quarter larger.
+  // The answer may be wrong within two cells, and near a distance that is a quarter larger.
   void expect_correct(const std::vector<Place>& points, float distance, float most, float extent) {
     ProximityGrid grid;
     grid.begin(points, most);

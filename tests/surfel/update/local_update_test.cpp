@@ -94,7 +94,7 @@ TEST(SurfelUpdate, NoMovedPointsChangeNothing) {
   EXPECT_TRUE(std::ranges::equal(strips.indices(), before));
 }
 
-// Without flipped edges, which depend on the order of a strip.
+// Edges are not flipped, because flips depend on the order of a strip.
 TEST(SurfelUpdate, MovingThereAndBackRestoresTheTriangles) {
   const Points rest = sphere(10000);
   Strips strips(rest.cloud(), {.turn_edges = false});

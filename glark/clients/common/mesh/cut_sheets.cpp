@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Based on: A. Gueziec et al., Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces, 2001: all
-// vertices are cut apart, then joined across the edges of two triangles that are neighbours.
+// Based on: A. Gueziec et al., Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces, 2001. The
+// corners of all triangles start separate. Then edges of two triangles join them; edges of more triangles join them in
+// pairs.
 #include "glark/clients/common/mesh/cut_sheets.h"
 
 #include <algorithm>
@@ -15,9 +16,9 @@
 namespace glark::common {
 namespace {
 
-// A half-edge with the two ends of its edge, to sort by.
+// A half-edge. The sort key is the two ends of its edge.
 struct HalfEdge {
-  std::uint64_t edge;  // the lesser end is the upper half
+  std::uint64_t edge;  // the upper half is the lesser end
   std::uint32_t corner;
   auto operator<=>(const HalfEdge&) const = default;
 };
@@ -72,22 +73,23 @@ class Cut {
     return unit(cross(points_[triangles_[t + 1]] - a, points_[triangles_[t + 2]] - a));
   }
 
-  // Makes neighbours of the triangles at the two half-edges.
+  // Joins the two triangles at the half-edges.
   void join(std::uint32_t a, std::uint32_t b) {
     const bool reversed = triangles_[a] != triangles_[b];
     corners_.join(a, reversed ? next_corner(b) : b);
     corners_.join(next_corner(a), reversed ? b : next_corner(b));
   }
 
-  // The number of ends of their common edge where two triangles belong to one sheet already.
+  // Returns at how many ends of their common edge the two triangles already belong to one sheet.
   int ends_together(std::uint32_t a, std::uint32_t b) {
     const bool reversed = triangles_[a] != triangles_[b];
     return (corners_.find(a) == corners_.find(reversed ? next_corner(b) : b) ? 1 : 0) +
            (corners_.find(next_corner(a)) == corners_.find(reversed ? b : next_corner(b)) ? 1 : 0);
   }
 
-  // Joins more than two half-edges of one edge in pairs that run in opposite directions. Pairs of one sheet come first,
-  // for another pairing would connect it with another sheet; then pairs whose triangles bend least.
+  // Joins the half-edges of an edge that has more than two triangles, in pairs of opposite directions. Pairs within one
+  // sheet come first: another pairing would connect the sheet to a second one. The other pairs follow, the least bent
+  // first.
   void stitch(std::span<const std::uint32_t> edge) {
     struct Pair {
       float bend;
@@ -110,7 +112,8 @@ class Cut {
     }
   }
 
-  // Numbers the vertices. At an irregular vertex the first set of corners keeps the vertex, each other set gets a copy.
+  // Numbers the vertices. At an irregular vertex, the first set of corners keeps the vertex. Each other set gets a
+  // copy.
   std::vector<std::uint32_t> number() {
     std::vector<std::uint32_t> copies(points_.size());
     std::iota(copies.begin(), copies.end(), 0U);

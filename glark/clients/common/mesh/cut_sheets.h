@@ -12,9 +12,10 @@
 
 namespace glark::common {
 
-// Makes one vertex for each sheet of triangles where sheets touch in a vertex or along an edge. Returns for each vertex
-// the one that it is a copy of; the first `points.size()` vertices are no copies. `points`: the positions of the
-// vertices. `irregular`: as irregular_vertices() returns it, for these triangles or more.
+// Gives each sheet of triangles its own vertices where sheets touch in a vertex or along an edge. Returns the original
+// of each vertex. The first `points.size()` vertices are their own originals.
+// points: the positions of the vertices. irregular: the result of irregular_vertices() for these triangles, or for a
+// superset.
 std::vector<std::uint32_t> cut_sheets(std::vector<std::uint32_t>& triangles, std::span<const Float4> points,
                                       std::span<const std::uint8_t> irregular);
 

@@ -11,7 +11,7 @@ std::vector<std::uint32_t> opposite_of(const std::vector<std::uint32_t>& triangl
     std::uint32_t end, corner;
   };
   std::vector<std::uint32_t> begins(vertices + 2), opposite(triangles.size(), no_half_edge);
-  std::vector<HalfEdge> from(triangles.size());  // sorted by the vertex where they start
+  std::vector<HalfEdge> from(triangles.size());  // sorted by the start of the half-edges
   for (const std::uint32_t i : triangles) ++begins[i + 2];
   std::partial_sum(begins.begin(), begins.end(), begins.begin());
   for (std::uint32_t t = 0; t < triangles.size(); t += 3) {

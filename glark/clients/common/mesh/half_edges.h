@@ -13,7 +13,7 @@ inline std::uint32_t next_corner(std::uint32_t i) { return i % 3 == 2 ? i - 2 : 
 
 inline constexpr std::uint32_t no_half_edge = 0xFFFFFFFF;
 
-// For each half-edge the opposite one of the same edge; no_half_edge at the boundary.
+// Returns the opposite of each half-edge, or no_half_edge at the boundary.
 std::vector<std::uint32_t> opposite_of(const std::vector<std::uint32_t>& triangles, std::size_t vertices);
 
 }  // namespace glark::common

@@ -33,7 +33,8 @@ struct Link {
   std::uint32_t from, to;
 };
 
-// Returns whether the links of a vertex form one path, or one ring of three or more.
+// Checks that the triangles around a vertex form one fan: their links form one path, or one ring of at least three
+// links.
 class Fans {
  public:
   explicit Fans(std::size_t vertices) : links_(vertices) {}
@@ -63,17 +64,17 @@ class Fans {
 
  private:
   struct Of {
-    std::uint32_t vertex = 0;  // plus 1: the last vertex that has this link
+    std::uint32_t vertex = 0;  // the last vertex that has this link, plus 1
     std::uint32_t to = 0;
   };
-  std::vector<Of> links_;  // indexed by the vertex where they start
+  std::vector<Of> links_;  // indexed by Link::from
 };
 
 }  // namespace
 
 std::vector<std::uint32_t> spanning(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> clusters,
                                     const Workers& workers) {
-  constexpr std::size_t piece = 1 << 15;  // triangles
+  constexpr std::size_t piece = 1 << 15;  // in triangles
   std::vector<std::vector<std::uint32_t>> found((triangles.size() / 3 + piece - 1) / piece);
   workers.in_pieces(triangles.size() / 3, piece, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t>& mine = found[begin / piece];
@@ -84,7 +85,7 @@ std::vector<std::uint32_t> spanning(std::span<const std::uint32_t> triangles, st
       *to++ = a;
       *to++ = b;
       *to++ = c;
-      to -= static_cast<unsigned>((a == b) | (b == c) | (c == a)) * 3;  // a branch would be predicted badly
+      to -= static_cast<unsigned>((a == b) | (b == c) | (c == a)) * 3;  // no branch, because it would be mispredicted
       if (to - some.data() < static_cast<std::ptrdiff_t>(some.size()) - 3) continue;
       mine.insert(mine.end(), some.data(), to);
       to = some.data();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Triangles of clusters instead of points.
+// Triangles whose indices are clusters instead of points.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,15 @@
 
 namespace glark::common {
 
-// Returns the triangles whose corners lie in three different clusters, in their order. Their indices are clusters.
+// Returns the triangles whose corners lie in three different clusters, in the order of the input. Their indices are
+// clusters.
 std::vector<std::uint32_t> spanning(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> clusters,
                                     const Workers& workers);
-// Returns 1 for each vertex whose triangles are not one fan, open or closed. These are the corners of triangles that
-// occur twice, the ends of edges with more than two triangles or with two that run the same way, and vertices where
-// sheets touch. They are few.
+// Returns 1 for each irregular vertex: its triangles do not form one fan, open or closed. Irregular are the corners of
+// repeated triangles, and the vertices where sheets touch. So are the ends of edges that have more than two triangles,
+// or two with different orientations. Few vertices are irregular.
 std::vector<std::uint8_t> irregular_vertices(std::span<const std::uint32_t> triangles, std::size_t vertices);
-// Keeps one of several equal triangles. Two triangles with opposite orientations are a fin without thickness; both are
+// Keeps one of several equal triangles. Two triangles with opposite orientations are a fin without thickness. Both are
 // removed, so that a closed mesh stays closed.
 std::vector<std::uint32_t> without_repeats(std::vector<std::uint32_t> spanning,
                                            std::span<const std::uint8_t> irregular);

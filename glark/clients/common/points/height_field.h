@@ -9,7 +9,8 @@
 namespace glark::common {
 
 // Returns whether the records are a height field over the plane of their mean and mean normal, within the thresholds
-// delta_a and delta_d. Source: Boubekeur 2007, ch. 3.2.2. Records without a normal are ignored by delta_a.
+// delta_a and delta_d. The threshold delta_a does not apply to records without a normal.
+// Source: Boubekeur 2007, ch. 3.2.2.
 bool is_height_field(std::span<const Record> records, const Moments& moments, float delta_a, float delta_d);
 
 }  // namespace glark::common

@@ -102,7 +102,7 @@ Cube bounding_cube(std::span<const float> positions, const Workers& workers) {
   const Float4 extent = high - low;
   cube.low = low;
   const float side = std::max({extent[0], extent[1], extent[2]});
-  if (!(side > 0) || !std::isfinite(1 / side)) return cube;  // the points are one point, as far as floats tell
+  if (!(side > 0) || !std::isfinite(1 / side)) return cube;  // all points are equal in single precision
   cube.side = side;
   cube.scale = 1 / side;
   cube.diagonal = std::sqrt(dot(extent * cube.scale, extent * cube.scale));

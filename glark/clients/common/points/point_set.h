@@ -16,7 +16,7 @@ namespace glark::common {
 // Throws Error for arrays whose sizes do not fit, and for numbers that are not finite or out of range.
 void check(const vstree::PointSet& points, const Workers& workers);
 
-// The points must be checked.
+// The points must have passed check().
 Cube bounding_cube(std::span<const float> positions, const Workers& workers);
 
 inline Float4 unit_normal(const float* normal) {

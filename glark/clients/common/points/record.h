@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A sample in the unit cube, as sorts move it, and the bounding cube.
+// A sample in the unit cube, in the form that sorts move, and the bounding cube.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace glark::common {
 
-// A sample within the unit cube. The fourth number of the position has the bits of the sample's index; that of the
-// normal is 1 if there is a normal.
+// A sample within the unit cube. The fourth float of the position holds the bits of the sample's index. The fourth
+// float of the normal is 1 if the sample has a normal.
 struct Record {
   Float4 position;
   Float4 normal;
@@ -34,8 +34,8 @@ inline bool are_at_one_point(std::span<const Record> records) {
   });
 }
 
-// An array of records without initial values. The first write to each page is expensive; this way the threads share
-// these writes.
+// An array of records without initial values. The first write to each memory page is expensive. Without initial values,
+// the threads share these first writes.
 class Records {
  public:
   Records() = default;
@@ -58,7 +58,7 @@ struct Cube {
   Float4 low{};
   float side = 1;
   float scale = 1;     // 1 / side
-  float diagonal = 1;  // of the bounding box, relative to the side
+  float diagonal = 1;  // the diagonal of the bounding box, relative to the side
 
   Float4 inside(const float* position) const {
     return (Float4{position[0], position[1], position[2], 0} - low) * scale;

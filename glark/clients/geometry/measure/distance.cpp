@@ -25,8 +25,8 @@ Vector point_at(const Geometry& geometry, const std::array<double, 3>& shift, st
   return point;
 }
 
-// Places on a surface, each with the triangle or point on which it lies. Every point of a triangle is within `spacing`
-// of one of its places.
+// Places on a surface, each with the triangle or point that it lies on. Each point of a triangle is within `spacing` of
+// one of the triangle's places.
 struct Places {
   std::vector<Vector> positions;
   std::vector<std::uint32_t> owner;
@@ -52,7 +52,7 @@ class Surface {
 
   struct Nearest {
     double distance;
-    Vector normal;  // zero where there is none
+    Vector normal;  // zero if there is no normal
   };
 
   Nearest nearest_to(const Vector& from) const {
@@ -104,13 +104,14 @@ class Surface {
     std::vector<double> sorted = longest;
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
     const double median = sorted[sorted.size() / 2];
-    // A triangle a thousand times as long as the median gets a million places; larger triangles increase the spacing.
+    // A triangle with an edge a thousand times as long as the median gets a million places. Longer edges increase the
+    // spacing.
     places_.spacing = std::max(median, *std::max_element(sorted.begin(), sorted.end()) / 1000);
     for (std::uint32_t i = 0; i < longest.size(); ++i) add_places(i, longest[i]);
   }
 
-  // The places are the centroids of equal parts. No point of a part is farther from its centroid than two thirds of its
-  // longest edge.
+  // Divides a triangle into equal parts. The places are the centroids of the parts. No point of a part is farther from
+  // the centroid than two thirds of the part's longest edge.
   void add_places(std::uint32_t triangle, double longest) {
     const std::array<Vector, 3> corners = corners_of(triangle);
     const int parts = places_.spacing > 0 ? std::max(1, static_cast<int>(std::ceil(longest / places_.spacing))) : 1;
@@ -153,7 +154,8 @@ class Samples {
  public:
   Samples(const Geometry& geometry, const std::array<double, 3>& shift) : geometry_(geometry), shift_(shift) {}
 
-  // Visits random points, one in each of equal shares of the area. They are the same each time.
+  // Visits random points of the surface. The area is divided into equal shares, and each share has one point. The
+  // points are the same every time.
   template <class Visit>
   void by_area(Visit&& visit) const {
     double total = 0;
@@ -225,7 +227,7 @@ double Distance::rms() const { return std::sqrt((there.rms * there.rms + back.rm
 
 Distance distance_between(const Geometry& result, const Geometry& reference,
                           const std::function<void(double fraction)>& progress) {
-  std::array<double, 3> shift{};  // to the reference's origin
+  std::array<double, 3> shift{};  // from the reference's origin to the result's
   for (std::size_t axis = 0; axis < 3; ++axis) shift[axis] = result.origin[axis] - reference.origin[axis];
   Distance distance;
   Vector low = point_at(reference, {}, 0);

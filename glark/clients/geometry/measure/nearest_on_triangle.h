@@ -13,7 +13,7 @@ namespace glark::geometry {
 
 using Vector = common::Vector3d;
 
-// The normal, whose length is twice the area.
+// Returns the normal. Its length is twice the area.
 inline Vector normal_of(const std::array<Vector, 3>& corners) {
   return cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
@@ -36,7 +36,7 @@ inline Vector nearest_on_segment(const Vector& from, const Vector& a, const Vect
   return a + along * edge;
 }
 
-// For a triangle without area, the nearest point on its edges.
+// Returns the nearest point of the triangle. For a triangle without area, it is the nearest point on the edges.
 inline Vector nearest_on_triangle(const Vector& from, const std::array<Vector, 3>& corners) {
   const Vector normal = normal_of(corners);
   const double square = dot(normal, normal);

@@ -23,7 +23,7 @@ std::uint64_t hash(std::span<const float> position) {
   return mixed;
 }
 
-// Returns for each element the first one that is the same.
+// Returns for each element the first equal element.
 template <class Hash, class Same>
 std::vector<std::uint32_t> first_of_same(std::size_t count, Hash&& hash_of, Same&& same) {
   const std::size_t slots = std::bit_ceil(2 * count + 1);

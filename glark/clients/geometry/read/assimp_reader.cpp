@@ -20,7 +20,8 @@
 namespace glark::geometry {
 namespace {
 
-// Memory relative to the size of the file. Measured: 7 with OBJ and STL of a quarter million triangles.
+// The memory that a read takes, relative to the size of the file. Measured: 7, for OBJ and STL with a quarter million
+// triangles.
 constexpr double growth = 8;
 constexpr std::size_t block_size = std::size_t{1} << 20;
 constexpr std::size_t stl_header = 84;
@@ -45,9 +46,9 @@ bool has_more_than_solids(std::string_view text) {
   return std::any_of(line_end, text.end(), [](unsigned char letter) { return std::isspace(letter) == 0; });
 }
 
-// Some binary STL files begin with "solid", as text files do; the size of the file tells. Assimp reads beyond the end
-// if the count is wrong, and rejects bytes that follow the triangles: they are removed here. Returns a warning about
-// what is ignored, or an empty text.
+// Some binary STL files begin with "solid", as text files do. The size of the file shows whether it is binary. Assimp
+// reads beyond the end of the file if the count of triangles is wrong. It rejects a file with more bytes, so this
+// function removes them. Returns a warning about ignored contents, or an empty text.
 std::string check_stl(const std::string& name, std::vector<char>& bytes) {
   std::uint32_t count = 0;
   if (bytes.size() >= stl_header) std::memcpy(&count, bytes.data() + stl_header - sizeof(count), sizeof(count));
@@ -84,7 +85,7 @@ class Scene {
       for (unsigned k = 0; k < mesh.mNumVertices; ++k) add_vertex(mesh, k, builder);
       for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
         const aiFace& face = mesh.mFaces[k];
-        if (face.mNumIndices < 3) continue;  // points and lines
+        if (face.mNumIndices < 3) continue;  // skips points and lines
         corners.clear();
         for (unsigned corner = 0; corner < face.mNumIndices; ++corner) corners.push_back(first + face.mIndices[corner]);
         builder.add_polygon(corners);
@@ -137,12 +138,13 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   if (scene == nullptr)
     throw Error(input.name() + ": is not a valid " + (format == MeshFormat::stl ? "STL" : "OBJ") +
                 " file: " + importer.GetErrorString() + "; check the format or export it again");
-  // Assimp could join vertices too, but it takes vertices that are not finite as equal to any other.
+  // Assimp could join vertices, too. But it treats vertices that are not finite as equal to all others.
   Reading reading = Scene(input.name(), *scene, options).gather();
   importer.FreeScene();
   if (!ignored.empty()) reading.warnings.push_back(ignored);
   if (format == MeshFormat::stl)
-    reading.geometry.normals = {};  // these are the faces' normals, with which no two triangles would share a vertex
+    // These are the normals of the faces. With these normals, no two triangles would share a vertex.
+    reading.geometry.normals = {};
   if (!reading.geometry.triangles.empty()) join_identical_points(reading.geometry);
   return reading;
 }

@@ -11,7 +11,7 @@ namespace glark::geometry {
 
 enum class MeshFormat { obj, stl };
 
-// Triangles share vertices that agree: in all attributes in OBJ, in the position in STL.
+// Joins equal vertices of triangles. OBJ vertices must agree in all attributes, STL vertices in the position.
 Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options);
 
 }  // namespace glark::geometry

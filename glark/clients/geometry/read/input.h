@@ -19,21 +19,21 @@ namespace glark::geometry {
 
 class Input {
  public:
-  // Fills the span with the next bytes and returns their number, which is smaller only at the end.
+  // Fills the span with the next bytes and returns their number. Only at the end is the number smaller than the span.
   using Fill = std::function<std::size_t(std::span<char>)>;
 
-  // size: the number of all bytes, if it is known in advance.
+  // size: the total number of bytes, if it is known in advance.
   Input(std::string name, Fill fill, std::optional<std::uint64_t> size);
 
   const std::string& name() const { return name_; }
-  // The number of bytes that follow, if it is known.
+  // The number of remaining bytes, if it is known.
   std::optional<std::uint64_t> remaining() const;
 
-  // Returns the next `count` bytes, fewer at the end of the file. They are valid until the next call.
+  // Returns the next `count` bytes, or fewer at the end of the file. The bytes are valid until the next call.
   std::span<const char> take(std::size_t count);
   // Reads a line without its end. Returns false at the end of the file. Throws Error if the line is too long for text.
   bool line(std::string_view& text);
-  // Returns the next word between white space; empty at the end of the file.
+  // Returns the next word between white space, or an empty word at the end of the file.
   std::string_view word();
   // Sets a function that receives the number of bytes read so far.
   void on_progress(std::function<void(std::uint64_t bytes)> report) { report_ = std::move(report); }

@@ -21,7 +21,7 @@ std::size_t size_of(Type type);
 struct Property {
   std::string name;
   Type type;
-  std::optional<Type> count_type;  // of a list
+  std::optional<Type> count_type;  // the type of a list's length
 };
 
 struct Element {
@@ -30,7 +30,7 @@ struct Element {
   std::vector<Property> properties;
 
   bool has_lists() const;
-  // The least number of bytes of such an element in the file.
+  // The minimum number of bytes of one element in the file.
   std::uint64_t least_size(Encoding encoding) const;
 };
 
@@ -39,8 +39,8 @@ struct Header {
   std::vector<Element> elements;
 };
 
-// Reads the header and leaves the input after it. Throws Error, also if the file is too short for the elements that it
-// announces.
+// Reads the header. The next byte of the input is the first one after the header. Throws Error, for example if the file
+// is too short for the announced elements.
 Header read_header(Input& input);
 
 }  // namespace glark::geometry::ply

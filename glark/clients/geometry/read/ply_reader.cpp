@@ -96,7 +96,7 @@ class Vertices {
     attributes_.normals = has({slot_nx, slot_ny, slot_nz});
     attributes_.colours = has({slot_red, slot_green, slot_blue});
     attributes_.texture_coordinates = has({slot_s, slot_t});
-    // Each channel becomes a byte according to its own type.
+    // In files with other types, each channel becomes a byte according to its own type.
     if (is_float(slot_red) && is_float(slot_green) && is_float(slot_blue) &&
         (column_[slot_alpha] == none || is_float(slot_alpha)))
       colour_range_ = ColourRange::by_greatest;
@@ -224,7 +224,8 @@ class Body {
     return static_cast<std::int64_t>(value);
   }
 
-  // Triangle strips, each ended by -1, as in the Stanford models. Triangles without area join the parts of a strip.
+  // Adds triangle strips. Each strip ends with -1, as in the Stanford models. Degenerate triangles join the parts of a
+  // strip.
   void add_strips(PointBuilder& builder) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < corners_.size(); ++i) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Reads PLY. This is a reader of our own: the libraries in Debian keep only floats, which are too short for
-// georeferenced scans, or need faces, or take tens of times the memory of the points.
+// Reads PLY. No library in Debian fits our files. Some keep only floats, which are too short for georeferenced scans.
+// Some need faces. Some take tens of times the memory of the points.
 #pragma once
 
 #include "glark/clients/geometry/geometry.h"

@@ -15,7 +15,7 @@
 namespace glark::geometry {
 namespace {
 
-// Above this, consecutive floats differ by more than a thousandth.
+// Above this number, the step between floats is about a thousandth or more.
 constexpr double far_from_zero = 8192;
 constexpr std::uint32_t removed = std::numeric_limits<std::uint32_t>::max();
 
@@ -108,7 +108,8 @@ void PointBuilder::add_point(const Point& point, bool needs_double) {
                                          point.texture_coordinate.end());
 }
 
-// Numbers count as fractions until one is clearly above 1. Numbers that counted as fractions become 0 or 1 of 255 then.
+// Numbers are fractions until one is clearly above 1. From then on, they are bytes, and the earlier numbers become 0 or
+// 1 of 255.
 void PointBuilder::add_colour(const std::array<float, 4>& colour) {
   constexpr float above_fractions = 2;
   const auto is_above = [](float channel) { return channel > above_fractions; };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Checks the points and polygons that a reader finds, chooses the origin, and counts what is left out.
+// Checks the points and polygons that a reader finds, chooses the origin, and counts the elements that it leaves out.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@ struct Attributes {
   bool texture_coordinates = false;
 };
 
-// The range of a colour's numbers. Floats go from 0 to 1 in most files, and from 0 to 255 in some; the greatest number
-// of the file tells.
+// The range of a colour's numbers. In most files, floats go from 0 to 1; in some, from 0 to 255. The greatest number of
+// the file decides.
 enum class ColourRange { byte, fraction, by_greatest };
 
-inline constexpr float opaque = -1;  // an alpha that the file does not have
+inline constexpr float opaque = -1;  // stands for an alpha that the file does not have
 
 struct Point {
   std::array<double, 3> position{};
@@ -35,13 +35,13 @@ struct Point {
 
 class PointBuilder {
  public:
-  // element: the format's word for a point, for messages.
+  // element: the word for a point in messages, as the format has it.
   PointBuilder(std::string file, std::string element, Attributes attributes, const ReadOptions& options,
                ColourRange range = ColourRange::byte);
 
-  // Throws Error if so many points do not fit into memory.
+  // Throws Error if the memory is too small for these numbers of points and triangles.
   void expect(std::uint64_t points, std::uint64_t triangles);
-  // needs_double: the file's numbers have more digits than a float.
+  // needs_double: the file's numbers have more digits than a float can hold.
   void add_point(const Point& point, bool needs_double);
   // Divides a polygon into a fan around its first corner. finish() checks the indices.
   void add_polygon(std::span<const std::int64_t> corners);

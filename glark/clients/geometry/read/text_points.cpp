@@ -22,7 +22,7 @@ bool is_separator(char letter) {
   return letter == ' ' || letter == '\t' || letter == ',' || letter == ';' || letter == '\r';
 }
 
-// Returns the numbers of a line; nothing if a word is not a number.
+// The numbers of a line. `numbers` is false if a word is not a number.
 struct Row {
   std::array<double, most_columns> values{};
   std::size_t count = 0;
@@ -47,8 +47,7 @@ struct Row {
   }
 };
 
-// Returns whether commas may be decimal commas, as in "1,5 2,5" or "1,5;2,5", where other characters separate the
-// numbers.
+// Returns whether commas may be decimal commas, as in "1,5 2,5" or "1,5;2,5". The numbers must have other separators.
 bool may_have_decimal_commas(std::string_view line) {
   const auto digit = [&](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
   bool within = false, other = line.find(';') != std::string_view::npos;
@@ -70,7 +69,7 @@ class Columns {
     };
     switch (count_) {
       case 3:
-      case 4: break;  // with an intensity
+      case 4: break;  // column 4 is an intensity
       case 6: (kind == TextPoints::pts ? colour_ : normal_) = 3; break;
       case 7: colour_ = 4; break;
       case 9:
@@ -176,7 +175,7 @@ class Lines {
       announce(row.values[0]);
       return;
     }
-    if (!row.numbers && first && number_ == 1) return;  // the names of the columns
+    if (!row.numbers && first && number_ == 1) return;  // skips the names of the columns
     if (!row.numbers)
       throw Error(place() + ": \"" + std::string(line.substr(0, 40)) +
                   "\" is not a row of numbers; repair the file or check the format");

@@ -11,9 +11,11 @@
 namespace glark::geometry {
 
 enum class TextPoints {
-  xyz,  // six columns are a position and a normal if all of these have unit length or none or one is negative, else a
-        // colour
-  pts,  // the first line may be the number of points; six columns are a position and a colour
+  // Six columns are a position and a normal if all normals have length 1 or 0, or if a number is negative. Otherwise
+  // they are a position and a colour.
+  xyz,
+  // The first line may be the number of points. Six columns are a position and a colour.
+  pts,
 };
 
 Reading read_text_points(Input& input, TextPoints kind, const ReadOptions& options);

@@ -35,7 +35,7 @@ class Line {
   std::string text_;
 };
 
-// Adds the coordinates of a point; with an origin, the sums as doubles.
+// Appends the coordinates of a point. With an origin, they are sums in double precision.
 template <class Geometry>
 void add_position(Line& line, const Geometry& geometry, std::size_t point) {
   for (std::size_t axis = 0; axis < 3; ++axis) {

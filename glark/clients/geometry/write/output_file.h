@@ -25,7 +25,7 @@ class OutputFile {
   void write_values(std::span<const Value> values) {
     write({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
   }
-  // Makes the file appear.
+  // Puts the finished file in place.
   void commit();
 
  private:

@@ -39,7 +39,7 @@ std::string corner(const Geometry& geometry, std::uint32_t index) {
 
 using Vector = common::Vector3f;
 
-// Has unit length, or is zero for a triangle without area.
+// Returns the unit normal, or zero for a triangle without area.
 Vector face_normal(Vector a, Vector b, Vector c) {
   const Vector normal = cross(b - a, c - a);
   const float size = length(normal);

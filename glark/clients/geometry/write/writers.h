@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// One function for each format. They throw Error if the format cannot hold the geometry.
+// One function for each format. It throws Error if the format cannot hold the geometry.
 #pragma once
 
 #include "glark/clients/geometry/geometry.h"
@@ -14,9 +14,9 @@ enum class PlyEncoding { binary, text };
 // Positions are floats, or doubles if there is an origin.
 void write_ply(OutputFile& file, const Geometry& geometry, PlyEncoding encoding);
 void write_obj(OutputFile& file, const Geometry& geometry);
-// Lines of x y z, then colours, then normals.
+// Writes lines of x y z, then colours, then normals.
 void write_xyz(OutputFile& file, const Geometry& geometry);
-// As XYZ, with an intensity of 0, and the number of points in the first line.
+// Writes lines as XYZ, with an intensity of 0. The first line is the number of points.
 void write_pts(OutputFile& file, const Geometry& geometry);
 // Binary STL. Messages name the file `name`.
 void write_stl(OutputFile& file, const Geometry& geometry, const std::string& name);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double sixth = std::numbers::pi / 3;
 
-// Returns whether one closed fan without creases surrounds the vertex.
+// Returns the closed fan around the vertex where the half-edge starts. Returns null if a crease meets the vertex.
 const Sector* fan_of(const Topology& topology, std::uint32_t half_edge) {
   const Sector& sector = topology.sectors[topology.sector_of[half_edge]];
   return topology.rules[sector.vertex] == Rule::smooth ? &sector : nullptr;
@@ -21,8 +21,8 @@ const Sector* fan_of(const Topology& topology, std::uint32_t half_edge) {
 
 bool extraordinary(const Sector* fan) { return fan != nullptr && fan->count != 6; }
 
-// The weight of neighbour i, counted from the edge's other end, in the rule around a vertex of valence n. The vertex
-// itself weighs 3/4.
+// Returns the weight of neighbour i of a vertex of valence n. Neighbour 0 is the other end of the edge. The vertex
+// itself has the weight 3/4.
 double spoke_weight(std::uint32_t i, std::uint32_t n) {
   if (n == 3) return i == 0 ? 5.0 / 12 : -1.0 / 12;
   if (n == 4) return i == 0 ? 3.0 / 8 : (i == 2 ? -1.0 / 8 : 0);
@@ -71,7 +71,7 @@ void ButterflyStep::add_edge(const Topology& topology, std::uint32_t e) {
   }
 }
 
-// Four points along the crease. Where the crease ends, the far end is mirrored.
+// Adds four points along the crease. Where the crease ends, the far end is mirrored.
 void ButterflyStep::add_crease(const Topology& topology, const Edge& edge) {
   for (std::size_t i = 0; i < 2; ++i) {
     const std::uint32_t a = edge.ends[i], b = edge.ends[1 - i];
@@ -86,7 +86,7 @@ void ButterflyStep::add_crease(const Topology& topology, const Edge& edge) {
   }
 }
 
-// The rule of the extraordinary vertex where the half-edge starts.
+// Adds the rule of the extraordinary vertex where the half-edge starts.
 void ButterflyStep::add_spokes(const Topology& topology, std::uint32_t half_edge, double share) {
   const Sector& fan = *fan_of(topology, half_edge);
   const auto ring = topology.rings.begin() + fan.first;
@@ -97,7 +97,7 @@ void ButterflyStep::add_spokes(const Topology& topology, std::uint32_t half_edge
     add_term(ring[static_cast<std::ptrdiff_t>((start + i) % fan.count)], share * spoke_weight(i, fan.count));
 }
 
-// One side of the regular stencil, with the vertex where the half-edge starts.
+// Adds one side of the regular stencil, with the vertex where the half-edge starts.
 void ButterflyStep::add_wing(const Topology& topology, std::uint32_t half_edge) {
   add_term(topology.corner(half_edge), 0.5);
   add_term(topology.opposite(half_edge), 1.0 / 8);
@@ -122,12 +122,13 @@ void ButterflyStep::add_tangent(std::uint32_t point, double weight, double angle
       {point, static_cast<float>(weight * std::cos(angle)), static_cast<float>(weight * std::sin(angle))});
 }
 
-// The first Fourier mode of the ring after the step. At a regular vertex the left eigenvector also has the second ring.
+// Adds the first Fourier mode of the ring after the step. At a regular vertex, the left eigenvector also includes the
+// second ring.
 void ButterflyStep::add_vertex_normal(const Topology& topology, std::uint32_t half_edge) {
   const Sector& sector = topology.sectors[topology.sector_of[half_edge]];
   const auto middle = [&](std::uint32_t h) { return topology.vertex_count + topology.edge_of[h]; };
   begin_normal(sector.vertex, topology.sector_of[half_edge], half_edge);
-  std::vector<std::uint32_t> corners;  // of the sector's triangles, in the order of the ring
+  std::vector<std::uint32_t> corners;  // the corners of the sector's triangles, in the order of the ring
   std::uint32_t h = half_edge;
   while (topology.corner(Topology::after(h)) != topology.rings[sector.first]) h = Topology::after(topology.twin(h));
   const std::uint32_t triangles = sector.count - (sector.closed ? 0 : 1);
@@ -170,8 +171,8 @@ void ButterflyStep::add_edge_normals(const Topology& topology, std::uint32_t e) 
   }
 }
 
-// The middle of an edge has valence 6 after the step. Vertices that its second ring lacks, at creases and beyond the
-// ends of the edge, are replaced by the first ring at twice the distance. Their weight in the mask is 1/16.
+// The middle of an edge has valence 6 after the step. At creases and beyond the ends of the edge, its second ring lacks
+// vertices. The first ring at twice the distance replaces these vertices. Their weight in the mask is 1/16.
 void ButterflyStep::add_smooth_edge_normal(const Topology& topology, std::uint32_t e) {
   const std::uint32_t left = topology.sides[topology.edges[e].first_side];
   const std::uint32_t right = topology.sides[topology.edges[e].first_side + 1];

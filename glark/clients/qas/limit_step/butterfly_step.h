@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// One step of the Modified Butterfly scheme, which interpolates: its vertices and edge midpoints lie on the limit surface as they are.
+// One step of the Modified Butterfly scheme. The scheme interpolates: its vertices and edge midpoints lie on the limit
+// surface.
 //
 // Based on: Zorin, Schroeder, Sweldens, Interpolating Subdivision for Meshes with Arbitrary Topology, 1996. Our
 // additions: creases have the four-point rule. Where a stencil reaches across a crease, the missing vertex is the
@@ -22,7 +23,7 @@ class ButterflyStep {
 
   // Computes the vertices of the mesh after one step: [position_count()] of the numbering.
   void subdivide(const Workers& workers, const Float4* from, Float4* to) const;
-  // points: [position_count()], receives the vertices after the step; frame.from is the mesh.
+  // points: [position_count()], receives the vertices after the step. frame.from is the mesh.
   void run(const Workers& workers, const LimitStep::Frame& frame, Float4* points) const;
 
  private:
@@ -37,8 +38,8 @@ class ButterflyStep {
   };
   struct Normal {
     std::uint32_t centre, normal;
-    std::size_t first, last;  // in tangent_terms_
-    std::uint32_t coarse;     // a half-edge whose triangle gives the normal if the tangents do not
+    std::size_t first, last;  // a range in tangent_terms_
+    std::uint32_t coarse;     // the triangle that gives the normal if the tangents do not
   };
 
   void add_term(std::uint32_t vertex, double weight);
@@ -54,8 +55,8 @@ class ButterflyStep {
 
   std::size_t vertex_count_ = 0;
   const LimitStep& numbering_;
-  std::vector<std::size_t> first_term_;  // of each edge, and the end
-  std::vector<Term> terms_;              // of coarse vertices
+  std::vector<std::size_t> first_term_;  // the first term of each edge, and the end
+  std::vector<Term> terms_;              // the terms of coarse vertices
   std::vector<Normal> normals_;
   std::vector<TangentTerm> tangent_terms_;
   std::vector<std::uint32_t> triangles_;

@@ -10,7 +10,7 @@
 namespace glark::qas {
 namespace {
 
-// The mean normal of the triangles of a ring, for vertices without a tangent plane.
+// Returns the mean normal of the triangles of a ring, for vertices without a tangent plane.
 Float4 ring_normal(const Float4* from, Float4 vertex, const std::uint32_t* ring, std::uint32_t count, bool closed) {
   Float4 sum{};
   for (std::uint32_t i = 0; i + (closed ? 0 : 1) < count; ++i)
@@ -48,8 +48,8 @@ void LimitStep::run_fan(const Frame& frame, const Fan& fan, std::size_t begin, s
   }
 }
 
-// Vertices of valence 6, which nearly all vertices have after a step: the Fourier mode of the ring without
-// multiplications by its weights.
+// Handles vertices of valence 6. After a step, nearly all vertices have this valence. The Fourier mode of the ring
+// needs no table of weights.
 template <bool With_limits>
 void LimitStep::run_regular_fan(const Frame& frame, const Fan& fan, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
@@ -119,7 +119,7 @@ void LimitStep::run_open_sectors(const Frame& frame, std::size_t begin, std::siz
     const bool found = unit_normal(first, second, normal);
     if (!found || sector.corner) {
       const Float4 coarse = ring_normal(frame.from, vertex, ring, sector.count, sector.closed);
-      // A corner of three or more triangles need not have a tangent plane. At a reflex corner the two edges give the
+      // A corner of three or more triangles may have no tangent plane. At a reflex corner, the two edges give the
       // opposite normal.
       if (!found || sector.count > 3 || dot(normal, coarse) <= 0) normal = coarse;
     }
@@ -138,7 +138,7 @@ void LimitStep::finish_edge(const Frame& frame, const SmoothEdge& edge, Float4 l
   store(frame.normals[stencils_.counts.sectors + edge.edge], normal);
 }
 
-// The step, and the limit masks of the six neighbours that the middle has after it, multiplied out.
+// The weights combine the step with the limit mask over the six neighbours that the middle has after the step.
 void LimitStep::run_regular_edges(const Frame& frame, std::size_t begin, std::size_t end) const {
   for (std::size_t i = begin; i < end; ++i) {
     const SmoothEdge& edge = stencils_.edges.regular[i];
@@ -161,7 +161,7 @@ void LimitStep::run_general_edges(const Frame& frame, std::size_t begin, std::si
     const MiddleWeights& weights = stencils_.edges.middle_weights[i];
     const Float4 a = frame.from[edge.a];
     const Float4 b = frame.from[edge.b] - a, c = frame.from[edge.c] - a, d = frame.from[edge.d] - a;
-    // The six neighbours of the edge's middle after one step, and the middle itself, as seen from a.
+    // The six neighbours of the edge's middle after one step, and the middle itself, relative to a.
     const Float4 ac = weights.ends[0] * c + weights.opposites[0] * (b + (frame.from[edge.across[0]] - a));
     const Float4 bc = weights.ends[1] * (b + c) + weights.opposites[1] * (frame.from[edge.across[1]] - a);
     const Float4 ad = weights.ends[2] * d + weights.opposites[2] * (b + (frame.from[edge.across[2]] - a));

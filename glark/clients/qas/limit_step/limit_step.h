@@ -28,7 +28,7 @@ class LimitStep {
     Float4* shift;       // [vertex_count], receives what one step of subdivision adds to a vertex
     Vector* positions;   // [position_count()]
     Vector* normals;     // [normal_count()]
-    float unscale;       // the factor of the resulting positions
+    float unscale;       // the factor from the scaled space to the caller's space
   };
   void run(const Workers& workers, const Frame& frame) const;
   // Sets the normals of elements without a normal, and of triangles that are drawn as the back of another one.

@@ -18,15 +18,14 @@ inline double loop_beta(std::uint32_t valence) {
   return (5.0 / 8 - root * root) / n;
 }
 
-// The weights of the ring of an open fan for the two tangents at a vertex with creases: along the crease, and across it
-// into the fan. At a corner the tangents are the two edges that bound the fan. The weights multiply differences to the
-// vertex.
+// The weights of an open fan's ring for the two tangents at a crease vertex: along the crease, and across it into the
+// fan. At a corner, the tangents are the two edges that bound the fan. The weights multiply differences to the vertex.
 //
-// The tangents across are left eigenvectors of the step. The formula of Hoppe et al. (1994), which OpenSubdiv has for
-// four triangles and more, belongs to their modified rules: with the plain rule for crease edges, which OpenSubdiv
-// refines by, it is not the limit.
+// The tangents across are left eigenvectors of the step. OpenSubdiv has the formula of Hoppe et al. (1994) for four
+// triangles and more. The formula belongs to their modified rules. OpenSubdiv refines by the plain rule for crease
+// edges, and with this rule the formula does not give the limit.
 struct TangentMask {
-  std::uint32_t last;  // index of the ring, and the number of triangles
+  std::uint32_t last;  // the last index of the ring, which is also the number of triangles
   bool corner;
   double theta;
   double end;  // the weight of the first and the last vertex for the tangent across
@@ -44,8 +43,8 @@ inline TangentMask tangent_mask(std::uint32_t ring_size, bool corner) {
   if (last == 1) return {last, corner, theta, 1};  // eigenvalue 1/4
   if (last == 2) return {last, corner, theta, 0};  // 3/8
   const double eigenvalue = 3.0 / 8 + std::cos(theta) / 4;
-  const double inner =
-      3.0 / 8 / std::tan(theta / 2);  // the sum over the inner vertices, whose weight in the vertex's column is 3/8
+  // The sum over the inner vertices. Their weight in the vertex's column is 3/8.
+  const double inner = 3.0 / 8 / std::tan(theta / 2);
   const double end =
       (inner + (eigenvalue - 0.75) * std::sin(theta)) / (8 * (eigenvalue - 0.75) * (eigenvalue - 0.5) - 1);
   return {last, corner, theta, end};

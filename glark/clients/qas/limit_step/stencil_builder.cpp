@@ -19,7 +19,7 @@ struct Across {
   bool smooth;
 };
 
-// The vertex on the other side of an edge. For a sharp edge it is one of the ends, with the weight 0.
+// Returns the vertex on the other side of an edge. For a sharp edge, it is one of the ends, with the weight 0.
 Across across(const Topology& topology, std::uint32_t half_edge) {
   const std::uint32_t twin = topology.twin(half_edge);
   if (twin == none) return {topology.corner(half_edge), false};
@@ -55,7 +55,7 @@ class StencilBuilder {
 
   const Topology& topology_;
   Stencils result_;
-  std::vector<std::uint32_t> normal_of_;  // of each half-edge
+  std::vector<std::uint32_t> normal_of_;  // the normal of each half-edge
 };
 
 }  // namespace
@@ -76,7 +76,7 @@ void StencilBuilder::add_fans() {
       add_to_fan(one, sector.count);
       continue;
     }
-    // Several fans meet: the vertex stays where it is, and each fan has its own normal.
+    // If several fans meet, the vertex stays where it is, and each fan has its own normal.
     result_.vertices.open_sectors.push_back(
         {one.sector, one.vertex, sector.count, result_.rings.size(), result_.weights.size(), false, true});
     add_closed_tangents(sector.count);
@@ -101,7 +101,7 @@ void StencilBuilder::add_to_fan(const FanVertex& vertex, std::uint32_t valence) 
   result_.vertices.fan_vertices.push_back(vertex);
 }
 
-// Tangents of the smooth rule are the first Fourier mode of the ring.
+// The tangents of the smooth rule are the first Fourier mode of the ring.
 void StencilBuilder::add_closed_tangents(std::uint32_t valence) {
   for (std::uint32_t i = 0; i < valence; ++i) {
     const double angle = 2 * std::numbers::pi * i / valence;
@@ -210,7 +210,7 @@ void StencilBuilder::add_patches() {
   }
 }
 
-// The patch of the original triangle, with its points in the order of the copy.
+// Returns the patch of the original triangle, with its points in the order of the copy.
 Patch StencilBuilder::copied_patch(std::uint32_t triangle) {
   const Patch& source = result_.patches[topology_.same_as[triangle]];
   const std::uint32_t* const vertices = &topology_.triangles[3 * std::size_t{triangle}];

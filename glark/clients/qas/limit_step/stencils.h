@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Tables of stencils for a limit step, made from the topology. They are grouped by kind, so that no kernel branches on the kind.
+// Tables of stencils for a limit step, made from the topology. The tables are grouped by kind, so that no kernel
+// branches on the kind.
 #pragma once
 
 #include <array>
@@ -44,7 +45,8 @@ struct OpenSector {
 struct TangentWeights {
   float first, second;
 };
-// An edge a b, the opposite vertices c of triangle a b c and d of b a d, and those across a c, b c, a d, b d.
+// An edge a b. The vertices c and d are opposite to it, in the triangles a b c and b a d. Four more vertices lie across
+// the edges a c, b c, a d and b d.
 struct SmoothEdge {
   std::uint32_t a, b, c, d;
   std::array<std::uint32_t, 4> across;
@@ -59,7 +61,7 @@ struct SharpEdge {
 };
 struct SharpSide {
   std::uint32_t a, b, c;
-  std::array<std::uint32_t, 2> across;  // a c, b c
+  std::array<std::uint32_t, 2> across;  // the vertices across a c and b c
   std::array<float, 2> ends, opposites;
   std::uint32_t normal;
 };
@@ -76,9 +78,9 @@ struct VertexStencils {
 };
 
 struct EdgeStencils {
-  std::vector<SmoothEdge> regular;  // no crease is near
+  std::vector<SmoothEdge> regular;  // edges without a crease nearby
   std::vector<SmoothEdge> general;
-  std::vector<MiddleWeights> middle_weights;  // of the general edges
+  std::vector<MiddleWeights> middle_weights;  // the weights of the general edges
   std::vector<SharpEdge> sharp;
   std::vector<SharpSide> sharp_sides;
 };
@@ -92,7 +94,7 @@ struct Stencils {
   EdgeStencils edges;
   std::vector<std::uint32_t> rings;
   std::vector<TangentWeights> weights;
-  std::size_t no_normal = 0;  // of elements without a normal
+  std::size_t no_normal = 0;  // where elements without a normal point to
   std::vector<Reversed> reversed;
   std::vector<Patch> patches;
 };

@@ -47,7 +47,7 @@ Basis beyond_edge(double p, double q, double r) {
            2 * p2 * p + 6 * p2 * q + 6 * p * q2 + 2 * q2 * q}};
 }
 
-// The function of the neighbour of p alone that lies on the side of q:
+// The function of an outer vertex. It is a neighbour of p only and lies on the side of q:
 Basis outer(double p, double q) { return {p * p * p * (p + 2 * q), {4 * p * p * p + 6 * p * p * q, 2 * p * p * p, 0}}; }
 
 }  // namespace
@@ -70,8 +70,11 @@ LoopPatch::LoopPatch(const Neighbourhood& around, const std::vector<Point>& posi
   find_control_points();
 }
 
-// The ring of a corner, counter-clockwise from the next one: the corner after it, the vertex beyond the edge to that, two outer
-// ones, the vertex beyond the edge to the next.
+// Counter-clockwise, the ring of a corner consists of:
+// - the next corner and the last corner;
+// - the vertex beyond the edge to the last corner;
+// - two outer vertices;
+// - the vertex beyond the edge to the next corner.
 void LoopPatch::find_control_points() {
   regular_ = true;
   for (std::uint32_t i = 0; i < 3 && regular_; ++i) {
@@ -85,7 +88,7 @@ void LoopPatch::find_control_points() {
     control_[4 * i] = vertex;
     for (std::size_t j = 1; j < 4; ++j) control_[4 * i + j] = ring[static_cast<std::ptrdiff_t>((start + 6 - j) % 6)];
   }
-  for (const Edge& edge : topology_.edges) {  // a dart has its crease among them
+  for (const Edge& edge : topology_.edges) {  // a dart has its crease among these edges
     const bool touches = std::any_of(edge.ends.begin(), edge.ends.end(), [&](std::uint32_t vertex) {
       return std::find(topology_.triangles.begin(), topology_.triangles.begin() + 3, vertex) !=
              topology_.triangles.begin() + 3;

@@ -16,28 +16,29 @@ using Point = std::array<double, 3>;
 
 struct Jet {
   Point position{};
-  std::array<Point, 2> tangents{};  // of no particular length
+  std::array<Point, 2> tangents{};  // their lengths have no meaning
 };
 
-// Triangles anywhere in a mesh, three vertices each, and the creases between them.
+// Some triangles of a mesh, three vertices each, and the creases between them.
 struct Neighbourhood {
   std::vector<std::uint32_t> triangles, creases;
 };
 
-// A triangle with all triangles that touch it. The triangles around only give control points; they are not evaluated.
+// A triangle with all triangles that touch it. The other triangles only provide control points.
 class LoopPatch {
  public:
-  // around: the triangle itself first, then all triangles that touch it. positions: of all vertices of the mesh.
+  // around: the triangle itself, then all triangles that touch it. positions: the positions of all vertices of the
+  // mesh.
   LoopPatch(const Neighbourhood& around, const std::vector<Point>& positions);
 
   // Returns whether all vertices have valence 6 and no crease: then the surface is a quartic box spline.
   bool regular() const { return regular_; }
-  // Only for a regular patch.
+  // The patch must be regular.
   Jet box_spline(const std::array<double, 3>& barycentric) const;
   // The surface at corner 0, 1 or 2 of any patch.
   Jet limit(std::uint32_t corner) const;
-  // A patch after one step: 0, 1 and 2 lie at the corners; 3 lies in the middle, with its corners on the edges 01, 12,
-  // 20.
+  // Returns one of four patches after one step. Patches 0, 1 and 2 lie at the corners. Patch 3 lies in the middle, with
+  // its corners on the edges 01, 12, 20.
   LoopPatch child(std::uint32_t which) const;
 
  private:
@@ -47,8 +48,8 @@ class LoopPatch {
   Topology topology_;  // the triangle is the first one
   std::vector<Point> positions_;
   bool regular_ = false;
-  std::array<std::uint32_t, 12>
-      control_{};  // of each corner: itself, the vertex beyond the edge to the next corner, two others of the ring
+  // For each corner: itself, the vertex beyond the edge to the next corner, two outer vertices.
+  std::array<std::uint32_t, 12> control_{};
 };
 
 }  // namespace glark::qas

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The limit surface at any parameter, by Stam's tiling: a triangle with an extraordinary vertex or a crease is
-// subdivided, and three of its four children are regular, except near creases. The subdivision matrix is not
-// diagonalised; its steps are applied one by one. Patterns end at the eleventh step, and so creases and corners need no
-// special case.
+// The limit surface at any parameter, by Stam's tiling. A triangle with an extraordinary vertex or a crease is
+// subdivided. Three of its four children are regular, except near creases. The subdivision matrix is not diagonalised;
+// steps are applied one by one. Patterns end at the eleventh step, so creases and corners need no special case.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +18,7 @@
 namespace glark::qas {
 namespace {
 
-constexpr int deepest_step = 24;  // nearer to a corner than floats resolve
+constexpr int deepest_step = 24;  // further steps are nearer to a corner than floats resolve
 constexpr unsigned deepest_level = 11;
 
 Sample sample_of(const Jet& jet, const Point& coarse_normal) {
@@ -111,7 +110,7 @@ Point LoopSurface::State::coarse_normal(std::uint32_t triangle) const {
 
 Sample LoopSurface::State::evaluate(std::uint32_t triangle, std::array<double, 3> barycentric) const {
   LoopPatch here = patch(triangle);
-  // Each step doubles the error of their sum, so the greatest one is set to make the sum 1.
+  // Each step doubles the error of the coordinates' sum. So the greatest coordinate is set to make the sum 1.
   const auto greatest =
       static_cast<std::size_t>(std::max_element(barycentric.begin(), barycentric.end()) - barycentric.begin());
   barycentric[greatest] = 1 - barycentric[(greatest + 1) % 3] - barycentric[(greatest + 2) % 3];

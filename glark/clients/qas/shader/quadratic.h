@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The computation of refine.glsl, operation by operation.
+// Repeats the computation of refine.glsl, operation by operation.
 #pragma once
 
 #include <array>

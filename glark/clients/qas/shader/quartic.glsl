@@ -6,7 +6,7 @@
 // the corner. On an edge, the terms of other edges are zero, and the terms of the two ends are added first. So the sum
 // is the same from both sides.
 #include "glark/clients/qas/shader/precise.glsl"
-// The weights of the points 1/4 to 4/4 away.
+// Returns the weights 1 to 4 of quartic_weights() in quartic.h.
 vec4 glark_qas_weights(float x) {
   glark_qas_precise float x4 = 4.0 * x;
   glark_qas_precise float second = 0.5 * x4 * (x4 - 1.0);

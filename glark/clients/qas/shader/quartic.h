@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The quartic through the 15 points of a triangle whose barycentric coordinates are multiples of 1/4. This is the
-// computation of quartic.glsl, operation by operation.
+// The quartic through the 15 points of a triangle whose barycentric coordinates are multiples of 1/4. The code repeats
+// the computation of quartic.glsl, operation by operation.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace glark::qas {
 
-// The points of one corner: its own, those at 1/4, 2/4 and 3/4 of the edge to the next corner, and the inner point next
-// to it.
+// The points of one corner: the corner, the points at 1/4, 2/4 and 3/4 of the edge to the next corner, and the inner
+// point next to the corner.
 struct QuarticPoints {
   std::array<Float4, 4> edge;
   Float4 inner;
@@ -40,7 +40,7 @@ inline Float4 quartic(const std::array<QuarticPoints, 3>& corners, const std::ar
   return (at_corners + on_edges) + inside;
 }
 
-// The places of a corner's points among the patches of the mesh that is split once.
+// The place of a corner's point in the patches of the mesh after one split.
 struct PatchPoint {
   std::size_t patch, point;
 };

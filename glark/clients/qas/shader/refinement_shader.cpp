@@ -41,7 +41,7 @@ std::string with_unit_length(const std::string& input, const std::string& value)
 
 }  // namespace
 
-// The names of the shader's own variables begin as no input's name may (11.R.9).
+// The shader's own variables begin with a prefix that no input's name may have (11.R.9).
 std::string refinement_shader(const ShaderInputs& inputs) {
   std::string body = "  " + inputs.position + ".xyz = " + fitted(inputs.position, inputs.edge_position) + ";\n";
   if (!inputs.normal.empty()) body += with_unit_length(inputs.normal, fitted(inputs.normal, inputs.edge_normal));

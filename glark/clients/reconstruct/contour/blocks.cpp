@@ -10,7 +10,7 @@
 namespace glark::reconstruct {
 namespace {
 
-constexpr float least_band = 2.5F;  // cells, on either side of a plane
+constexpr float least_band = 2.5F;  // in cells, on each side of a plane
 
 // A box of corners of the grid, low .. high.
 struct Box {
@@ -37,13 +37,13 @@ void each_block(const Box& box, const Body& body) {
   }
 }
 
-// Four corners along x, one in each lane.
+// Each vector has four corners along x, one in each lane.
 constexpr std::size_t fours = block_corners / 4;
 using Fours = std::array<Float4, fours>;
 Float4 all(float a) { return Float4{a, a, a, a}; }
 
-// Calls body(four, their offsets from the plane's point in cells, the squared distances) for the rows of corners that
-// cross the plane's ball.
+// Calls body for each group of four corners in the rows that cross the plane's ball. The arguments are the group, the
+// offsets from the plane's point in cells, and the squared distances.
 template <typename Body>
 void each_four(const SupportPlane& plane, float cells, const CellIndex& place, const Body& body) {
   Box box = box_of(plane, cells);
@@ -69,7 +69,7 @@ void each_four(const SupportPlane& plane, float cells, const CellIndex& place, c
   }
 }
 
-// For each corner, the normal of the nearest plane of those that reach the corner.
+// Finds for each corner the normal of the nearest plane, among the planes that reach the corner.
 void find_nearest(const std::vector<SupportPlane>& planes, std::span<const std::uint32_t> mine, float cells,
                   const CellIndex& place, std::array<Fours, 3>& normals) {
   Fours least;
@@ -121,7 +121,7 @@ void evaluate_block(const std::vector<SupportPlane>& planes, std::span<const std
 Blocks evaluate(const TransitionLayer& layer, unsigned level, const Workers& workers) {
   const auto cells = static_cast<float>(1U << level);
   Blocks blocks{.table = CellTable(layer.planes.size() / 8), .places = {}, .values = {}};
-  std::vector<std::uint32_t> begins(1);  // where the planes of each block begin; first their numbers
+  std::vector<std::uint32_t> begins(1);  // the first plane of each block; initially the number of planes
   for (const SupportPlane& plane : layer.planes) {
     each_block(box_of(plane, cells), [&](const CellIndex& place) {
       const auto next = static_cast<std::uint32_t>(blocks.places.size());

@@ -11,7 +11,7 @@
 
 namespace glark::reconstruct {
 
-inline constexpr std::int32_t block_side = 8;  // corners
+inline constexpr std::int32_t block_side = 8;  // in corners
 inline constexpr std::size_t block_corners = 512;
 
 inline std::uint32_t corner_in_block(std::int32_t x, std::int32_t y, std::int32_t z) {
@@ -24,7 +24,7 @@ using BlockValues = std::array<float, block_corners>;
 
 struct Blocks {
   CellTable table;
-  std::vector<CellIndex> places;  // in blocks
+  std::vector<CellIndex> places;  // in units of blocks
   std::vector<BlockValues> values;
 
   std::uint32_t find(const CellIndex& place) const {
@@ -35,8 +35,8 @@ struct Blocks {
   }
 };
 
-// Evaluates the partition of unity of the planes near each corner. Only planes that face the same way as the nearest
-// one count, so that the two sides of a thin sheet do not mix.
+// Evaluates the partition of unity of the planes near each corner. A plane must face the same way as the nearest one.
+// So the two sides of a thin sheet do not mix.
 Blocks evaluate(const TransitionLayer& layer, unsigned level, const Workers& workers);
 
 }  // namespace glark::reconstruct

@@ -13,23 +13,23 @@
 namespace glark::reconstruct {
 namespace {
 
-constexpr std::size_t grain = 16;              // blocks
-constexpr std::int32_t wide = block_side + 1;  // with one row of a neighbour
+constexpr std::size_t grain = 16;              // in blocks
+constexpr std::int32_t wide = block_side + 1;  // the side of a block plus one row of a neighbour
 constexpr std::size_t wide_cells = 9UL * 9UL * 9UL;
 
 std::uint32_t in_wide(std::int32_t x, std::int32_t y, std::int32_t z) {
   return static_cast<std::uint32_t>(x + wide * (y + wide * z));
 }
 
-// The cells of a block that the surface passes through; empty where there are none.
+// The cells of a block that the surface passes through. The arrays are empty if there are none.
 struct BlockCells {
   std::vector<std::uint8_t>
       inside;  // [block_corners] which corners are inside; 0: the surface does not pass through the cell
   std::vector<std::uint32_t> first;  // [block_corners] the first vertex
-  std::uint32_t count = 0;           // of vertices
+  std::uint32_t count = 0;           // the number of vertices
 };
 
-// Copies a block with one row of its neighbours: the neighbours after it (side 1) or before it (side -1).
+// Copies a block with one row of its neighbours: those after it (side 1) or those before it (side -1).
 template <typename Value, typename Get>
 void gather(const Blocks& blocks, std::uint32_t number, int side, Value missing, const Get& get,
             std::array<Value, wide_cells>& out) {
@@ -39,7 +39,7 @@ void gather(const Blocks& blocks, std::uint32_t number, int side, Value missing,
     const std::uint32_t from =
         which == 0 ? number
                    : blocks.find({place[0] + side * apart[0], place[1] + side * apart[1], place[2] + side * apart[2]});
-    // In the copy the block starts at 0 before its neighbours, at 1 after them.
+    // In the copy, the block starts at 1 if the neighbours lie before it, and at 0 if they lie after it.
     CellIndex low{}, high{};
     for (std::size_t i = 0; i < 3; ++i) {
       if (apart[i] == 0) {
@@ -146,7 +146,7 @@ class Contouring {
           const CellIndex at{block_side * place[0] + x, block_side * place[1] + y, block_side * place[2] + z};
           const Float4 low{static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]), 0};
           const Sheets& sheets = sheets_of(block.inside[cell]);
-          std::array<Float4, 4> sums{};  // the fourth counts
+          std::array<Float4, 4> sums{};  // the fourth float is the number of points
           for (unsigned edge = 0; edge < 12; ++edge) {
             if (sheets.of_edge[edge] == no_sheet) continue;
             const CellEdge ends = edge_of_cell(edge);
@@ -172,15 +172,15 @@ class Contouring {
   };
   using Places = std::array<Place, wide_cells>;
 
-  // The corners of the cell that are inside; 0 where the surface does not pass through the cell.
+  // Returns the corners of the cell that are inside, or 0 if the surface does not pass through the cell.
   std::uint8_t inside_of(const Place& place) const {
     if (place.block == CellTable::absent || cells_[place.block].count == 0) return 0;
     return cells_[place.block].inside[place.cell];
   }
 
-  // Makes the quadrilaterals of the edges that start at the corners of a block. Each has a vertex in each of the four
-  // cells around its edge. A block without vertices has none, because one of the cells around such an edge lies in the
-  // block.
+  // Makes the quadrilaterals of the edges that start at the corners of a block. A quadrilateral has a vertex in each of
+  // the four cells around its edge. One of these cells lies in the block, so a block without vertices has no
+  // quadrilaterals.
   void quads_of(std::uint32_t number, std::vector<std::uint32_t>& quads) const {
     if (cells_[number].count == 0) return;
     Places around;

@@ -8,7 +8,8 @@
 
 namespace glark::reconstruct {
 
-// A vertex for each sheet of the surface in a cell, and a quadrilateral for each edge of the grid that the surface crosses.
+// The surface has a vertex for each of its sheets in a cell, and a quadrilateral for each edge of the grid that it
+// crosses.
 struct Contour {
   std::vector<Float4> points;
   std::vector<std::uint64_t> cells;  // [points], the keys of the cells on the grid's level

@@ -26,7 +26,7 @@ void join_face(unsigned inside, const std::array<unsigned, 4>& corners, common::
   }
   if (count == 2) joined.join(crossed[0], crossed[1]);
   if (count != 4) return;
-  const unsigned first = is_inside(0) ? 0 : 1;  // an inside corner: between the edge before it and the one after
+  const unsigned first = is_inside(0) ? 0 : 1;  // an inside corner; its two edges are joined
   joined.join(crossed[(first + 3) % 4], crossed[first]);
   joined.join(crossed[first + 1], crossed[first + 2]);
 }

@@ -18,12 +18,12 @@ CellEdge edge_of_cell(unsigned edge);
 
 struct Sheets {
   std::uint8_t count = 0;
-  std::array<std::uint8_t, 12> of_edge{};  // no_sheet: the surface does not cross it
+  std::array<std::uint8_t, 12> of_edge{};  // no_sheet: the surface does not cross the edge
 };
 inline constexpr std::uint8_t no_sheet = 0xFF;
 
-// inside: a bit for each corner. Two inside corners on a diagonal of a face are not connected; both cells at the face
-// see it so.
+// inside: a bit for each corner. Two inside corners on a diagonal of a face are not connected. The cells on both sides
+// of the face use this rule, so they agree.
 const Sheets& sheets_of(unsigned inside);
 
 }  // namespace glark::reconstruct

@@ -10,14 +10,17 @@
 namespace glark::reconstruct {
 namespace {
 
-constexpr float reach =
-    2;  // radius of a node's ball, relative to the side of its cell, or of a square that its samples would fill
-constexpr float spacings = 4;         // or relative to the distance of samples, if that is larger
-constexpr float most_reach = 4;       // the largest such radius, relative to the side of the finest cells
-constexpr std::uint32_t several = 8;  // the fewest samples that show their distance
-constexpr float most_weight = 16;     // samples that give the full weight
-constexpr std::size_t grain = 256;    // cells
-constexpr std::uint32_t few = 8;      // cells with half as many samples are not divided
+// The radius of a node's ball, relative to the side of the finest cells, or to the side of a square that its samples
+// would fill.
+constexpr float reach = 2;
+// The radius relative to the spacing of the samples, if that is larger.
+constexpr float spacings = 4;
+// The limit for `spacings`, relative to the side of the finest cells.
+constexpr float most_reach = 4;
+constexpr std::uint32_t several = 8;  // the fewest samples that show their spacing
+constexpr float most_weight = 16;     // the number of samples that gives the full weight
+constexpr std::size_t grain = 256;    // in cells
+constexpr std::uint32_t few = 8;      // cells with at most half as many samples are not divided
 
 class Layer {
  public:
@@ -46,7 +49,7 @@ class Layer {
   }
 
  private:
-  // Returns whether the cells around have no samples: these are stray points beside a scan.
+  // Returns whether the cells around have no samples. Then the cell's samples are stray points beside a scan.
   static bool is_alone(const Level& level, std::uint32_t number) {
     const CellIndex cell = cell_of_key(level.keys[number]);
     const std::int32_t last = (1 << level.level) - 1;
@@ -60,7 +63,7 @@ class Layer {
     return records == level.begins[number + 1] - level.begins[number];
   }
 
-  // The side of a square that the samples would fill.
+  // Returns the side of a square that the samples would fill.
   static float side_of(const Moments& moments) {
     return std::sqrt(6 * (moments.products[0][0] + moments.products[1][1] + moments.products[2][2]) / moments.count());
   }
@@ -89,8 +92,8 @@ class Layer {
     out.push_back(plane);
   }
 
-  // Adds a plane for each of two sides. The seeds of the sides are the normal farthest from the mean, and the normal
-  // farthest from that one.
+  // Adds one plane for each of the two sides. The seeds of the sides are the normal farthest from the mean normal, and
+  // the normal farthest from the first seed.
   void part(std::span<const Record> records, const Level& level, std::uint32_t number, float spacing,
             std::vector<SupportPlane>& out) const {
     const auto farthest = [&](Float4 from) {

@@ -9,12 +9,12 @@
 
 namespace glark::reconstruct {
 
-// The mean plane of the samples of a cell. A cell of the finest level whose samples are no height field has two planes,
-// for the two sides of a thin sheet.
+// The mean plane of the samples of a cell. A cell of the finest level has two planes if its samples are no height
+// field: one for each side of a thin sheet.
 struct SupportPlane {
   Float4 point;       // the centroid; the fourth is the radius of the ball in which the plane counts
-  Float4 normal;      // the fourth is its weight
-  std::uint64_t key;  // of the cell
+  Float4 normal;      // the fourth is the weight of the plane
+  std::uint64_t key;  // the key of the cell
   unsigned level;
 };
 

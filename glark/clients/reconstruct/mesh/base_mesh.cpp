@@ -15,10 +15,10 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr std::size_t grain = 1024;
-constexpr float seen = 1.1F;  // how far samples count for a vertex, relative to the side of the finest cells
+constexpr float seen = 1.1F;  // the maximum distance of a vertex's samples, relative to the side of the finest cells
 
-// The transition node, coarser than the grid, in which the cell lies: its key, with its level in the highest bits. 0 if
-// there is none.
+// Returns the key of the coarse transition node that contains the cell, with the node's height above the finest level
+// in the highest bits. Returns 0 if the transition node is on the finest level, or there is none.
 std::uint64_t coarse_node_of(std::uint64_t cell, const TransitionLayer& layer) {
   if (layer.cells[0].find(cell) != CellTable::absent) return 0;
   for (std::size_t depth = 1; depth < layer.cells.size(); ++depth) {
@@ -28,7 +28,7 @@ std::uint64_t coarse_node_of(std::uint64_t cell, const TransitionLayer& layer) {
   return 0;
 }
 
-// Merges the vertices of one sheet in one node. Returns whether any were merged.
+// Merges vertices that lie on one sheet in one node. Returns whether any were merged.
 bool cluster(const Contour& contour, const TransitionLayer& layer, std::vector<Float4>& points,
              std::vector<std::uint32_t>& cluster_of) {
   const std::size_t count = contour.points.size();
@@ -60,7 +60,7 @@ bool cluster(const Contour& contour, const TransitionLayer& layer, std::vector<F
   return any;
 }
 
-// Divides quadrilaterals by the diagonal across which the halves bend less.
+// Divides each quadrilateral by the diagonal across which the halves bend less.
 std::vector<std::uint32_t> divide(const std::vector<std::uint32_t>& quads, const std::vector<Float4>& points,
                                   const std::vector<std::uint32_t>& cluster_of) {
   std::vector<std::uint32_t> triangles;

@@ -14,10 +14,10 @@ struct BaseMesh {
   std::vector<Float4> normals;           // the fourth is 1 where samples were near
   std::vector<std::uint32_t> triangles;  // a manifold with boundary, consistently oriented
   std::vector<std::uint32_t> opposite;   // [triangles * 3], of half-edges; no_half_edge at the boundary
-  std::uint32_t left_out = 0;            // the number of parts
+  std::uint32_t left_out = 0;            // the number of parts that were removed
 };
 
-// The vertices lie at the samples.
+// Makes the coarse mesh, with its vertices at the samples.
 BaseMesh base_mesh(const Contour& contour, const TransitionLayer& layer, const Octree& octree,
                    const ReconstructOptions& options, const Workers& workers);
 

@@ -13,7 +13,7 @@
 namespace glark::reconstruct {
 namespace {
 
-// How far a vertex that sheets share moves, as a part of the way to the middle of the triangles of each sheet.
+// The share of the way that a shared vertex moves towards the middle of its sheet's triangles.
 constexpr float apart = 0.25F;
 
 // Keeps the triangles that are not gone. Returns whether any are gone.
@@ -27,7 +27,7 @@ bool keep(BaseMesh& mesh, const std::vector<bool>& gone) {
   return changed;
 }
 
-// Marks triangles that hang on by one edge, twice, for the first ones may uncover others.
+// Marks ears: triangles that are connected by at most one edge. Runs twice, because removing ears may uncover others.
 void mark_ears(const BaseMesh& mesh, std::vector<bool>& gone) {
   for (int round = 0; round < 2; ++round) {
     std::vector<std::uint32_t> ears;
@@ -109,7 +109,8 @@ bool peel(BaseMesh& mesh) {
 bool close_gaps(BaseMesh& mesh, std::uint32_t most_edges) {
   const std::vector<std::uint32_t>& opposite = mesh.opposite;
   const std::size_t before = mesh.triangles.size();
-  std::vector<std::uint32_t> boundary(mesh.points.size(), none);  // the boundary half-edge that ends at a vertex
+  std::vector<std::uint32_t> boundary(mesh.points.size(),
+                                      none);  // for each vertex, the boundary half-edge that ends there
   for (std::uint32_t i = 0; i < opposite.size(); ++i) {
     if (opposite[i] == no_half_edge) boundary[mesh.triangles[next_corner(i)]] = i;
   }

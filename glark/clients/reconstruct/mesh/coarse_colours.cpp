@@ -8,8 +8,8 @@ namespace {
 constexpr std::size_t grain = 1024;
 constexpr float reach = 0.7F;  // relative to the side of the finest cells
 
-// Gives vertices without colour the mean of their neighbours' colours; the fourth number counts these. Returns whether
-// any vertex got one.
+// Gives a vertex without colour the mean colour of its neighbours. The fourth float is 1 for vertices with a colour.
+// Returns whether any vertex got a colour.
 bool spread(const std::vector<std::uint32_t>& triangles, std::vector<Float4>& colours) {
   std::vector<Float4> sums(colours.size());
   for (std::size_t t = 0; t < triangles.size(); t += 3) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Colours of the coarse mesh's vertices, as in LocalEstimate: of the samples around a vertex, or else of its
-// neighbours.
+// Colours of the coarse mesh's vertices, as in LocalEstimate. A vertex gets the colour of the samples around it, or
+// else of its neighbours.
 #pragma once
 
 #include "glark/clients/reconstruct/samples/local_surface.h"

@@ -12,9 +12,9 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr std::size_t grain = 1024;
-constexpr std::uint32_t group =
-    2;  // coarse triangles that share a search for samples: most are the halves of a quadrilateral
-constexpr float edges_to_noise = 6;  // shorter edges are not divided, relative to the noise
+// The number of coarse triangles that share a search for samples. Most pairs are the halves of a quadrilateral.
+constexpr std::uint32_t group = 2;
+constexpr float edges_to_noise = 6;  // relative to the noise; shorter edges are not divided
 
 class Refinement {
  public:
@@ -43,7 +43,7 @@ class Refinement {
         take_back(vertices);
         break;
       }
-      // The distance falls to a quarter when edges are halved.
+      // Halving the edges divides the distance by four.
       ends = ++mesh_.levels == options.levels || !is_divided(edge) || error / 4 <= goal;
       divide(edges, ends);
     }
@@ -53,7 +53,7 @@ class Refinement {
  private:
   bool is_divided(float edge) const { return edge > edges_to_noise * octree_.noise; }
 
-  // The middle of the curve that PN triangles have over an edge.
+  // Inserts the middle of the curve that PN triangles have over an edge.
   // Source: A. Vlachos et al., Curved PN Triangles, 2001.
   void insert(std::uint32_t corner, std::uint32_t vertex) {
     const std::uint32_t a = mesh_.triangles[corner], b = mesh_.triangles[next_corner(corner)];
@@ -86,10 +86,10 @@ class Refinement {
     }
   }
 
-  // The edges that get a new vertex, each by one of its corners, in the order of the groups.
+  // The edges that get a new vertex, in the order of the groups. Each edge is given by one of its corners.
   struct Edges {
     std::vector<std::uint32_t> corners;
-    std::vector<std::uint32_t> groups;  // where the edges of each group start, and where the last ones end
+    std::vector<std::uint32_t> groups;  // the first edge of each group, and the end of the last group
     std::vector<std::uint32_t> middle;  // the new vertex on the edge of each corner
   };
 
@@ -113,7 +113,7 @@ class Refinement {
     return edges;
   }
 
-  // Returns the approximate root mean square distance of the mesh from the surface.
+  // Inserts the vertices. Returns the approximate root mean square distance of the mesh from the surface.
   double insert(const Edges& edges) {
     const std::vector<std::uint32_t>& groups = edges.groups;
     const auto first = static_cast<std::uint32_t>(mesh_.points.size());
@@ -177,7 +177,7 @@ class Refinement {
       // The first half of edge i is edge i of child i, the second half is edge i of the next child.
       against[3 * i + i] = other == no_half_edge ? no_half_edge : half(other / 3, (other % 3 + 1) % 3, other % 3);
       against[3 * j + i] = other == no_half_edge ? no_half_edge : half(other / 3, other % 3, other % 3);
-      against[3 * i + j] = half(t, 3, k);  // from the middle of edge i to that of the edge before
+      against[3 * i + j] = half(t, 3, k);  // from the middle of edge i to the middle of the edge before
       against[9 + k] = half(t, i, j);
     }
   }
@@ -185,7 +185,7 @@ class Refinement {
   const Octree& octree_;
   const Workers& workers_;
   const float side_;
-  const float reach_;  // how far samples count: further where there is noise
+  const float reach_;  // the maximum distance of samples; larger with noise
   RefinedMesh mesh_;
   std::vector<std::uint32_t> opposite_;  // as BaseMesh has it
 };

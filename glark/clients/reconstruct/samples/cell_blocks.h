@@ -26,7 +26,8 @@ struct CellBox {
 class CellBlocks {
  public:
   CellBlocks() = default;
-  // The cells must be sorted by key. begins[i] is the first record of cell i; the last element ends the last cell.
+  // The cells must be sorted by key. begins[i] is the first record of cell i; the last element is the end of the last
+  // cell.
   CellBlocks(const std::vector<std::uint64_t>& keys, const std::vector<std::uint32_t>& begins);
 
   // Calls body(begin, end) for the records of the cells in the box, which lies within the root. One call may cover
@@ -35,11 +36,11 @@ class CellBlocks {
   void each(const CellBox& box, const Body& body) const;
 
  private:
-  static constexpr unsigned bits = 2;  // of each coordinate within a block
+  static constexpr unsigned bits = 2;  // for each coordinate within a block
   static constexpr std::int32_t side = 1 << bits;
   static constexpr unsigned cells = 1U << (3 * bits);
 
-  // Cells in the order of their keys.
+  // The cells are in the order of their keys.
   struct Block {
     std::uint64_t occupied = 0;
     std::array<std::uint32_t, cells + 1> begins{};

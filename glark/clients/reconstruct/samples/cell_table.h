@@ -24,7 +24,7 @@ class CellTable {
     }
   }
 
-  // Returns the number of the key, which becomes `number` if it has none.
+  // Returns the number of the key. A new key gets `number`.
   std::uint32_t insert(std::uint64_t key, std::uint32_t number) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     for (std::size_t i = start(key);; i = (i + 1) & (slots_.size() - 1)) {

@@ -11,10 +11,11 @@ constexpr float least_facing = 0.2F;  // least cosine between a sample's normal 
 constexpr float least_opposed = -0.8F;
 constexpr int few = 3;              // fewer samples give no estimate
 constexpr float sharpness = 0.01F;  // the least divisor of the weights
-constexpr float bend = 0.6F;        // the share of the curvature that counts
+constexpr float bend = 0.6F;        // the share of the curvature that is applied
 constexpr float noise_weight = 100;
 constexpr float least_spread_of_samples = 1e-3F;  // relative to the squared radius: closer samples show no curvature
-constexpr float most_sides = 6;                   // of a box that is searched as a whole, relative to the finest cells'
+// The largest box that is searched as a whole, relative to the side of the finest cells.
+constexpr float most_sides = 6;
 
 struct Query {
   Float4 point, normal;
@@ -25,15 +26,15 @@ struct Query {
 struct Sums {
   float weight = 0;
   int count = 0;
-  int opposed = 0;  // samples
-  Float4 offset{};  // from the point
+  int opposed = 0;  // the number of samples
+  Float4 offset{};  // relative to the point
   Float4 normal{};
-  float heights = 0;  // of the samples' planes above the point
-  float squares = 0;  // of the distances from the point
+  float heights = 0;  // heights of the samples' planes above the point
+  float squares = 0;  // squared distances from the point
   Float4 colour{};
 };
 
-// There is no branch for each sample: it would take longer than the arithmetic.
+// Sums over four samples at a time. A branch for each sample would take longer than the arithmetic.
 class Lanes {
  public:
   explicit Lanes(const Query& query)
@@ -90,8 +91,9 @@ class Lanes {
 };
 
 // Puts the estimate on the sphere that fits the samples around a point and their normals. Meshes are flat between their
-// vertices, and so lie inside the sphere; the estimate moves by a part of the curvature only. Based on: G. Guennebaud,
-// M. Germann, M. Gross, Dynamic Sampling and Rendering of Algebraic Point Set Surfaces, 2008, section 3.
+// vertices, and so lie inside the sphere. To make up for this, only a part of the curvature is applied.
+// Based on: G. Guennebaud, M. Germann, M. Gross, Dynamic Sampling and Rendering of Algebraic Point Set Surfaces, 2008,
+// section 3.
 void fit(const Sums& sums, float radius, LocalEstimate& estimate) {
   const float share = 1 / sums.weight;
   const Float4 mean = sums.offset * share, normal = sums.normal * share;

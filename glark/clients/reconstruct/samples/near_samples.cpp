@@ -9,10 +9,10 @@
 namespace glark::reconstruct {
 namespace {
 
-constexpr Record far_away{{9, 9, 9, 0}, {}};  // from the unit cube
-constexpr std::int32_t most_cells = 4;        // of a box along each axis
+constexpr Record far_away{{9, 9, 9, 0}, {}};  // far from the unit cube
+constexpr std::int32_t most_cells = 4;        // the most cells of a box along each axis
 
-// The product of the first three numbers.
+// Returns whether the first three lanes of the mask are set.
 bool are_all(Int4 mask) {
 #ifdef __SSE__
   return (_mm_movemask_ps(std::bit_cast<Float4>(mask)) & 7) == 7;
@@ -22,7 +22,7 @@ bool are_all(Int4 mask) {
 #endif
 }
 
-// The fourth column holds bits that may be NaN as numbers.
+// Transposes four rows. The fourth column is returned as integers, because its bits may be NaN as floats.
 Int4 transpose(const Float4 (&rows)[4], Float4 (&out)[3]) {
   const Float4 ab = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5);
   const Float4 cd = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);
@@ -34,7 +34,7 @@ Int4 transpose(const Float4 (&rows)[4], Float4 (&out)[3]) {
   return std::bit_cast<Int4>(__builtin_shufflevector(ab_z, cd_z, 2, 3, 6, 7));
 }
 
-// The finest level on which the box has few cells.
+// Returns the finest level on which the box has few cells.
 const Level& level_for(const Octree& octree, Float4 low, Float4 high, CellBox& box) {
   for (std::size_t depth = 0;; ++depth) {
     const Level& level = octree.levels[depth];
@@ -57,7 +57,7 @@ void NearSamples::gather(const Octree& octree, Float4 low, Float4 high) {
     const std::size_t most = count + (end - begin) + 4;
     if (inside_.size() < most) inside_.resize(2 * most);
     Record* const out = inside_.data();
-    // There is no branch, because it could not be predicted.
+    // A branch in this loop would be mispredicted.
     for (std::uint32_t i = begin; i < end; ++i) {
       const Record& record = octree.records[i];
       out[count] = record;

@@ -16,7 +16,7 @@ struct FourSamples {
   Int4 colour;  // packed
 };
 
-// Red, green and blue as the bits of a float. It is never denormal, for comparisons of denormal floats may be slow.
+// Red, green and blue as the bits of a float. It is never denormal, because comparing denormals may be slow.
 inline constexpr std::uint32_t packed_bits = 0x40000000;
 inline float pack_colour(const std::uint8_t* rgb) {
   return std::bit_cast<float>(packed_bits | std::uint32_t{rgb[0]} | std::uint32_t{rgb[1]} << 8U |

@@ -21,7 +21,7 @@ constexpr double sides_to_noise = 10;  // the least side of the finest cells, re
 
 bool has_normal(const float* normal) { return normal[0] != 0 || normal[1] != 0 || normal[2] != 0; }
 
-// A radix sort, the last digit first.
+// Sorts by radix, the last digit first.
 std::vector<Entry> sorted_entries(const PointSet& points, const Cube& cube, const Workers& workers) {
   std::vector<std::uint32_t> used;
   for (std::size_t i = 0; i < points.positions.size() / 3; ++i) {
@@ -48,7 +48,8 @@ std::vector<Entry> sorted_entries(const PointSet& points, const Cube& cube, cons
   return entries;
 }
 
-// A cube around the box with room for a few more cells, so that the cells of some level have the given side.
+// Returns a cube around the box with room for a few more cells. Sets `level` to the level whose cells have the given
+// side.
 Cube cube_with(const Cube& tight, double side, unsigned& level) {
   Cube cube = tight;
   level = 3;

@@ -19,9 +19,9 @@ using namespace common;  // Float4, records and workers
 using vstree::none;
 using vstree::PointSet;
 
-inline constexpr unsigned cell_levels = 16;  // of this octree; keys have three bits for each level
+inline constexpr unsigned cell_levels = 16;  // the levels of this octree; keys have three bits for each level
 
-// The cell of a point; for a point outside the root, the nearest cell.
+// Returns the cell of a point, or the nearest cell for a point outside the root.
 CellIndex cell_of(Float4 point, unsigned level);
 
 // The non-empty cells of one level.

@@ -12,10 +12,10 @@
 namespace glark::reconstruct {
 namespace {
 
-constexpr std::size_t most_looked_at = 1 << 14;  // samples of a cell, and cells
+constexpr std::size_t most_looked_at = 1 << 14;  // the most samples in a cell, and the most cells, that are measured
 
-// The mean square of the samples' heights over their mean plane, less what the curvature of the surface explains: a surface of second order
-// is as high over the plane as half the slope of its normals.
+// Returns the mean squared height of the samples over their mean plane, less the part that the curvature of the surface
+// explains. On a quadratic surface, half the slope of the normals gives the height over the plane.
 float roughness(const std::vector<Record>& records) {
   const Moments moments = Moments::of(records);
   const Float4 normal = without_fourth(moments.normal()), centroid = without_fourth(moments.mean);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// How far apart samples are, and how noisy, measured over the cells of an octree.
+// The spacing and the noise of samples, measured over the cells of an octree.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct Entry {
   std::uint32_t index;
 };
 
-// The number of cells of each level that have samples. On the last level these are the places with samples.
+// For each level, the number of cells that have samples. On the last level, this is the number of places with samples.
 struct Occupancy {
   std::array<std::size_t, cell_levels + 1> cells{};
   double samples() const { return static_cast<double>(cells[cell_levels]); }
@@ -29,10 +29,11 @@ struct Occupancy {
 
 Occupancy occupancy_of(const std::vector<Entry>& entries);
 
-// The side of cells that have about `aim` samples each, within the unit cube.
+// Returns the side of cells that have about `aim` samples each, within the unit cube.
 double side_for(const Occupancy& occupancy, double aim);
 
-// The median roughness of the samples of a cell, within the unit cube, over the cells of the level with at least `least_samples`.
+// Returns the median noise of the samples of a cell, within the unit cube, over the cells of the level with at least
+// `least_samples`.
 double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level);
 
 }  // namespace glark::reconstruct

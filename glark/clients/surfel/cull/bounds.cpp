@@ -44,10 +44,10 @@ struct Boxes {
   }
 };
 
-// The greatest angle between planes' normals and an axis, and the greatest distance from a centre, along the axis, back
-// to a plane.
+// The greatest angle between an axis and the planes' normals, and the greatest distance from a centre back to a plane,
+// along the axis.
 struct ConeFit {
-  std::array<float, lanes> squared_cosine, behind;  // squared_cosine has the sign of the cosine
+  std::array<float, lanes> squared_cosine, behind;  // the sign of squared_cosine is the sign of the cosine
 
   void add(const Planes& planes, Vector axis, Vector centre) {
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -67,7 +67,7 @@ struct LaneTriangles {
   Lanes p, q, r;
 };
 
-// At most as many triangles as lanes. Unused lanes repeat the last triangle.
+// Loads at most as many triangles as there are lanes. Unused lanes repeat the last triangle.
 LaneTriangles load(const Level& level, std::span<const Triangle> triangles) {
   LaneTriangles loaded;
   for (std::size_t i = 0; i < lanes; ++i) {

@@ -11,9 +11,9 @@
 
 namespace glark::surfel {
 
-inline constexpr float cone_margin = 1e-3F;  // radians; cones are wider by this, because of rounding
+inline constexpr float cone_margin = 1e-3F;  // in radians; rounding requires cones that are wider by this
 
-// triangles: those that are drawn. Their normals decide what a viewer sees, not the normals of the points.
+// triangles: the drawn ones. A viewer sees the normals of the triangles, not the normals of the points.
 void compute_bounds(const Level& level, std::span<const Triangle> triangles, Patch& patch);
 
 }  // namespace glark::surfel

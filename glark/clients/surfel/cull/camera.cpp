@@ -16,7 +16,7 @@ float evaluate(const std::array<float, 4>& plane, Vector point) {
 
 float slope(const std::array<float, 4>& plane) { return length(Vector{plane[0], plane[1], plane[2]}); }
 
-// The determinant of the three rows without one column.
+// Returns the determinant of the three rows without one column.
 double minor(const std::array<std::array<float, 4>, 3>& rows, std::size_t without) {
   std::array<std::size_t, 3> columns{};
   for (std::size_t k = 0, c = 0; c < 4; ++c) {
@@ -46,8 +46,8 @@ Camera::Camera(const View& view)
   find_eye();
 }
 
-// The eye is the point that the matrix maps to x = y = w = 0. For a parallel projection it is a direction, and z tells
-// its sign.
+// The eye is the point that the matrix maps to x = y = w = 0. In a parallel projection, the eye is a direction, and z
+// determines its sign.
 void Camera::find_eye() {
   const std::array<std::array<float, 4>, 3> rows = {x_, y_, w_};
   std::array<double, 4> eye{};
@@ -91,7 +91,7 @@ bool Camera::is_back_facing(const Node& node) const {
   return dot(away, axis) > node.cone_sine * robust_length(away);
 }
 
-// A step d from the centre changes x / w by (slope of x - x / w * slope of w) * d, divided by the w after the step.
+// A step d from the centre changes x / w by (slope of x - x / w * slope of w) * d, divided by w after the step.
 float Camera::projected_diameter(Vector centre, float radius) const {
   const float w = evaluate(w_, centre), least = w - radius * slope(w_);
   if (!(least > 0)) return std::numeric_limits<float>::infinity();

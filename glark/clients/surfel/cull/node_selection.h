@@ -14,7 +14,7 @@
 
 namespace glark::surfel {
 
-// Appends to the frame.
+// Appends the selected nodes to the frame.
 void select_nodes(std::span<const Node> nodes, const View& view, const Camera& camera, Frame& frame);
 
 }  // namespace glark::surfel

@@ -14,7 +14,7 @@ constexpr float no_cone = 2;  // for a cone_sine
 
 float angle_between(Vector a, Vector b) { return std::acos(std::clamp(dot(a, b), -1.0F, 1.0F)); }
 
-// The cone around both. Its axis is the mean of their axes.
+// Computes the cone around both cones. Its axis is the mean of their axes.
 void join_cones(const Node& a, const Node& b, Node& node) {
   node.cone_sine = no_cone;
   const Vector first = to_vector(a.cone_axis), second = to_vector(b.cone_axis);
@@ -27,8 +27,8 @@ void join_cones(const Node& a, const Node& b, Node& node) {
   if (half_angle < right_angle) node.cone_sine = std::sin(half_angle);
 }
 
-// The apex is behind all planes that touch the box's bounding sphere and have normals in the cone: there, the outermost
-// of these planes meet.
+// The apex is where the outermost planes meet that touch the box's bounding sphere and have normals in the cone. So it
+// is behind all such planes.
 void place_apex(Node& node) {
   const Vector low = to_vector(node.low), high = to_vector(node.high);
   const float cosine = std::sqrt(std::max(0.0F, 1 - node.cone_sine * node.cone_sine));

@@ -10,7 +10,7 @@
 
 namespace glark::surfel {
 
-// Computes Level::nodes of a node from its leaf or its children.
+// Computes the element of Level::nodes for a node, from its leaf or its children.
 void update_node(Level& level, std::uint32_t node, const LevelOptions& options);
 
 }  // namespace glark::surfel

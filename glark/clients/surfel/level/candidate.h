@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Triangles over a level's points, and those that a leaf proposes to draw.
+// Triangles over a level's points, and the triangles that a leaf proposes to draw.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace glark::surfel {
 
-using Triangle = std::array<std::uint32_t, 3>;  // points, counter-clockwise
-using Corners = std::array<std::uint32_t, 3>;   // points of a triangle, ascending
+using Triangle = std::array<std::uint32_t, 3>;  // indices of points, counter-clockwise
+using Corners = std::array<std::uint32_t, 3>;   // indices of a triangle's points, ascending
 
 // The first two corners as one number.
 inline std::uint64_t first_two(const Corners& corners) { return std::uint64_t{corners[0]} << 32 | corners[1]; }
@@ -25,7 +25,7 @@ enum class CandidateState : std::uint8_t {
   agreed,        // all leaves that own a corner have the triangle
   back_facing,   // the normals of the corners point to the other side
   out_of_reach,  // an edge is too long
-  boundary,      // not a triangle but a boundary edge: the last corner is there twice
+  boundary,      // not a triangle but a boundary edge; the last corner is repeated
 };
 
 // A triangle of a leaf's triangulation with at least one of the leaf's points. It may be drawn.

@@ -8,8 +8,8 @@
 namespace glark::surfel {
 namespace {
 
-// For the sum of the cotangents of the two angles opposite to the new edge. Delaunay edges have sums of at least 0.
-// This is the sum for two angles of 130 degrees.
+// The limit for the sum of the cotangents of the two angles opposite to the new edge. Delaunay edges have sums of at
+// least 0. This limit is the sum for two angles of 130 degrees.
 constexpr float least_cotangents = -1.68F;
 
 }  // namespace

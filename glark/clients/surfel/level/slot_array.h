@@ -21,7 +21,7 @@ inline constexpr std::size_t leaves_a_batch = 16;
 template <typename Item>
 struct Batch {
   std::vector<Item> items;
-  std::vector<std::uint32_t> counts;  // items of each leaf
+  std::vector<std::uint32_t> counts;  // the number of items of each leaf
 };
 
 // Writes the items to the slot if they fit, and to the end of the array otherwise.
@@ -37,8 +37,8 @@ void store(Slot& slot, std::span<const Item> items, std::vector<Item>& array) {
   array.insert(array.end(), items.begin(), items.end());
 }
 
-// Calls make_batch(leaves, batch) for all leaves and stores what it appends to the batch in slot_of(leaf). A single
-// worker needs the memory of one batch only.
+// Calls make_batch(leaves, batch) for all leaves, and stores the items that it appends to the batch in slot_of(leaf). A
+// single worker needs the memory of one batch only.
 template <typename Item, typename SlotOf, typename MakeBatch>
 void fill_slots(std::span<const std::uint32_t> leaves, const common::Workers& workers, std::vector<Item>& array,
                 const SlotOf& slot_of, const MakeBatch& make_batch) {
@@ -63,8 +63,8 @@ void fill_slots(std::span<const std::uint32_t> leaves, const common::Workers& wo
   }
 }
 
-// Closes the gaps between the slots where more than half of the array is unused. for_each_slot(body) calls body(slot)
-// for all of them. Returns whether items moved.
+// Closes the gaps between the slots if more than half of the array is unused. for_each_slot(body) calls body(slot) for
+// all slots. Returns whether items moved.
 template <typename Item, typename ForEachSlot>
 bool compact_slots(std::vector<Item>& array, const ForEachSlot& for_each_slot) {
   std::size_t live = 0;

@@ -6,11 +6,11 @@
 
 namespace glark::surfel {
 
-// The point spacing at a triangle, from the spacings of its three points. Options::reach times this is the longest edge
-// that it may have.
+// Returns the point spacing at a triangle, from the spacings of its three points. The longest edge of the triangle may
+// be Options::reach times this.
 inline float triangle_spacing(float a, float b, float c) {
   const float median = std::max(std::min(a, b), std::min(std::max(a, b), c));
-  constexpr float most_ratio = 3;  // so that two isolated points get no triangle with a point of a dense region
+  constexpr float most_ratio = 3;  // two isolated points get no triangle with a point of a dense region
   return std::min(median, most_ratio * std::min({a, b, c}));
 }
 

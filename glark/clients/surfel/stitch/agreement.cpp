@@ -11,12 +11,12 @@
 namespace glark::surfel {
 namespace {
 
-// Finds the triangle among the shared candidates of a leaf. Null if the leaf has no such triangle.
+// Finds the triangle among the shared candidates of a leaf. Returns null if the leaf has no such triangle.
 const Candidate* find_candidate(const Level& level, std::uint32_t leaf, const Corners& corners) {
   const auto candidates = level.candidates_of(leaf).first(level.patches[leaf].shared_count);
   const std::uint64_t key = first_two(corners);
-  std::size_t first = 0;  // all before have smaller keys
-  // A binary search without branches: the processor would mispredict every other one.
+  std::size_t first = 0;  // all candidates before `first` have smaller keys
+  // The binary search has no branch, because the processor would mispredict every second one.
   for (std::size_t count = candidates.size(); count > 0;) {
     const std::size_t half = (count + 1) / 2;
     first += half & (0 - static_cast<std::size_t>(first_two(candidates[first + half - 1].corners) < key));
@@ -28,8 +28,8 @@ const Candidate* find_candidate(const Level& level, std::uint32_t leaf, const Co
   return nullptr;
 }
 
-// Whether the leaf has the triangle with the same orientation. Where the surface bends too much for a leaf's plane, a
-// triangle can be upside down on it.
+// Returns whether the leaf has the triangle with the same orientation. A triangle can be upside down on a leaf's plane,
+// if the surface bends too much for the plane.
 bool has_candidate(const Level& level, std::uint32_t leaf, const Candidate& candidate, bool oriented) {
   const Candidate* const found = find_candidate(level, leaf, candidate.corners);
   return found != nullptr && (!oriented || found->reversed == candidate.reversed);
@@ -51,7 +51,7 @@ float squared_longest_edge(Vector a, Vector b, Vector c) {
   return std::max({dot(a - b, a - b), dot(b - c, b - c), dot(c - a, c - a)});
 }
 
-// Reads no states of other leaves.
+// Does not read the states of other leaves' candidates.
 void classify_candidates_of(Level& level, std::uint32_t leaf, const LevelOptions& options) {
   const Patch& patch = level.patches[leaf];
   for (Candidate& candidate : std::span(level.candidates).subspan(patch.candidates.first, patch.shared_count)) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Compares the candidates of neighbouring leaves: which triangles do all leaves have that own one of the corners?
+// Compares the candidates of neighbouring leaves. Do all leaves that own a corner of a triangle have the triangle?
 // Based on: Boubekeur 2007, ch. 5.2.2.
 #pragma once
 
@@ -14,20 +14,20 @@
 
 namespace glark::surfel {
 
-// Classifies the shared candidates of the leaves, that is, sets their states.
+// Classifies the shared candidates of the leaves: it sets their states.
 void classify_candidates(Level& level, std::span<const std::uint32_t> leaves, const LevelOptions& options,
                          const common::Workers& workers);
 
 Corners sorted_corners(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
-// Squared length of the longest edge.
+// Returns the squared length of the longest edge.
 float squared_longest_edge(const Level& level, const Corners& corners);
 
-// Whether all edges are short enough for the spacings of the corners. The answer does not depend on a leaf, so that
+// Returns whether all edges are short enough for the spacings of the corners. The answer does not depend on a leaf. So
 // leaves agree on holes.
 bool is_in_reach(const Level& level, const Corners& corners, float reach);
 
-// The leaf that draws a triangle: the first of those that own a corner.
+// Returns the leaf that draws a triangle: the first of the leaves that own a corner.
 inline std::uint32_t drawing_leaf(const Level& level, const Corners& corners) {
   return std::min({level.owner[corners[0]], level.owner[corners[1]], level.owner[corners[2]]});
 }

@@ -13,9 +13,9 @@
 namespace glark::surfel {
 namespace {
 
-constexpr float slack = 1e-3F;               // overlap of sectors that rounding may cause
+constexpr float slack = 1e-3F;               // the overlap of sectors that rounding may cause
 constexpr std::size_t most_hole_edges = 32;  // longer loops are boundaries of the surface
-constexpr float penalty = 1000;              // cost factor of back-facing triangles and of edges that exist already
+constexpr float penalty = 1000;              // the cost factor of back-facing triangles and of existing edges
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void ConflictRegion::begin(std::span<const std::uint32_t> points) {
   drawn_.clear();
 }
 
-// Null for points outside the region.
+// Returns null for points outside the region.
 VertexFan* ConflictRegion::fan_of(std::uint32_t point) {
   return level_.region_of[point] == points_.front() ? &fans_[number_in_region_[point]] : nullptr;
 }
@@ -56,7 +56,7 @@ void ConflictRegion::insert(const Triangle& triangle) {
   drawn_.push_back(triangle);
 }
 
-// Whether the triangle overlaps no other one at its corners, and shares no half-edge.
+// Returns whether the triangle overlaps no other triangle at its corners, and shares no half-edge with one.
 bool ConflictRegion::fits(const Triangle& triangle) {
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexFan* const fan = fan_of(triangle[k]);
@@ -82,7 +82,7 @@ void ConflictRegion::stitch(std::vector<ConflictingTriangle>& conflicting) {
   std::erase_if(drawn_, [&](const Triangle& triangle) { return is_isolated(triangle); });
 }
 
-// Whether no other triangle has an edge of this one.
+// Returns whether no other triangle has an edge of this triangle.
 bool ConflictRegion::is_isolated(const Triangle& triangle) {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto& sectors = fan_of(triangle[k])->sectors;
@@ -102,8 +102,8 @@ bool ConflictRegion::has_edge(std::uint32_t from, std::uint32_t to) {
                      [to](const VertexFan::Sector& sector) { return sector.first == to || sector.second == to; });
 }
 
-// Follows the boundary of a hole from the edge before .. at: the next boundary edge in clockwise order around `at`.
-// Returns `none` if there is none.
+// Follows the boundary of a hole from the edge before .. at. Returns the end of the next boundary edge in clockwise
+// order around `at`, or `none`.
 std::uint32_t ConflictRegion::next_on_boundary(std::uint32_t before, std::uint32_t at) {
   const VertexFan* const fan = fan_of(at);
   if (fan == nullptr) return none;
@@ -136,7 +136,7 @@ void ConflictRegion::fill_holes() {
   }
 }
 
-// Fills the hole at the boundary edge before .. start, if it is closed and small.
+// Fills the hole at the boundary edge before .. start, if the hole is closed and small.
 void ConflictRegion::fill_hole_at(std::uint32_t before, std::uint32_t start) {
   path_ = {before, start};
   while (path_.size() <= 2 * most_hole_edges) {
@@ -148,7 +148,7 @@ void ConflictRegion::fill_hole_at(std::uint32_t before, std::uint32_t start) {
   }
 }
 
-// Triangles may be longer than their reach, but not longer than the edges around the hole.
+// The reach does not limit triangles whose edges are no longer than the longest edge around the hole.
 float ConflictRegion::fill_cost(const Triangle& triangle, float squared_longest) const {
   const Corners corners = sorted_corners(triangle[0], triangle[1], triangle[2]);
   if (!is_in_reach(level_, corners, options_.reach) && squared_longest_edge(level_, corners) > squared_longest)
@@ -157,8 +157,8 @@ float ConflictRegion::fill_cost(const Triangle& triangle, float squared_longest)
   return cost < 0 ? -cost * penalty : cost;
 }
 
-// Whether the loop is the outer boundary of a small piece of surface, not a hole. If so, its filling is back-facing,
-// and its points have no other triangles than the piece. Points around a fold have more.
+// Returns whether the loop is not a hole, but the outer boundary of a small piece of surface. Then its filling is
+// back-facing, and its points have no other triangles than the piece. The points of a fold have more triangles.
 bool ConflictRegion::is_outer_boundary(std::span<const std::uint32_t> loop) {
   Vector area, normals;
   float angles = 0;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A conflict region: a set of points where leaves disagree on triangles. Around these points lie triangles that all
-// leaves agree on. Of the conflicting triangles, those with the least cost are drawn; then the holes that remain are
-// filled.
+// A conflict region: a set of points where leaves disagree on triangles. All leaves agree on the triangles around the
+// region. The conflicting triangles with the least cost are drawn. Then the remaining holes are filled.
 #pragma once
 
 #include <cstdint>
@@ -18,21 +17,21 @@ namespace glark::surfel {
 // A triangle that some leaves have and others do not.
 struct ConflictingTriangle {
   Triangle triangle;
-  std::uint32_t missing;  // leaves that own a corner and do not have the triangle
+  std::uint32_t missing;  // the number of leaves that own a corner and do not have the triangle
   float cost;
 };
 
 // Stitches one region after the other and reuses its memory.
 class ConflictRegion {
  public:
-  // number_in_region: for each point of a region, its position in the list of that region's points.
+  // number_in_region: for each point of a region, its position in the region's list of points.
   ConflictRegion(const Level& level, const std::uint32_t* number_in_region, const LevelOptions& options)
       : level_(level), number_in_region_(number_in_region), options_(options) {}
 
-  // points: all points of a region, ascending. The caller keeps them.
+  // points: all points of a region, ascending. The caller keeps the array.
   void begin(std::span<const std::uint32_t> points);
   void add_agreed(const Triangle& triangle);
-  // Adds the conflicting triangles that fit, in the order of their costs, and fills holes. Sorts the list.
+  // Adds the conflicting triangles that fit, in the order of their costs, and fills holes. The call sorts the list.
   void stitch(std::vector<ConflictingTriangle>& conflicting);
 
   // The triangles to draw, without the agreed ones.
@@ -56,7 +55,7 @@ class ConflictRegion {
   const std::uint32_t* number_in_region_;
   const LevelOptions& options_;
   std::span<const std::uint32_t> points_;
-  std::vector<VertexFan> fans_;  // one for each point; more from larger regions before
+  std::vector<VertexFan> fans_;  // one for each point, and unused ones from larger regions before
   std::vector<std::uint32_t> path_;
   std::vector<Triangle> drawn_;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The triangulation of a closed loop with the least sum of triangle costs, by dynamic programming.
+// Triangulates a closed loop with the least sum of triangle costs, by dynamic programming.
 // Based on: Liepa, Filling Holes in Meshes, 2003, ch. 3.
 #pragma once
 
@@ -14,14 +14,14 @@ namespace glark::surfel {
 
 inline constexpr float infinite_cost = std::numeric_limits<float>::infinity();
 
-// Triangulates the loop of corners 0 .. corners - 1. Each chord i, j has one triangle i, k, j between it and the loop.
-// The cost of that triangle is chord_factor(i, j) * triangle_cost(i, k, j). Returns the corners of the triangles, or
-// nothing if every triangulation has infinite cost.
+// Triangulates the loop of corners 0 .. corners - 1. Each chord i, j has one triangle i, k, j between the chord and the
+// loop. The cost of this triangle is chord_factor(i, j) * triangle_cost(i, k, j).
+// Returns the corners of the triangles, or nothing if every triangulation has infinite cost.
 template <typename ChordFactor, typename TriangleCost>
 std::vector<std::array<std::size_t, 3>> fill_hole(std::size_t corners, const ChordFactor& chord_factor,
                                                   const TriangleCost& triangle_cost) {
-  std::vector<float> least(corners * corners, 0);               // cost of the polygon between chord i, j and the loop
-  std::vector<std::size_t> third_corner(corners * corners, 0);  // of the triangle at the chord
+  std::vector<float> least(corners * corners, 0);  // the cost of the polygon between chord i, j and the loop
+  std::vector<std::size_t> third_corner(corners * corners, 0);  // the third corner of the triangle at the chord
   for (std::size_t span = 2; span < corners; ++span) {
     for (std::size_t i = 0; i + span < corners; ++i) {
       const std::size_t j = i + span;

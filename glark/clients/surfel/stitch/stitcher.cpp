@@ -29,21 +29,21 @@ class Stitcher {
   std::vector<std::uint32_t> run(std::span<const std::uint32_t> leaves, const common::Workers& workers);
 
  private:
-  // A triangle that not all leaves agree on.
+  // A triangle on which not all leaves agree.
   struct Conflict {
     Corners corners;
     bool reversed, may_be_drawn;
-    std::uint8_t votes;    // leaves that have the triangle
-    std::uint32_t region;  // in regions_
+    std::uint8_t votes;    // the number of leaves that have the triangle
+    std::uint32_t region;  // an index in regions_
   };
   struct AgreedTriangle {
-    std::uint32_t region;  // in regions_
+    std::uint32_t region;  // an index in regions_
     Triangle triangle;
   };
   struct Extent {
     std::size_t first = 0, count = 0;
   };
-  // The region's parts of points_, conflicts_ and agreed_.
+  // The region's ranges of points_, conflicts_ and agreed_.
   struct Region {
     Extent points, conflicts, agreed;
   };
@@ -67,9 +67,9 @@ class Stitcher {
   std::vector<std::uint32_t> leaves_;
   std::vector<Conflict> conflicts_;
   std::vector<AgreedTriangle> agreed_;
-  std::vector<std::uint32_t> points_;                  // of all regions
-  std::unique_ptr<std::uint32_t[]> number_in_region_;  // for the points of regions only
-  std::vector<std::uint32_t> lowest_points_;           // of each region, ascending
+  std::vector<std::uint32_t> points_;                  // the points of all regions
+  std::unique_ptr<std::uint32_t[]> number_in_region_;  // set only for the points of regions
+  std::vector<std::uint32_t> lowest_points_;           // the lowest point of each region, ascending
   std::vector<Region> regions_;
 };
 
@@ -96,8 +96,8 @@ std::vector<std::uint32_t> Stitcher::run(std::span<const std::uint32_t> leaves, 
   return leaves_;
 }
 
-// Dissolves the regions that have a point of these leaves or of their conflicts: they are stitched again. Adds all
-// leaves of these regions.
+// Dissolves the regions that have a point of these leaves or of their conflicts, because they are stitched again. Adds
+// all leaves of these regions.
 void Stitcher::dissolve_regions() {
   sort_unique(leaves_);
   if (level_.next_in_region.empty()) return;
@@ -131,7 +131,7 @@ void Stitcher::dissolve_regions() {
   }
 }
 
-// Collects the conflicts of these leaves, except those in regions that remain.
+// Collects the conflicts of these leaves, except those in remaining regions.
 void Stitcher::collect_conflicts() {
   for (const std::uint32_t leaf : leaves_) {
     for (const Candidate& candidate : level_.candidates_of(leaf)) {
@@ -153,14 +153,14 @@ void Stitcher::collect_conflicts() {
   conflicts_.resize(kept);
 }
 
-// Union-find in Level::region_of: it leads from each point to a lower one, up to the lowest point of the region.
+// Union-find in Level::region_of. The array leads from each point to a lower one, up to the lowest point of the region.
 std::uint32_t Stitcher::root_of(std::uint32_t point) {
   std::vector<std::uint32_t>& parent = level_.region_of;
   while (parent[point] != point) point = parent[point] = parent[parent[point]];
   return point;
 }
 
-// The corners of a conflict belong to one region.
+// Joins the corners of each conflict to one region.
 void Stitcher::join_points() {
   for (const Conflict& conflict : conflicts_) {
     std::uint32_t root = none;
@@ -204,14 +204,14 @@ void Stitcher::number_regions() {
   }
 }
 
-// The index in regions_; `none` for regions that were not dissolved.
+// Returns the index in regions_, or `none` for regions that were not dissolved.
 std::uint32_t Stitcher::region_at(std::uint32_t lowest_point) const {
   const auto found = std::lower_bound(lowest_points_.begin(), lowest_points_.end(), lowest_point);
   if (found == lowest_points_.end() || *found != lowest_point) return none;
   return static_cast<std::uint32_t>(found - lowest_points_.begin());
 }
 
-// A counting sort. It fills in `part` of each region.
+// Sorts by counting. Fills in `part` of each region.
 template <typename Item>
 void Stitcher::sort_by_region(std::vector<Item>& items, Extent Region::*part) {
   for (const Item& item : items) ++(regions_[item.region].*part).count;
@@ -245,8 +245,8 @@ void Stitcher::collect_agreed(const common::Workers& workers) {
   sort_by_region(agreed_, &Region::agreed);
 }
 
-// The leaves of all corners have an agreed triangle. For each region, the leaf of its first corner in the region adds
-// it.
+// The leaves of all corners have an agreed triangle. For each region, only the leaf of the triangle's first corner in
+// the region adds the triangle.
 void Stitcher::collect_agreed_of(std::uint32_t leaf, std::vector<AgreedTriangle>& found) const {
   for (const Candidate& candidate : level_.candidates_of(leaf)) {
     if (candidate.state != CandidateState::agreed) continue;

@@ -6,11 +6,11 @@
 
 namespace glark::surfel {
 
-// The normal of a point, or that of its leaf's plane where the point has none.
+// Returns the normal of a point, or the normal of its leaf's plane if the point has none.
 Vector point_normal(const Level& level, std::uint32_t point);
 
-// The squared radius of the circumcircle; more where the triangle's plane and the normals of its points differ.
-// Negative for back-facing triangles.
+// Returns the squared radius of the circumcircle. The cost is higher if the triangle's plane does not fit the normals
+// of its points. It is negative for back-facing triangles.
 float triangle_cost(const Level& level, const Triangle& triangle);
 
 }  // namespace glark::surfel

@@ -12,8 +12,8 @@
 
 namespace glark::surfel {
 
-// Angles are positions on the diamond |x| + |y| = 1: cheaper than radians and in the same order. Opposite directions
-// are half a turn apart.
+// Angles are positions on the diamond |x| + |y| = 1. They are cheaper than radians and have the same order. Opposite
+// directions are half a turn apart.
 inline constexpr float full_turn = 4;
 
 inline float diamond_angle(float y, float x) {
@@ -23,11 +23,11 @@ inline float diamond_angle(float y, float x) {
   return x >= 0 ? right : left;
 }
 
-// An angle between 0 and a full turn.
+// Returns an angle between 0 and a full turn.
 inline float wrapped(float angle) { return angle < 0 ? angle + full_turn : angle; }
 
 struct VertexFan {
-  // The sector of one triangle. The triangle is named by its other two corners, counter-clockwise.
+  // The sector of one triangle. The triangle's other two corners name it, counter-clockwise.
   struct Sector {
     std::uint32_t first, second;
     float from, angle;  // angle < 0: the triangle is back-facing here

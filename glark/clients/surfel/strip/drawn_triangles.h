@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which triangles of a leaf's patch are drawn. The result does not depend on the order in which leaves are processed.
+// Decides which triangles of a leaf's patch are drawn. The result does not depend on the order in which leaves are
+// processed.
 // Based on: Boubekeur 2007, ch. 5.2.2: outer, redundant, dual and valid triangles.
 #pragma once
 

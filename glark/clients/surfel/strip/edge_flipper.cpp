@@ -7,7 +7,7 @@
 namespace glark::surfel {
 namespace {
 
-constexpr std::size_t most_flips = 8;  // to save one or two indices
+constexpr std::size_t most_flips = 8;  // the most flips that save one or two indices
 
 }  // namespace
 
@@ -26,14 +26,15 @@ std::uint32_t pivot_point(const Triangle& a, const Triangle& b, const Triangle& 
   return b[0];
 }
 
-// Whether the edge between the triangles may be flipped.
+// Returns whether the edge between the triangles may be flipped.
 bool EdgeFlipper::may_flip(const Triangle& one, const Triangle& other) const {
   const std::uint32_t k = opposite_corner(one, other);
   return may_flip_edge(positions_[one[k]], positions_[one[(k + 1) % 3]], positions_[other[opposite_corner(other, one)]],
                        positions_[one[(k + 2) % 3]]);
 }
 
-// The same for every second edge, from that after triangle `first` to that after triangle `last`.
+// Returns the same for every second edge. The first is the edge after triangle `first`, the last the edge after
+// triangle `last`.
 bool EdgeFlipper::may_flip_range(std::span<const Triangle> triangles, std::size_t first, std::size_t last) const {
   if ((last - first) / 2 + 1 > most_flips) return false;
   for (std::size_t at = first; at <= last; at += 2) {
@@ -42,8 +43,8 @@ bool EdgeFlipper::may_flip_range(std::span<const Triangle> triangles, std::size_
   return true;
 }
 
-// Flips the edge between a triangle and the next, unless a triangle beside them has the other diagonal already: noisy
-// surfaces may be folded there. The first of the new triangles has the edge to the triangle before.
+// Flips the edge between a triangle and the next one. Does not flip if a triangle beside them has the other diagonal
+// already, as on folds of noisy surfaces. The first of the new triangles has the edge to the triangle before.
 bool EdgeFlipper::flip(std::span<Triangle> triangles, std::size_t at) const {
   const Triangle one = triangles[at], other = triangles[at + 1];
   const std::uint32_t k = opposite_corner(one, other);

@@ -14,15 +14,16 @@
 
 namespace glark::surfel {
 
-// A strip passes around points on its left and right side in turn. Where it passes around two points on the same side,
-// it needs a swap: one more index. Two swaps on different sides cancel if the edges between them are flipped. A single
-// swap vanishes if all edges up to an end of the run are flipped. The outer edges of the run stay, so that patches
-// match as before.
+// A strip passes around points on its left and right side in turn. If it passes around two successive points on the
+// same side, it needs a swap: one more index. Flipping edges removes swaps:
+// - Two swaps on different sides cancel if the edges between them are flipped.
+// - A single swap vanishes if all edges up to an end of the run are flipped.
+// The outer edges of the run stay, so patches match as before.
 class EdgeFlipper {
  public:
   explicit EdgeFlipper(std::span<const Vector> positions) : positions_(positions) {}
 
-  // Each triangle of the run has an edge in common with the next. Returns the number of flipped edges.
+  // Each triangle of the run must share an edge with the next one. Returns the number of flipped edges.
   std::size_t run(std::span<Triangle> triangles);
 
  private:
@@ -33,15 +34,15 @@ class EdgeFlipper {
   bool flip_range(std::span<Triangle> triangles, std::size_t first, std::size_t last);
 
   std::span<const Vector> positions_;
-  std::vector<std::uint8_t> sides_;  // on which side of each inner triangle its pivot point is
-  std::vector<std::size_t> swaps_;   // triangles whose pivot is on the same side as that of the next
+  std::vector<std::uint8_t> sides_;  // for each inner triangle, the side of its pivot point
+  std::vector<std::size_t> swaps_;   // triangles whose pivot is on the same side as the pivot of the next triangle
   std::size_t flipped_ = 0;
 };
 
 bool has_corner(const Triangle& triangle, std::uint32_t point);
-// The index of the corner that the other triangle does not have.
+// Returns the index of the corner that the other triangle does not have.
 std::uint32_t opposite_corner(const Triangle& triangle, const Triangle& other);
-// The point that three successive triangles of a run have in common.
+// Returns the point that three successive triangles of a run have in common.
 std::uint32_t pivot_point(const Triangle& a, const Triangle& b, const Triangle& c);
 
 }  // namespace glark::surfel

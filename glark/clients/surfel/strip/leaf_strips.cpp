@@ -14,7 +14,7 @@
 namespace glark::surfel {
 namespace {
 
-// Does not depend on which corner is the first.
+// The hash does not depend on which corner is the first.
 std::uint64_t hash(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   while (a > b || a > c) std::tie(a, b, c) = std::tuple(b, c, a);
   std::uint64_t mixed = (std::uint64_t{a} << 32 | b) * 0x9E3779B97F4A7C15U + c;
@@ -22,27 +22,27 @@ std::uint64_t hash(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return mixed ^ mixed >> 29;
 }
 
-// Does not depend on the order of the triangles.
+// The hash does not depend on the order of the triangles.
 std::uint64_t hash(std::span<const Triangle> triangles) {
   std::uint64_t sum = triangles.size();
   for (const auto& [a, b, c] : triangles) sum += hash(a, b, c);
   return sum;
 }
 
-// Makes one leaf's strip after the other and reuses its memory.
+// Makes the strips of leaves one by one, and reuses its memory.
 class LeafStripper {
  public:
   LeafStripper(Level& level, const std::vector<std::uint32_t>& indices, const LevelOptions& options)
       : level_(level), indices_(indices), stripifier_(level.positions, options.flip_edges) {}
 
   // Appends the leaf's strip to `strip`. A leaf with the same triangles as before keeps its strip. Returns whether the
-  // strip is the same.
+  // leaf keeps its strip.
   bool append_strip(std::uint32_t leaf, std::vector<std::uint32_t>& strip) {
     Patch& patch = level_.patches[leaf];
     collect_drawn_triangles(level_, leaf, patch, triangles_);
     const auto old = std::span(indices_).subspan(patch.strip.first, patch.strip.count);
     const std::uint64_t drawn_hash = hash(triangles_);
-    // Where points moved, edges that were flipped may no longer be flat.
+    // If points moved, flipped edges may no longer be flat.
     const bool is_same = drawn_hash == patch.drawn_hash && (!patch.points_moved || patch.flipped_in_strip == 0);
     patch.drawn_hash = drawn_hash;
     const std::size_t begin = strip.size();

@@ -8,13 +8,13 @@
 namespace glark::surfel {
 namespace {
 
-constexpr int one_run_cost = 3, one_swap_cost = 1;  // in indices; on average for a run
+constexpr int one_run_cost = 3, one_swap_cost = 1;  // the cost in indices; for a run, the average
 
 constexpr std::uint32_t no_link = TriangleAdjacency::no_link;
 constexpr std::uint32_t is_used = 1U << 27;  // more than any degree
 
-// For the bits of crossed sides, and one side: if two sides are crossed, whether their common corner is the next corner
-// after the one side (1) or the one after that (2). 0 if not two sides are crossed.
+// The pivot for a set of crossed sides, as bits, and one side. Two crossed sides have a common corner. The pivot is 1
+// if this corner comes next after the side, and 2 if it is the one after. It is 0 unless two sides are crossed.
 constexpr std::array<std::array<std::int8_t, 3>, 8> pivots = {{
     {0, 0, 0},
     {0, 0, 0},
@@ -28,13 +28,13 @@ constexpr std::array<std::array<std::int8_t, 3>, 8> pivots = {{
 
 constexpr std::uint32_t no_side = 3;
 
-// The lowest side of a set of sides.
+// The lowest side of each set of sides.
 constexpr std::array<std::uint8_t, 8> lowest = {no_side, 0, 1, 0, 2, 0, 1, 0};
 
 }  // namespace
 
-// Writes the triangle to the stack in any case, and keeps it there if its degree is low: the processor cannot predict
-// that.
+// Writes the triangle to the stack in any case, but keeps it there only if its degree is low. A branch would be
+// mispredicted.
 void StripBuilder::note_if_low_degree(std::uint32_t triangle) {
   low_degree_[low_degree_count_] = triangle;
   low_degree_count_ += degrees_[triangle] < 2 ? 1 : 0;
@@ -49,7 +49,7 @@ void StripBuilder::mark_used(std::uint32_t triangle) {
   }
 }
 
-// Triangles of low degree come first: later they would be hard to reach.
+// Triangles of low degree come first, because later they would be hard to reach.
 std::uint32_t StripBuilder::next_start() {
   while (low_degree_count_ > 0) {
     const std::uint32_t last = low_degree_[--low_degree_count_];
@@ -59,8 +59,8 @@ std::uint32_t StripBuilder::next_start() {
   return first_unused_ < size() ? first_unused_ : no_triangle;
 }
 
-// Walks to the neighbour with the lowest degree, again and again. Of equal neighbours, it takes the one that needs no
-// swap.
+// Walks from neighbour to neighbour, always to the one with the lowest degree. Among equal neighbours, it takes the one
+// that needs no swap.
 void StripBuilder::walk_from(std::uint32_t at) {
   for (std::uint32_t straight = no_side;;) {
     std::uint32_t best = no_triangle;  // degree, whether a swap is needed, and side, as one number
@@ -80,7 +80,7 @@ void StripBuilder::walk_from(std::uint32_t at) {
 
 void StripBuilder::walk() {
   degrees_.resize(size() + 1);
-  degrees_[size()] = 2 * is_used;  // the outside
+  degrees_[size()] = 2 * is_used;  // stands for the outside
   low_degree_.resize(2 * size() + 1);
   low_degree_count_ = 0;
   first_unused_ = 0;
@@ -112,21 +112,22 @@ void StripBuilder::cut(std::uint32_t triangle, std::uint32_t side) {
   run_neighbours_[other] ^= triangle + 1;
 }
 
-// Two adjacent triangles cross these sides and meet at one side of each. They need a swap if both go around the same
-// end of the common edge.
+// Returns the cost of a swap between two adjacent triangles, which cross these sides and meet at one side of each. They
+// need a swap if both go around the same end of the common edge.
 int StripBuilder::swap_cost(std::uint8_t crossed, std::uint32_t side, std::uint8_t crossed_there,
                             std::uint32_t side_there) {
   const int one = pivots[crossed][side], other = pivots[crossed_there][side_there];
   return one != 0 && one + other == 3 ? one_swap_cost : 0;
 }
 
-// The cost of a swap between a triangle that would cross the given sides, and its neighbour at a side.
+// Returns the cost of a swap between a triangle, if it crosses the given sides, and its neighbour at a side.
 int StripBuilder::swap_cost_at(std::uint32_t triangle, std::uint32_t side, std::uint8_t crossed) const {
   const std::uint32_t link = adjacency_.links(triangle)[side];
   return swap_cost(crossed, side, crossed_[triangle_of(link)], side_of(link));
 }
 
-// The cost of the swaps that vanish if the run no longer crosses a side: at the side, and beyond the neighbour there.
+// Returns the cost of the swaps that vanish if the run no longer crosses a side: at the side, and beyond the neighbour
+// there.
 int StripBuilder::detached_cost(std::uint32_t triangle, std::uint32_t side) const {
   const std::uint32_t link = adjacency_.links(triangle)[side];
   const std::uint32_t other = triangle_of(link);
@@ -135,8 +136,8 @@ int StripBuilder::detached_cost(std::uint32_t triangle, std::uint32_t side) cons
          (rest != 0 ? swap_cost_at(other, lowest[rest], crossed_[other]) : 0);
 }
 
-// The change of cost if the run that ends at triangle t is extended across a side. The next triangle is cut off its own
-// run at cut_side; with no_side it is an end of its run.
+// Returns the change of cost if the run that ends at triangle t is extended across a side. At cut_side, the next
+// triangle is cut off its own run. With no_side, the next triangle is an end of its run.
 int StripBuilder::extension_cost(std::uint32_t t, std::uint32_t side, std::uint32_t cut_side) const {
   const std::uint32_t link = adjacency_.links(t)[side], u = triangle_of(link);
   const std::uint8_t rest = crossed_[t], kept = crossed_[u] & static_cast<std::uint8_t>(~(1U << cut_side));
@@ -149,7 +150,7 @@ int StripBuilder::extension_cost(std::uint32_t t, std::uint32_t side, std::uint3
   return cost - detached_cost(u, cut_side) - swap_cost_at(u, lowest[kept], crossed_[u]);
 }
 
-// Whether the run from triangle `first` to `next`, and on from there, comes back to `first`.
+// Returns whether the run that goes from triangle `first` to `next` comes back to `first`.
 bool StripBuilder::is_loop(std::uint32_t first, std::uint32_t next) const {
   std::uint32_t before = first + 1;
   for (std::uint32_t at = next + 1; at != 0;) {
@@ -161,8 +162,8 @@ bool StripBuilder::is_loop(std::uint32_t first, std::uint32_t next) const {
   return false;
 }
 
-// Extends ends of runs, in random order, while that does not increase the cost. Changes without a gain lead to others
-// that save indices. Changes that do not start at an end almost never save indices.
+// Extends runs at their ends, in random order, as long as the cost does not increase. Changes without a gain lead to
+// other changes that save indices. Changes that do not start at an end almost never save indices.
 void StripBuilder::improve() {
   ends_.clear();
   for (std::uint32_t t = 0; t < size(); ++t) {

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Divides the triangles of a patch into runs. A run is a sequence in which each triangle has an edge in common with the
-// next.
+// Divides the triangles of a patch into runs. In a run, each triangle shares an edge with the next one.
 // Based on: Stewart, Tunneling for Triangle Strips, 2001. A walk over the triangles makes runs. Then edges between two
-// runs are added to one of them while that reduces the number of indices.
+// runs are added to one of the runs as long as this reduces the number of indices.
 #pragma once
 
 #include <algorithm>
@@ -18,16 +17,16 @@
 
 namespace glark::surfel {
 
-// Works on one patch after the other and reuses its memory.
+// Works on patches one by one, and reuses its memory.
 class StripBuilder {
  public:
-  // Each triangle gets into one run. The result depends on nothing but the triangles.
+  // Puts each triangle into one run. The result depends only on the triangles.
   void build(std::span<const Triangle> triangles);
 
   std::size_t size() const { return crossed_.size(); }
-  // The sides of a triangle that its run crosses: one bit for each, at most two.
+  // Returns the sides of a triangle that its run crosses: one bit for each, at most two.
   std::uint8_t crossed(std::uint32_t triangle) const { return crossed_[triangle]; }
-  // Whether a run begins or ends at the triangle.
+  // Returns whether a run begins or ends at the triangle.
   bool is_end(std::uint32_t triangle) const { return (crossed_[triangle] & (crossed_[triangle] - 1)) == 0; }
   // Lists the triangles of a run from one of its ends.
   void follow(std::uint32_t end, std::vector<std::uint32_t>& triangles) const;
@@ -42,7 +41,7 @@ class StripBuilder {
   std::uint32_t next_start();
   void mark_used(std::uint32_t triangle);
   void note_if_low_degree(std::uint32_t triangle);
-  // The triangle across a side; size() where there is none.
+  // Returns the triangle across a side, or size() if there is none.
   std::uint32_t neighbour(std::uint32_t triangle, std::uint32_t side) const {
     return std::min(triangle_of(adjacency_.links(triangle)[side]), static_cast<std::uint32_t>(size()));
   }
@@ -58,13 +57,14 @@ class StripBuilder {
 
   TriangleAdjacency adjacency_;
   std::vector<std::uint8_t> crossed_;
-  // A XOR-linked list: for each triangle, the numbers of its neighbours in the run plus one, combined by exclusive or.
+  // A XOR-linked list. Each element combines the numbers of the triangle's neighbours in the run, plus one, by
+  // exclusive or.
   std::vector<std::uint32_t> run_neighbours_;
-  std::vector<std::uint32_t> degrees_;     // number of unused neighbours; at least is_used for used triangles
-  std::vector<std::uint32_t> low_degree_;  // stack of triangles that had few unused neighbours
+  std::vector<std::uint32_t> degrees_;     // the number of unused neighbours; at least is_used for used triangles
+  std::vector<std::uint32_t> low_degree_;  // a stack of triangles that had few unused neighbours
   std::size_t low_degree_count_ = 0;
-  std::vector<std::uint32_t> ends_;  // ends of runs, and former ends
-  std::uint32_t first_unused_ = 0;   // all triangles before are used
+  std::vector<std::uint32_t> ends_;  // the ends of runs, and former ends
+  std::uint32_t first_unused_ = 0;   // all triangles before this one are used
 };
 
 }  // namespace glark::surfel

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t no_point = 0xFFFFFFFFU;
 
-// 0 or 1, without branches: the processor cannot predict them.
+// Returns 0 or 1 without branches, because they would be mispredicted.
 std::size_t is_corner(const Triangle& triangle, std::uint32_t point) {
   return static_cast<std::size_t>(triangle[0] == point) | static_cast<std::size_t>(triangle[1] == point) |
          static_cast<std::size_t>(triangle[2] == point);
@@ -26,7 +26,7 @@ void Stripifier::find_runs(std::span<const Triangle> triangles) {
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (!builder_.is_end(t)) continue;
     builder_.follow(t, run_);
-    if (run_.back() < t) continue;  // the run was found from its other end
+    if (run_.back() < t) continue;  // the run was already found from its other end
     runs_.push_back({triangles_.size(), run_.size()});
     for (const std::uint32_t triangle : run_) triangles_.push_back(triangles[triangle]);
     if (flip_edges_) flipped_ += flipper_.run(std::span(triangles_).last(run_.size()));
@@ -52,8 +52,8 @@ void Stripifier::add_entries(std::uint32_t number, bool backwards) {
   if (pivot != other) entries_.push_back({triangle[k], other, true, backwards, number});
 }
 
-// The number of indices that join the entry's run to the strip. Every second triangle of a strip has the opposite
-// orientation.
+// Returns the number of indices that join the entry's run to the strip. Every second triangle of a strip has the
+// opposite orientation.
 int Stripifier::connecting_indices(const Entry& entry) const {
   const std::size_t size = strip_.size();
   if (size == 0) return entry.clockwise ? 1 : 0;
@@ -73,7 +73,8 @@ void Stripifier::connect(const Entry& entry) {
   const std::uint32_t last = strip_[size - 1];
   const bool repeat_last = entry.first != last && (entry.first != strip_[size - 2] || entry.second == last);
   for (int i = 0; i < count; ++i) strip_.push_back(repeat_last && i == 0 ? last : entry.first);
-  // If the run's second point is the last one of the strip, its first point would make a triangle with the two before.
+  // If the run's second point is the last point of the strip, the run's first point would make a triangle with the two
+  // points before.
   if (repeat_last && entry.second == last && count == 2) strip_.back() = last;
 }
 
@@ -87,7 +88,7 @@ void Stripifier::append(const Entry& entry) {
   const auto [a, b, c] = at(0);
   strip_[size++] = a ^ b ^ c ^ entry.first ^ entry.second;  // the third point
   for (std::size_t i = 1; i < run.count; ++i) {
-    // A swap: the last point but one is repeated if the next triangles go around it.
+    // If the next triangles go around the last point but one, a swap repeats this point.
     if (i + 1 < run.count) {
       strip_[size] = strip_[size - 2];
       size += 1 - is_corner(at(i + 1), strip_[size - 1]);

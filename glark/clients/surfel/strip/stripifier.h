@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Joins the triangles of a patch to one triangle strip. Runs of triangles follow one another in the order that needs
-// the fewest indices between them.
+// the fewest indices between the runs.
 // Based on: Boubekeur 2007, ch. 5.2.3.
 #pragma once
 
@@ -17,28 +17,28 @@
 
 namespace glark::surfel {
 
-// Makes one strip after the other and reuses its memory.
+// Makes strips one by one, and reuses its memory.
 class Stripifier {
  public:
   Stripifier(std::span<const Vector> positions, bool flip_edges) : flip_edges_(flip_edges), flipper_(positions) {}
 
-  // The strip has all triangles with their orientation, apart from flipped edges, and degenerate triangles between
-  // them. It is valid until the next call.
+  // Returns a strip with all triangles in their orientation, except for flipped edges. Degenerate triangles lie between
+  // them. The strip is valid until the next call.
   std::span<const std::uint32_t> stripify(std::span<const Triangle> triangles);
 
-  // Of the last strip.
+  // The number of flipped edges of the last strip.
   std::size_t flipped_edges() const { return flipped_; }
   std::span<const Triangle> triangles() const { return triangles_; }
 
  private:
   struct Run {
-    std::size_t first, count;  // in triangles_
+    std::size_t first, count;  // a range of triangles_
   };
-  // A way to begin a run: from one of its ends, with these two points.
+  // A way to begin a run: the end of the run, and the first two points.
   struct Entry {
     std::uint32_t first, second;
-    bool clockwise;  // orientation of first, second and the third point
-    bool backwards;  // from the run's last triangle
+    bool clockwise;  // the orientation of `first`, `second` and the third point
+    bool backwards;  // the run begins with its last triangle
     std::uint32_t run;
   };
 
@@ -56,9 +56,9 @@ class Stripifier {
   StripBuilder builder_;
   EdgeFlipper flipper_;
   std::size_t flipped_ = 0;
-  std::vector<Triangle> triangles_;  // run by run
+  std::vector<Triangle> triangles_;  // sorted by runs
   std::vector<Run> runs_;
-  std::vector<Entry> entries_;  // of the runs that are not in the strip yet, run by run
+  std::vector<Entry> entries_;  // for the runs that are not in the strip yet, sorted by runs
   std::vector<std::uint32_t> run_;
   std::vector<std::uint32_t> strip_;
 };

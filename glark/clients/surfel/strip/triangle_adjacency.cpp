@@ -14,8 +14,8 @@ constexpr std::uint64_t half_edge(std::uint32_t from, std::uint32_t to) { return
 
 }  // namespace
 
-// Searches for the opposite half-edge and links the two. The processor cannot predict whether it is there, so there is
-// no branch on that: links to the dummy triangle take the place of missing ones.
+// Searches for the opposite half-edge and links the two. A branch on whether it exists would be mispredicted. Instead,
+// links to a dummy triangle replace missing half-edges.
 inline void TriangleAdjacency::add_half_edge(std::span<const Triangle> triangles, std::uint32_t t, std::uint32_t side,
                                              int shift) {
   const auto count = static_cast<std::uint32_t>(triangles.size());
@@ -32,7 +32,7 @@ inline void TriangleAdjacency::add_half_edge(std::span<const Triangle> triangles
     at = (at + 1) & mask;
     other = table_[at];
   }
-  const std::uint32_t is_first = other == dummy ? 1 : 0;  // of the pair
+  const std::uint32_t is_first = other == dummy ? 1 : 0;  // 1: this is the first half-edge of a pair
   const std::uint32_t link = t << 2 | side;
   table_[at] = link;
   half_edges_[link] = half_edge(from, to) | (std::uint64_t{is_first} - 1);

@@ -12,7 +12,7 @@
 
 namespace glark::surfel {
 
-// Empty until a point is added.
+// The box is empty until a point is added.
 struct Box {
   static constexpr float far = std::numeric_limits<float>::max();
   Vector low{far, far, far};

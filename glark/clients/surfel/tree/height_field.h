@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The height-field indicator: can surfels be projected onto a plane without folds?
+// The height-field indicator: whether surfels can be projected onto a plane without folds.
 // Based on: Boubekeur 2007, ch. 3.2.2.
 #pragma once
 
@@ -19,7 +19,7 @@ struct HeightFieldLimits {
 
 enum class Shape {
   height_field,
-  folded,  // a normal differs from the plane's by more than delta_a allows
+  folded,  // a normal differs from the plane's normal by more than delta_a allows
   thick,   // a surfel is farther from the plane than delta_d allows
 };
 

@@ -10,7 +10,7 @@
 namespace glark::surfel {
 namespace {
 
-// The eigenvector to the smallest eigenvalue of the positions' covariance. Its largest coordinate is positive.
+// Returns the eigenvector of the smallest eigenvalue of the positions' covariance. Its largest coordinate is positive.
 Vector direction_of_least_variance(std::span<const Surfel> surfels, Vector centre) {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const Surfel& surfel : surfels) {
@@ -39,7 +39,7 @@ Plane fit_plane(std::span<const Surfel> surfels) {
   Plane plane;
   plane.centre = {static_cast<float>(sum[0] / count), static_cast<float>(sum[1] / count),
                   static_cast<float>(sum[2] / count)};
-  constexpr float cancelled = 1e-3F;  // a shorter mean is only the rounding error of normals that cancel
+  constexpr float cancelled = 1e-3F;  // a shorter mean is only rounding error, because the normals cancel
   plane.normal = length(normal) > cancelled ? unit(normal) : direction_of_least_variance(surfels, plane.centre);
   if (plane.normal == Vector{}) plane.normal = {0, 0, 1};
   return plane;
@@ -57,7 +57,7 @@ float mean_spacing(std::span<const Surfel> surfels, const Plane& plane) {
     yy += y * y;
   }
   const auto points = static_cast<double>(surfels.size());
-  constexpr double squared_side = 12;  // squared side of a rectangle whose variance along this side is 1
+  constexpr double squared_side = 12;  // the squared side of a rectangle whose variance along this side is 1
   const double area = squared_side / points * std::sqrt(std::max(0.0, xx * yy - xy * xy));
   const double length = std::sqrt(squared_side * (xx + yy) / points);
   return static_cast<float>(std::max(std::sqrt(area / points), length / points));

@@ -16,12 +16,12 @@ struct Plane {
   Vector normal;  // unit length
 };
 
-// The plane through the mean position. Its normal is the mean of the surfels' normals, or the direction of least
-// variance where these normals cancel or are not known.
+// Returns the plane through the mean position. Its normal is the mean of the surfels' normals. If these cancel or are
+// not known, the normal is the direction of least variance.
 Plane fit_plane(std::span<const Surfel> surfels);
 
-// The mean distance between neighbours. It assumes that the surfels cover a rectangle of the plane evenly, or a line;
-// their variances give its sides.
+// Returns the mean distance between neighbours. It assumes that the surfels evenly cover a rectangle of the plane, or a
+// line. The variances of the surfels give the sides of the rectangle.
 float mean_spacing(std::span<const Surfel> surfels, const Plane& plane);
 
 }  // namespace glark::surfel

@@ -21,7 +21,7 @@ struct Surfel {
   Vector position;
   std::uint32_t index = none;
   Vector normal;      // unit length, or zero where it is not known
-  float spacing = 0;  // distance to the neighbours; the triangulation of the point's leaf computes it
+  float spacing = 0;  // the distance to the neighbours, computed by the triangulation of the point's leaf
 };
 
 // A range of a larger array, with room to grow.
@@ -33,29 +33,29 @@ struct Leaf {
   std::uint32_t node = none;
   Slot surfels;                    // distinct positions first, then the duplicates
   std::uint32_t unique_count = 0;  // surfels with distinct positions
-  float inflation_radius = 0;      // how far the leaf takes in points of its neighbours
-  Vector normal;                   // of the leaf's plane, unit length
+  float inflation_radius = 0;      // the distance within which the leaf takes in points of its neighbours
+  Vector normal;                   // the normal of the leaf's plane, unit length
   Vector centre;
 };
 
 struct TreeNode {
   Box box;
-  float inflation_radius = 0;  // the largest of the leaves below
+  float inflation_radius = 0;  // the largest radius of the leaves below
   std::uint32_t parent = none;
   std::uint32_t left = none, right = none;
   std::uint32_t leaf = none;       // `none` for an inner node
-  Vector mean;                     // mean position of the points below
-  std::uint32_t unique_count = 0;  // distinct positions below
+  Vector mean;                     // the mean position of the points below
+  std::uint32_t unique_count = 0;  // the number of distinct positions below
   std::uint32_t representative = none;
   Vector representative_position;
 };
 
 struct StrippingTree {
-  std::vector<Surfel> surfels;  // leaf by leaf
+  std::vector<Surfel> surfels;  // sorted by leaves
   std::vector<Leaf> leaves;
-  std::vector<TreeNode> nodes;  // the root is the first; children come after their parents
+  std::vector<TreeNode> nodes;  // the root is the first node; children come after their parents
 
-  // The leaf's surfels without duplicates: only these are triangulated and drawn.
+  // Returns the leaf's surfels without duplicates. Only these are triangulated and drawn.
   std::span<Surfel> unique_surfels(const Leaf& leaf) {
     return {surfels.data() + leaf.surfels.first, leaf.unique_count};
   }

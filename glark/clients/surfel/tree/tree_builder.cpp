@@ -84,8 +84,8 @@ class TreeBuilder {
     return node;
   }
 
-  // Partitions the surfels along the box's widest axis, near the index `middle`, and returns the index of the split.
-  // Points with equal coordinates stay on one side, so duplicates stay together.
+  // Partitions the surfels along the box's widest axis, near the index `middle`. Returns the index of the split. Points
+  // with equal coordinates stay on one side, so duplicates stay together.
   std::size_t split(std::size_t begin, std::size_t end, const Box& box, std::size_t middle) const {
     const std::size_t axis = box.widest_axis();
     const auto coordinate = axis == 0 ? &Vector::x : axis == 1 ? &Vector::y : &Vector::z;
@@ -104,8 +104,8 @@ class TreeBuilder {
     return low > begin && (high == end || middle - low <= high - middle) ? low : high;
   }
 
-  // Splits the surfels until each part is a height field. Folds are split by normals, which separates the two sides of
-  // a thin sheet.
+  // Splits the surfels until each part is a height field. Folds are split by normals. This separates the two sides of a
+  // thin sheet.
   std::uint32_t build_height_fields(Subtree& subtree, std::size_t begin, std::size_t end) const {
     const std::span<Surfel> surfels = surfels_.subspan(begin, end - begin);
     const Plane plane = fit_plane(surfels);
@@ -148,8 +148,8 @@ class TreeBuilder {
     return leaf.node;
   }
 
-  // The surfels are sorted by position and index: the first of several duplicates stays. Returns the number of distinct
-  // positions.
+  // The surfels are sorted by position and index, so the first of several duplicates stays. Returns the number of
+  // distinct positions.
   static std::uint32_t move_duplicates_last(std::span<Surfel> surfels) {
     const auto same = [](const Surfel& a, const Surfel& b) { return a.position == b.position; };
     if (std::adjacent_find(surfels.begin(), surfels.end(), same) == surfels.end()) {

@@ -15,8 +15,8 @@ __extension__ using Int128 = __int128;
 
 constexpr std::int32_t far_away = 1 << 25;
 
-// Twice a signed area, and a squared length. Both are exact. Relative to an input point, coordinates are little above
-// 2^25 and results below 2^52. Relative to a far point, areas are at most 2^53.
+// Twice a signed area, and a squared length. Both are exact. Relative to an input point, coordinates slightly exceed
+// 2^25 at most, and results are below 2^52. Relative to a far point, areas are at most 2^53.
 template <typename Vector>
 double cross(const Vector& a, const Vector& b) {
   return a.x * b.y - a.y * b.x;
@@ -30,13 +30,13 @@ double orientation(Place a, Place b, Place c) {
   return cross(Place{b.x - a.x, b.y - a.y}, Place{c.x - a.x, c.y - a.y});
 }
 
-// The circumcircle of triangle a, b, d. The inserted point is the origin; it lies on the other side of ab than d.
+// The circumcircle of the triangle a, b, d. The inserted point is the origin. It lies on the other side of ab than d.
 struct Circle {
   double a2, b2, d2;  // lifts
   double ab, ad, db;  // cross products
 };
 
-// Exact: the determinant has at most 106 bits.
+// This test is exact: the determinant has at most 106 bits.
 bool contains_origin_exactly(const Circle& circle) {
   const auto product = [](double a, double b) {
     return Int128{static_cast<std::int64_t>(a)} * static_cast<std::int64_t>(b);
@@ -44,7 +44,8 @@ bool contains_origin_exactly(const Circle& circle) {
   return product(circle.a2, circle.db) + product(circle.b2, circle.ad) - product(circle.d2, circle.ab) > 0;
 }
 
-// Doubles decide if their error cannot change the sign: three products below 2^104, each rounded at most three times.
+// Doubles decide if their error cannot change the sign. There are three products below 2^104, each rounded at most
+// three times.
 bool contains_origin(const Circle& circle) {
   const double determinant = circle.a2 * circle.db + circle.b2 * circle.ad - circle.d2 * circle.ab;
   constexpr double greatest_error = 0x1p55;
@@ -72,7 +73,7 @@ void Delaunay::triangulate(std::span<const Point> points, std::size_t preferred)
   if (count_ == 0) return;
   std::uint32_t waiting = order_[0];
   const auto insert_before = [&](std::uint32_t following) { insert(std::exchange(waiting, following), following); };
-  // Every sixth point goes first. Then fewer triangles are made only to be removed again.
+  // Every sixth point goes first. Then fewer triangles are made that are removed again.
   constexpr std::uint32_t apart = 6;
   for (std::uint32_t i = apart; i < count_; i += apart) insert_before(order_[i]);
   for (std::uint32_t i = 0; i < count_; ++i) {
@@ -97,7 +98,8 @@ void Delaunay::place_points(std::span<const Point> points) {
   sort_points(low, high);
 }
 
-// Sorts the points by rows of cells, from left to right and back in turn, so that each point is near the one before it.
+// Sorts the points by rows of cells, alternately from left to right and back. So each point is near the point before
+// it.
 void Delaunay::sort_points(Place low, Place high) {
   constexpr double points_a_square = 3;  // in a square as high as a row
   constexpr std::uint32_t cells_a_square = 4;
@@ -125,12 +127,12 @@ void Delaunay::insert(std::uint32_t index, std::uint32_t following) {
   fill_cavity(last_, index, following);
 }
 
-// Walks across edges that have the point on their other side, and returns the triangle that contains the point. Its
-// sides are the first sides of the cavity.
-// Based on: de Floriani, Falcidieno, Nagy, Pienovi, On Sorting Triangles in a Delaunay Tessellation, 1991: the walk
-// ends.
+// Walks across edges that have the point on their other side. Returns the triangle that contains the point. Its sides
+// are the first sides of the cavity.
+// Based on: de Floriani, Falcidieno, Nagy, Pienovi, On Sorting Triangles in a Delaunay Tessellation, 1991. They show
+// that the walk ends.
 std::uint32_t Delaunay::locate(Place point) {
-  // The walk crosses the edge from a to b. The point lies left of the edge or on it; so does d, the next corner.
+  // The walk crosses the edge from a to b. The point lies left of the edge or on it. So does d, the next corner.
   std::uint32_t link = link_to(last_, 0);
   Corner a = corner(triangles_[last_].corners[1], point), b = corner(triangles_[last_].corners[2], point);
   double ab = cross(a, b);
@@ -178,7 +180,7 @@ void Delaunay::resolve_duplicate(std::uint32_t triangle, std::uint32_t index) {
 }
 
 // The triangle across the side joins the cavity if its circumcircle contains the point. Then its two other sides
-// replace this one: the first goes to `added`, the second to `side`. The side begins at `start`.
+// replace this side: the first goes to `added`, the second to `side`. The side begins at `start`.
 inline bool Delaunay::grow_cavity(Side& side, Side& added, const Corner& start, double start_lift, Place point) {
   const Triangle& other = triangles_[triangle_of(side.link)];
   const std::uint32_t j = side_of(side.link);
@@ -191,9 +193,9 @@ inline bool Delaunay::grow_cavity(Side& side, Side& added, const Corner& start, 
   return true;
 }
 
-// Grows the cavity from the sides of `triangle`, and connects each of its final sides with the point. There are always
-// as many vacant triangles as sides, so the number of the next triangle is known. The next walk begins in the new
-// triangle that lies in the direction of the following point.
+// Grows the cavity from the sides of `triangle`, and connects each final side of the cavity with the point. There are
+// always as many vacant triangles as sides, so the number of the next triangle is known. The next walk begins in the
+// new triangle in the direction of the following point.
 void Delaunay::fill_cavity(std::uint32_t triangle, std::uint32_t index, std::uint32_t following) {
   const Place point = places_[index];
   std::uint32_t* vacant = vacant_.data();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Delaunay triangulation of a few points of a plane, with exact predicates.
-// Based on: Boubekeur 2007, alg. 3, which inserts one point after the other and searches all triangles for those that
-// it invalidates. We walk to the point and grow the cavity from there (Bowyer, Computing Dirichlet tessellations,
+// Based on: Boubekeur 2007, alg. 3, which inserts the points one by one and searches all triangles for those that a
+// point invalidates. We walk to the point and grow the cavity from there (Bowyer, Computing Dirichlet tessellations,
 // 1981).
 #pragma once
 
@@ -25,7 +25,7 @@ class Delaunay {
   struct Place {
     double x, y;
   };
-  // Counter-clockwise. Side i is the edge opposite to corners[i].
+  // The corners are counter-clockwise. Side i is the edge opposite to corners[i].
   struct Triangle {
     std::array<std::uint32_t, 3> corners;
     std::array<std::uint32_t, 3> links;  // the neighbour across each side, and its side there; `none` on the outside
@@ -33,35 +33,36 @@ class Delaunay {
   static std::uint32_t triangle_of(std::uint32_t link) { return link >> 2; }
   static std::uint32_t side_of(std::uint32_t link) { return link & 3; }
 
-  // Only one of several duplicates gets triangles: one of the first `preferred` points if there is such a duplicate.
+  // Only one of several duplicates gets triangles. It is one of the first `preferred` points, if there is such a
+  // duplicate.
   void triangulate(std::span<const Point> points, std::size_t preferred = 0);
 
-  // Three far points enclose the input; corners with numbers beyond the input are these.
+  // Three far points enclose the input. Corners with numbers beyond the input are far points.
   std::span<const Triangle> triangles() const { return {triangles_.data(), made_}; }
-  // Whether all corners are points of the input.
+  // Returns whether all corners are points of the input.
   bool finite(const Triangle& triangle) const {
     return triangle.corners[0] < count_ && triangle.corners[1] < count_ && triangle.corners[2] < count_;
   }
 
-  // The corner of the neighbour across `side` that is opposite to the common edge.
+  // Returns the corner of the neighbour across `side` that is opposite to the common edge.
   std::uint32_t across(std::uint32_t triangle, std::uint32_t side) const {
     const std::uint32_t link = triangles_[triangle].links[side];
     return triangles_[triangle_of(link)].corners[side_of(link)];
   }
-  // Whether the two triangles at the side form a strictly convex quadrilateral.
+  // Returns whether the two triangles at the side form a strictly convex quadrilateral.
   bool can_flip(std::uint32_t triangle, std::uint32_t side) const;
-  // Flips the edge. The first corner of both triangles is then the one that was opposite to the edge in `triangle`.
+  // Flips the edge. Then the first corner of both triangles is the corner that was opposite to the edge in `triangle`.
   void flip(std::uint32_t triangle, std::uint32_t side);
 
  private:
   struct Corner {
-    double x, y;  // relative to the point that is inserted
+    double x, y;  // relative to the inserted point
     std::uint32_t index;
   };
   // A side of the cavity around the inserted point. It begins where the previous side ends.
   struct Side {
     Corner end;
-    double lift;   // squared distance of the end from the point
+    double lift;   // the squared distance of the end from the point
     double cross;  // twice the area of the triangle between the side and the point
     std::uint32_t link;
   };
@@ -85,7 +86,7 @@ class Delaunay {
   std::vector<Triangle> triangles_;  // the first `made_` are valid
   std::uint32_t made_ = 0;
   std::uint32_t last_ = 0;             // where the next walk begins
-  std::vector<Side> sides_;            // stack of cavity sides; the next in counter-clockwise order is on top
+  std::vector<Side> sides_;            // a stack of cavity sides; the next side in counter-clockwise order is on top
   std::vector<std::uint32_t> vacant_;  // numbers for the triangles that fill the cavity
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The state of interior triangles. Only one leaf has all their points, so that no other leaf can disagree.
+// The state of interior triangles. Only one leaf has all their points, so no other leaf can disagree.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace glark::surfel {
 
 class InteriorClassifier {
  public:
-  // spacings: of the leaf's own points. The caller keeps both arguments.
+  // spacings: the spacings of the leaf's own points. The caller keeps both arguments.
   InteriorClassifier(const SpaceTriangulation& triangulation, std::span<const float> spacings, float reach)
       : triangulation_(triangulation), spacings_(spacings), reach_(reach) {}
 

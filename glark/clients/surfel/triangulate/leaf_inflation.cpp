@@ -9,10 +9,10 @@
 namespace glark::surfel {
 namespace {
 
-constexpr float least_cosine =
-    -0.5F;  // between normals of a point and of the leaf: below, the point is on another sheet
-constexpr std::size_t most_taken =
-    256;  // points that a leaf takes in: a sparse leaf among dense ones would find too many
+// The cosine between the normals of point and leaf; with less, the point is on another sheet.
+constexpr float least_cosine = -0.5F;
+// The most points that a leaf takes in; a sparse leaf among dense ones would find too many.
+constexpr std::size_t most_taken = 256;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void find_neighbours(const StrippingTree& tree, std::uint32_t number, std::vecto
   found.clear();
   if (leaf.unique_count == 0) return;
   std::array<std::uint32_t, 128> stack;
-  std::vector<std::uint32_t> overflow;  // for deep trees of very uneven clouds
+  std::vector<std::uint32_t> overflow;  // only used in deep trees of very uneven clouds
   std::size_t height = 0;
   const auto push = [&](std::uint32_t node) {
     height < stack.size() ? void(stack[height++] = node) : overflow.push_back(node);
@@ -49,8 +49,8 @@ void find_neighbours(const StrippingTree& tree, std::uint32_t number, std::vecto
 }
 
 // Projects a surfel onto the plane. Where the surface bends away from the plane, the distance from the centre grows by
-// the length of the bend: a wall at a right angle is not projected to a line. So both sides of a crease cover it, and
-// neighbouring leaves agree on more edges.
+// the length of the bend. So a wall at a right angle is not projected to a line. Then the leaves on both sides cover a
+// crease, and neighbouring leaves agree on more edges.
 std::array<float, 3> LeafInflation::unroll(const Surfel& surfel) const {
   const Vector d = surfel.position - frame_.leaf->centre;
   const float x = dot(d, frame_.u), y = dot(d, frame_.v), height = dot(d, frame_.leaf->normal);
@@ -114,7 +114,7 @@ void LeafInflation::quantize() {
     return farthest;
   };
   float farthest = extent_of(members_);
-  // Far points move closer to the centre, so that the points of a dense leaf do not fall onto one integer position.
+  // Far points move closer to the centre. Otherwise, the points of a dense leaf could fall onto one integer position.
   constexpr float most_extents = 1024;
   const float most = most_extents * extent_of(std::span(members_).first(own_count_));
   if (most > 0 && farthest > most) {

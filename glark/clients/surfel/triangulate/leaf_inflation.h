@@ -16,10 +16,10 @@
 
 namespace glark::surfel {
 
-// Finds the leaves whose points `leaf` may take in, and those that may take in points of `leaf`.
+// Finds the leaves whose points `leaf` may take in, and the leaves that may take in points of `leaf`.
 void find_neighbours(const StrippingTree& tree, std::uint32_t leaf, std::vector<std::uint32_t>& found);
 
-// Inflates one leaf after the other and reuses its memory.
+// Inflates leaves one by one, and reuses its memory.
 class LeafInflation {
  public:
   struct Member {

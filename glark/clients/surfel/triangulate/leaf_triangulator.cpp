@@ -9,12 +9,12 @@
 
 namespace glark::surfel {
 
-// The spacing is the length of the third shortest edge. For points on scan lines, this is the distance to the next
-// line.
+// The spacing of a point is the length of its third shortest edge. For points on scan lines, this is the distance to
+// the next line.
 void LeafTriangulator::measure_spacings() {
   constexpr float far = std::numeric_limits<float>::infinity();
   const std::size_t own = triangulation_.own_count();
-  shortest_.assign(own + 1, {far, far, far});  // the last one is for all points of other leaves
+  shortest_.assign(own + 1, {far, far, far});  // the last element is for all points of other leaves
   const std::span<const Delaunay::Triangle> triangles = triangulation_.triangles();
   for (std::uint32_t number = 0; number < triangles.size(); ++number) {
     const Delaunay::Triangle& triangle = triangles[number];
@@ -29,7 +29,7 @@ void LeafTriangulator::measure_spacings() {
   }
   result_.spacings.clear();
   for (const auto& [first, second, third] : std::span(shortest_).first(own)) {
-    constexpr float most_ratio = 25;  // squared: the gap around a group of two or three points is not their spacing
+    constexpr float most_ratio = 25;  // squared; the gap around a group of two or three points is not their spacing
     const float nearby = second < far ? second : first < far ? first : 0;
     result_.spacings.push_back(std::sqrt(std::min(third, most_ratio * nearby)));
   }
@@ -47,7 +47,7 @@ Candidate LeafTriangulator::candidate_of(std::uint32_t number) const {
           CandidateState::conflicting};
 }
 
-// The triangle has a far point. Its opposite edge is on the boundary; it is kept if it has one of the leaf's own
+// A triangle with a far point has a boundary edge opposite to it. The edge is kept if it has one of the leaf's own
 // points.
 void LeafTriangulator::add_boundary_edge(const Delaunay::Triangle& triangle) {
   std::array<std::uint32_t, 2> ends{};

@@ -15,15 +15,15 @@
 
 namespace glark::surfel {
 
-// Triangulates one leaf after the other and reuses its memory.
+// Triangulates leaves one by one, and reuses its memory.
 class LeafTriangulator {
  public:
   struct Result {
     std::vector<Candidate> candidates;  // candidates with points of other leaves come first, in ascending order
-    std::uint32_t shared_count = 0;     // how many these are
-    std::vector<float> spacings;        // of the leaf's own points
-    std::size_t outer = 0;              // triangles without any of the leaf's own points
-    std::size_t flipped = 0;            // edges that were flipped for valence
+    std::uint32_t shared_count = 0;     // the number of these candidates
+    std::vector<float> spacings;        // for the leaf's own points
+    std::size_t outer = 0;              // the number of triangles without any of the leaf's own points
+    std::size_t flipped = 0;            // the number of edges that were flipped for valence
   };
 
   LeafTriangulator(const StrippingTree& tree, float reach, bool flip_edges)

@@ -8,7 +8,7 @@
 namespace glark::surfel {
 namespace {
 
-constexpr float rounding = 1.25F;  // distances whose ratio is smaller share a bitmap
+constexpr float rounding = 1.25F;  // distances with a smaller ratio share a bitmap
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void ProximityGrid::begin(std::span<const Place> points, float greatest_distance
       high[k] = std::max(high[k], point[k]);
     }
   }
-  constexpr float margin = 1.5F;  // cells
+  constexpr float margin = 1.5F;  // in cells
   for (std::size_t k = 0; k < 2; ++k) {
     const float size = std::max(high[k] - low_[k] + 2 * greatest_distance, 1e-30F);
     scale_[k] = (cells - 2 * margin) / size;
@@ -33,7 +33,7 @@ void ProximityGrid::begin(std::span<const Place> points, float greatest_distance
   }
 }
 
-// Draws a disc around each point. All discs have the same bits, only shifted.
+// Draws a disc around each point. All discs are shifted copies of the same bits.
 void ProximityGrid::rasterize(Bitmap& bitmap) const {
   bitmap.rows.fill(0);
   const float wide = bitmap.distance * scale_[0], high = bitmap.distance * scale_[1];

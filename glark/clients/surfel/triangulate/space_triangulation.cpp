@@ -9,13 +9,13 @@
 namespace glark::surfel {
 namespace {
 
-constexpr std::size_t most_pending = 256;  // in space, edges could flip forever
-// Cotangent of triangles at far points, so that their edges are never flipped. It is infinite because cotangents of
-// degenerate triangles may have any size.
+constexpr std::size_t most_pending = 256;  // a limit, because in space edges could flip forever
+// The cotangent of triangles at far points, so that their edges are never flipped. It is infinite, because the
+// cotangents of degenerate triangles have no limit.
 constexpr float never_flip = std::numeric_limits<float>::infinity();
 
-// The sum of the cotangents of the angles opposite to edge ab in triangles abp and abd. It is negative where edge ab is
-// not Delaunay.
+// Returns the sum of the cotangents of the angles opposite to edge ab, in the triangles abp and abd. The sum is
+// negative if edge ab is not Delaunay.
 float cotangent_sum(Vector a, Vector b, Vector p, Vector d) {
   const auto cotangent = [&](Vector at) {
     const Vector s = a - at, t = b - at;
@@ -42,8 +42,8 @@ void SpaceTriangulation::measure(std::uint32_t number) {
   facet.normal = normal * per_area;
 }
 
-// The criterion uses only the positions of the four points, so that all leaves choose the same diagonal. Of two equal
-// diagonals, the one at the first point is chosen.
+// The criterion uses only the positions of the four points. So all leaves choose the same diagonal. Among equal
+// diagonals, the criterion chooses the one at the first point.
 bool SpaceTriangulation::prefers_other_diagonal(std::uint32_t number, std::uint32_t side) const {
   const auto& corners = delaunay_.triangles()[number].corners;
   const LeafInflation::Member* p = &member(corners[side]);
@@ -57,8 +57,8 @@ bool SpaceTriangulation::prefers_other_diagonal(std::uint32_t number, std::uint3
   return other > current || (other == current && p->index < a->index);
 }
 
-// A fast test: false only where the other diagonal cannot be better. The more the edge is bent, the smaller are the
-// four angles at the other diagonal.
+// A fast test. It returns false only if the other diagonal cannot be better. The more the edge is bent, the smaller are
+// the four angles at the other diagonal.
 bool SpaceTriangulation::may_violate_delaunay(std::uint32_t number, std::uint32_t side) const {
   const std::uint32_t link = delaunay_.triangles()[number].links[side];
   if (link == Delaunay::none) return false;
@@ -78,7 +78,7 @@ void SpaceTriangulation::flip(std::uint32_t number, std::uint32_t side) {
 
 void SpaceTriangulation::flip_if_better(std::uint32_t number, std::uint32_t side) {
   const Delaunay::Triangle& triangle = delaunay_.triangles()[number];
-  // Triangles that are farther away from the leaf's own points are not used.
+  // Triangles farther away from the leaf's own points are not used.
   if (!is_inner(triangle) && delaunay_.across(number, side) >= own_count()) return;
   const std::uint32_t other = Delaunay::triangle_of(triangle.links[side]);
   if (!prefers_other_diagonal(number, side) || !delaunay_.can_flip(number, side)) return;
@@ -87,8 +87,8 @@ void SpaceTriangulation::flip_if_better(std::uint32_t number, std::uint32_t side
   flip(number, side);
 }
 
-// The planes of neighbouring leaves differ, but their points in space do not. So leaves agree on more triangles after
-// this.
+// The planes of neighbouring leaves differ, but the positions of their points in space are the same. So leaves agree on
+// more triangles after these flips.
 void SpaceTriangulation::flip_for_delaunay() {
   pending_.clear();
   const auto count = static_cast<std::uint32_t>(delaunay_.triangles().size());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The triangulation of an inflated leaf. It is first Delaunay in the leaf's plane; then edges are flipped until it is
+// The triangulation of an inflated leaf. First it is Delaunay in the leaf's plane. Then edges are flipped until it is
 // Delaunay in space.
 // Based on: Boubekeur 2007, ch. 5.2.1, for the triangulation in the plane.
 #pragma once
@@ -17,13 +17,13 @@
 
 namespace glark::surfel {
 
-// Triangulates one leaf after the other and reuses its memory.
+// Triangulates leaves one by one, and reuses its memory.
 class SpaceTriangulation {
  public:
   // The shape of a triangle in space.
   struct Facet {
-    std::array<float, 3> cotangents;       // of the angles at the corners
-    std::array<float, 3> squared_lengths;  // of the edges opposite to the corners
+    std::array<float, 3> cotangents;       // the cotangents of the angles at the corners
+    std::array<float, 3> squared_lengths;  // the squared lengths of the edges opposite to the corners
     Vector normal;
   };
 
@@ -39,16 +39,16 @@ class SpaceTriangulation {
   // The leaf's own points are the first members.
   std::size_t own_count() const { return inflation_.own_count(); }
 
-  // Whether a corner is one of the leaf's own points.
+  // Returns whether a corner is one of the leaf's own points.
   bool is_inner(const Delaunay::Triangle& triangle) const {
     return std::min({triangle.corners[0], triangle.corners[1], triangle.corners[2]}) < own_count();
   }
-  // Whether all corners are the leaf's own points.
+  // Returns whether all corners are the leaf's own points.
   bool is_interior(const Delaunay::Triangle& triangle) const {
     return std::max({triangle.corners[0], triangle.corners[1], triangle.corners[2]}) < own_count();
   }
-  // Whether the normals of the corners point to the other side. Triangles at sharp creases can be upside down in the
-  // leaf's plane.
+  // Returns whether the normals of the corners point to the other side. At sharp creases, triangles can be upside down
+  // in the leaf's plane.
   bool is_back_facing(std::uint32_t triangle) const {
     const auto [a, b, c] = triangles()[triangle].corners;
     return dot(facets_[triangle].normal, member(a).normal + member(b).normal + member(c).normal) < 0;
@@ -67,7 +67,7 @@ class SpaceTriangulation {
   LeafInflation inflation_;
   Delaunay delaunay_;
   std::vector<Facet> facets_;           // one for each triangle
-  std::vector<std::uint32_t> pending_;  // triangles whose edges are checked again
+  std::vector<std::uint32_t> pending_;  // triangles whose edges will be checked again
 };
 
 }  // namespace glark::surfel

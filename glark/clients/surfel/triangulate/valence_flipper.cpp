@@ -11,8 +11,8 @@ namespace glark::surfel {
 namespace {
 
 constexpr std::array<std::uint32_t, 3> next = {1, 2, 0}, before = {2, 0, 1};
-constexpr std::array<std::uint8_t, 3> one_more = {1, 2, 0}, one_less = {2, 0, 1};  // modulo three
-// How many swaps are saved at a point of each valence if it gets a triangle, or loses one.
+constexpr std::array<std::uint8_t, 3> one_more = {1, 2, 0}, one_less = {2, 0, 1};  // valences modulo three
+// The number of swaps saved at a point of each valence, if the point gains or loses a triangle.
 constexpr std::array<int, 3> saved_by_more = {-1, 0, 1}, saved_by_less = {-1, 1, 0};
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Flips interior edges so that more points have three or six triangles. A strip passes a point along three of its
-// triangles, so it needs no swap at such points.
+// Flips interior edges so that more points have valence three or six. A strip passes a point along three of its
+// triangles. So it needs no swap at such points.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,12 @@
 
 namespace glark::surfel {
 
-// Works on one triangulation after the other and reuses its memory.
+// Works on triangulations one by one, and reuses its memory.
 class ValenceFlipper {
  public:
   explicit ValenceFlipper(SpaceTriangulation& triangulation) : triangulation_(triangulation) {}
 
-  // Returns the number of flipped edges. No other leaf has the triangles at these edges, so that leaves agree as
-  // before.
+  // Returns the number of flipped edges. No other leaf has the triangles at these edges. So leaves agree as before.
   std::size_t flip_for_valence(const InteriorClassifier& classifier);
 
  private:
@@ -28,7 +27,7 @@ class ValenceFlipper {
   bool flip_if_flat(std::uint32_t triangle, std::uint32_t side, const InteriorClassifier& classifier);
 
   SpaceTriangulation& triangulation_;
-  std::vector<std::uint8_t> valences_;  // of each member: its number of triangles modulo three
+  std::vector<std::uint8_t> valences_;  // the number of triangles of each member, modulo three
 };
 
 }  // namespace glark::surfel

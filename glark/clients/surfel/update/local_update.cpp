@@ -18,8 +18,8 @@
 namespace glark::surfel {
 namespace {
 
-// Stitched triangles may have points that their leaf did not take in. If one of these moved, the leaf's bounds must
-// change too.
+// Stitched triangles may have points that their leaf did not take in. If such a point moved, the leaf's bounds must
+// change, too.
 void mark_stitched_points(Patch& patch, std::span<const Surfel> moved) {
   const auto has_moved = [&](std::uint32_t point) {
     const auto found = std::lower_bound(moved.begin(), moved.end(), point,
@@ -31,7 +31,7 @@ void mark_stitched_points(Patch& patch, std::span<const Surfel> moved) {
                        });
 }
 
-// Updates the nodes of the leaves and all nodes above.
+// Updates the nodes of the leaves and all their ancestors.
 void update_nodes(Level& level, std::span<const std::uint32_t> leaves, const LevelOptions& options) {
   level.nodes.resize(level.tree.nodes.size());
   IndexSet nodes;
@@ -49,7 +49,7 @@ void update_level(Level& level, std::span<const Surfel> moved, const LevelOption
                   const common::Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed) {
   const std::vector<std::uint32_t> triangulated = PointMover(level, moved, options).run();
   make_candidates(level, triangulated, options, workers);
-  // Neighbours may share triangles with these leaves; other leaves may share conflict regions.
+  // Neighbours may share triangles with these leaves. Other leaves may share conflict regions.
   IndexSet drawn;
   std::vector<std::uint32_t> neighbours;
   for (const std::uint32_t leaf : triangulated) {

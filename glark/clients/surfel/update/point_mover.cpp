@@ -11,7 +11,7 @@
 namespace glark::surfel {
 namespace {
 
-constexpr float most_stretch = 2;  // of a leaf whose points all move: if it grows more, they look for new leaves
+constexpr float most_stretch = 2;  // if all points of a leaf move and it grows more than this, they look for new leaves
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void PointMover::touch_new_leaves() {
                    [](const Arrival& a, const Arrival& b) { return a.leaf < b.leaf; });
 }
 
-// Adds the touched leaves and those neighbours that take in points at touched positions.
+// Adds the touched leaves, and the neighbours that take in points at touched positions.
 void PointMover::add_touched_and_neighbours() {
   std::vector<std::uint32_t> neighbours;
   for (const std::uint32_t leaf : touched_.list()) {
@@ -98,7 +98,7 @@ void PointMover::remove_from_leaf(Leaf& leaf, const std::vector<std::uint8_t>& i
   for (const Surfel* surfel = first; surfel != end; ++surfel) tree_.nodes[leaf.node].box.add(surfel->position);
 }
 
-// From the root down to the nearer box. Points of a leaf that moves as a whole stay in it.
+// Descends from the root, always to the nearer box. Points of a leaf that moves as a whole stay in the leaf.
 std::uint32_t PointMover::new_leaf_of(const Surfel& surfel) const {
   if (surfel.index < level_.owner.size()) {
     const std::uint32_t owner = level_.owner[surfel.index];
@@ -114,7 +114,7 @@ std::uint32_t PointMover::new_leaf_of(const Surfel& surfel) const {
   return tree_.nodes[node].leaf;
 }
 
-// Moved points may be new ones.
+// Some moved points may be new.
 void PointMover::resize_point_arrays() {
   const std::size_t count = std::max<std::size_t>(level_.owner.size(), moved_.empty() ? 0 : moved_.back().index + 1UL);
   level_.owner.resize(count);
@@ -132,7 +132,7 @@ void PointMover::rebuild_touched_leaves() {
   level_.patches.resize(tree_.leaves.size());
 }
 
-// Adds the arrivals. The leaf is split where it has too many points or is no longer a height field.
+// Adds the arrivals. Splits the leaf if it has too many points or is no longer a height field.
 void PointMover::rebuild(std::uint32_t number) {
   const auto first = std::lower_bound(arrivals_.begin(), arrivals_.end(), number,
                                       [](const Arrival& a, std::uint32_t leaf) { return a.leaf < leaf; });

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Moves points from leaf to leaf of a level's tree.
+// Moves points between the leaves of a level's tree.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ class PointMover {
   PointMover(Level& level, std::span<const Surfel> moved, const LevelOptions& options)
       : level_(level), tree_(level.tree), moved_(moved), options_(options) {}
 
-  // Moves the points and rebuilds the leaves that they leave and enter. Returns all leaves whose triangulations may
+  // Moves the points, and rebuilds the leaves that points leave or enter. Returns all leaves whose triangulations may
   // change.
   std::vector<std::uint32_t> run();
 
@@ -41,7 +41,7 @@ class PointMover {
   // A moved point and its new leaf.
   struct Arrival {
     std::uint32_t leaf;
-    std::size_t point;  // in moved_
+    std::size_t point;  // an index in moved_
   };
 
   Level& level_;
@@ -51,9 +51,9 @@ class PointMover {
   IndexSet affected_;  // the result
   IndexSet touched_;   // leaves that points leave or enter
   std::vector<std::vector<Vector>>
-      touched_positions_;                     // for each leaf: old and new positions of the points that touch it
-  std::vector<std::uint32_t> touched_index_;  // for each leaf: its position among the first touched leaves
-  std::vector<bool> moves_as_whole_;          // for each of these
+      touched_positions_;                     // for each leaf: the old and new positions of the points that touch it
+  std::vector<std::uint32_t> touched_index_;  // for each leaf: its index among the first touched leaves
+  std::vector<bool> moves_as_whole_;          // for each of the first touched leaves
   std::vector<Arrival> arrivals_;             // sorted by leaf
 };
 

@@ -15,9 +15,9 @@ namespace glark::vstree {
 
 using namespace common;  // Float4, records and workers
 
-// Returns `each` neighbours of every point, nearest first, the point itself among them: [each * points]. `each` is at
-// most the number of points. Near points should have near indices: then one search finds in the cache what the search
-// before has read.
+// Returns `each` neighbours of every point, the nearest first: [each * points]. The point itself is among them.
+// `each` is at most the number of points. Near points should have near indices. Then a search finds the data of the
+// search before in the cache.
 std::vector<std::uint32_t> nearest(std::span<const Float4> points, std::size_t each, const Workers& workers);
 
 }  // namespace glark::vstree

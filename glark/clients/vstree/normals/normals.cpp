@@ -15,7 +15,7 @@
 namespace glark::vstree {
 namespace {
 
-// The direction in which the points extend least; zero where they lie on a line.
+// Returns the direction in which the points extend least, or zero if they lie on a line.
 Float4 least_extent(std::span<const Float4> points, std::span<const std::uint32_t> which) {
   const Float4 first = points[which.front()];
   Float4 sum{}, rows[3] = {};
@@ -39,12 +39,13 @@ Float4 least_extent(std::span<const Float4> points, std::span<const std::uint32_
   return unit(Float4{vector[0], vector[1], vector[2], 0});
 }
 
-constexpr unsigned grid_levels = 6;  // with millions of points of a surface, a few hundred in each cell
+// With millions of points on a surface, each cell has a few hundred points.
+constexpr unsigned grid_levels = 6;
 
 std::uint32_t grid_cell(Float4 point) { return cube_key(octree_cell(point), octree_levels - grid_levels); }
 
-// The points sorted by the cells of a grid, so that near points have near indices. The fourth number has the bits of
-// the original index.
+// Returns the points sorted by the cells of a grid, so that near points have near indices. The fourth float holds the
+// bits of the original index.
 std::vector<Float4> sorted(const PointSet& points, const Cube& cube, const Workers& workers) {
   std::vector<Float4> result(points.positions.size() / 3);
   const auto key = [&](std::size_t begin, std::size_t end, std::uint32_t* keys) {
@@ -61,12 +62,12 @@ std::vector<Float4> sorted(const PointSet& points, const Cube& cube, const Worke
   return result;
 }
 
-// The different places of the points. A thousand points at one place would be all the neighbours of each other, and a
-// million would take a million million steps.
+// The distinct positions of the points. A thousand points at one position would all be neighbours of each other. A
+// million such points would take a million million steps.
 struct Places {
-  std::vector<Float4> positions, normals;  // the first given normal of each place, or zero
+  std::vector<Float4> positions, normals;  // the first given normal at each position, or zero
   std::vector<bool> given;
-  std::vector<std::uint32_t> of;  // the place of each point
+  std::vector<std::uint32_t> of;  // the index of each point's position
 };
 
 std::uint32_t hash(Float4 point) {
@@ -78,7 +79,7 @@ std::uint32_t hash(Float4 point) {
 
 bool same_place(Float4 a, Float4 b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
-// The points must have the order of sorted(). Equal points are in one cell, so that the hash table of a cell stays in
+// The points must have the order of sorted(). Then equal points are in one cell, and the hash table of a cell stays in
 // the cache.
 Places places_of(std::span<const Float4> points) {
   constexpr std::uint32_t nothing = 0xFFFFFFFF;

@@ -10,8 +10,8 @@
 namespace glark::vstree {
 namespace {
 
-// Sets of connected samples. Each sample is either as it is or reversed, relative to the first sample of its set. Number i stands for
-// sample i as it is, number count + i for the reversed one, so that each set has a mirror image.
+// Sets of connected samples. Each sample is reversed or not, relative to the first sample of its set. Number i stands
+// for sample i as it is, and number count + i for the reversed sample. So each set has a mirror image.
 class Parts {
  public:
   explicit Parts(std::size_t count) : count_(static_cast<std::uint32_t>(count)), sets_(2 * count) {}
@@ -25,7 +25,8 @@ class Parts {
     return as_it_is < reversed ? Place{as_it_is, false} : Place{reversed, true};
   }
 
-  // Connects two samples, one reversed relative to the other or not. Returns false and changes nothing if they are connected already.
+  // Connects two samples. `reversed`: one is reversed relative to the other. Returns false and changes nothing if they
+  // are connected already.
   bool connect(std::uint32_t a, std::uint32_t b, bool reversed) {
     const std::uint32_t root = sets_.find(a);
     if (root == sets_.find(b) || root == sets_.find(b + count_)) return false;
@@ -55,8 +56,8 @@ void sort_by_weight(std::vector<Edge>& edges) {
   edges = std::move(sorted);
 }
 
-// Adds the edges that may be in the minimum spanning tree: the spanning trees of a run of samples, and the edges that
-// leave the run. Near samples have near indices, so that a run stays in the cache and few edges leave it.
+// Adds the edges that may be in the minimum spanning tree: the spanning trees within a run of samples, and all edges
+// that leave the run. Near samples have near indices. So a run stays in the cache, and few edges leave it.
 void add_edges(std::span<const Float4> normals, std::span<const std::uint32_t> neighbours, std::size_t each,
                std::uint32_t begin, std::uint32_t end, std::vector<Edge>& edges) {
   std::vector<Edge> within;

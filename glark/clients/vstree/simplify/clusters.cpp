@@ -15,16 +15,17 @@ namespace glark::vstree {
 namespace {
 
 constexpr int most_searches = 6;
-constexpr std::uint32_t most_cells = (1 << 21) - 1;  // of a grid along an axis, so that three fit into a key
-constexpr double parts_a_cluster = 2.5;              // parts of the tree for each cluster
+constexpr std::uint32_t most_cells =
+    (1 << 21) - 1;                       // the most cells of a grid along an axis, so that three numbers fit into a key
+constexpr double parts_a_cluster = 2.5;  // number of parts of the tree for each cluster
 
-// The number of triangles, or of points of a point set, that the clusters leave.
+// Returns how many triangles of a mesh, or points of a point set, the clusters leave.
 std::size_t size_of(const Surface& surface, const Clusters& clusters) {
   return surface.triangles.empty() ? clusters.count : clusters.triangles.size() / 3;
 }
 
-// make(k) returns about k clusters. Searches for the k with the most triangles, or points, within the target, and
-// returns its clusters.
+// make(k) returns about k clusters. Finds the k with the most triangles, or points, within the target. Returns the
+// clusters of this k.
 template <typename Make>
 Clusters search(const Surface& surface, std::size_t target, const Workers& workers, const Make& make) {
   const auto wanted = static_cast<double>(target);
@@ -35,7 +36,7 @@ Clusters search(const Surface& surface, std::size_t target, const Workers& worke
     Clusters clusters = make(aim);
     std::size_t size = clusters.count;
     bool near = true;
-    if (!surface.triangles.empty()) {  // fins are looked for only near the target
+    if (!surface.triangles.empty()) {  // removes fins only near the target
       std::vector<std::uint32_t> triangles = spanning(surface.triangles, clusters.of, workers);
       size = triangles.size() / 3;
       near = static_cast<double>(size) < 1.2 * wanted && (static_cast<double>(size) > 0.97 * wanted || i > 2);
@@ -53,7 +54,7 @@ Clusters search(const Surface& surface, std::size_t target, const Workers& worke
     const double factor = 0.998 * wanted / static_cast<double>(std::max<std::size_t>(size, 1));
     aim = static_cast<std::size_t>(static_cast<double>(aim) * std::clamp(factor, 0.25, 4.0));
   }
-  while (best.of.empty()) {  // equal errors leave few numbers to choose from
+  while (best.of.empty()) {  // with equal errors, few numbers of clusters are possible
     aim = std::max<std::size_t>(aim / 2, 1);
     Clusters clusters = make(aim);
     clusters.set_triangles(spanning(surface.triangles, clusters.of, workers));
@@ -62,7 +63,7 @@ Clusters search(const Surface& surface, std::size_t target, const Workers& worke
   return best;
 }
 
-// The leaves become the nodes whose error is small enough.
+// Makes leaves of the nodes whose error is small enough.
 Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> order, std::span<const float> errors,
                    float threshold) {
   Clusters clusters;
@@ -82,8 +83,8 @@ Clusters leaves_of(std::span<const Node> nodes, std::span<const std::uint32_t> o
 }
 
 // The error of each inner node: the sum of the squared distances of its best point from the tangent planes of its
-// samples, but no less than that of a node below it. It is the sum and not the mean, so that nodes are divided where
-// the whole surface gains most. A small share of the extent is added, so that flat parts are divided evenly.
+// samples. It is not less than the error of a node below. With the sum instead of the mean, nodes are divided where the
+// whole surface gains most. A small share of the extent is added, so that flat parts are divided evenly.
 class WholeErrors {
  public:
   WholeErrors(std::span<const Node> nodes, std::span<const Record> sorted, const Workers& workers)
@@ -93,7 +94,7 @@ class WholeErrors {
   const std::vector<float>& errors() const { return errors_; }
 
  private:
-  // Finds the shape of a node; other threads may take its children.
+  // Returns the shape of a node. Other threads may take its children.
   Shape find_shared(std::uint32_t index) {
     const Node& node = nodes_[index];
     constexpr std::uint32_t samples_alone = 1 << 12;
@@ -190,7 +191,7 @@ Clusters cluster_by_grid(const Surface& surface, std::uint32_t cells) {
   return clusters;
 }
 
-// Makes the most cells within the target.
+// Returns the grid with the most cells within the target.
 Clusters finest_grid(const Surface& surface, std::size_t target, const Workers& workers) {
   Clusters best = cluster_by_grid(surface, 1);
   std::uint32_t cells = 1, too_many = 2;
@@ -222,7 +223,8 @@ void Clusters::set_triangles(std::vector<std::uint32_t> spanning) {
 Clusters cluster(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
   if (surface.size() == 0) return {};
   if (options.clustering != Clustering::grid) return cluster_by_tree(surface, options, workers);
-  const double side = 1 / (double{options.threshold} * surface.cube.diagonal);  // limits an infinite number of cells
+  // Clamped below, because it may be infinite.
+  const double side = 1 / (double{options.threshold} * surface.cube.diagonal);
   return options.target != 0
              ? finest_grid(surface, options.target, workers)
              : cluster_by_grid(surface,

@@ -12,7 +12,7 @@
 
 namespace glark::vstree {
 
-// The input of a simplification, checked.
+// The input of a simplification, after its validation.
 struct Surface {
   Cube cube;
   PointSet points;  // with normals
@@ -25,8 +25,8 @@ struct Surface {
 struct Clusters {
   std::uint32_t count = 0;
   std::vector<std::uint32_t> of;         // [points]
-  std::vector<std::uint32_t> triangles;  // over clusters, without repeats; empty: not known yet
-  std::vector<std::uint8_t> irregular;   // [count] as irregular_vertices(), of these triangles with repeats
+  std::vector<std::uint32_t> triangles;  // clusters as vertices, without repeats; empty: not known yet
+  std::vector<std::uint8_t> irregular;   // [count] the result of irregular_vertices() for these triangles with repeats
 
   void set_triangles(std::vector<std::uint32_t> spanning);
 };

@@ -11,10 +11,10 @@
 namespace glark::vstree {
 namespace {
 
-constexpr unsigned most_levels = 6;  // of a grid; its sums then fit into the cache
+constexpr unsigned most_levels = 6;  // the most levels of a grid, so that its sums fit into the cache
 enum PartKind : std::uint8_t { empty, filled, divided };
 
-// A number from 1 to 2, so that of equal flat rectangles some are divided before others.
+// Returns a number from 1 to 2. So some of several equal flat rectangles are divided before others.
 float uneven(std::size_t i) {
   return 1 + static_cast<float>((static_cast<std::uint32_t>(i) * 2654435761U) >> 8) * 0x1p-24F;
 }
@@ -26,10 +26,10 @@ std::size_t quads_of(unsigned levels) { return cells_of(levels) / 3; }
 
 // Sums over samples, and over their tangent planes n x + d = 0 relative to the origin of a frame.
 struct alignas(64) Quadtrees::Sums {
-  Float4 squares{};   // of n; the fourth, of d
+  Float4 squares{};   // squares of n; the fourth is the square of d
   Float4 products{};  // n_x n_y, n_y n_z, n_z n_x
   Float4 offsets{};   // n d
-  Float4 points{};    // the fourth is their number
+  Float4 points{};    // the fourth is the number of points
 
   void add(Float4 point, Float4 normal) {
     normal[3] = -dot(normal, point);
@@ -43,8 +43,8 @@ struct alignas(64) Quadtrees::Sums {
     return {squares + other.squares, products + other.products, offsets + other.offsets, points + other.points};
   }
   float count() const { return points[3]; }
-  // The sum of the squared distances from the planes to the best point on the line through the centroid along the
-  // frame's normal. `square`: the squared extent.
+  // Returns the sum of the squared distances of the best point from the planes. The best point lies on the line through
+  // the centroid along the frame's normal. `square`: the squared extent.
   float error(float square) const {
     const Float4 x = without_fourth(points / splat<3>(points));
     const Float4 yzx = __builtin_shufflevector(x, x, 1, 2, 0, 3), zxy = __builtin_shufflevector(x, x, 2, 0, 1, 3);
@@ -144,7 +144,7 @@ Quadtrees::Rest Quadtrees::fill(const Grid& grid, Sums& whole) {
   return rest;
 }
 
-// Samples at one place of the frame stay one part.
+// Samples at one position of the frame stay one part.
 Quadtrees::Rest Quadtrees::divide(const Grid& grid, std::span<const Sums> cells) const {
   Rest rest;
   std::vector<std::vector<Record>> records(cells.size());
@@ -171,7 +171,7 @@ Quadtrees::Rest Quadtrees::divide(const Grid& grid, std::span<const Sums> cells)
   return rest;
 }
 
-// Pairs the four cells in the way with the smaller error. The sum of all cells ends up in the first one.
+// Pairs the four cells of each quad in the way with the smaller error. The sum of all cells ends up in the first cell.
 void Quadtrees::put_together(const Grid& grid, std::span<Sums> cells) {
   float a = std::ldexp(grid.frame.size[0] * grid.frame.size[0], -2 * static_cast<int>(grid.levels));
   float b = std::ldexp(grid.frame.size[1] * grid.frame.size[1], -2 * static_cast<int>(grid.levels));

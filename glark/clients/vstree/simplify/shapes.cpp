@@ -9,7 +9,7 @@
 namespace glark::vstree {
 namespace {
 
-// The shape of the records without its quadric.
+// Returns the shape of the records without its quadric.
 Shape extent_of(std::span<const Record> records) {
   Shape shape;
   for (const Record& record : records) shape.sum += record.point() + Float4{0, 0, 0, 1};
@@ -23,14 +23,14 @@ Shape extent_of(std::span<const Record> records) {
   return shape;
 }
 
-// The part of a quadric that its best point needs, relative to a centroid. It fills one cache line.
+// The part of a quadric that determines its best point, relative to a centroid. It fills one cache line.
 struct alignas(64) Planes {
   Float4 centroid{};
   Float4 squares{};   // xx yy zz
   Float4 products{};  // xy yz zx
   Float4 offsets{};   // b
 
-  // The plane through `point`. Its normal is as long as its weight.
+  // The plane through `point`. The length of its normal is its weight.
   struct Plane {
     Float4 point, normal, unit_normal, squares, products;
     Plane(Float4 p, Float4 n, Float4 unit)
@@ -40,8 +40,8 @@ struct alignas(64) Planes {
           squares(n * unit),
           products(n * __builtin_shufflevector(unit, unit, 1, 2, 0, 3)) {}
   };
-  // Adds the plane to three quadrics, which may be the same. Computing the three distances together takes fewer
-  // instructions.
+  // Adds the plane to three quadrics, which may be the same. It computes the three distances together, which takes
+  // fewer instructions.
   static void add(const Plane& plane, Planes& a, Planes& b, Planes& c) {
     const Float4 at_a = plane.normal * (a.centroid - plane.point), at_b = plane.normal * (b.centroid - plane.point);
     const Float4 at_c = plane.normal * (c.centroid - plane.point);
@@ -71,11 +71,11 @@ struct alignas(64) Planes {
   }
 };
 
-// The cluster of a corner, which is stored in the bits of the fourth number.
+// Returns the cluster of a corner, from the bits of the fourth float.
 std::uint32_t cluster_at(const Float4& corner) { return std::bit_cast<std::uint32_t>(static_cast<float>(corner[3])); }
 
 struct alignas(64) Extent {
-  Float4 sum{};  // of the points; the fourth is their number
+  Float4 sum{};  // the sum of the points; the fourth is their number
   Float4 low{1, 1, 1, 0}, high{};
   Float4 normal{};
 
@@ -83,14 +83,14 @@ struct alignas(64) Extent {
   float radius() const { return 0.5F * std::sqrt(dot(high - low, high - low)); }
 };
 
-// Sums over clusters, in the order of the samples or triangles whatever the number of threads: each thread owns some
+// Sums over clusters, in the order of the samples or triangles for any number of threads. Each thread owns some
 // clusters and reads all samples.
 class Sums {
  public:
   Sums(const Surface& surface, std::span<const Float4> corners, std::span<Extent> extents, std::span<Planes> planes)
       : surface_(surface), corners_(corners), extents_(extents), planes_(planes) {}
 
-  // Adds to the clusters first .. last - 1. `is_all`: these are all clusters.
+  // Adds to the clusters first .. last - 1. `is_all`: this range has all clusters.
   template <bool is_all>
   void add(std::uint32_t first, std::uint32_t last, Representative how) {
     const std::uint32_t size = last - first;
@@ -120,7 +120,7 @@ class Sums {
 
   template <bool is_all>
   void add_triangles(std::uint32_t first, std::uint32_t size) {
-    constexpr std::size_t far = 96, near = 24;  // corners ahead
+    constexpr std::size_t far = 96, near = 24;  // distances of the prefetches, in corners
     const std::span<const std::uint32_t> triangles = surface_.triangles;
     Planes others;  // stands for clusters of other threads
     for (std::size_t t = 0; t < triangles.size(); t += 3) {

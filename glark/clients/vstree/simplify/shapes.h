@@ -8,21 +8,22 @@
 
 namespace glark::vstree {
 
-constexpr float flat_share = 1e-6F;  // share of the extent in an error, so that flat parts are divided evenly
+constexpr float flat_share = 1e-6F;  // the share of the extent in an error, so that flat parts are divided evenly
 
 // The quadric is relative to the centroid.
 struct Shape {
-  Float4 sum{};      // of the points; the fourth is their number
-  float radius = 0;  // of a sphere about the centroid that holds all points
+  Float4 sum{};      // the sum of the points; the fourth is their number
+  float radius = 0;  // the radius of a sphere about the centroid that holds all points
   Quadric quadric;
 
   Float4 centroid() const { return without_fourth(sum / sum[3]); }
-  // The error of the best point: the sum of the squared distances from the planes, plus a small share of the extent.
+  // Returns the error of the best point: the sum of the squared distances from the planes, plus a small share of the
+  // extent.
   float error() const {
     return quadric.error_at(best_step()) + flat_share * radius * radius * (quadric.weight() + 1e-12F * sum[3]);
   }
-  // The step from the centroid to the best point. Planes that are nearly parallel, or those of a cone, meet far away.
-  // The error falls all the way there, so the step may end within the cluster.
+  // Returns the step from the centroid to the best point. Planes that are nearly parallel meet far away, as do the
+  // planes of a cone. The error falls along the whole step, so the step may end within the cluster.
   Float4 best_step() const {
     const Float4 step = quadric.best_point();
     const float square = dot(step, step);
@@ -42,8 +43,9 @@ struct Representatives {
   std::vector<Float4> normals;  // the sums of the samples' unit normals
 };
 
-// With quadrics, the point nearest to the planes of the cluster's triangles, weighted by area; a triangle belongs to
-// the clusters of all its corners. Without triangles, the point nearest to the tangent planes of the samples.
+// With quadrics, a representative is the point nearest to the planes of the cluster's triangles, weighted by area. A
+// triangle belongs to the clusters of all its corners. Without triangles, it is the point nearest to the tangent planes
+// of the samples.
 Representatives representatives(const Surface& surface, const Clusters& clusters, Representative how,
                                 const Workers& workers);
 

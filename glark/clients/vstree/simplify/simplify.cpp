@@ -15,7 +15,7 @@
 namespace glark::vstree {
 namespace {
 
-// Area-weighted means of the triangles' normals, not of unit length.
+// Returns means of the triangles' normals, weighted by area. They do not have unit length.
 std::vector<float> vertex_normals(const Surface& surface) {
   std::vector<float> normals(surface.points.positions.size());
   add_triangle_normals(
@@ -66,7 +66,7 @@ void write_attributes(const Surface& surface, const Clusters& clusters, const Re
   }
 }
 
-// Removes vertices without triangles and renumbers the others. Returns the old number of each vertex that stays.
+// Removes vertices without triangles and renumbers the others. Returns the old number of each remaining vertex.
 std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& triangles, std::size_t count) {
   std::vector<std::uint32_t> number(count, none), kept;
   for (const std::uint32_t i : triangles) number[i] = 0;
@@ -97,7 +97,7 @@ Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
   const Representatives stand = representatives(surface, clusters, options.representative, workers);
 
   Simplified result;
-  std::vector<std::uint32_t> cluster_of(clusters.count);  // of each vertex of the result
+  std::vector<std::uint32_t> cluster_of(clusters.count);  // for each vertex of the result
   for (std::uint32_t i = 0; i < clusters.count; ++i) cluster_of[i] = i;
   if (!mesh.triangles.empty()) {
     if (clusters.triangles.empty()) clusters.set_triangles(spanning(mesh.triangles, clusters.of, workers));

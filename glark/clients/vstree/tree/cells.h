@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The cells of a regular grid of 2^levels cells along each axis into which records are sorted, and the cells of all
-// coarser levels.
+// The cells of a regular grid, into which records are sorted, and the cells of all coarser levels. The grid has
+// 2^levels cells along each axis.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace glark::vstree {
 
 using namespace common;  // Float4, records and workers
 
-// Spreads up to 10 bits: bit i becomes bit 3 i, or 2 i.
+// Spreads up to 10 bits. Bit i becomes bit 3 i, or bit 2 i.
 inline std::uint32_t every_third_bit(std::uint32_t x) {
   x = (x | (x << 16)) & 0x030000FFU;
   x = (x | (x << 8)) & 0x0300F00FU;
@@ -38,23 +38,23 @@ inline std::uint32_t cube_key(const std::array<std::uint32_t, 3>& cell, unsigned
 
 // A cell that has samples.
 struct Cell {
-  std::uint32_t key = 0;          // on its level
+  std::uint32_t key = 0;          // the key on the cell's level
   std::uint32_t begin = 0;        // its first record
-  std::uint32_t first_child = 0;  // on the next finer level, where its children follow one another
+  std::uint32_t first_child = 0;  // an index on the next finer level, where the children follow one another
 };
 
 struct Cells {
-  // [levels + 1], the coarsest first. The cells of a level are sorted by key; one more at the end has only `begin` and
-  // `first_child`.
+  // [levels + 1], the coarsest first. The cells of a level are sorted by key. A last element ends the level; it has
+  // only `begin` and `first_child`.
   std::vector<std::vector<Cell>> levels;
-  std::vector<std::vector<Moments>> moments;  // of the cells of each level; empty unless add_moments() was called
+  std::vector<std::vector<Moments>> moments;  // for the cells of each level; empty unless add_moments() was called
 
   const Moments* moments_of(std::size_t level, std::size_t cell) const {
     return moments.empty() ? nullptr : &moments[level][cell];
   }
 };
 
-// begins: as sort_by_key() returns it. key_bits: 3 for cubes, 2 for rectangles.
+// begins: the result of sort_by_key(). key_bits: 3 for cubes, 2 for rectangles.
 Cells cells_of(std::span<const std::uint32_t> begins, unsigned levels, unsigned key_bits);
 void add_moments(Cells& cells, std::span<const Record> sorted, const Workers& workers);
 

@@ -19,9 +19,9 @@ struct Nodes {
   std::vector<std::uint32_t> frame_nodes;  // the transition node of each frame
 };
 
-// Builds the tree of checked points with normals. `order` receives the samples in the tree's order; `sorted`, if given,
-// their records. ends_at_layer: transition nodes are leaves, and a node is not made a transition node if the metric
-// makes it a leaf.
+// Builds the tree of checked points with normals. `order` receives the samples in the tree's order. `sorted`, if given,
+// receives their records.
+// ends_at_layer: transition nodes are leaves. A node does not become a transition node if the metric makes it a leaf.
 Nodes construct(const PointSet& points, const Cube& cube, const Options& options, std::vector<std::uint32_t>& order,
                 const Workers& workers, Records* sorted = nullptr, bool ends_at_layer = false);
 

@@ -7,9 +7,9 @@
 namespace glark::vstree {
 namespace {
 
-// The direction in which the normals vary most, as a unit vector in the plane of the mean normal. Source: Boubekeur
-// 2007, ch. 3.2.2. It is the eigenvector with the larger one of the two eigenvalues; the other eigenvector is
-// orthogonal to it.
+// Returns the direction in which the normals vary most, as a unit vector in the plane of the mean normal. It is the
+// eigenvector of the larger of the two eigenvalues. The other eigenvector is orthogonal to it.
+// Source: Boubekeur 2007, ch. 3.2.2.
 Float4 main_direction(std::span<const Record> records, Float4 normal) {
   Float4 rows[3] = {};
   for (const Record& record : records) {

@@ -19,16 +19,16 @@ inline constexpr unsigned quadtree_levels = 16;
 struct LocalFrame {
   Float4 origin{};
   Float4 columns[3];  // column i: the i-th coordinates of u, v and the normal
-  float low[2] = {};  // of the bounding rectangle
+  float low[2] = {};  // the bounding rectangle
   float size[2] = {};
-  float scale[2] = {};  // to the quadtree's last level; 0 for a rectangle without extent
+  float scale[2] = {};  // the scale to the quadtree's last level; 0 for a rectangle without extent
 
   Float4 turn(Float4 direction) const {
     return splat<0>(direction) * columns[0] + splat<1>(direction) * columns[1] + splat<2>(direction) * columns[2];
   }
   Float4 inside(Float4 point) const { return turn(point - origin); }
 
-  // The cell of a position inside the frame, on the last level; clamped to the rectangle.
+  // Returns the cell of a position inside the frame, on the last level, clamped to the rectangle.
   std::array<std::uint32_t, 2> cell(Float4 position) const {
     constexpr float end = (1U << quadtree_levels) - 1;
     constexpr Float4 last{end, end, 0, 0};

@@ -9,7 +9,7 @@ namespace glark::vstree {
 
 // The quadrants of a node, in two pairs: left and right, or lower and upper.
 struct NodeWriter::Pairs {
-  std::uint32_t quadrants[4] = {none, none, none, none};  // cells; `none` has no samples
+  std::uint32_t quadrants[4] = {none, none, none, none};  // indices of cells; `none` for quadrants without samples
   const unsigned (*which)[2] = nullptr;                   // two pairs
   float errors[2] = {};
 };
@@ -64,7 +64,7 @@ std::span<Record> NodeWriter::records_of(unsigned level, std::uint32_t index) co
   return sorted_.records.subspan(cell[0].begin, cell[1].begin - cell[0].begin);
 }
 
-// The error of two quadrants as one leaf, or of the only one that has samples.
+// Returns the error of two quadrants as one leaf. If only one of them has samples, returns its error.
 float NodeWriter::error_of(unsigned level, std::uint32_t a, std::uint32_t b) const {
   if (a == none || b == none) {
     const std::uint32_t only = a == none ? b : a;
@@ -76,7 +76,8 @@ float NodeWriter::error_of(unsigned level, std::uint32_t a, std::uint32_t b) con
   return builder_.error_of(&moments, {});
 }
 
-// Makes two leaves of the quadrants where both are within the threshold. Otherwise returns false and changes nothing.
+// Joins the quadrants to two leaves if both leaves are within the threshold. Otherwise returns false and changes
+// nothing.
 bool NodeWriter::close_in_pairs(std::uint32_t slot, unsigned level, std::uint32_t first, std::uint32_t last) {
   if (builder_.options().metric == Metric::qef) return false;  // errors of this metric do not add up
   Pairs pairs;
@@ -111,7 +112,7 @@ void NodeWriter::write_pairs(std::uint32_t slot, unsigned level, const Pairs& pa
   child.end = out_.nodes[slot].begin;
   out_.nodes[slot].first_child = static_cast<std::uint32_t>(out_.nodes.size());
   together_.clear();
-  // The pairs are in the order of their first quadrants with samples.
+  // The pair whose first quadrant with samples comes first is written first.
   const unsigned first = quadrants[0] == none && pairs.which[1][0] == 1 ? 1 : 0;
   for (const unsigned i : {first, 1 - first}) {
     child.begin = child.end;

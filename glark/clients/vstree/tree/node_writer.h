@@ -21,9 +21,9 @@ class NodeWriter {
         kind_(kind),
         begin_(out.nodes[sorted.slot].begin) {}
 
-  // Writes the children of the node in the slot, which is cell `index` of the level, and all that lies below.
+  // Writes all nodes below the node in the slot. This node is cell `index` of the level.
   void write_children(std::uint32_t slot, unsigned level, std::uint32_t index);
-  // Decides whether that node is a leaf, a transition node or has children.
+  // Decides whether the node is a leaf, a transition node, or has children.
   void write_node(std::uint32_t slot, unsigned level, std::uint32_t index);
   // Divides the nodes that need another sort.
   void finish() { builder_.divide_all(out_, tasks_); }
@@ -43,7 +43,7 @@ class NodeWriter {
   const Cells& cells_;
   const Task& sorted_;
   const Kind kind_;
-  const std::uint32_t begin_;     // of the samples
+  const std::uint32_t begin_;     // the first sample
   std::vector<Record> together_;  // the samples of a pair of quadrants
   std::vector<Task> tasks_;
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr unsigned class_shift = 20;
 constexpr std::size_t classes = std::size_t{1} << (31 - class_shift);
 
-// Errors of one class begin with the same bits. The bits of positive numbers have the order of the numbers.
+// Errors of one class begin with the same bits. For positive floats, the order of the bits is the order of the numbers.
 std::size_t class_of(float error) { return (std::bit_cast<std::uint32_t>(error) & 0x7FFFFFFFU) >> class_shift; }
 
 }  // namespace
@@ -46,7 +46,7 @@ float LeafCounts::threshold_for(std::size_t leaves) const {
   std::size_t last = classes;
   while (last > 0 && count + more_leaves_[last - 1] <= leaves) count += more_leaves_[--last];
   if (last == 0) return -1;
-  std::vector<Division> some;  // the class that has the limit
+  std::vector<Division> some;  // the class that contains the limit
   for (const Division& division : divisions_) {
     if (class_of(division.error) == last - 1) some.push_back(division);
   }

@@ -9,7 +9,7 @@
 
 namespace glark::vstree {
 
-// The error of each node, but no less than that of a node below it.
+// Returns the error of each node, but no less than the error of a node below it.
 std::vector<float> monotone_errors(std::span<const Node> nodes);
 
 // Counts the leaves that remain when nodes with at most a threshold's error become leaves.
@@ -17,19 +17,20 @@ class LeafCounts {
  public:
   struct Division {
     float error;
-    std::uint32_t leaves;  // how many more leaves this division makes
+    std::uint32_t leaves;  // the number of leaves that this division adds
   };
   explicit LeafCounts(std::vector<Division> divisions);
   static LeafCounts of(std::span<const Node> nodes, std::span<const float> errors);
-  // The least threshold that leaves at most so many leaves, but at least one.
+  // Returns the least threshold that leaves at most `leaves` leaves, but at least one.
   float threshold_for(std::size_t leaves) const;
 
  private:
   std::vector<Division> divisions_;
-  std::vector<std::uint32_t> more_leaves_;  // of all divisions of each class of errors, the least errors first
+  // The leaves that all divisions of each class of errors add; the least errors first.
+  std::vector<std::uint32_t> more_leaves_;
 };
 
-// Turns nodes with at most the threshold's error into leaves and removes what lies below them.
+// Turns nodes whose error is within the threshold into leaves, and removes the nodes below them.
 void prune(Nodes& tree, std::span<const float> errors, float threshold);
 
 }  // namespace glark::vstree

@@ -12,7 +12,7 @@
 namespace glark::vstree {
 namespace {
 
-// Options that divide so far that a leaf of the result has about four parts.
+// Returns options that divide deeply: a leaf of the result has about four parts.
 Options finely(Options options, std::size_t points) {
   options.threshold = 0;
   const std::size_t each = points / (std::size_t{4} * options.most_leaves);

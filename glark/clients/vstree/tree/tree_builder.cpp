@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Based on: Boubekeur 2007, ch. 3.2.2, which classifies the samples of a node into its children, level after level. Here a counting sort
-// takes several levels at once, and the moments of the finest cells add up to those of their parents. So each sample is moved and read
-// only a few times.
+// Based on: Boubekeur 2007, ch. 3.2.2, which classifies the samples of a node into its children, level by level. Here a
+// counting sort takes several levels at once, and the moments of the finest cells add up to those of their parents. So
+// each sample is moved and read only a few times.
 #include "glark/clients/vstree/tree/tree_builder.h"
 
 #include <algorithm>
@@ -19,13 +19,14 @@ namespace {
 
 constexpr std::size_t samples_alone = 1 << 15;  // a larger sort hands its tasks to other threads
 constexpr std::size_t samples_a_part = 1 << 12;
-constexpr std::size_t samples_a_cube =
-    200;  // of the finest cells, to aim at: many cubes become transition nodes earlier
+// The target for the finest cells. It is high, because many cubes become transition nodes earlier.
+constexpr std::size_t samples_a_cube = 200;
 constexpr std::size_t samples_a_rectangle = 4;
-constexpr unsigned most_cube_levels = 6;  // of one sort: 2^18 counters
+constexpr unsigned most_cube_levels = 6;  // for one sort: 2^18 counters
 constexpr unsigned most_rectangle_levels = 8;
 
-// The number of levels that divide `count` samples of a surface into cells of `aim` samples; a cell has four children.
+// Returns the number of levels that divide `count` samples of a surface into cells of `aim` samples. A cell has four
+// children.
 unsigned levels_for(std::size_t count, std::size_t aim, unsigned most) {
   unsigned levels = 1;
   while (levels < most && (count >> (2 * levels)) > aim) ++levels;
@@ -143,10 +144,10 @@ Cells TreeBuilder::sort_rectangles(const Task& task) {
   return cells_of(to, begins, levels, Kind::surface);
 }
 
-// Some tasks at a time write to nodes of their own. These are appended in the order of the tasks, so that the result
-// does not depend on the threads.
+// Groups of tasks write to separate nodes at the same time. The nodes are appended in the order of the tasks. So the
+// result does not depend on the threads.
 void TreeBuilder::divide_all(Nodes& out, std::vector<Task>& tasks) {
-  std::vector<std::size_t> firsts{0};  // the first task of each part
+  std::vector<std::size_t> firsts{0};  // the first task of each group
   std::size_t samples = 0;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     samples += tasks[i].size();

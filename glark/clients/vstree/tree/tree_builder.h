@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Builds a volume-surface tree. A task sorts the samples of one node by several levels of cells; a NodeWriter turns the cells into nodes.
+// Builds a volume-surface tree. A task sorts the samples of one node by several levels of cells. A NodeWriter turns the
+// cells into nodes.
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
@@ -16,13 +17,13 @@ namespace glark::vstree {
 
 // A node whose samples are to be divided.
 struct Task {
-  std::uint32_t slot = 0;            // of the node
+  std::uint32_t slot = 0;            // the slot of the node
   std::span<Record> records, other;  // the samples, and a buffer of the same size
-  bool is_alone = false;             // one thread does it all, and owns the buffer
+  bool is_alone = false;             // a single thread does the whole task, and owns the buffer
   bool enters_surface = false;       // the node becomes a transition node
-  Moments moments = {};              // of such a node
-  unsigned depth = 0;                // below the root of the octree or the quadtree
-  LocalFrame frame = {};             // of the quadtree
+  Moments moments = {};              // the moments of a future transition node
+  unsigned depth = 0;                // the depth below the root of the octree or the quadtree
+  LocalFrame frame = {};             // the frame of the quadtree
 
   std::size_t size() const { return records.size(); }
 };

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The depth of an edge from its two ends. For GLSL 4.30 and ES 3.20.
+// Computes the depth of an edge from its two ends. For GLSL 4.30 and ES 3.20.
 //
-// Watertight: every expression gives the same bits when the ends change places, in whatever program this is included: sums and
-// products of `precise` values only, no division, no root and no function that a compiler may approximate in its own way.
-// Between two levels, a step is as far from one limit to the next as the level is between them. The includer has edge_steps.glsl, and
-// declares, before the #include, the table that measure.glsl makes:
+// Watertight: every expression gives the same bits when the ends change places, in every program that includes this
+// file. So it uses only sums and products of `precise` values: no division, no root, no function that compilers may
+// approximate in different ways.
+//
+// Steps divide the interval between the limits of two levels linearly. The includer has edge_steps.glsl, and declares,
+// before the #include, the table that measure.glsl makes:
 //   float pixel_limit(int depth)   square of the length that 2^depth segments may cover, in pixels
 //   float cosine_limit(int depth)  c |c|, c the cosine of the angle that 2^depth segments may cover
 
@@ -34,15 +36,17 @@ float glark_limit_between(float coarse, float fine, int step) {
   return limit;
 }
 
-// Whether one of the sizes that count, squared and in their units, is no longer than the limit.
+// Returns whether one of the counted sizes (squared, in their units) is within the limit.
 bool glark_fits(bvec2 counts, vec2 sizes, vec2 units, float limit) {
   precise vec2 longest = limit * units;
   return (counts.x && !(sizes.x > longest.x)) || (counts.y && !(sizes.y > longest.y));
 }
 
-// Ends in clip coordinates; half_size: of the viewport, in pixels. Where both ends lie in front of the eye, the length is that on
-// the screen, or three times the length as an angle where that is less: far outside the screen, for inside of it is never less.
-// With an end behind the eye there is no length on the screen, and the angle alone counts. The eye is the origin of (x, y, w).
+// Ends are in clip coordinates; half_size is half of the viewport, in pixels.
+// If both ends lie in front of the eye, the size is the lesser of the length on the screen and three times the length
+// as an angle. The angle is the lesser one only far outside of the screen.
+// If an end lies behind the eye, there is no length on the screen, and only the angle is used. The eye is the origin of
+// (x, y, w).
 int glark_steps_on_screen(vec4 end_a, vec4 end_b, vec2 half_size, int deepest) {
   float eye_distance = max(half_size.x, half_size.y);  // of the screen, in pixels, for a view of 90 degrees
   precise vec3 a = end_a.xyw * vec3(half_size, eye_distance);
@@ -56,7 +60,7 @@ int glark_steps_on_screen(vec4 end_a, vec4 end_b, vec2 half_size, int deepest) {
   precise float depths = a.z * b.z;
   precise float screen_length = squared_distance * (across.x * across.x + across.y * across.y);
   precise float screen_unit = depths * depths;
-  // In the triangle (eye, a, b), the eye is nearest to a point within the edge, or to an end.
+  // The point of the edge nearest to the eye lies within the edge, or it is an end.
   precise float length_squared = glark_square(along);
   bool within = glark_dot(a, along) < 0.0 && glark_dot(b, along) > 0.0;
   precise float angle = squared_distance * (within ? length_squared * length_squared : length_squared);

@@ -27,7 +27,7 @@ constexpr GLsizeiptr bytes_a_triangle = 3 * 16 + 4;
 constexpr float most_change_while_morphing =
     1.0F / 16;  // of a level in a frame: at 60 frames a second, a quarter of a second
 
-// Positions come first, whatever the number of triangles: where the depths begin depends on the room alone.
+// Positions come first. The place of the depths depends only on the room, not on the number of triangles.
 GLintptr first_depth(const core::GpuBuffer& ends) { return ends.size() / bytes_a_triangle * 3 * 16; }
 
 }  // namespace
@@ -42,7 +42,7 @@ bool MeasureStage::compile() {
   return limits_pass_.build(gl_, text(0), limit_names) && depth_pass_.build(gl_, text(1), depth_names);
 }
 
-// Tries to compile once only.
+// Tries to compile only once.
 bool MeasureStage::prepare() {
   if (feedback_ != 0) {
     return limits_pass_.built() && depth_pass_.built() && limits_.name() != 0;
@@ -60,7 +60,7 @@ bool MeasureStage::reserve(std::uint32_t triangles) {
   return prepare() && ends_.reserve(gl_, GLsizeiptr{triangles} * bytes_a_triangle, GL_DYNAMIC_COPY);
 }
 
-// Only between frames, so that every pass over the same geometry has the same depths.
+// The limits change only between frames, so that every pass over the same geometry gets the same depths.
 void MeasureStage::update_limits(const core::EdgeMeasure& rule, bool morphs, GLuint work) {
   const bool restart = rule != rule_;
   if (!restart && !(frame_finished_ && rule.budget > 0)) {
@@ -99,7 +99,7 @@ void MeasureStage::capture_positions(const MeasureRequest& request, const core::
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, ends_.name(), 0, first_depth(ends_));
   gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER,
-                 bindings.feedback_buffer);  // only the generic point: the object keeps its own
+                 bindings.feedback_buffer);  // only the generic binding point: the indexed one belongs to the object
   if (!bindings.rasterizer_discard) {
     gl_.Enable(GL_RASTERIZER_DISCARD);
   }

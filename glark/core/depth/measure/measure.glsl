@@ -4,31 +4,32 @@
 // Edge depths without tags. GLARK_PASS: 0 the limits of this frame, 1 the depths of the edges of one draw.
 // The includer supplies #version and GLARK_PASS.
 //
-// The limits: word 0 the coarseness (float, how many depths the budget has taken away), then a pixel limit and a cosine limit for
-// each depth (edge_depth.glsl).
+// The limits: word 0 is the coarseness (float: how many depths the budget takes away). Then come a pixel limit and a
+// cosine limit for each depth (edge_depth.glsl).
 #if GLARK_PASS == 0
 
 layout(local_size_x = 1) in;
 
 layout(std430, binding = 0) buffer Limits { float limits[]; };
-layout(std430, binding = 1) buffer Work { uint work[]; };  // of bins.glsl: word 2 is what the last frame drew
+layout(std430, binding = 1) buffer Work { uint work[]; };  // bins.glsl; word 2 counts the triangles of the last frame
 
 uniform float pixels;
 uniform float radians_of_turn;
 uniform int budget;  // 0: none
 uniform int restart;
-uniform float most_change;  // of the coarseness, from one frame to the next; 0: it has no limit
+uniform float most_change;  // of the coarseness, from one frame to the next; 0: no limit
 
 const float pi = 3.14159265;
-// As a part of the budget. If fewer triangles are used, depths grow again. All edges may change by one depth at once, which is four times the triangles: a
-// narrower passage would swing from frame to frame.
+// A fraction of the budget. If a frame uses fewer triangles, depths grow again. All edges may grow by one depth at
+// once, which takes four times the triangles. A greater value would make the depths oscillate from frame to frame.
 const float least_use = 0.25;
-// Beyond it, keeping the budget is more important than smooth changes. Edges that cross a depth all at once stay below it.
+// A fraction of the budget. Beyond it, keeping the budget is more important than smooth changes. Edges that cross a
+// depth all at once stay below it.
 const float most_use = 4.0;
 
 float next_coarseness(float coarseness, float use) {
   if (use > 1.0) {
-    return coarseness + 0.5 * log2(use) + 0.125;  // somewhat more: steps that only just suffice take many frames
+    return coarseness + 0.5 * log2(use) + 0.125;  // a small margin: without it, reaching the budget takes many frames
   }
   return use < least_use ? coarseness + 0.5 * log2(max(2.0 * use, 0.015625)) : coarseness;
 }
@@ -64,7 +65,7 @@ layout(std430, binding = 2) readonly buffer Limits { float limits[]; };
 
 uniform int record_offset;  // in words
 uniform int corner_words;
-uniform int normal_offset;  // in a corner; < 0: the normals do not count
+uniform int normal_offset;  // in a corner; < 0: normals are not measured
 uniform int first_depth;    // word of `ends`
 uniform int triangle_bound;
 uniform int pool_level;

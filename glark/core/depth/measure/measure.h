@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Measured edge depths: from the length of an edge on the screen, and from the normals at its ends. All of it happens on the GPU: the
-// captured corners run through the application's vertex stage, and a compute pass compares the two ends of each edge.
+// Measured edge depths: from the length of an edge on the screen, and from the normals at its ends. All passes run on
+// the GPU: the captured corners run through the application's vertex stage, and a compute pass compares the two ends of
+// each edge.
 #pragma once
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/context_options.h"
 #include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
-#include "glark/core/refinement.h"
 #include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
 
@@ -19,10 +20,10 @@ namespace glark::depth {
 struct MeasureRequest {
   const capture::Layout* layout = nullptr;
   capture::CoarseTriangles triangles;
-  GLuint corner_program = 0;  // gives gl_Position of one captured corner; 0: the screen does not count
-  int normal_offset = -1;     // of the normal in a captured corner; -1: normals do not count
+  GLuint corner_program = 0;  // gives gl_Position of one captured corner; 0: the screen is not measured
+  int normal_offset = -1;     // of the normal in a captured corner; -1: normals are not measured
   unsigned pool_level = 0;
-  int depth_steps = 1;  // to a level: 1, or pattern::morph_steps
+  int depth_steps = 1;  // steps per level: 1, or pattern::morph_steps
 };
 
 class MeasureStage {
@@ -32,10 +33,10 @@ class MeasureStage {
   bool has_room(std::uint32_t triangles) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
   bool reserve(std::uint32_t triangles);
-  // A frame has ended. With a budget, its number of triangles decides how coarse the next frame is.
+  // Called when a frame has ended. With a budget, the frame's number of triangles decides how coarse the next frame is.
   void frame_finished() { frame_finished_ = true; }
-  // `work`: BinStage::work_buffer(). Changes the program, the vertex array and the storage buffer bindings 0 to 2, which the
-  // caller restores. The ends are valid until the next call.
+  // `work`: BinStage::work_buffer(). Changes the program, the vertex array and the storage buffer bindings 0 to 2,
+  // which the caller restores. The ends are valid until the next call.
   EdgeEnds find_ends(const MeasureRequest& request, const core::EdgeMeasure& rule, GLuint work,
                      const core::Bindings& bindings);
   // The depths, from the result of find_ends().

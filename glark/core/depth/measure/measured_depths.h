@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Edge depths as the measuring pass leaves them, and what it reads.
+// The edge depths that the measuring pass writes, and the input of that pass.
 #pragma once
 
 #include "glark/gl/types.h"
@@ -14,8 +14,8 @@ struct EdgeEnds {
   GLuint limits = 0;
 };
 
-// A word for each coarse triangle: some bits for the depth of each edge, edge 0 in the lowest; whole levels in 4 bits, or steps of
-// pattern::morph_steps to a level in 10.
+// One word per coarse triangle, with some bits for the depth of each edge, edge 0 in the lowest. Depths are whole
+// levels in 4 bits, or steps in 10 bits (pattern::morph_steps per level).
 struct MeasuredDepths {
   GLuint buffer = 0;  // 0: none
   GLintptr offset = 0;

@@ -19,7 +19,8 @@ std::string stored_words_expression(int first, int count) {
   return count == 1 ? parts : std::string(constructors[count]) + "(" + parts + ")";
 }
 
-// Words [first, first + count) of the coarse record as a float or vector expression: vec3(glark_chunk0.w, glark_chunk1.xy).
+// Words [first, first + count) of the coarse record as a float or vector expression: vec3(glark_chunk0.w,
+// glark_chunk1.xy).
 std::string words_expression(const EpiloguePlan& plan, int first, int count) {
   static constexpr std::string_view components = "xyzw";
   if (plan.stored) return stored_words_expression(first, count);
@@ -52,7 +53,8 @@ std::string element_name(const InputVariable& input, int element) {
   return input.field.is_array ? input.global + "[" + std::to_string(element) + "]" : input.global;
 }
 
-// With a placement, instances are those of all bins: a bin's begin at its base instance, which GLSL ES cannot read.
+// With a placement, instances count over all bins. The first one of a bin is its base instance, which GLSL ES cannot
+// read.
 std::string storage_declarations(const EpiloguePlan& plan) {
   const std::string layout = plan.version.es ? "std430, binding = " + std::to_string(records_binding) : "std430";
   const bool numbered = plan.placed && plan.version.es;
@@ -127,8 +129,8 @@ std::string fill_by_interpolation(const EpiloguePlan& plan, TypeSet& mixed_types
   return text;
 }
 
-// The weights of an edge's ends are the first two summands or one of them and the third: either way the sum along the edge is
-// that of the ends in any order, because the remaining product is zero.
+// On an edge, the weights of the ends are the first two summands, or one of them and the third. The remaining product
+// is zero, so the sum is the same in any order of the ends.
 std::string mix_functions(const TypeSet& types, bool define) {
   std::string text;
   for (const std::string& type : types) {

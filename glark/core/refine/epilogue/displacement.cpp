@@ -5,7 +5,7 @@
 namespace glark::refine {
 namespace {
 
-// GLSL before 1.30 needs an extension to ask for the size of a texture. Without it, slopes are those of 256 texels a side.
+// GLSL before 1.30 needs an extension to ask for the size of a texture. Without it, slopes assume 256 texels a side.
 std::string texel_functions(const GlslVersion& version) {
   const bool sized = version.at_least(130, 300);
   const std::string map = height_map_uniform;
@@ -28,8 +28,8 @@ std::string of_corners(const EpiloguePlan& plan, int first, int words) {
   return text;
 }
 
-// Moves the position `p` along the normal `n`. On the border of a welded triangle, the direction and the height are those that all
-// triangles there have.
+// Moves the position `p` along the normal `n`. On the border of a welded triangle, all triangles share the direction
+// and the height.
 std::string move(const EpiloguePlan& plan, const std::string& p, const std::string& n, TypeSet& mixed_types) {
   if (plan.border_offset < 0) return "  " + p + " = @displaced_position(" + p + ", " + n + ", @t);\n";
   mixed_types.insert("vec3");
@@ -43,7 +43,7 @@ std::string move(const EpiloguePlan& plan, const std::string& p, const std::stri
          "  else " + p + " = @displaced_position(" + p + ", " + n + ", @t);\n";
 }
 
-// Declares @slopes, of the surface before it is displaced.
+// Declares @slopes: the slopes of the surface before displacement.
 std::string find_slopes(const EpiloguePlan& plan) {
   const std::string corners = "(@weights, @c0, @c1, @c2);\n";
   if (plan.traits().takes_tags) return "  @Slopes @slopes = @curved_slopes" + corners;

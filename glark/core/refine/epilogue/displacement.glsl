@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Displacement along the normal, after pn.glsl and scalar_tagged_pn.glsl. The unit that includes this defines glark_texel(coordinate), the
-// scaled and biased texel, and glark_texel_size().
-// Based on: J. F. Blinn, Simulation of wrinkled surfaces, SIGGRAPH 1978: the normal of P + D N, from the derivatives of P, D and N.
+// Displacement along the normal; include after pn.glsl and scalar_tagged_pn.glsl. The including unit defines
+// glark_texel(coordinate), the scaled and biased texel, and glark_texel_size().
+// Based on: J. F. Blinn, Simulation of wrinkled surfaces, SIGGRAPH 1978: the normal of P + D N, from the derivatives of
+// P, D and N.
 //
-// Watertight: the displaced position follows from the refined inputs, which triangles share along edges. Where normals or texture
-// coordinates jump, triangles do not share them: there it follows from what welding has found for the border.
+// Watertight: the displaced position depends on the refined inputs, which triangles share along edges. Where normals or
+// texture coordinates jump, it depends on the border values that welding has found.
 
 bool glark_on_border(vec3 weights) { return weights.x == 0.0 || weights.y == 0.0 || weights.z == 0.0; }
 
-// `at0` to `at2`: the coordinates of the corners' places; `along0` to `along2`: those of the ends of each edge.
+// `at0` to `at2`: the coordinates at the corners' positions; `along0` to `along2`: the coordinates at the ends of each
+// edge.
 vec2 glark_border_coordinate(vec3 weights, vec2 at0, vec2 at1, vec2 at2, vec4 along0, vec4 along1, vec4 along2) {
   if (weights.x == 1.0) return at0;
   if (weights.y == 1.0) return at1;
@@ -26,8 +28,8 @@ vec3 glark_displaced_position(vec3 position, vec3 normal, vec2 coordinate) {
   return displaced;
 }
 
-// Derivatives by u and v (w = 1 - u - v) of the surface before displacement, and of a field of length `size` that has the direction of
-// its normal.
+// Derivatives by u and v (w = 1 - u - v): of the surface before displacement, and of a field of length `size` that is
+// parallel to its normal.
 struct glark_Slopes {
   vec3 position_u;
   vec3 position_v;
@@ -46,7 +48,8 @@ glark_Slopes glark_linear_slopes(vec3 weights, glark_StCorner c0, glark_StCorner
   return slopes;
 }
 
-// Slopes of the patch that glark_st_position and glark_st_normal have evaluated. Points are relative to corner 0, which keeps errors small.
+// Slopes of the patch that glark_st_position and glark_st_normal have evaluated. Points are relative to corner 0, which
+// keeps errors small.
 glark_Slopes glark_curved_slopes(vec3 weights, glark_StCorner c0, glark_StCorner c1, glark_StCorner c2) {
   float w = weights.x;
   float u = weights.y;
@@ -82,7 +85,7 @@ glark_Slopes glark_curved_slopes(vec3 weights, glark_StCorner c0, glark_StCorner
   return slopes;
 }
 
-// The derivative of the unit normal, from that of a field of length `size`.
+// The derivative of the unit normal, from the derivative of a field of length `size`.
 vec3 glark_turn(vec3 unit_normal, vec3 slope, float size) {
   return size > 0.0 ? (slope - dot(unit_normal, slope) * unit_normal) / size : vec3(0.0);
 }
@@ -100,7 +103,7 @@ vec3 glark_displaced_normal(glark_Slopes slopes, vec3 normal, vec2 coordinate, v
                     glark_texel(coordinate + half_t) - glark_texel(coordinate - half_t)) / texel;
   float area = dot(n, cross(tangent_u, tangent_v));
   vec3 rise = dot(slope, along_u) * cross(tangent_v, n) + dot(slope, along_v) * cross(n, tangent_u);
-  // Without an area, or where the surface stands on its edge, the normal stays.
+  // If there is no area, or if the surface stands on its edge, the normal stays.
   if (!(abs(area) > 1.0e-6 * length(tangent_u) * length(tangent_v))) return normal;
   return glark_pn_unit(n - rise / area) * length(normal);
 }

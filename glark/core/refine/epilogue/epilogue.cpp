@@ -79,7 +79,8 @@ std::string prototypes_of_other_units(const EpiloguePlan& plan) {
   return text;
 }
 
-// Barycentrics of the refined vertex from the lattice and the placement of its piece; exact, for all of it is dyadic.
+// Barycentrics of the refined vertex, from the lattice and the placement of its piece. All values are dyadic, so they
+// are exact.
 constexpr const char* place_function = R"(vec3 @weights;
 void @place() {
   vec2 lattice = glark_lattice * 0.000030517578125;
@@ -98,8 +99,8 @@ void @place() {
 }
 )";
 
-// From barycentrics of the triangle in clip space to those of its image on the screen, which `noperspective` outputs follow. The
-// sums pair as those of @mix do.
+// Converts barycentrics of the triangle in clip space to those of its image on the screen, for `noperspective` outputs.
+// The sums pair as in @mix.
 constexpr const char* screen_function = R"(vec3 @corner_w;
 void @weigh_by_w() {
   @precise vec3 scaled = @weights * @corner_w;
@@ -108,8 +109,8 @@ void @weigh_by_w() {
 }
 )";
 
-// Variables that the application's refinement shader reads besides the inputs. The corners of an array A of n elements are flattened:
-// element i of corner k is ark_corner_A[k * n + i].
+// Variables that the application's refinement shader reads besides the inputs. The corners of an array A of n elements
+// are flattened: element i of corner k is ark_corner_A[k * n + i].
 std::string refinement_declarations(const EpiloguePlan& plan) {
   std::string text = "vec3 ark_barycentric;\n";
   std::string fill = "void @fill_corners() {\n  ark_barycentric = @weights;\n";
@@ -153,8 +154,8 @@ std::string storage_extensions(const GlslVersion& version) {
 
 }  // namespace
 
-// `precise` is a keyword from GLSL 4.00 and ES 3.20 on, and with an extension before, unless the application uses the words
-// that the extension reserves.
+// `precise` is a keyword from GLSL 4.00 and ES 3.20 on. Earlier versions need an extension, which is not used if the
+// application uses the words that the extension reserves.
 std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& application_identifiers) {
   const GlslVersion& version = plan.version;
   std::string text;

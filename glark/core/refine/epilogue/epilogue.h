@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The text that glark adds to the application's vertex stage: the vertex inputs of the derived program, what fills the
-// application's globals from the coarse record, and main. In these texts '@' stands for the prefix of our names (derive.cpp
-// replaces it); GLSL has no such character, so the application's names cannot hold it.
+// The text that glark adds to the application's vertex stage: the vertex inputs of the derived program, the code that
+// fills the application's globals from the coarse record, and main. In these texts '@' stands for the prefix of our
+// names; derive.cpp replaces it. GLSL has no such character, so the application's names cannot contain it.
 #pragma once
 
 #include <optional>
@@ -50,8 +50,7 @@ struct EpiloguePlan {
   int border_offset = -1;   // word of the welded normals and coordinates for displacement; -1: the triangle's own
   int chunk_count = 0;
   std::vector<InputVariable> inputs;
-  std::optional<InputVariable>
-      discontinuity;  // of the normals, and the tags; where vertices carry none, the constants hold
+  std::optional<InputVariable> discontinuity;  // of the normals, and the tags; constants if vertices carry none
   std::optional<InputVariable> scalar_tags;
   core::ScalarTags constant_tags;
   std::optional<InputVariable> coordinate;  // for displacement
@@ -85,7 +84,7 @@ std::string fill_by_interpolation(const EpiloguePlan& plan, TypeSet& mixed_types
 std::string mix_functions(const TypeSet& types, bool define);
 
 // surface.cpp: the position and the normal on the curved triangle.
-// The input that is curved or displaced, and its normal; null if the stage has no such input of a fitting type.
+// Returns the input that is curved or displaced, and its normal; null if the stage has no such input of a fitting type.
 const InputVariable* position_of(const EpiloguePlan& plan);
 const InputVariable* normal_of(const EpiloguePlan& plan);
 // The GLSL functions of the refinement, of displacement too if `plan` displaces.
@@ -112,7 +111,8 @@ std::string displace(const EpiloguePlan& plan, TypeSet& mixed_types);
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
                                             const OutputRules& rules);
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures);
-// Functions "@save<slot>_<unit>", "@finish_<unit>" and "@finish_screen_<unit>" of one unit, with the variables that they need.
+// Functions "@save<slot>_<unit>", "@finish_<unit>" and "@finish_screen_<unit>" of one unit, with the variables that
+// they need.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types);
 bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit);
 bool unit_has_screen_outputs(const EpiloguePlan& plan, std::size_t unit);

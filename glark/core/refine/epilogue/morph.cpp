@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Refined vertices that move between levels (docs/explanation/depths.md, Geomorphing). Based on: H. Hoppe, Progressive Meshes, 1996,
-// section 3.2 (geomorphs), over the lattice of a pattern.
+// Refined vertices that move between levels (docs/explanation/depths.md, Geomorphing). Based on: H. Hoppe, Progressive
+// Meshes, 1996, section 3.2 (geomorphs), over the lattice of a pattern.
 #include "glark/core/pattern/pieces.glsl.h"
 #include "glark/core/refine/epilogue/epilogue.h"
 
 namespace glark::refine {
 namespace {
 
-// Depths are in levels here: dyadic, so that ceil and differences are exact. The place of a vertex alone tells whether it is odd and
-// where its neighbours are, so all pieces agree.
+// Depths are in levels here. They are dyadic, so ceil and differences are exact. The place of a vertex alone determines
+// whether it is odd and where its neighbours are, so all pieces agree.
 constexpr const char* place_text = R"(vec3 @weights;
 vec3 @parent0;
 vec3 @parent1;
@@ -151,7 +151,7 @@ std::string morph_place_function() {
   return "const float @lifted = " + std::to_string(pattern::lifted_interior) + ".0;\n" + place_text;
 }
 
-// The stage runs at the parents first: outputs that are not mixed must end with the values of the vertex itself.
+// The stage runs at the parents first, because outputs that are not mixed must end with the vertex's own values.
 std::string run_between_parents(const EpiloguePlan& plan) {
   if (plan.morphed.empty()) return "  @evaluate();\n";
   std::string text = R"(  if (@fraction < 1.0) {
@@ -174,7 +174,7 @@ std::string prototypes_of_morphed_unit(const EpiloguePlan& plan, std::size_t uni
   return "void @begin" + suffix + "();\nvoid @gather" + suffix + "(float share);\nvoid @settle" + suffix + "();\n";
 }
 
-// Adds a share of each value to a sum, which replaces the value in the end.
+// Functions that add a share of a value to a sum. The sum replaces the value at the end.
 std::string add_functions(const TypeSet& types, bool define) {
   std::string text;
   for (const std::string& type : types) {

@@ -12,7 +12,7 @@ namespace {
 struct BuiltInOutput {
   std::string_view name;
   std::string_view type;
-  int default_size = 0;  // of an array whose size nothing tells
+  int default_size = 0;  // size of an array without a known size
   bool color = false;
 };
 constexpr BuiltInOutput built_in_outputs[] = {
@@ -47,7 +47,8 @@ int literal(std::string_view text) {
   return result.ec == std::errc() && result.ptr == text.data() + end && value >= 0 ? value : -1;
 }
 
-// An array declared without a size is as large as its largest index says, which must be constant. 0 when no literal tells.
+// An array declared without a size has the size that its largest index implies. The index must be constant. 0 if no
+// literal index is found.
 int implied_size(const std::vector<VertexUnit>& units, std::string_view name) {
   int size = 0;
   for (const VertexUnit& unit : units) {
@@ -179,7 +180,7 @@ class Statements {
                         [](const Paths& element) { return "  " + element[0] + " = " + element[1] + ";\n"; });
   }
 
-  // paths[0] = the greatest of paths[1..3]: a triangle is culled where all its corners are below 0 (OpenGL 4.5, 13.5).
+  // paths[0] = the greatest of paths[1..3]: a triangle is culled if all its corners are below 0 (OpenGL 4.5, 13.5).
   std::string greatest(const std::vector<std::string>& sizes, const Paths& paths) {
     return for_elements(sizes, 0, paths, [](const Paths& element) {
       return "  " + element[0] + " = max(" + element[1] + ", max(" + element[2] + ", " + element[3] + "));\n";
@@ -191,7 +192,8 @@ class Statements {
     return for_elements(sizes, 0, paths, [&](const Paths& element) { return interpolate_element(type, element); });
   }
 
-  // clear: paths[0] = 0. add: paths[0] += share * paths[1]. take: paths[1] = paths[0]. Skips what is not floating-point.
+  // clear: paths[0] = 0. add: paths[0] += share * paths[1]. take: paths[1] = paths[0]. Skips what is not
+  // floating-point.
   enum class Portion { clear, add, take };
   std::string portion(Portion kind, const std::string& type, const std::vector<std::string>& sizes,
                       const Paths& paths) {
@@ -326,7 +328,8 @@ std::string morph_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet&
          gather + "}\nvoid @settle" + suffix + "() {\n" + settle + "}\n";
 }
 
-// With linear_outputs there are three slots, one per corner; otherwise slot 0 holds the provoking corner's flat outputs.
+// With linear_outputs there are three slots, one per corner. Otherwise slot 0 holds the flat outputs of the provoking
+// corner.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types) {
   if (!unit_has_outputs(plan, unit)) return {};
   const bool interpolated = plan.interpolates_outputs();

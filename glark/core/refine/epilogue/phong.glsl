@@ -4,19 +4,19 @@
 // Phong tessellation, in the words of GLSL 1.10.
 // Based on: T. Boubekeur, M. Alexa, Phong Tessellation, ACM Transactions on Graphics 27(5), 2008, section 3.
 //
-// The paper projects a refined vertex onto the tangent planes of the three corners. Here the projections follow from the control
-// points of the edges, b (times 3): corner q projected onto the plane of p is b - 2 p. Welding finds the same b for all triangles at an
-// edge, also where their normals differ.
+// The paper projects a refined vertex onto the tangent planes of the three corners. Here the projections follow from
+// the control points of the edges, b (times 3): the projection of corner q onto the plane of p is b - 2 p. Welding
+// finds the same b for all triangles at an edge, even if their normals differ.
 //
-// Watertight: along an edge only its own bend remains, and all sums are symmetric in its ends.
+// Watertight: along an edge, only its own bend remains, and all sums are symmetric in the ends.
 
-// By how much the projections of an edge's ends leave the ends, in sum.
+// The sum of the offsets from the ends of an edge to their projections.
 vec3 glark_phong_bend(vec3 near, vec3 far, vec3 near_control, vec3 far_control) {
   glark_precise vec3 bend = (near_control + far_control) - 3.0 * (near + far);
   return bend;
 }
 
-// The edge itself, by the same sums as in the patch.
+// The edge curve, by the same sums as in the patch.
 vec3 glark_phong_curve(float shape, vec3 near, vec3 far, vec3 near_control, vec3 far_control, float w, float u) {
   glark_precise vec3 flat_position = w * near + u * far;
   glark_precise vec3 bent = (w * u) * glark_phong_bend(near, far, near_control, far_control);
@@ -24,7 +24,7 @@ vec3 glark_phong_curve(float shape, vec3 near, vec3 far, vec3 near_control, vec3
   return position;
 }
 
-// A triangle with two corners in one place has no area: it is its edge.
+// A triangle with two corners in one place has no area: it collapses to its edge.
 vec3 glark_phong_patch(vec3 weights, float shape, vec3 p0, vec3 p1, vec3 p2, vec3 b210, vec3 b120, vec3 b021, vec3 b012,
                        vec3 b102, vec3 b201) {
   glark_precise float w = weights.x;

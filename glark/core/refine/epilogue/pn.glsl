@@ -4,13 +4,14 @@
 // Curved PN triangles, in the words of GLSL 1.10. The unit that includes this defines the macro glark_precise.
 // Based on: A. Vlachos, J. Peters, C. Boyd, J. L. Mitchell, Curved PN Triangles, I3D 2001, section 3.
 //
-// A refinement with the word W that curves positions defines two functions, with a number in front of p0 if its row has one:
-//   vec3 glark_W_patch(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec3 b210, vec3 b120, vec3 b021, vec3 b012, vec3 b102, vec3 b201)
+// A refinement with the word W that curves positions defines two functions, with a number before p0 if its row has one:
+//   vec3 glark_W_patch(vec3 weights, vec3 p0, vec3 p1, vec3 p2,
+//                      vec3 b210, vec3 b120, vec3 b021, vec3 b012, vec3 b102, vec3 b201)
 //     the position. The b are the control points of the edges times 3, which neighbours share. pn.glsl comes first.
 //   void glark_W_slopes(the same, out vec3 along_u, out vec3 along_v)
-//     its derivatives by u and v, w giving way; not needed if the row has displaced_as.
+//     its derivatives by u and v (w = 1 - u - v); not needed if the row has displaced_as.
 //
-// Watertight: whatever lies on an edge is computed from that edge's ends alone, by expressions that give the same bits when the
+// Watertight: a point on an edge depends only on the ends of this edge, by expressions that give the same bits when the
 // ends change places. The centre is kept multiplied by 6.
 
 #include "glark/core/weld/tangent.glsl"
@@ -23,14 +24,14 @@ vec3 glark_pn_edge(vec3 near_control, vec3 far_control, float w, float u) {
   return sum;
 }
 
-// The edge itself, by the same sums as in the patch.
+// The edge curve, by the same sums as in the patch.
 vec3 glark_pn_curve(vec3 near, vec3 far, vec3 near_control, vec3 far_control, float w, float u) {
   glark_precise vec3 position = (near * ((w * w) * w) + far * ((u * u) * u)) + glark_pn_edge(near_control, far_control, w, u);
   return position;
 }
 
-// From the corners and the control points of the edges, which the neighbours must have as well. A triangle with two corners in one
-// place, as stitches strips together, has no area and gets none: it is its edge.
+// The position, from the corners and the control points of the edges, which neighbours share. A triangle with two
+// corners in one place, as in stitched strips, has no area: it collapses to its edge.
 vec3 glark_pn_patch(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec3 b210, vec3 b120, vec3 b021, vec3 b012, vec3 b102, vec3 b201) {
   glark_precise float w = weights.x;
   glark_precise float u = weights.y;
@@ -47,7 +48,7 @@ vec3 glark_pn_patch(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec3 b210, vec3 b12
   return position;
 }
 
-// n110: the mean of the ends' normals, reflected by the plane across the edge.
+// n110: the mean of the ends' normals, reflected in the plane across the edge.
 vec3 glark_pn_edge_normal(vec3 near, vec3 unit_normal_near, vec3 far, vec3 unit_normal_far) {
   glark_precise vec3 along = glark_pn_unit(far - near);
   glark_precise vec3 both = unit_normal_near + unit_normal_far;
@@ -56,7 +57,8 @@ vec3 glark_pn_edge_normal(vec3 near, vec3 unit_normal_near, vec3 far, vec3 unit_
   return glark_pn_unit(reflected);
 }
 
-// As long as the linear interpolation of the corners' lengths; linear where the construction gives no direction.
+// The normal is as long as the linear interpolation of the corners' lengths. It is linear where the construction gives
+// no direction.
 vec3 glark_pn_normal(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec3 normal0, vec3 normal1, vec3 normal2) {
   glark_precise float w = weights.x;
   glark_precise float u = weights.y;

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Scalar-tagged PN triangles, after pn.glsl. Without tags, they have the same bits as PN triangles.
+// Scalar-tagged PN triangles; include after pn.glsl. Without tags, they have the same bits as PN triangles.
 // Based on: Boubekeur 2007, ch. 8.2 and 8.3.
 //
-// Watertight: a control point on an edge, and which side of a crease it lies on, follow from the ends of the edge alone.
+// Watertight: a control point on an edge and its side of a crease depend only on the ends of the edge.
 
 struct glark_StCorner {
   vec4 position;
-  vec3 given;           // the normal as it is
+  vec3 given;           // the normal as the vertex has it
   vec3 unit;            // N
-  vec3 discontinuity;  // Delta: N+ less N-, by the length of their sum
-  float crease;         // its number: an edge is sharp between two tagged corners of one crease; 0: of all
+  vec3 discontinuity;  // Delta: (N+ - N-) / |N+ + N-|
+  float crease;         // its number; 0: all creases. An edge between two tagged corners of one crease is sharp
   bool tagged;
   float sharpness;
   float tension;
@@ -42,9 +42,9 @@ bool glark_st_sharp(glark_StCorner near, glark_StCorner far) {
   return near.tagged && far.tagged && (near.crease == far.crease || near.crease == 0.0 || far.crease == 0.0);
 }
 
-// Negative where the edge leaves `near` on the side of N+, positive on that of N-, 0 on neither. An arc from `near` to `far` makes
-// equal angles with the normals at its ends: of N+ and N-, the one that comes nearer to this is the normal of the edge's side. The
-// normal of a tagged `far` is no side's own, and is left out.
+// Negative if the edge leaves `near` on the side of N+, positive on the side of N-, 0 on neither. An arc from `near` to
+// `far` makes equal angles with the normals at its ends. The one of N+ and N- that is nearer to this is the normal of
+// the edge's side. A tagged `far` has a normal of neither side, so it is left out.
 float glark_st_lean(glark_StCorner near, glark_StCorner far) {
   glark_precise vec3 along = glark_pn_unit(far.position.xyz - near.position.xyz);
   glark_precise vec3 both = far.tagged ? near.unit : near.unit + far.unit;
@@ -59,7 +59,7 @@ vec3 glark_st_sided(glark_StCorner corner, float lean) {
   return glark_pn_unit(sided);
 }
 
-// 3 b210, as glark_pn_tangent: with the tension of `near`, and lifted along X off creases and along Y on them.
+// 3 b210, as in glark_pn_tangent, with the tension of `near`. It is lifted along X off creases and along Y on creases.
 vec3 glark_st_control(glark_StCorner near, glark_StCorner far) {
   vec3 measured = near.unit;
   vec3 lifted = near.unit;
@@ -102,7 +102,8 @@ void glark_st_controls(glark_StCorner c0, glark_StCorner c1, glark_StCorner c2) 
   glark_st_b201 = glark_st_control(c0, c2);
 }
 
-// Applies the tension to a welded control point. A tagged corner has one normal for both sides, so it keeps its own control point.
+// Applies the tension to a welded control point. A tagged corner has one normal for both sides, so it keeps its own
+// control point.
 vec3 glark_st_welded_control(glark_StCorner near, glark_StCorner far, vec3 welded) {
   if (near.tagged) return glark_st_control(near, far);
   if (near.tension == 0.0) return welded;
@@ -116,7 +117,8 @@ vec3 glark_st_position(vec3 weights, vec3 p0, vec3 p1, vec3 p2) {
   return glark_pn_patch(weights, p0, p1, p2, glark_st_b210, glark_st_b120, glark_st_b021, glark_st_b012, glark_st_b102, glark_st_b201);
 }
 
-// The side that a triangle is on at `corner`: that of its edges there which are not sharp; where all are, that of its plane.
+// The side on which a triangle lies at `corner`: the side of its edges there that are not sharp. If both are sharp, the
+// side of its plane.
 float glark_st_triangle_lean(glark_StCorner corner, glark_StCorner next, glark_StCorner last, vec3 up) {
   if (!corner.tagged) return 0.0;
   float lean = (glark_st_sharp(corner, next) ? 0.0 : glark_st_lean(corner, next)) +
@@ -124,7 +126,7 @@ float glark_st_triangle_lean(glark_StCorner corner, glark_StCorner next, glark_S
   return lean != 0.0 ? lean : -dot(corner.discontinuity, up);
 }
 
-// The normal of the triangle's side, as long as the one that was given.
+// The normal of the triangle's side, with the length of the given normal.
 vec3 glark_st_turned(glark_StCorner corner, float lean) {
   if (lean == 0.0 || corner.sharpness == 0.0 || !corner.tagged) return corner.given;
   return glark_st_sided(corner, lean) * length(corner.given);

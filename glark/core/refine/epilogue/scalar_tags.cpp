@@ -8,7 +8,7 @@
 namespace glark::refine {
 namespace {
 
-// Shortest text that reads back as the same number, always with a point.
+// The shortest text that reads back as the same number, always with a decimal point.
 std::string literal(float value) {
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr;
@@ -29,7 +29,7 @@ std::string tagged_corner(const EpiloguePlan& plan, int corner) {
          resized(plan, *normal_of(plan), corner, 3) + ", " + discontinuity + ", " + tags + ");\n";
 }
 
-// Control points follow from the tagged corners. Where edges are welded, the record holds those of untagged corners.
+// Control points follow from the tagged corners. If edges are welded, the record holds those of untagged corners.
 std::string find_controls(const EpiloguePlan& plan) {
   if (plan.control_offset < 0) return "  @st_controls(@c0, @c1, @c2);\n";
   struct Control {

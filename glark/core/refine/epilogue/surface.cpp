@@ -7,7 +7,8 @@
 namespace glark::refine {
 namespace {
 
-// The functions of each refinement that curves positions without tags, by its word. refine/CMakeLists.txt makes the list.
+// The functions of each refinement that curves positions without tags, by its word. refine/CMakeLists.txt makes the
+// list.
 struct PatchSource {
   std::string_view word;
   const char* source;

@@ -7,9 +7,8 @@
 namespace glark::refine {
 namespace {
 
-// Fixed function gives a vertex the same position whatever its lighting, texturing and fog (OpenGL 2.1, appendix A.3),
-// and multipass applications test depth for equality; without `invariant` two of these shaders may differ in the last
-// bit.
+// Fixed function gives a vertex the same position for every lighting, texturing and fog (OpenGL 2.1, appendix A.3).
+// Multipass applications test depth for equality. Without `invariant`, two of these shaders may differ in the last bit.
 constexpr std::string_view head = R"(#version 150 compatibility
 invariant gl_Position;
 )";
@@ -31,7 +30,7 @@ Needs operator|(const Needs& a, const Needs& b) {
           a.eye_normal || b.eye_normal};
 }
 
-// Each value, and the values that it is computed from.
+// Adds the values that each needed value is computed from.
 Needs closed(Needs needs) {
   needs.eye_point = needs.eye_point || needs.eye_direction;
   needs.eye_position = needs.eye_position || needs.eye_point;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The fixed-function vertex stage as a GLSL vertex shader (compatibility profile), so that it can be derived like any
-// other.
+// The fixed-function vertex stage as a GLSL vertex shader (compatibility profile), so that it can be derived like
+// others.
 #pragma once
 
 #include <array>
@@ -42,24 +42,24 @@ struct FixedFunctionState {
   GLenum fog_distance = GL_EYE_PLANE_ABSOLUTE_NV;  // GL_FOG_DISTANCE_MODE_NV, where GL_NV_fog_distance exists
   bool clip_planes = false;                        // any user clip plane enabled
   bool point_size = false;                         // point parameters attenuate
-  bool program_point_size = false;                 // GL_PROGRAM_POINT_SIZE: of the application, not of the shader
+  bool program_point_size = false;                 // the application's GL_PROGRAM_POINT_SIZE, which the shader ignores
   std::array<TextureUnitState, fixed_function_texture_units> unit{};
   auto operator<=>(const FixedFunctionState&) const = default;
 };
 
-// A complete vertex shader ("#version 150 compatibility") that writes what the fixed function of `state` computes per
-// vertex: gl_Position, gl_Front/BackColor, gl_Front/BackSecondaryColor, gl_TexCoord[], gl_FogFragCoord, gl_ClipVertex,
-// gl_PointSize. It reads no attribute that the state does not need. Colours leave it unclamped: GL_CLAMP_VERTEX_COLOR
+// A complete vertex shader ("#version 150 compatibility") that writes the outputs of the fixed function in `state`:
+// gl_Position, gl_Front/BackColor, gl_Front/BackSecondaryColor, gl_TexCoord[], gl_FogFragCoord, gl_ClipVertex,
+// gl_PointSize. It reads no attribute that the state does not need. It does not clamp colours: GL_CLAMP_VERTEX_COLOR
 // acts after it.
 //
-// Not reproduced: glMaterial between the vertices of one draw (no attribute of GLSL carries it). Where Mesa 22.3's own
-// fixed function departs from OpenGL 2.1, the shader follows OpenGL 2.1; tests/refine/fixed_function/test.cpp says where.
+// Not reproduced: glMaterial between the vertices of one draw (no GLSL attribute carries it). Where Mesa 22.3's fixed
+// function differs from OpenGL 2.1, the shader follows OpenGL 2.1; tests/refine/fixed_function_test.cpp says where.
 //
-// GL treats some state differently when a vertex shader is active. A caller that draws with the shader sets, and restores
-// afterwards:
+// GL treats some state differently when a vertex shader is active. A caller that draws with the shader sets this state,
+// and restores it afterwards:
 //   GL_VERTEX_PROGRAM_TWO_SIDE    to `lighting && two_sided`, else the back colour is never (or wrongly) selected;
 //   GL_VERTEX_PROGRAM_POINT_SIZE  to `point_size`, else gl_PointSize is ignored (or read though not written);
-//   GL_COLOR_SUM                  on if `lighting && separate_specular`: only fixed function adds the specular unasked.
+//   GL_COLOR_SUM                  on if `lighting && separate_specular`: fixed function adds the specular by itself.
 std::string fixed_function_vertex_shader(const FixedFunctionState& state);
 
 }  // namespace glark::refine

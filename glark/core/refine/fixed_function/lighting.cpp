@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Based on: The OpenGL Graphics System, version 2.1, section 2.14.1, equations 2.2 to 2.5, and section 2.14.3
-// (ColorMaterial). The values of a light choose its branches when the shader runs, not the shader: they change more
-// often than the enables, and a branch on them is uniform.
+// (ColorMaterial). The values of a light do not select the shader; the shader branches on them. They change more often
+// than the enables, and such a branch is uniform.
 #include "glark/core/refine/fixed_function/parts.h"
 
 namespace glark::refine {
@@ -19,7 +19,7 @@ struct Face {
 constexpr Face front_face = {GL_FRONT, "Front", "front", ""};
 constexpr Face back_face = {GL_BACK, "Back", "back", "-"};
 
-// Whether the material parameter follows gl_Color.
+// Returns whether the material parameter follows gl_Color.
 bool follows_color(const FixedFunctionState& state, const Face& face, GLenum parameter) {
   if (!state.color_material) return false;
   if (state.color_material_face != GL_FRONT_AND_BACK && state.color_material_face != face.name) return false;

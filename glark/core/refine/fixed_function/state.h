@@ -15,12 +15,12 @@ struct FragmentReads {
   unsigned texture_units = 0;  // bit i: texture coordinates i
 };
 
-// From the text of a GLSL or ARB assembly fragment program: gl_TexCoord[2], fragment.texcoord[2]; all units if an index is not literal.
+// Finds the inputs in the text of a GLSL or ARB assembly fragment program: gl_TexCoord[2], fragment.texcoord[2].
+// Returns all units if an index is not literal.
 FragmentReads fragment_reads(const std::string& source);
 
-// Reads the enables and modes of the current context. Changes nothing (the active texture unit is put back). Queries; call it
-// only when something changed.
-// `fog_distance`: the context has GL_NV_fog_distance.
+// Reads the enables and modes of the current context by GL queries; call it only after a change. Changes nothing
+// (restores the active texture unit). `fog_distance`: the context has GL_NV_fog_distance.
 FixedFunctionState read_fixed_function_state(const gl::Dispatch& gl, const FragmentReads& fragment, bool fog_distance);
 
 }  // namespace glark::refine

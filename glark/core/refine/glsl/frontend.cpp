@@ -17,7 +17,7 @@
 namespace glark::refine {
 namespace {
 
-// No limit of ours: the driver has judged the shader already.
+// glark sets no limits of its own: the driver has already accepted the shader.
 TBuiltInResource generous_resources() {
   TBuiltInResource resources = *GetDefaultResources();
   int* const begin = &resources.maxLights;
@@ -78,7 +78,7 @@ bool tests_macros(std::string_view directive) {
          directive == "define";
 }
 
-// glslang refuses `require` of what it does not know; the driver has already accepted it.
+// glslang rejects `require` of an unknown extension, although the driver has accepted it.
 void relax_requirement(Token& directive) {
   Tokens body = tokenize(std::string_view(directive.text).substr(1));
   for (Token& token : body) {
@@ -87,7 +87,8 @@ void relax_requirement(Token& directive) {
   directive.text = "#" + to_text(body);
 }
 
-// glslang pastes tokens from GLSL 1.30 on; drivers do in every version. The version that glslang is told is put right afterwards.
+// glslang pastes tokens only from GLSL 1.30 on; drivers paste them in every version. So glslang gets another version,
+// and the application's is restored afterwards.
 struct VersionDisguise {
   std::string directive;  // the application's #version, or empty
   bool worn = false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glslang: preprocessing, and a parse that finds mistakes and writes to memory.
+// glslang: preprocesses shaders, and parses them to find mistakes and writes to memory.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct Preprocessed {
   std::string error;
 };
 
-// `extensions` are those of the context ("GL_ARB_..."): they decide which GL_ macros are defined. Empty: glslang's own.
+// `extensions` are the context's ("GL_ARB_..."): they decide which GL_ macros are defined. Empty: glslang's own.
 Preprocessed preprocess(const std::string& source, bool es, const std::vector<std::string>& extensions);
 
 struct Parsed {

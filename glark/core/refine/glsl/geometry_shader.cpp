@@ -31,7 +31,7 @@ std::vector<Assignment> assignments_of(const std::vector<std::string>& sources) 
       } else if (token.is("=") || token.is("+=") || token.is("*=") || token.is("-=") || token.is("/=")) {
         assigned = true;
       } else if (token.is(")") && !assigned) {
-        assignment.left.clear();  // of a condition
+        assignment.left.clear();  // the parenthesis closes a condition
       } else if (token.kind == TokenKind::identifier) {
         (assigned ? assignment.right : assignment.left).insert(token.text);
       }
@@ -66,7 +66,7 @@ std::set<std::string> words_of_positions(const std::vector<std::string>& sources
 bool makes_its_own_positions(const std::vector<std::string>& sources) {
   const std::vector<Assignment> assignments = assignments_of(sources);
   const Words words = followed_from_positions(assignments);
-  // A word that nothing is assigned to comes from elsewhere: a vertex, a uniform, a parameter.
+  // A word that is never assigned comes from elsewhere: a vertex, a uniform, a parameter.
   return words.size() > 1 && std::all_of(words.begin(), words.end(), [&](const std::string& word) {
            return numeric_type(std::string_view(word)) != nullptr || word == "true" || word == "false" ||
                   std::any_of(assignments.begin(), assignments.end(),

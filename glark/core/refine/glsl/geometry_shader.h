@@ -13,7 +13,8 @@ namespace glark::refine {
 // The identifiers that gl_Position is computed from, directly or through other variables.
 std::set<std::string> words_of_positions(const std::vector<std::string>& sources);
 
-// Whether the positions of its triangles do not depend on the input vertices. Every refined triangle would then draw them again.
+// Returns whether the positions of the shader's triangles do not depend on the input vertices. Every refined triangle
+// would then draw them again.
 bool makes_its_own_positions(const std::vector<std::string>& sources);
 
 }  // namespace glark::refine

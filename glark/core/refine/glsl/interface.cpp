@@ -82,7 +82,7 @@ class Reader {
     ++at_;
   }
 
-  // Newer qualifiers are ordinary names in older shaders: there something else than a name follows them.
+  // Newer qualifiers are ordinary names in older shaders. There, the next token is not a name.
   bool at_qualifier() const {
     if (!qualifiers().contains(at().text)) return false;
     const bool may_be_name = at().is("sample") || at().is("buffer") || at().is("patch") || at().is("shared") ||

@@ -30,7 +30,7 @@ struct Variable {
   std::vector<std::string> sizes;  // text within each [...]; "" when left open
   bool flat = false;
   bool noperspective = false;
-  bool smooth = false;                // said so, where glShadeModel would decide
+  bool smooth = false;                // declared smooth; otherwise glShadeModel decides
   std::size_t initializer_begin = 0;  // tokens after '='; equal to the end when there is none
   std::size_t initializer_end = 0;
   bool has_initializer() const { return initializer_begin != initializer_end; }
@@ -45,7 +45,7 @@ struct Structure {
 struct Declaration {
   Storage storage = Storage::none;
   std::size_t begin = 0;            // first token, a qualifier or the type
-  std::size_t type_token = 0;       // of the type; the qualifiers lie in front of it
+  std::size_t type_token = 0;       // the type; qualifiers come before it
   std::vector<Variable> variables;  // of a block: its instance, or nothing
   bool is_block = false;
   std::string block_name;

@@ -48,7 +48,8 @@ struct NewNames {
   }
 };
 
-// Applies `names`, renames main to "<prefix>application_main", replaces ftransform(), and takes the storage qualifiers from inputs.
+// Applies `names`, renames main to "<prefix>application_main", replaces ftransform(), and takes the storage qualifiers
+// from inputs.
 void rewrite_unit(VertexUnit& unit, const std::string& prefix, const NewNames& names);
 
 // Preprocesses and reads every source; false with an error that names the shader and the line.

@@ -23,7 +23,7 @@ struct Token {
   bool is(std::string_view expected) const { return text == expected && kind != TokenKind::directive; }
 };
 
-// The sequence ends with a token of kind `end`. Any text has tokens; nothing is an error here.
+// The sequence ends with a token of kind `end`. Every text can be split into tokens; there are no errors.
 using Tokens = std::vector<Token>;
 Tokens tokenize(std::string_view glsl);
 
@@ -33,7 +33,8 @@ std::string to_text(const Tokens& tokens, std::size_t begin, std::size_t end);
 // The first word after '#': "version", "extension", ...; empty when the token is no directive.
 std::string_view directive_name(const Token& token);
 
-// Replaces identifiers, also those within directives whose name `in_directive` accepts. `rename` returns the new name or "" to keep.
+// Replaces identifiers, also those within directives whose name `in_directive` accepts. `rename` returns the new name
+// or "" to keep.
 using Rename = std::function<std::string(const std::string&)>;
 void rename_identifiers(Tokens& tokens, const Rename& rename,
                         const std::function<bool(std::string_view)>& in_directive = {});

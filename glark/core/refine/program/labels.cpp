@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "glark/core/report.h"
+#include "glark/core/report/shown_shader.h"
 
 namespace glark::refine {
 namespace {

@@ -14,7 +14,9 @@
 #include "glark/core/refine/program/subroutines.h"
 #include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/refine/program/vertex_inputs.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
+#include "glark/core/report/log.h"
+#include "glark/core/report/statistics.h"
 
 namespace glark::refine {
 namespace {
@@ -29,14 +31,14 @@ std::vector<std::string> sources_of(const core::Program& program, GLenum stage) 
   return result;
 }
 
-// Whether a source of that stage mentions `name`. Binaries have no sources.
+// Returns whether a source of that stage mentions `name`. Binaries have no sources.
 bool reads(const core::Program& program, GLenum stage, std::string_view name) {
   return std::any_of(program.stages.begin(), program.stages.end(), [&](const core::StageSource& source) {
     return source.stage == stage && source.source->find(name) != std::string::npos;
   });
 }
 
-// Why the stages of the program, or what its vertex stage does, rule out refinement. Nothing if they do not.
+// Returns the cause why the program's stages, or the effects of its vertex stage, rule out refinement, if there is one.
 std::optional<core::Cause> cause_of(const core::Program& program, const VertexStageTraits& traits, bool transparent) {
   if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
     return core::Cause::tessellation;
@@ -73,7 +75,7 @@ int ProgramBuilder::most_chunks(bool placed) const {
          static_cast<GLint>(placed ? traits_.first_chunk_location : traits_.patch_location);
 }
 
-// Whether the program can read records from a storage block: its own blocks might use the same binding.
+// Returns whether the program can read records from a storage block. Its own blocks might use the same binding.
 bool ProgramBuilder::can_store_records(const core::Program& program) const {
   GLint blocks = 0;
   gl_.GetProgramInterfaceiv(program.name, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &blocks);
@@ -163,8 +165,8 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   return core::link_program(gl_, name, shaders, error) ? name : 0;
 }
 
-// Integers name things (bones, layers): between corners that name others there is nothing to run the stage on. A program that
-// refines by itself is told so and gets the provoking corner's.
+// Integers are names (bones, layers). If the corners of a triangle name different things, the stage cannot run between
+// them. A program that uses the extension is told so and gets the provoking corner's integers.
 bool ProgramBuilder::interpolates_outputs(const core::Program& program) const {
   const bool names_things = std::any_of(program.fields.begin(), program.fields.end(), [](const capture::Field& field) {
     return field.location >= 0 && capture::is_integer(field.type);
@@ -220,7 +222,7 @@ DeriveRequest ProgramBuilder::request_for(const core::Program& program, const co
   request.morphing = key.morphing;
   request.provoking_corner = key.provoking_corner;
   request.outputs = {key.flat_colors, key.clamp_colors, words_of_positions(sources_of(program, GL_GEOMETRY_SHADER))};
-  // There is no gl_VertexID between corners: the stage runs on these, and the refinement shader is ignored.
+  // gl_VertexID has no value between corners. So the stage runs on the corners, and the refinement shader is ignored.
   if (!key.at_corner && !program.traits.reads_vertex_id) {
     request.refinement_source = program.refinement_source;
   }
@@ -255,10 +257,10 @@ void ProgramBuilder::find_uniforms(const DeriveRequest& request, core::DerivedPr
   }
 }
 
-// Gives the derived program the application's uniform values, and from now on those that it sets.
+// Copies the application's uniform values to the derived program, and lets later changes reach it.
 void ProgramBuilder::follow_uniforms(core::Program& program, core::Program* owner,
                                      const std::shared_ptr<core::DerivedProgram>& derived) const {
-  // Programs that run at corners have no refinement shader, so none of its uniforms.
+  // Programs that run at corners have no refinement shader, so they lack its uniforms.
   const auto other = std::find_if(program.derived.begin(), program.derived.end(), [&](const auto& entry) {
     return entry.second != nullptr && entry.second != derived && !entry.first.at_corner;
   });
@@ -309,7 +311,7 @@ std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctio
   program->fixed_function = true;
   const std::string source = fixed_function_vertex_shader(state);
   program->stages.push_back({GL_VERTEX_SHADER, std::make_shared<const std::string>(source)});
-  // A program of the vertex stage alone tells which attributes it reads.
+  // A program with only the vertex stage shows which attributes this stage reads.
   std::string error;
   program->name = compile_and_link(*program, {source}, 0, core::DerivedKey{.placed = false}, error);
   if (program->name == 0) {

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// From an application program to the GL program that draws its refined triangles.
+// Builds the GL program that draws the refined triangles of an application program.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "glark/core/capture/layout.h"
+#include "glark/core/context_options.h"
 #include "glark/core/refine/derive.h"
 #include "glark/core/refine/fixed_function/fixed_function.h"
 #include "glark/core/state/programs/program.h"
@@ -23,8 +24,8 @@ struct BuilderTraits {
   GLint max_feedback_components = 64;
   GLint max_vertex_storage_blocks = 0;
   std::vector<std::string> extensions;  // of the context: what its preprocessor defines
-  core::AttributeRoles roles;           // as the user told them
-  core::ScalarTags scalar_tags;         // of vertices that carry none
+  core::AttributeRoles roles;           // as the user set them
+  core::ScalarTags scalar_tags;         // for vertices that carry no tags
   GLuint lattice_location = 0;
   GLuint patch_location = 1;
   GLuint first_chunk_location = 2;
@@ -37,15 +38,16 @@ class ProgramBuilder {
   // Fills in the fields and traits of a linked program, and the cause if it cannot be refined. Only reads from GL.
   void prepare(core::Program& program) const;
 
-  // The derived program for `key`, with the current uniform values; nullptr (and a line in the log) if it cannot be built.
-  // `owner`: the application's program whose uniforms it follows; null for plain fixed function.
+  // Returns the derived program for `key`, with the current uniform values; nullptr (and a line in the log) if it
+  // cannot be built. It follows the uniforms of `owner`, the application's program; null for plain fixed function.
   std::shared_ptr<core::DerivedProgram> derive(core::Program& program, core::Program* owner,
                                                const core::DerivedKey& key) const;
 
   // A Program that holds the generated vertex stage of `state` beside the fragment stages of `fragment` (may be null).
   std::shared_ptr<core::Program> fixed_function(const FixedFunctionState& state, const core::Program* fragment) const;
 
-  // Deletes the GL programs derived from `program`. One that another context is drawing with is deleted at a later call.
+  // Deletes the GL programs derived from `program`. A program that another context is drawing with is deleted at a
+  // later call.
   void discard(core::Program& program);
 
  private:
@@ -66,7 +68,7 @@ class ProgramBuilder {
 
   const gl::Dispatch& gl_;
   BuilderTraits traits_;
-  std::vector<std::shared_ptr<core::DerivedProgram>> discarded_;  // and not deleted yet
+  std::vector<std::shared_ptr<core::DerivedProgram>> discarded_;  // programs that are not deleted yet
 };
 
 }  // namespace glark::refine

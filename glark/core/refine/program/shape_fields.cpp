@@ -14,8 +14,8 @@ bool is_vector(const capture::Field& field, bool of_two) {
          (field.type == GL_FLOAT_VEC3 || field.type == GL_FLOAT_VEC4 || (of_two && field.type == GL_FLOAT_VEC2));
 }
 
-// The field at that attribute location. Adds one if the vertex stage reads no input there. -1 if there is no location, or if the input
-// is not a vector that can stand for `type`.
+// Returns the field at that attribute location. Adds one if the vertex stage reads no input there. Returns -1 if there
+// is no location, or if the input is not a vector that can stand for `type`.
 int field_at(std::vector<capture::Field>& fields, int location, GLenum type, const char* name) {
   if (location < 0) return -1;
   const auto covers = [&](const capture::Field& field) {
@@ -30,7 +30,8 @@ int field_at(std::vector<capture::Field>& fields, int location, GLenum type, con
   return is_vector(*found, type == GL_FLOAT_VEC2) ? static_cast<int>(found - fields.begin()) : -1;
 }
 
-// Fixed-function draws always have the inputs of displacement, whether the current state makes the stage read them or not.
+// Fixed-function draws always have the inputs of displacement, even if the current state does not make the stage read
+// them.
 void add_conventional_inputs(std::vector<capture::Field>& fields) {
   const capture::Field inputs[] = {
       {.name = "gl_Normal", .type = GL_FLOAT_VEC3, .role = capture::Role::normal},

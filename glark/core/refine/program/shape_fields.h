@@ -12,7 +12,7 @@
 
 namespace glark::refine {
 
-// Adds the fields that `key` asks for, unless the vertex stage reads them anyway, and says in `request` which they are.
+// Adds the fields that `key` asks for, unless the vertex stage reads them anyway. Writes their indices to `request`.
 void add_shape_fields(std::vector<capture::Field>& fields, const core::DerivedKey& key, bool fixed_function,
                       DeriveRequest& request);
 

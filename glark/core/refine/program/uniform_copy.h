@@ -18,8 +18,8 @@ void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to);
 // After linking: fills derived.location_of.
 void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedProgram& derived);
 
-// Uniforms that only the refinement shader declares: their locations in `derived`, and their values from `other` (may be null),
-// another program derived from the same one.
+// Uniforms that only the refinement shader declares: their locations in `derived`, and their values from `other` (may
+// be null), another program derived from the same one.
 void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names,
                            const core::DerivedProgram* other, core::DerivedProgram& derived);
 

@@ -10,7 +10,8 @@
 #include "glark/core/capture/layout.h"
 #include "glark/core/refine/glsl/rewrite.h"
 #include "glark/core/refine/program/labels.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
+#include "glark/core/report/log.h"
 
 namespace glark::refine {
 namespace {
@@ -21,7 +22,8 @@ void refuse(core::Program& program, const capture::Field& field, std::string_vie
             fmt::format("{}: vertex input {} {}; its draws stay as they are", label(program), field.name, reason));
 }
 
-// Input number `index`. Nothing for built-in inputs that carry no attribute: not every driver lists these.
+// Reads input number `index`. Returns nothing for built-in inputs that carry no attribute: not every driver lists
+// these.
 std::optional<capture::Field> read_input(const gl::Dispatch& gl, GLuint program, GLuint index, std::string& buffer) {
   capture::Field field;
   GLsizei length = 0;
@@ -79,7 +81,7 @@ void read_vertex_inputs(const gl::Dispatch& gl, const core::AttributeRoles& role
   if (!read_inputs(gl, program)) {
     return;
   }
-  // A vec4 position is best first.
+  // The position should come first, because a vec4 then fills one chunk.
   std::sort(program.fields.begin(), program.fields.end(), [](const capture::Field& a, const capture::Field& b) {
     return a.location != b.location ? a.location < b.location : a.name > b.name;
   });

@@ -40,7 +40,7 @@ BoundBuffer ArrayState::bound_buffer(GLenum target) {
   if (kept != nullptr && kept->known) {
     return *kept;
   }
-  // Between glBegin and glEnd nothing can be asked, and old versions do not answer for every target.
+  // Between glBegin and glEnd GL answers no queries, and old versions do not answer for every target.
   if (kept == nullptr || !can_ask) {
     return {};
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The vertex arrays and the buffers bound to targets, with what the hooks do not know asked of GL.
+// The vertex arrays and the buffers bound to targets. State that the hooks do not know is queried from GL.
 #pragma once
 
 #include "glark/core/state/arrays/bound_buffers.h"
@@ -17,7 +17,7 @@ namespace glark::core {
 
 class ArrayState {
  public:
-  // What array state depends on; all of it outlives the array state.
+  // The objects that array state depends on; all of them outlive the array state.
   struct Neighbours {
     const gl::Dispatch& gl;
     const Capabilities& capabilities;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The buffer object that is bound to each target: glBufferSubData and the like write to it. GL_ELEMENT_ARRAY_BUFFER
-// belongs to the vertex array (vertex_arrays.h).
+// The buffer object that is bound to each target: functions such as glBufferSubData write to it.
+// GL_ELEMENT_ARRAY_BUFFER belongs to the vertex array (vertex_arrays.h).
 #pragma once
 
 #include <array>
@@ -76,7 +76,7 @@ class BoundBuffers {
   std::vector<std::uint64_t> confirmed_;  // by name: the generation that GL confirmed
 };
 
-// The name to query what is bound to a target; 0 for targets that OpenGL does not have.
+// The name that queries the binding of a target; 0 for targets that OpenGL does not have.
 constexpr GLenum binding_of(GLenum target) {
   switch (target) {
     case GL_ARRAY_BUFFER: return GL_ARRAY_BUFFER_BINDING;

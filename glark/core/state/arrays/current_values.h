@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The current attribute values (glColor, glNormal, glVertexAttrib ...). A value is known by the call that set it: the
-// same call with the same arguments gives the same value, whatever GL converts. When something unseen may have changed
-// values, a new era begins, and older values are unknown.
+// The current attribute values (glColor, glNormal, glVertexAttrib ...). The call that set a value represents it: the
+// same call with the same arguments gives the same value. When an unseen call may have changed values, a new era
+// begins, and older values are unknown.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 namespace glark::core {
 
 struct CurrentValue {
-  // Makes the call again; also tells calls apart. Null: no call that we saw has set the value.
+  // Makes the call again; also identifies the call. Null: no call that we saw has set the value.
   using Again = void (*)(const gl::Dispatch& gl, GLuint index, const void* components);
   static constexpr std::size_t most_bytes = 32;  // four doubles
 

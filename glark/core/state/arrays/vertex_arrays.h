@@ -16,7 +16,7 @@
 
 namespace glark::core {
 
-// Where the values of an attribute come from.
+// The source of an attribute's values.
 struct AttributeSource {
   bool enabled = false;
   bool normalized = false;

@@ -21,7 +21,7 @@ struct VertexList {
   bool offset = false;  // `list` is added to glListBase
 };
 
-// What the calls of a segment do besides drawing.
+// The effects of a segment's calls besides drawing.
 struct SegmentEffects {
   struct Value {
     int slot;
@@ -32,7 +32,7 @@ struct SegmentEffects {
   std::uint64_t set = 0;       // the slots of `values`
   std::uint64_t own = 0;       // slots set before the first vertex: no vertex inherits them
   bool opaque = false;         // it sets values that we do not follow: it must be executed each time
-  bool late = false;           // a vertex after the first has more to it than those before
+  bool late = false;           // a vertex after the first sets more attributes or components than those before
   bool touches_state = false;  // it sets state that refined draws depend on
   bool draws_shapes = false;   // it draws rectangles or evaluator meshes that are not refined
   bool changes_uniforms = false;
@@ -75,7 +75,7 @@ struct ListSegment {
   SegmentEffects effects = {};
 };
 
-// One step of what a list does to the attribute stack.
+// One change that a list makes to the attribute stack.
 struct StackStep {
   enum class Kind { push, pop, call, call_offset };
   Kind kind = Kind::pop;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The display list that the application compiles at the moment, if there is one. Here is only recorded; the hooks
+// The display list that the application is compiling, if there is one. This class only records; the hooks
 // (glark/core/track/lists) make the GL calls.
 #pragma once
 
@@ -28,7 +28,7 @@ class ListCompilation {
   GLenum mode() const { return mode_; }
   bool executes_too() const { return mode_ == GL_COMPILE_AND_EXECUTE; }
 
-  // What the calls of the open segment do.
+  // Record the effects of the calls in the open segment.
   void note_state_change() { effects_.touches_state = true; }
   void note_shapes() { effects_.draws_shapes = true; }
   void note_uniforms() { changes_uniforms_ = true; }
@@ -40,11 +40,11 @@ class ListCompilation {
     effects_.opaque = true;
     effects_.late |= !before_vertices;
   }
-  // A vertex after the first has more to it than those before.
+  // A vertex after the first sets more attributes or components than those before.
   bool vertices_differ() const { return effects_.late; }
 
-  // What the whole list does. Nothing is added between glBegin and glEnd, where GL refuses these calls; false: not
-  // added.
+  // Adds an effect of the whole list. Between glBegin and glEnd GL refuses these calls: then nothing is added, and the
+  // result is false.
   bool add_stack_step(StackStep step);
   void add_loose_vertices(std::uint64_t vertices);
   // A call of another list: as a segment of its own, or between glBegin and glEnd.
@@ -53,7 +53,7 @@ class ListCompilation {
 
   // The GL list that takes the calls from now on.
   void open_segment(GLuint list) { open_list_ = list; }
-  // Ends the open segment. `identity`: never another segment's.
+  // Ends the open segment. No other segment ever has this `identity`.
   const ListSegment& close_segment(ListSegment segment, std::uint64_t identity);
   const ListSegment& last_segment() const { return list_->segments.back(); }
 

@@ -6,8 +6,8 @@
 
 namespace glark::core {
 
-// Based on: Fowler, Noll, Vo, the FNV non-cryptographic hash algorithm (RFC 9923), FNV-1a of 64 bits. Users write these hashes
-// into configuration files: the function must stay as it is.
+// Based on: Fowler, Noll, Vo, the FNV non-cryptographic hash algorithm (RFC 9923), FNV-1a of 64 bits. Users write these
+// hashes into configuration files: the function must stay as it is.
 std::uint64_t source_hash(const std::vector<StageSource>& stages) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   const auto take = [&hash](unsigned char byte) { hash = (hash ^ byte) * 0x100000001b3U; };

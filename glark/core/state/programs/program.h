@@ -16,7 +16,8 @@
 
 #include "glark/core/capture/record.h"
 #include "glark/core/objects/quiet.h"
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
+#include "glark/core/report/statistics.h"
 #include "glark/core/state/programs/derived_program.h"
 #include "glark/core/state/programs/vertex_stage_traits.h"
 

@@ -34,8 +34,9 @@ class ProgramPipelines {
   const PipelineObject& object(GLuint pipeline);
   void changed(GLuint pipeline) { objects_.erase(pipeline); }
 
-  // A pipeline of ours with the stages of `of`, but with `derived` for every stage that its vertex program gives. 0: GL
-  // refuses it. `epoch` changes when programs are linked or deleted: then all our pipelines are made again.
+  // A pipeline of ours with the stages of `of`. `derived` replaces its vertex program in every stage that this program
+  // provides. 0: GL refuses it. When `epoch` changes (a program was linked or deleted), all our pipelines are made
+  // again.
   GLuint with_derived(const PipelineObject& of, GLuint derived, std::uint64_t epoch);
   void release();
 

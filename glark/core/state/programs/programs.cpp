@@ -25,8 +25,7 @@ std::shared_ptr<const std::string> read_source(const gl::Dispatch& gl, GLuint sh
   return std::make_shared<const std::string>(std::move(source));
 }
 
-// By the words that every store of a shader needs. A shader that is taken for a storing one by mistake only costs
-// captures.
+// Looks for words that every storing shader needs. Mistaking another shader for a storing one only costs captures.
 bool may_store(const std::vector<StageSource>& stages) {
   constexpr std::string_view words[] = {"buffer", "image", "atomic", "store"};
   return std::any_of(stages.begin(), stages.end(), [&](const StageSource& stage) {
@@ -136,7 +135,7 @@ void Programs::specialized(GLuint shader) {
   share_.compiled_sources[shader] = std::make_shared<const std::string>();
 }
 
-// A shader that is still attached lives on and may be linked again; its source is read again then.
+// A shader that is still attached stays alive and may be linked again; its source is read again then.
 void Programs::shader_deleted(GLuint shader) {
   const std::lock_guard lock(share_.mutex);
   share_.compiled_sources.erase(shader);
@@ -148,7 +147,7 @@ void Programs::linked(GLuint name) {
   }
 }
 
-// Notes the stages of a program that was just linked, and drops what was derived from the old ones.
+// Notes the stages of a program that was just linked, and drops the programs derived from the old stages.
 void Programs::linked(GLuint name, std::vector<StageSource> stages) {
   if (!capabilities_.refinable || gl_.IsProgram(name) == GL_FALSE) {
     return;
@@ -186,7 +185,7 @@ void Programs::deleted(GLuint name) {
   }
   const std::lock_guard lock(program->mutex);
   watcher_.program_changed(*program, name);
-  // A program in use lives on in GL until another one is used. We could not return to it after a refined draw.
+  // GL keeps a program in use until another one is used. We could not return to it after a refined draw.
   program->prepared = true;
   program->cause = Cause::program_gone;
 }

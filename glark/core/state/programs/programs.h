@@ -19,7 +19,7 @@ namespace glark::core {
 
 struct ShareGroup;
 
-// Hears of programs that were linked again or deleted: what was derived from the old program goes.
+// Is told when a program was linked again or deleted, and drops the programs derived from it.
 class ProgramWatcher {
  public:
   virtual void program_changed(Program& program, GLuint name) = 0;  // the program's mutex is held
@@ -36,11 +36,11 @@ class Programs {
   Programs(const Programs&) = delete;
   Programs& operator=(const Programs&) = delete;
 
-  // Null: not seen to be linked.
+  // Null: glark has not seen the program being linked.
   std::shared_ptr<Program> find(GLuint name) const;
-  // The same. A program that was linked before we were here is read from GL. Null: there is none.
+  // Also reads programs from GL that were linked before glark knew the context. Null: there is no such program.
   std::shared_ptr<Program> known(GLuint name);
-  // What the hooks saw.
+  // The hooks call these.
   void compiled(GLuint shader);
   void specialized(GLuint shader);
   void shader_deleted(GLuint shader);
@@ -48,10 +48,10 @@ class Programs {
   void linked(GLuint name, std::vector<StageSource> stages);
   void deleted(GLuint name);
 
-  // The program in use. Null: there is none, or it is not known to us.
+  // The program in use. Null: no program is in use, or glark does not know it.
   const std::shared_ptr<Program>& current() const { return current_; }
   void use(std::shared_ptr<Program> program) { current_ = std::move(program); }
-  // GL says that this program is in use.
+  // GL reports that this program is in use.
   void adopt(GLuint name);
   ProgramPipelines& pipelines() { return pipelines_; }
 

@@ -14,7 +14,7 @@ struct VertexStageTraits {
   std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
   bool has_side_effects = false;        // image stores, buffer writes, atomics
   bool writes_flat_outputs = false;
-  bool writes_integers = false;  // not declared flat: a geometry shader reads them of every vertex
+  bool writes_integers = false;  // in outputs that are not flat; a geometry shader reads those of every vertex
 };
 
 }  // namespace glark::refine

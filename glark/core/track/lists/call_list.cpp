@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Calling display lists: a list that was cut is called segment by segment, any other as it is.
+// Calls display lists: a cut list segment by segment, any other list as it is.
 #include <vector>
 
 #include "glark/core/track/lists/list_names.h"

@@ -14,12 +14,11 @@
 namespace glark::core {
 namespace {
 
-// Mesa 22 joins the strips of a list between which there is a restart. It does so by triangles of no area: up to four
-// vertices for each restart.
+// Mesa 22 joins the strips of a list across restarts, by triangles without area: up to four vertices for each restart.
 constexpr std::uint64_t joined = 5;
 
-// A name far from those of applications that number their lists themselves. It is not one that glGenLists gave out
-// meanwhile: Mesa goes on from the highest name in use.
+// A name far from those of applications that number their lists themselves. glGenLists cannot have given it out
+// meanwhile: Mesa continues from the highest name in use.
 GLuint new_segment_name(Context& c) {
   const std::lock_guard lock(c.share().mutex);
   while (c.gl().IsList(c.share().next_list_name) != GL_FALSE) {
@@ -50,7 +49,7 @@ void execute_last(Context& c) {
     return;
   }
   lists.set_compiling(false);       // the stages draw now
-  track::forget_state(c, nullptr);  // GL has executed what was recorded before, unseen
+  track::forget_state(c, nullptr);  // GL has executed earlier recorded calls, which glark did not see
   const ListSegment last(lists.last_segment());
   track::call_segment(c, last, 0);
   if (last.kind == ListSegment::Kind::call) track::follow_stack(c, last.list);
@@ -58,11 +57,11 @@ void execute_last(Context& c) {
   lists.set_compiling(true);
 }
 
-// The draw of a glBegin..glEnd, which has just ended.
+// The draw of the glBegin..glEnd that has just ended.
 ListSegment immediate_segment(Context& c) {
   const ListCompilation& lists = c.state().lists();
   const ImmediateMode& immediate = c.state().immediate();
-  // A vertex that has more to it than those before parts the primitive, too.
+  // A vertex that adds attributes or components also splits the primitive.
   constexpr std::uint64_t vertices_of_parts = 160;
   const bool restarts = immediate.restarted() || c.state().bindings().primitive_restart || immediate.elements_restart();
   const bool parts =
@@ -79,7 +78,7 @@ ListSegment immediate_segment(Context& c) {
           .vertex_lists = lists.vertex_lists()};
 }
 
-// Makes the application's list one that calls the segments, and returns the list that had its name before.
+// Replaces the application's list with one that calls the segments, and returns the previous list of this name.
 std::shared_ptr<DisplayList> put_together(Context& c, const std::shared_ptr<DisplayList>& list, GLuint name) {
   c.gl().NewList(name, GL_COMPILE);
   for (const ListSegment& segment : list->segments) {

@@ -10,7 +10,7 @@ GLuint integer_at(const void* lists, GLsizei i) {
   return static_cast<GLuint>(static_cast<GLint>(static_cast<const Name*>(lists)[i]));
 }
 
-// OpenGL 4.6 compatibility, 21.4: GL_2_BYTES and the like are big-endian groups of bytes.
+// OpenGL 4.6 compatibility, 21.4: the names of GL_2_BYTES, GL_3_BYTES and GL_4_BYTES are big-endian groups of bytes.
 GLuint group_at(const void* lists, GLsizei i, GLsizei size) {
   const auto* bytes = static_cast<const GLubyte*>(lists);
   GLuint value = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The names that glCallLists gives, in the types that it takes.
+// Reads the names in an argument of glCallLists, for each type that it takes.
 #pragma once
 
 #include "glark/gl/types.h"

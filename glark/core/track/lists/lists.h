@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the hooks of display lists share with each other and with the hooks of draws.
+// Functions that the hooks of display lists share with each other and with the hooks of draws.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@ namespace glark::core::track {
 
 inline constexpr int deepest_nesting = 64;  // OpenGL's own minimum of GL_MAX_LIST_NESTING
 
-// Null: compiled before we were here, or no list at all.
+// Null: the list does not exist, or it was compiled before glark knew the context.
 std::shared_ptr<DisplayList> find_list(const Context& context, GLuint name);
 // GL_LIST_BASE.
 GLuint list_base(Context& context);
-// Does to our attribute stack what a list that was executed did to GL's.
+// Repeats the changes that an executed list made on GL's attribute stack on our stack.
 void follow_stack(Context& context, GLuint list);
 
 // While a list is compiled (cut_list.cpp). list_begin and list_end return false if the list is not cut here.
@@ -32,13 +32,13 @@ void delete_segments(Context& context, const DisplayList& list);
 // While a list is called (call_list.cpp).
 void call_segment(Context& context, const ListSegment& segment, int depth);
 void follow_stacks(Context& context, GLsizei n, GLenum type, const void* lists);
-// A list may have changed state without our seeing it. Null: an unknown list, or one that calls others.
+// A list may have changed state unseen. Null: an unknown list, or one that calls others.
 void forget_state(Context& context, const DisplayList* list);
 
 // One segment (run_segment.cpp).
 void run_state(Context& context, const ListSegment& segment);
 void run_draw(Context& context, const ListSegment& segment, std::uint64_t triangles);
-// What the calls of a segment did to the current values.
+// Applies the effects of a segment's calls to the current values.
 void apply_effects(Context& context, const SegmentEffects& effects);
 // A list has set uniforms of the current program.
 void forget_uniforms(Context& context);

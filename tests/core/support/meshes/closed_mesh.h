@@ -41,8 +41,8 @@ inline Mesh tetrahedron() {
 
 using Edge = std::pair<PositionBits, PositionBits>;
 
-// Directed edges without the same edge in the other direction, each of them once. Triangles that have collapsed to an edge, with
-// the same bits at two of their corners, are no part of the surface.
+// Counts the directed edges without the same edge in the other direction, each edge once. A triangle that has collapsed
+// to an edge, with the same bits at two corners, does not belong to the surface.
 inline int open_edges(const std::vector<RefinedVertex>& vertices) {
   std::map<Edge, int> count;
   for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {

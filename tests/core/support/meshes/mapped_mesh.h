@@ -29,7 +29,7 @@ inline MappedMesh mapped_at_random(const SplitMesh& mesh, unsigned seed) {
   return result;
 }
 
-// Each side of the cube has the whole texture, as modelling programs have it.
+// Each side of the cube has the whole texture, as in modelling programs.
 inline MappedMesh mapped_cube() {
   MappedMesh result{flat_shaded(cube()), {}};
   for (const CurvedVertex& vertex : result.mesh.vertices) {

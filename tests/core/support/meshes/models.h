@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Real models, where there are any (GLARK_MODELS, a folder of binary PLY files packed with zstd), made coarse.
+// Real models, if there are any (GLARK_MODELS: a folder of binary PLY files packed with zstd), made coarse.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ inline std::string unpacked(const std::string& file) {
   return text;
 }
 
-// x, y, z come first among the properties of a vertex; faces are triangles. Empty if it is anything else.
+// Reads a mesh of triangles whose vertices begin with x, y, z. Empty for any other file.
 inline Mesh read_ply(const std::string& text) {
   const std::map<std::string, std::size_t> sizes{{"float", 4}, {"uchar", 1}, {"int", 4}, {"double", 8}};
   std::istringstream header(text.substr(0, text.find("end_header")));
@@ -60,7 +60,8 @@ inline Mesh read_ply(const std::string& text) {
   return mesh;
 }
 
-// Into the cube from -1 to 1; of the vertices in a cell of a grid, one remains. A closed mesh remains closed, not a manifold.
+// Scales the mesh into the cube from -1 to 1, and keeps one vertex in each cell of a grid. A closed mesh remains
+// closed, but it may not remain a manifold.
 inline Mesh clustered(const Mesh& mesh, int cells) {
   std::array<GLfloat, 3> low = mesh.positions.at(0);
   std::array<GLfloat, 3> high = low;
@@ -93,7 +94,7 @@ inline Mesh clustered(const Mesh& mesh, int cells) {
   return result;
 }
 
-// As many triangles leave each edge in one direction as in the other.
+// Returns whether as many triangles run along each edge in one direction as in the other.
 inline bool is_closed(const Mesh& mesh) {
   std::map<std::pair<std::size_t, std::size_t>, int> balance;
   for (const auto& t : mesh.triangles) {

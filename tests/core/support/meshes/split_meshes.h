@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Closed meshes whose vertices are split: hard edges, seams, and what real files have besides.
+// Closed meshes whose vertices are split: hard edges, seams, and other features of real files.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ inline Vector face_normal(const Mesh& mesh, const std::array<std::size_t, 3>& t)
   return unit(cross(minus(mesh.positions[t[1]], p), minus(mesh.positions[t[2]], p)));
 }
 
-// A soup: every triangle with vertices of its own. Tags are 0.
+// A triangle soup: every triangle has its own vertices. Tags are 0.
 class SplitMesh {
  public:
   std::vector<CurvedVertex> vertices;
@@ -43,7 +43,7 @@ class SplitMesh {
       vertices.push_back(vertex);
     }
   }
-  // Of equal positions, equal tags up to `level`.
+  // Equal positions get equal tags, up to `level`.
   SplitMesh tagged_at_random(unsigned level, unsigned seed) const {
     SplitMesh result = *this;
     for (CurvedVertex& vertex : result.vertices) {
@@ -92,7 +92,7 @@ inline SplitMesh seams_everywhere(const Mesh& mesh, GLfloat strength, unsigned s
   return result;
 }
 
-// Smooth, with hard edges where faces differ by more than the angle of that cosine.
+// A smooth mesh, with hard edges where faces differ by more than the angle of that cosine.
 inline SplitMesh creased(const Mesh& mesh, GLfloat cosine) {
   std::vector<std::vector<Vector>> about(mesh.positions.size());
   for (const auto& t : mesh.triangles) {
@@ -124,8 +124,8 @@ inline Mesh cube() {
   return mesh;
 }
 
-// Two rings about the z axis, of which the second has other radii at every other pair of vertices where `depth` is not 0; with lids of
-// flat normals. The wall is smooth where `smooth`.
+// Two rings about the z axis, with lids of flat normals. If `depth` is not 0, the second ring has other radii at every
+// other pair of vertices. If `smooth`, the wall is smooth.
 inline SplitMesh gear(int teeth, GLfloat depth, bool smooth) {
   const int sides = 4 * teeth;
   const auto point = [&](int k, GLfloat z) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Closed meshes about the origin seen from all around, and pixels that show a hole.
+// Views of closed meshes about the origin from all directions, and pixels that show a hole.
 #pragma once
 
 #include "tests/core/support/measured_program.h"
@@ -37,7 +37,8 @@ inline std::vector<Vector> directions() {
   return result;
 }
 
-// Red counts front faces, green back faces: a closed mesh has as many of both in every pixel.
+// Counts pixels that show a hole. Red counts front faces, green back faces: a closed mesh has as many of both in every
+// pixel.
 inline int open_pixels(const Picture& picture) {
   int open = 0;
   int covered = 0;

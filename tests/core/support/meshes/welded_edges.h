@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the sides of a coarse edge have along it, bit by bit.
+// The refined vertices that the sides of a coarse edge have along it, bit by bit.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline PositionBits bits_of(const Vector& position) {
   return test::bits_of(RefinedVertex{{position[0], position[1], position[2], 1}, {}, 0});
 }
 
-// Coarse edges by the positions of their ends; of each, what every side has along it.
+// Coarse edges by the positions of their ends, with the points that every side has along the edge.
 inline std::map<std::pair<PositionBits, PositionBits>, std::vector<Points>> sides_of_edges(
     const SplitMesh& mesh, const std::vector<RefinedVertex>& refined) {
   std::vector<std::array<Points, 3>> sides(mesh.triangles());
@@ -40,7 +40,7 @@ inline std::map<std::pair<PositionBits, PositionBits>, std::vector<Points>> side
   return edges;
 }
 
-// Of which not all sides have the same points.
+// Counts the edges whose sides do not all have the same points.
 inline int parted_edges(const SplitMesh& mesh, const std::vector<RefinedVertex>& refined) {
   int parted = 0;
   for (const auto& [ends, sides] : sides_of_edges(mesh, refined)) {

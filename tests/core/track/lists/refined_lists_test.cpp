@@ -43,7 +43,7 @@ TEST_F(RefinedLists, StateBetweenDraws) {
   expect_same_scene({8}, [list] { glCallList(list); });
 }
 
-// Twelve vertices in three rows, and two strips through them.
+// Nine vertices in three rows, and two strips of six vertices through them.
 constexpr GLfloat rows[9][2] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
 constexpr GLint none = -1;
 constexpr GLint two_strips[] = {3, 0, 4, 1, 5, 2, none, 6, 3, 7, 4, 8, 5};
@@ -57,7 +57,7 @@ TEST_F(RefinedLists, RestartedByACall) {
     glEnd();
   };
   const GLuint list = compile(strips);
-  expect_same_scene({12}, [list] { glCallList(list); });  // in a list Mesa joins strips by triangles of no area
+  expect_same_scene({12}, [list] { glCallList(list); });  // in a list Mesa joins strips by triangles without area
   expect_same_scene({8}, strips);
 }
 
@@ -106,7 +106,7 @@ TEST_F(RefinedLists, SeveralStripsOfOneCall) {
   expect_same_scene({}, [list] { glCallList(list); });
 }
 
-// An attribute that appears late parts the primitive in Mesa's list.
+// An attribute that appears late splits the primitive in Mesa's list.
 TEST_F(RefinedLists, AttributesThatAppearLate) {
   for (const std::size_t late : {std::size_t{1}, std::size_t{2}, std::size_t{4}}) {
     const GLuint list = compile([late] {
@@ -120,7 +120,7 @@ TEST_F(RefinedLists, AttributesThatAppearLate) {
         i == late ? glVertex3f(rows[two_strips[i]][0], rows[two_strips[i]][1], 0.1F) : glVertex2fv(rows[two_strips[i]]);
       }
       glEnd();
-      glBegin(GL_LINES);  // the list is not of one primitive: those Mesa draws wrong
+      glBegin(GL_LINES);  // a second mode: Mesa draws lists with only one primitive wrong
       glVertex2f(-1, 0.5F);
       glVertex2f(1, 0.5F);
       glEnd();
@@ -284,7 +284,7 @@ TEST_F(RefinedLists, CallListsInsideBegin) {
   });
 }
 
-// It stays as it is, as without a list.
+// The rectangle stays unrefined, as without a list.
 TEST_F(RefinedLists, Rectangle) {
   const GLuint list = compile([] { glRectf(-0.5F, -0.5F, 0.75F, 0.5F); });
   glColor3f(1, 0, 0);
@@ -373,7 +373,7 @@ TEST_F(RefinedLists, WithoutTagsTheCurrentTagCounts) {
   EXPECT_EQ(generated_primitives, 4U * 16);
 }
 
-// What such a list sets is set at once, for the draws that it holds too.
+// Such a list sets its uniforms at once, also for its own draws.
 TEST_F(RefinedLists, UniformsOfListsThatAreExecuted) {
   const GLuint program =
       link_program({.vertex = "#version 120\nvoid main() { gl_Position = gl_Vertex; }\n",

@@ -1,26 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/report.h"
+#include "glark/core/report/cause.h"
 
-#include <map>
-#include <mutex>
-#include <string>
+#include <array>
 
 namespace glark::core {
 namespace {
-
-std::atomic<LogSink> sink{nullptr};
-std::atomic<ShaderSink> shader_sink{nullptr};
-
-struct ProgramTable {
-  std::mutex mutex;
-  std::map<std::uint64_t, ProgramCounters> programs;
-};
-
-ProgramTable& program_table() {
-  static ProgramTable* const instance = new ProgramTable;  // never destroyed, as the statistics
-  return *instance;
-}
 
 constexpr std::array<CauseText, cause_count> cause_texts{{
     {"not_triangles", "the draw has no triangles (points, lines, patches or adjacency)", "nothing to do"},
@@ -75,57 +60,6 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
 
 }  // namespace
 
-void set_log_sink(LogSink wanted) { sink.store(wanted, std::memory_order_relaxed); }
-
-void log(LogLevel level, std::string_view message) {
-  if (const LogSink current = sink.load(std::memory_order_relaxed); current != nullptr) {
-    current(level, message);
-  }
-}
-
-void set_shader_sink(ShaderSink wanted) { shader_sink.store(wanted, std::memory_order_relaxed); }
-bool wants_shaders() { return shader_sink.load(std::memory_order_relaxed) != nullptr; }
-
-void show_shader(const ShownShader& shader) {
-  if (const ShaderSink current = shader_sink.load(std::memory_order_relaxed); current != nullptr) {
-    current(shader);
-  }
-}
-
-ProgramCounters& program_counters(std::uint64_t hash) {
-  ProgramTable& table = program_table();
-  const std::lock_guard lock(table.mutex);
-  return table.programs[hash];
-}
-
-void for_each_program(const std::function<void(std::uint64_t, const ProgramCounters&)>& visit) {
-  ProgramTable& table = program_table();
-  const std::lock_guard lock(table.mutex);
-  for (const auto& [hash, counters] : table.programs) {
-    visit(hash, counters);
-  }
-}
-
 const CauseText& text_of(Cause cause) { return cause_texts.at(static_cast<std::size_t>(cause)); }
-
-Statistics& statistics() {
-  static Statistics* const instance = new Statistics;  // never destroyed: drivers may draw from their own exit handlers
-  return *instance;
-}
-
-void PassedDraws::count(Cause cause) {
-  const auto index = static_cast<std::size_t>(cause);
-  ++statistics().passed_through[index];
-  if (logged_[index]) {
-    return;
-  }
-  logged_.set(index);
-  const CauseText& text = text_of(cause);
-  const bool expected = cause == Cause::not_triangles || cause == Cause::level_zero ||
-                        cause == Cause::rasterizer_discard || cause == Cause::invalid_draw;
-  log(expected ? LogLevel::debug : LogLevel::info,
-      "draws stay as the application asked: " + std::string(text.explanation) +
-          "; to change that: " + std::string(text.remedy));
-}
 
 }  // namespace glark::core

@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""Installs glark under a temporary prefix, and compiles, links and runs programs against it, by pkg-config and by CMake.
+
+check_package.py CMAKE BUILD CC CXX COMPONENT ...: the build, the compilers and the client libraries that were built.
+"""
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROGRAMS = HERE / "programs"
+README = HERE.parents[1] / "README.md"
+CMAKE = BUILD = CC = CXX = ""
+COMPONENTS = []
+
+
+def readme_lines() -> str:
+    return re.search(r"```c\n(.*?)```", README.read_text(), re.DOTALL).group(1)
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.prefix = cls.folder / "prefix"
+        subprocess.run([CMAKE, "--install", BUILD, "--prefix", cls.prefix], check=True, capture_output=True)
+        cls.packages = next(cls.prefix.rglob("glark.pc")).parent
+        cls.libraries = cls.packages.parent
+        (cls.folder / "readme_lines.inc").write_text(readme_lines())
+        # An installation in a folder of the user's own: nothing else may help to find it.
+        cls.environment = {key: value for key, value in os.environ.items() if not key.startswith(("GLARK_", "LD_", "CMAKE_"))}
+        cls.environment.update(PKG_CONFIG_PATH=str(cls.packages), GLARK_CONFIG="/dev/null")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def run_checked(self, *words, **more) -> str:
+        variables = self.environment | more
+        done = subprocess.run(words, env=variables, cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(0, done.returncode, f"{words}\n{done.stdout}{done.stderr}")
+        return done.stdout
+
+    def flags(self, *words) -> list:
+        return self.run_checked("pkg-config", *words).split()
+
+    def expect_refined(self, program, **variables):
+        """The program has the version of the launcher, draws something, and its draw is refined."""
+        statistics = self.folder / "statistics.json"
+        version, covered = self.run_checked(program, GLARK_STATS=str(statistics), **variables).split()
+        self.assertEqual(f"glark {version}\n", self.run_checked(self.prefix / "bin/glark", "--version"))
+        self.assertEqual(version, self.flags("--modversion", "glark")[0])
+        self.assertGreater(int(covered), 1000)
+        self.assertEqual(1, json.loads(statistics.read_text())["draws"]["refined"])
+
+    def test_readme_by_pkg_config(self):
+        self.run_checked(CC, "-I.", PROGRAMS / "readme.c", "-o", "readme", *self.flags("--cflags", "--libs", "glark", "osmesa"), "-lm")
+        self.expect_refined(self.folder / "readme", LD_LIBRARY_PATH=str(self.libraries))
+
+    def test_clients_by_pkg_config(self):
+        def check(name):
+            flags = self.flags("--cflags", "--libs", f"glark-{name}")
+            self.run_checked(CXX, "-std=c++20", PROGRAMS / f"{name}.cpp", "-o", name, *flags)
+            self.run_checked(self.folder / name)
+
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            list(pool.map(check, COMPONENTS))
+
+    def test_cmake(self):
+        build = self.folder / "build"
+        self.run_checked(CMAKE, "-S", HERE / "project", "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_C_COMPILER={CC}",
+                         f"-DCMAKE_CXX_COMPILER={CXX}", f"-DPROGRAMS={PROGRAMS}", f"-DREADME_LINES={self.folder}",
+                         f"-DCOMPONENTS={';'.join(COMPONENTS)}")
+        self.run_checked(CMAKE, "--build", build, "--parallel", "2")
+        self.expect_refined(build / "readme")
+        if COMPONENTS:
+            self.run_checked(build / "client")
+
+    def test_registry(self):
+        self.assertIn("GL_ARK", pathlib.Path(self.flags("--variable=registry", "glark")[0]).read_text())
+
+    def test_headers_are_all_installed(self):
+        """Every public header is there, unless its client library was not built."""
+        source = HERE.parents[1] / "include"
+        wanted = {f"glark/{name}.h" for name in COMPONENTS} | {"GL/glark.h", "GL/glark_version.h", "glark/error.h"}
+        installed = {str(file.relative_to(self.prefix / "include")) for file in (self.prefix / "include").rglob("*.h")}
+        self.assertEqual(wanted, installed)
+        self.assertLessEqual({str(file.relative_to(source)) for file in source.rglob("*.h")} - installed,
+                             {f"glark/{name}.h" for name in ("depth", "pn", "qas", "reconstruct", "surfel", "vstree")})
+
+    def test_nothing_names_the_build(self):
+        for file in [*self.packages.glob("*.pc"), *self.libraries.rglob("*.cmake")]:
+            self.assertNotIn(str(README.parent), file.read_text(), file.name)
+
+
+if __name__ == "__main__":
+    CMAKE, BUILD, CC, CXX, *COMPONENTS = sys.argv[1:]
+    unittest.main(argv=sys.argv[:1])
