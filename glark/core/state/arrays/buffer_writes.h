@@ -29,10 +29,8 @@ class BufferWrites {
 
  private:
   // To the buffer that GL says is bound; to any buffer if GL cannot be asked.
-  void to_asked(GLenum target) {
-    const BoundBuffer bound = arrays_.bound_buffer(target);
-    bound.known ? to_buffer(bound.name) : buffers_.wrote_any(stamps_.next());
-  }
+  // Not inline: the wrappers of frequent functions stay short.
+  void to_asked(GLenum target);
 
   ArrayState& arrays_;
   Stamps& stamps_;
