@@ -136,7 +136,7 @@ the frame rate.
 {adaptive}
 ## 7.14: a million triangles from coarse meshes of different sizes
 Depth 0 is a mesh of a million triangles that is drawn as it is; deeper, the input shrinks to a quarter with each level. *Changes*: the coarse mesh is
-captured anew in every frame, as an animated one is.
+captured again in every frame, as an animated mesh is.
 
 ![input size](../images/reproduction/fig7_14.png)
 
