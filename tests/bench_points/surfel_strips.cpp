@@ -79,7 +79,8 @@ Table indices_table(const Settings& settings) {
   for (const std::string name : {"igea", "horse", "bunny", "armadillo", "nefertiti", "bunny_scans"})
     table.rows.push_back(indices_of(name, read_scan(settings.data, name)));
   table.note =
-      "meshoptimizer's columns use the same triangles as the column before them. One strip over all triangles cannot be "
+      "meshoptimizer's columns use the same triangles as the column before them. One strip over all triangles cannot "
+      "be "
       "culled or updated in parts.";
   return table;
 }
