@@ -6,6 +6,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -55,6 +56,7 @@ struct DrawCall {
   bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
   const ArrayDraw* arrays = nullptr;  // set, or a segment is, if the capture may be kept
   const ListSegment* segment = nullptr;
+  std::span<const std::uint32_t> commands = {};  // words of the indirect commands; `arrays` has only mode and index type
   Issue issue;  // makes the application's own call
 };
 
