@@ -6,6 +6,18 @@
 #include "glark/core/track/track.h"
 
 namespace glark::core::track {
+namespace {
+
+// The vertices of the segment have several materials, or a material that the vertex program does not see yet.
+bool materials_differ(Context& c, const SegmentEffects& effects) {
+  if (!effects.sets_materials) {
+    return false;
+  }
+  c.state().refresh();
+  return replaces_fixed_function(c) ? effects.materials_vary && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE : true;
+}
+
+}  // namespace
 
 void apply_effects(Context& c, const SegmentEffects& effects) {
   if (effects.opaque) {
@@ -41,6 +53,12 @@ void run_state(Context& c, const ListSegment& segment) {
 }
 
 void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
+  if (materials_differ(c, segment.effects)) {
+    pass(c, Cause::materials_vary);
+    c.gl().CallList(segment.list);
+    c.state().forget_current_values();
+    return;
+  }
   bool issued = false;
   const bool watched = !segment.effects.opaque && segment.vertex_lists.empty();
   refine(c, {.mode = segment.mode,
