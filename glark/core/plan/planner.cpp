@@ -7,9 +7,9 @@
 
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
-#include "glark/core/plan/eligibility.h"
 #include "glark/core/plan/exemptions.h"
 #include "glark/core/plan/program_choice.h"
+#include "glark/core/plan/state_check.h"
 #include "glark/core/polygons/split_choice.h"
 #include "glark/core/shape.h"
 
