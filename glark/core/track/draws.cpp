@@ -103,6 +103,7 @@ void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
                  .triangles = triangles,
                  .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
                  .polygon_sides = polygons.sides(),
+                 .from_arrays = true,
                  .arrays = &draw_of,
                  .issue = issue});
 }
@@ -122,6 +123,7 @@ void draw_elements(Context& context, const ArrayDraw& draw_of, Issue issue) {
                  .exact = exact,
                  .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
                  .polygon_sides = polygons.sides(),
+                 .from_arrays = true,
                  .arrays = &draw_of,
                  .issue = issue});
 }
@@ -149,6 +151,7 @@ void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, 
                  .triangles = triangles_of(mode, *vertices) * static_cast<std::uint64_t>(instances),
                  .exact = false,
                  .whole_polygons = mode != GL_POLYGON,
+                 .from_arrays = true,
                  .issue = issue});
 }
 
@@ -273,6 +276,7 @@ void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei*
                   .exact = !joins_strips(c, mode, draws),
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
+                  .from_arrays = true,
                   .issue = [&] { c.gl().MultiDrawArrays(mode, first, count, draws); }});
 }
 
@@ -286,6 +290,7 @@ void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
                   .exact = exact,
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
+                  .from_arrays = true,
                   .issue = [&] { c.gl().MultiDrawElements(mode, count, type, indices, draws); }});
 }
 
@@ -300,6 +305,7 @@ void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, 
                .exact = exact,
                .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                .polygon_sides = polygons.sides(),
+               .from_arrays = true,
                .issue = [&] { c.gl().MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); }});
 }
 

@@ -98,6 +98,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
                   .exact = call.exact && !may_restart,
                   .whole_polygons = tells_polygons_apart(call.mode, primitives),
                   .polygon_sides = may_restart || sides.empty() ? nullptr : &sides,
+                  .from_arrays = true,
                   .issue = issue});
 }
 
