@@ -18,10 +18,10 @@ MeshVerdict MeshTable::draw(const MeshKey& key, const MeshPass& pass) {
     mesh.frames += mesh.frames <= frames_to_watch ? 1 : 0;
   }
   note(mesh, key == loose_mesh, pass);
-  return mesh.flat                          ? MeshVerdict::flat
-         : frame_ < doubted_until_          ? MeshVerdict::unknown_partner
-         : mesh.frames <= frames_to_watch   ? MeshVerdict::waits
-                                            : MeshVerdict::curved;
+  return mesh.flat                        ? MeshVerdict::flat
+         : frame_ < doubted_until_        ? MeshVerdict::unknown_partner
+         : mesh.frames <= frames_to_watch ? MeshVerdict::waits
+                                          : MeshVerdict::curved;
 }
 
 MeshTable::Mesh& MeshTable::find(const MeshKey& key) {

@@ -9,10 +9,10 @@ namespace glark::core {
 namespace {
 
 int slot_of(const capture::Field& field) {
-  return field.location >= 0          ? generic_slot(static_cast<GLuint>(field.location))
-         : field.name == "gl_Vertex"  ? static_cast<int>(vertex_slot)
-         : field.name == "gl_Normal"  ? static_cast<int>(normal_slot)
-                                      : static_cast<int>(no_slot);
+  return field.location >= 0         ? generic_slot(static_cast<GLuint>(field.location))
+         : field.name == "gl_Vertex" ? static_cast<int>(vertex_slot)
+         : field.name == "gl_Normal" ? static_cast<int>(normal_slot)
+                                     : static_cast<int>(no_slot);
 }
 
 // May hold positions in a program whose position glark could not guess.

@@ -16,9 +16,10 @@ void refine(Context& context, const DrawCall& call) {
   context.update_refining();
 }
 
-void pass(Context& context, Cause cause) {
-  context.stages()->draw().pass(cause);
+void leave(Context& context, const DrawCall& call, Cause cause) {
+  context.stages()->draw().leave(call, cause);
   context.update_refining();
+  call.issue();
 }
 
 void hand_back_feedback(Context& context) {
@@ -143,8 +144,7 @@ std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws)
 void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, Issue issue) {
   const std::optional<std::uint64_t> vertices = context.stages()->feedback().room().vertices(id);
   if (!vertices || instances < 0) {
-    pass(context, Cause::indirect_unbounded);
-    issue();
+    leave(context, {.mode = mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
     return;
   }
   draw(context, {.mode = mode,

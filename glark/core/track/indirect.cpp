@@ -86,8 +86,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     }
   }
   if (commands.empty()) {
-    track::pass(c, Cause::indirect_unbounded);
-    issue();
+    track::leave(c, {.mode = call.mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
     return;
   }
   c.state().refresh();
