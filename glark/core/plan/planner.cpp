@@ -9,10 +9,10 @@
 
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
-#include "glark/core/plan/eligibility.h"
 #include "glark/core/plan/exemptions.h"
 #include "glark/core/plan/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
+#include "glark/core/plan/state_check.h"
 #include "glark/core/polygons/split_choice.h"
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
