@@ -79,10 +79,10 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_VERTEX_PROGRAM_TWO_SIDE: b.two_side = enabled; break;
     case GL_BLEND: b.blend = enabled; break;
     case GL_DEPTH_TEST: b.depth_test = enabled; break;
+    case GL_STENCIL_TEST: b.stencil_test = enabled; break;
     // The most frequent enables that the vertex stage does not depend on.
     case GL_CULL_FACE:
     case GL_SCISSOR_TEST:
-    case GL_STENCIL_TEST:
     case GL_ALPHA_TEST:
     case GL_DITHER: break;
     // EXT_vertex_array enabled arrays by glEnable, and drivers still accept it.
@@ -185,6 +185,21 @@ void DepthMask(Context& c, GLboolean writes) {
   c.gl().DepthMask(writes);
   if (track::executes(c)) {
     c.state().bindings().depth_writes = writes != GL_FALSE;
+  }
+}
+
+void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+  c.gl().ColorMask(red, green, blue, alpha);
+  if (track::executes(c)) {
+    c.state().bindings().color_writes = (red | green | blue | alpha) != GL_FALSE;
+  }
+}
+
+// Draw buffer 0 stands for all of them: a prepared depth has no colours at all.
+void ColorMaski(Context& c, GLuint buffer, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+  c.gl().ColorMaski(buffer, red, green, blue, alpha);
+  if (track::executes(c) && buffer == 0) {
+    c.state().bindings().color_writes = (red | green | blue | alpha) != GL_FALSE;
   }
 }
 
