@@ -31,6 +31,17 @@ TEST(Reach, ByLinking) {
   EXPECT_EQ(outcome.output, drawn);
 }
 
+TEST(Reach, ALibraryThatIsLinkedBehindGlIsTold) {
+  const Outcome wrong = run(program("shim_wrong_order"));
+  EXPECT_TRUE(wrong.output.starts_with("glark: this program was linked with libGLARK.so behind ")) << wrong.output;
+  EXPECT_NE(wrong.output.find("name -lGLARK before the GL library"), std::string::npos) << wrong.output;
+  EXPECT_EQ(wrong.output.find("glark: ", 1), std::string::npos) << wrong.output;  // once
+  EXPECT_NE(wrong.output.find("extension no"), std::string::npos) << wrong.output;
+  EXPECT_EQ(run(program("shim_right_order")).output, drawn);
+  EXPECT_EQ(run_preloaded(program("shim_wrong_order")).output, drawn);
+  EXPECT_EQ(run("GLARK_LOG=error " + program("shim_wrong_order")).output.find("glark: "), std::string::npos);
+}
+
 class ReachByLookup : public testing::TestWithParam<const char*> {};
 
 TEST_P(ReachByLookup, TheWrapperIsFound) {
@@ -99,7 +110,7 @@ TEST(Configuration, TheTableOfTheProgramIsFoundByItsName) {
   std::ofstream(file) << "level = 12\neverything = true\n[program.shim_linked]\nleave-alone = true\n";
   const Outcome outcome =
       run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_CONFIG=" + file + " GLARK_STATS=" + statistics);
-  EXPECT_EQ(outcome.output, "glark: " + file + ":1:9: level is \"12\"; an integer from 0 to 11 is needed\n" + drawn);
+  EXPECT_EQ(outcome.output, "glark: " + file + ":1:9: level is \"12\"; an integer from 0 to 11 is needed\nglark: --everything has no effect beside --leave-alone\n" + drawn);
   EXPECT_EQ(nlohmann::json::parse(read_file(statistics))["draws"]["refined"], 0);
 }
 
