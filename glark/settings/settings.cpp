@@ -103,7 +103,8 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
   apply_defaults(settings);
   settings.leave_alone = makes_its_own_calls(names);
   read_configuration_file(environment, names, parsed);
-  find_idle(parsed);  // in the file alone: a variable must not make a setting of the file a mistake
+  // A variable must not make a setting of the file a mistake: the file is judged alone.
+  if (!settings.leave_alone) find_idle(parsed);
   std::set<std::string_view> in_file = std::exchange(settings.given, {});
   if (const auto enable = find_variable(environment, variable::enable); enable && !enable->empty()) {
     if (const std::optional<bool> wanted = parse_switch(*enable))
