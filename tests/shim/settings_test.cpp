@@ -93,7 +93,7 @@ TEST(Settings, AProblemNamesVariableValueAndLimit) {
   EXPECT_EQ(only_problem("GLARK_LEVEL=x"), "GLARK_LEVEL is \"x\"; an integer from 0 to 11 is needed");
   EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=12"), "GLARK_MAX_LEVEL is \"12\"; an integer from 0 to 11 is needed");
   EXPECT_EQ(only_problem("GLARK_REFINE=cubic"),
-            "GLARK_REFINE is \"cubic\"; linear, outputs, pn, stpn or phong is needed");
+            "GLARK_REFINE is \"cubic\"; smooth, linear, outputs, pn, stpn or phong is needed");
   EXPECT_EQ(only_problem("GLARK_ENABLE=maybe"), "GLARK_ENABLE is \"maybe\"; 0 or 1 is needed");
   EXPECT_EQ(only_problem("GLARK_LOG=loud"), "GLARK_LOG is \"loud\"; error, warning, info or debug is needed");
   EXPECT_EQ(only_problem("GLARK_CAPTURE=a.png"),
