@@ -6,6 +6,9 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "glark/settings/nearest_name.h"
 
 namespace glark::settings {
 namespace {
@@ -23,12 +26,6 @@ bool assign(std::optional<T> value, U& setting) {
 
 std::optional<std::string> parse_file(std::string_view text) {
   return text.empty() || text.find('\0') != std::string_view::npos ? std::nullopt : std::optional(std::string(text));
-}
-
-bool read_max_level(Settings& s, std::string_view text) {
-  const bool valid = assign(parse_level(text), s.context.max_level);
-  s.max_level_set = s.max_level_set || valid;
-  return valid;
 }
 
 bool read_refinement(Settings& s, std::string_view text) {
@@ -153,7 +150,8 @@ constexpr std::array first_settings{
             "Replace every triangle by 4^N triangles", "",
             [](Settings& s, std::string_view text) { return assign(parse_level(text), s.context.level); }},
     Setting{depth, "max-level", "GLARK_MAX_LEVEL", Kind::value, "N", level_needed, "6", "",
-            "Prepare patterns up to level N", "A higher --level raises this limit unless the limit was set too.", read_max_level},
+            "Prepare patterns up to level N", "A higher --level raises this limit unless the limit was set too.",
+            [](Settings& s, std::string_view text) { return assign(parse_level(text), s.context.max_level); }},
     Setting{depth, "edge-pixels", "GLARK_EDGE_PIXELS", Kind::value, "P", "a number from 0.5 to 10000, or 0 for none,", "0", "off",
             "Refine each edge by its length on the screen, into segments of at most P pixels", "Replaces --level.",
             [](Settings& s, std::string_view text) { return assign(parse_edge_pixels(text), s.context.measure.pixels); }},
@@ -256,10 +254,22 @@ std::string_view shown_default(const Setting& setting) {
   return setting.shown.empty() ? setting.initial : setting.shown;
 }
 
+std::string_view nearest_key(std::string_view wrong) {
+  std::vector<std::string_view> keys;
+  for (const Setting& setting : settings_table)
+    if (setting.in_file) keys.push_back(setting.key);
+  return nearest_name(wrong, keys);
+}
+
+bool give(const Setting& setting, Settings& settings, std::string_view text) {
+  const bool valid = setting.read(settings, text);
+  if (valid) settings.given.insert(setting.key);
+  return valid;
+}
+
 void apply_defaults(Settings& settings) {
   for (const Setting& setting : settings_table)
     if (!setting.initial.empty()) setting.read(settings, setting.initial);
-  settings.max_level_set = false;
 }
 
 }  // namespace glark::settings

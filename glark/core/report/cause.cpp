@@ -34,7 +34,7 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
      "move the writes to another draw"},
     {"transform_feedback", "the application captures transform feedback", "nothing to do"},
     {"primitive_query", "the application counts primitives or pipeline statistics", "nothing to do"},
-    {"polygon_mode", "the application draws polygons as lines or points",
+    {"polygon_mode", "the application draws polygons, or one side of them, as lines or points",
      "nothing to do; --wireframe shows refined triangles"},
     {"render_mode", "selection or feedback is on", "nothing to do"},
     {"rasterizer_discard", "nothing is rasterised", "nothing to do"},

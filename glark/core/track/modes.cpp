@@ -80,8 +80,8 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_BLEND: b.blend = enabled; break;
     case GL_DEPTH_TEST: b.depth_test = enabled; break;
     case GL_STENCIL_TEST: b.stencil_test = enabled; break;
+    case GL_CULL_FACE: b.cull_face = enabled; break;
     // The most frequent enables that the vertex stage does not depend on.
-    case GL_CULL_FACE:
     case GL_SCISSOR_TEST:
     case GL_ALPHA_TEST:
     case GL_DITHER: break;
@@ -241,8 +241,24 @@ void ViewportArrayv(Context& c, GLuint first, GLsizei count, const GLfloat* view
 
 void PolygonMode(Context& c, GLenum face, GLenum mode) {
   c.gl().PolygonMode(face, mode);
-  if (track::executes(c)) {
-    c.state().forget_bindings();  // the accepted faces depend on the profile
+  if (!track::executes(c)) {
+    return;
+  }
+  const bool one_face = c.capabilities().is_compatibility() && (face == GL_FRONT || face == GL_BACK);
+  if ((!one_face && face != GL_FRONT_AND_BACK) || mode < GL_POINT || mode > GL_FILL ||
+      c.state().immediate().open()) {
+    c.state().forget_bindings();  // GL may have refused
+    return;
+  }
+  Bindings& b = c.state().bindings();
+  set_polygon_modes(b, face == GL_BACK ? b.front_polygon_mode : mode, face == GL_FRONT ? b.back_polygon_mode : mode);
+}
+
+void CullFace(Context& c, GLenum face) {
+  c.gl().CullFace(face);
+  if (track::executes(c) && (face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK) &&
+      !c.state().immediate().open()) {
+    c.state().bindings().culled_face = face;
   }
 }
 
