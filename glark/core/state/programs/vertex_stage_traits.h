@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "glark/core/state/programs/variation.h"
+
 namespace glark::refine {
 
 // Traits of the vertex stage that decide whether and how it can be refined.
@@ -14,6 +16,7 @@ struct VertexStageTraits {
   std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
   bool has_side_effects = false;        // image stores, buffer writes, atomics
   bool writes_flat_outputs = false;
+  StageVariation variation;      // of the outputs
   bool writes_integers = false;  // in outputs that are not flat; a geometry shader reads those of every vertex
 };
 
