@@ -257,7 +257,9 @@ void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangle
     return;
   }
   plan.weld.edges_later = plan.polygons.has_value();
-  bool fits = parts_.weld.can_hold(plan.derived->layout, triangles);
+  plan.weld.crease = crease_of(env_.options);
+  const auto can_hold = [&] { return parts_.weld.can_hold(plan.weld, plan.derived->layout, triangles); };
+  bool fits = can_hold();
   const auto has_no_place = [&] { return !fits || (plan.derived->stored() && plan.pipeline != nullptr); };
   if (plan.derived->layout.displaced() && has_no_place()) {
     key.border = false;
@@ -265,7 +267,7 @@ void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangle
     if (plan.derived == nullptr) {
       return;
     }
-    fits = parts_.weld.can_hold(plan.derived->layout, triangles);
+    fits = can_hold();
   }
   if (plan.derived->layout.joins_edges() && has_no_place()) {
     key.welded = false;
