@@ -29,8 +29,7 @@ vec4 assembly_log(float x) {
   return vec4(exponent, size * exp2(-exponent), log2(size), 1.0);
 }
 vec4 assembly_lit(vec4 v) {
-  float exponent = clamp(v.w, -128.0, 128.0);
-  float specular = exponent == 0.0 ? 1.0 : pow(max(v.y, 0.0), exponent);
+  float specular = pow(max(v.y, 0.0), clamp(v.w, -128.0, 128.0));
   return vec4(1.0, max(v.x, 0.0), v.x > 0.0 ? specular : 0.0, 1.0);
 }
 )";
