@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/plan/planner.h"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <string>
 
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
-#include "glark/core/plan/eligibility.h"
 #include "glark/core/plan/exemptions.h"
 #include "glark/core/plan/program_choice.h"
+#include "glark/core/plan/refinement_choice.h"
+#include "glark/core/plan/state_check.h"
 #include "glark/core/polygons/split_choice.h"
+#include "glark/core/refine/program/labels.h"
+#include "glark/core/report/log.h"
 #include "glark/core/shape.h"
 
 namespace glark::core {
@@ -31,6 +36,28 @@ double current_tag(const Environment& environment) {
 
 KeyState key_state(const Environment& environment) {
   return {environment.options, environment.ark, environment.bindings(), environment.capabilities};
+}
+
+RefinementChoice refinement_choice(const Environment& environment, const Program& program) {
+  RefinementFacts facts{.wanted = wanted_refinement(environment.options, environment.ark),
+                        .transparent = environment.options.transparent,
+                        .stage = program.traits,
+                        .inputs = program.input_traits};
+  // The record of a displaced fixed-function draw has a normal, even if the state does not make the stage read it.
+  facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
+  return choose_refinement(facts);
+}
+
+// Logs each reason once for each program.
+void log_fallback(Program& program, const RefinementChoice& choice) {
+  const unsigned bit = choice.fallback ? 1U << static_cast<unsigned>(*choice.fallback) : 0;
+  if ((bit & ~program.logged_fallbacks) == 0) {
+    return;
+  }
+  program.logged_fallbacks |= bit;
+  const FallbackText& text = text_of(*choice.fallback);
+  log(LogLevel::info, fmt::format("{} is refined by {}: {}; {}", refine::label(program),
+                                  traits_of(choice.refinement).word, text.explanation, text.remedy));
 }
 
 }  // namespace
@@ -169,8 +196,12 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
 
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
+  const RefinementChoice choice = refinement_choice(env_, *plan.program);
+  log_fallback(*plan.program, choice);
+  plan.fallback = choice.fallback;
   // The outputs of split polygons do not depend on the provoking vertex.
-  DerivedKey key = derived_key(key_state(env_), {.mode = plan.polygons ? GL_TRIANGLES : call.mode,
+  DerivedKey key = derived_key(key_state(env_), {.refinement = choice.refinement,
+                                                 .mode = plan.polygons ? GL_TRIANGLES : call.mode,
                                                  .tagged = depth.adaptive && !depth.measured,
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
@@ -256,7 +287,8 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
   const bool placed = tagged || can_measure(program);
   return parts_.programs.derived().find(
       program, owner,
-      derived_key(key_state(env_), {.mode = GL_TRIANGLES,
+      derived_key(key_state(env_), {.refinement = refinement_choice(env_, program).refinement,
+                                    .mode = GL_TRIANGLES,
                                     .tagged = tagged,
                                     .placed = placed,
                                     .morphing = placed && geomorphs(env_.options, env_.ark)}));

@@ -38,7 +38,7 @@ std::vector<Counts> read_commands(Context& c, const void* indirect, GLsizei draw
   c.state().refresh();
   std::vector<Counts> result(static_cast<std::size_t>(std::max(draws, 0)));
   if (c.state().bindings().draw_indirect_buffer == 0) {
-    if (!c.is_compatibility() || indirect == nullptr) {
+    if (!c.capabilities().is_compatibility() || indirect == nullptr) {
       return {};
     }
     for (std::size_t i = 0; i < result.size(); ++i) {

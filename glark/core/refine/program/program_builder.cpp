@@ -84,6 +84,7 @@ bool ProgramBuilder::can_store_records(const core::Program& program) const {
 
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
+  program.logged_fallbacks = 0;
   program.cause.reset();
   program.hash = core::source_hash(program.stages);
   program.counters = &core::program_counters(program.hash);
@@ -165,15 +166,6 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   return core::link_program(gl_, name, shaders, error) ? name : 0;
 }
 
-// Integers are names (bones, layers). If the corners of a triangle name different things, the stage cannot run between
-// them. A program that uses the extension is told so and gets the provoking corner's integers.
-bool ProgramBuilder::interpolates_outputs(const core::Program& program) const {
-  const bool names_things = std::any_of(program.fields.begin(), program.fields.end(), [](const capture::Field& field) {
-    return field.location >= 0 && capture::is_integer(field.type);
-  });
-  return program.traits.reads_vertex_id || program.traits.writes_cull_distance || (traits_.transparent && names_things);
-}
-
 capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
                                                   const std::vector<capture::Field>& fields, int coordinate_field,
                                                   const core::DerivedKey& key) const {
@@ -188,7 +180,7 @@ capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
   };
   const bool stored = can_store_records(program);
   const core::RefinementTraits& refinement = core::traits_of(key.refinement);
-  const bool refines = !interpolates_outputs(program) && !refinement.interpolates_outputs;
+  const bool refines = !refinement.interpolates_outputs;
   const bool curved = key.welded && refinement.curves_positions && refines;
   const bool displaced = key.border && coordinate_field >= 0 && refines;
   words.controls = curved && fits({.controls = true}, stored);
@@ -216,7 +208,7 @@ DeriveRequest ProgramBuilder::request_for(const core::Program& program, const co
   request.scalar_tags = traits_.scalar_tags;
   const capture::WeldedWords welded = welded_words(program, fields, request.coordinate_field, key);
   request.layout = capture::make_layout(std::move(fields), key.tagged, welded);
-  request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
+  request.refinement = key.refinement;
   request.at_corner = key.at_corner;
   request.placed = key.placed;
   request.morphing = key.morphing;
@@ -284,7 +276,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   std::shared_ptr<core::DerivedProgram>& slot = program.derived[key];
   DeriveRequest request = request_for(program, key);
   const Derivation derivation = derive_if_it_fits(program, request);
-  show_derived(program, key, request.refinement, derivation.vertex_sources);
+  show_derived(program, key, derivation.vertex_sources);
   std::string error = derivation.error;
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
                                                        owner != nullptr ? owner->name : 0, key, error)

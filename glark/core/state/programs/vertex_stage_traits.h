@@ -17,4 +17,10 @@ struct VertexStageTraits {
   bool writes_integers = false;  // in outputs that are not flat; a geometry shader reads those of every vertex
 };
 
+// Traits of the active inputs of the vertex stage.
+struct VertexInputTraits {
+  bool can_curve = false;     // a position and a normal are known
+  bool has_integers = false;  // among the vertex attributes
+};
+
 }  // namespace glark::refine

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Checks whether the GL state of the application allows refinement at all: mode of the draw, feedback, queries, polygon
+// mode. The program is checked in program_choice.h.
+#pragma once
+
+#include <optional>
+
+#include "glark/core/capture/draw_call.h"
+#include "glark/core/report/cause.h"
+#include "glark/core/state/bindings.h"
+
+namespace glark::core {
+
+struct DrawConditions {
+  const Bindings& bindings;
+  bool transparent = false;  // the program does not know that it is refined
+  bool core_profile = false;
+  bool feedback_is_ours = false;  // the application's transform feedback captures refined triangles
+  bool plans_feedback = false;    // nothing is drawn yet: glBeginTransformFeedback asks for the program
+};
+
+// Returns the cause why the state of the context forbids refinement, if there is one. It does not look at the program.
+// No GL.
+std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& conditions);
+
+}  // namespace glark::core
