@@ -37,7 +37,7 @@ def slick(name: str) -> Stranger:
 
 
 def shooter(name: str, *options: str, keys: tuple = ((4, "keydown z"), (2, "keydown Left"))) -> Stranger:
-    return Stranger(name, "game, in play", (name,), ["/usr/games/" + name, *options], seconds=10, frames=500, keys=keys)
+    return Stranger(name, "game, in play", (name,), ["/usr/games/" + name, *options], seconds=10, frames=240, keys=keys)
 
 
 def qt(path: str, **more) -> Stranger:
@@ -71,20 +71,20 @@ def arena(name: str, renderer: str) -> Stranger:
 
 GAMES = [
     shooter("torus-trooper", "-window", "-res", "320", "240"),
-    shooter("tumiki-fighters", "-window", "-lowres"), shooter("gunroar", "-window", "-res", "320", "240"),
+    shooter("tumiki-fighters", "-window", "-res", "320", "240"), shooter("gunroar", "-window", "-res", "320", "240"),
     shooter("titanion", "-window", "-res", "320", "240"), shooter("mu-cade", "-window", "-res", "320", "240"),
     shooter("parsec47", "-window", "-lowres"), shooter("rrootage", "-window", "-lowres"),
     shooter("a7xpg", "-window", "-lowres"), shooter("val-and-rick", "-window", "-res", "320", "240"),
     shooter("ii-esu", "-window"), shooter("projectl", "-window", "-res", "320", "240"),
     arena("OpenArena", "opengl1"), arena("OpenArena GL2", "opengl2"),
-    Stranger("gl-117", "game, in play", ("gl-117",), ["/usr/games/gl-117", "-w", "-v0"], seconds=12,
+    Stranger("gl-117", "game, in play", ("gl-117",), ["/usr/games/gl-117"], seconds=12,
              keys=((3, "key Return"), (1, "key Return"), (1, "key Return"))),
     Stranger("foobillardplus", "game, in play", ("foobillardplus",), ["/usr/games/foobillardplus"], seconds=14, frames=80,
              keys=((5, "key Return"), (2, "key space"))),
-    Stranger("armagetronad", "game, in play", ("armagetronad",), ["/usr/games/armagetronad.real", "--window"], seconds=14, frames=400,
+    Stranger("armagetronad", "game, in play", ("armagetronad",), ["/usr/games/armagetronad"], seconds=14, frames=400,
              keys=((3, "key Return"), (1, "key Return"), (1, "key Return"), (1, "key Return"))),
-    Stranger("csmash", "game, in play", ("csmash",), ["/usr/games/csmash", "-w"], seconds=12,
-             keys=((3, "key Return"), (2, "key Return"))),
+    Stranger("csmash", "game, in play", ("csmash",), ["/usr/games/csmash"], seconds=14,
+             keys=((4, "mousemove 177 269 click 1"), (4, "click 1"))),
     Stranger("zaz", "game, in play", ("zaz",), ["/usr/games/zaz"], seconds=12, keys=((4, "key Return"), (2, "key Return"))),
     Stranger("kobodeluxe", "game, in play", ("kobodeluxe",), ["/usr/games/kobodl", "-nofullscreen"], seconds=10,
              keys=((4, "key Return"), (1, "key Return"), (1, "key Return"))),

@@ -213,6 +213,7 @@ def arguments_of() -> argparse.Namespace:
     parser.add_argument("--only", action="append", default=[], metavar="NAME", help="this program (may be given several times)")
     parser.add_argument("--modes", default="outputs,smooth", help="refinements, separated by commas (outputs,smooth)")
     parser.add_argument("--record", action="store_true", help="make the missing recordings, replay nothing")
+    parser.add_argument("--recorded", action="store_true", help="judge only programs that are recorded")
     parser.add_argument("--fresh", action="store_true", help="record again")
     parser.add_argument("--again", action="store_true", help="judge programs again that were judged")
     parser.add_argument("--broken", action="store_true", help="judge those again whose numbers are not all 0")
@@ -239,6 +240,8 @@ def is_broken(result: dict) -> bool:
 def is_due(program: Stranger, arguments: argparse.Namespace) -> bool:
     if arguments.only:
         return program.name in arguments.only
+    if arguments.recorded and not file_of(program, arguments.folder, ".trace").exists():
+        return False
     file = file_of(program, arguments.folder, ".result")
     if not file.exists() or arguments.again:
         return True
