@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ namespace glark::settings {
 namespace variable {
 inline constexpr char enable[] = "GLARK_ENABLE";  // 1: refine a program that does not call the extension
 inline constexpr char config[] = "GLARK_CONFIG";  // FILE: replaces the configuration file of the XDG folders
+inline constexpr char library[] = "GLARK_LIBRARY";  // FILE: the library that the launcher preloads
 }  // namespace variable
 
 struct CaptureRequest {
@@ -37,7 +39,9 @@ struct Settings {
   std::string dump_folder;      // for the sources of shaders; empty: none
   bool everything = false;      // refine every draw and shader
   bool leave_alone = false;     // refine nothing in this program
-  bool max_level_set = false;   // whether the user set max_level
+  std::set<std::string_view> given = {};  // keys that the user set, from the table
+
+  bool is_given(std::string_view key) const { return given.contains(key); }
 };
 
 // An invalid value leaves its setting unchanged and adds a sentence to `problems`.

@@ -31,6 +31,17 @@ TEST(Reach, ByLinking) {
   EXPECT_EQ(outcome.output, drawn);
 }
 
+TEST(Reach, ALibraryThatIsLinkedBehindGlIsTold) {
+  const Outcome wrong = run(program("shim_wrong_order"));
+  EXPECT_TRUE(wrong.output.starts_with("glark: this program was linked with libGLARK.so behind ")) << wrong.output;
+  EXPECT_NE(wrong.output.find("name -lGLARK before the GL library"), std::string::npos) << wrong.output;
+  EXPECT_EQ(wrong.output.find("glark: ", 1), std::string::npos) << wrong.output;  // once
+  EXPECT_NE(wrong.output.find("extension no"), std::string::npos) << wrong.output;
+  EXPECT_EQ(run(program("shim_right_order")).output, drawn);
+  EXPECT_EQ(run_preloaded(program("shim_wrong_order")).output, drawn);
+  EXPECT_EQ(run("GLARK_LOG=error " + program("shim_wrong_order")).output.find("glark: "), std::string::npos);
+}
+
 class ReachByLookup : public testing::TestWithParam<const char*> {};
 
 TEST_P(ReachByLookup, TheWrapperIsFound) {

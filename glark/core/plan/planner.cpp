@@ -60,6 +60,12 @@ void log_fallback(Program& program, const RefinementChoice& choice) {
                                   traits_of(choice.refinement).word, text.explanation, text.remedy));
 }
 
+// Null: the vertex stage is not known.
+const std::vector<capture::Field>* inputs_of(const DrawPlan& plan) {
+  return plan.program != nullptr && plan.program->prepared && !plan.program->fields.empty() ? &plan.program->fields
+                                                                                            : nullptr;
+}
+
 }  // namespace
 
 Planner::Planner(const Environment& environment, const Parts& parts)
@@ -67,10 +73,19 @@ Planner::Planner(const Environment& environment, const Parts& parts)
 
 Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   env_.state.refresh();
+  const std::shared_ptr<Program> current = env_.state.programs().current();
+  const std::unique_lock lock =
+      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
+  if (smooth() && purpose == Purpose::draw) {
+    decision.cause = parts_.meshes.judge(call, inputs_of(decision.plan), decision.cause);
+  }
   return decision;
 }
+
+// A program that calls the extension says itself what is a surface.
+bool Planner::smooth() const { return env_.options.transparent && env_.options.smooth && !env_.ark.enabled; }
 
 std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, DrawPlan& plan) {
   const DrawConditions conditions{.bindings = env_.bindings(),
@@ -81,9 +96,6 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
   if (const std::optional<Cause> cause = check_state(call, conditions)) {
     return cause;
   }
-  const std::shared_ptr<Program> current = env_.state.programs().current();
-  const std::unique_lock lock =
-      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   if (const std::optional<Cause> cause = find_program(plan)) {
     return cause;
   }
@@ -144,6 +156,7 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
   }
   ExemptionFacts facts{.rules = options.left_draws,
                        .bindings = env_.bindings(),
+                       .depth_buffer = env_.state.depth_buffers().bound_has_one(env_.gl, env_.errors),
                        .left_alone = program.left_alone,
                        .conventional = program.conventional_projection && env_.capabilities.is_compatibility(),
                        .triangles = triangles};
@@ -199,6 +212,9 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   const RefinementChoice choice = refinement_choice(env_, *plan.program);
   log_fallback(*plan.program, choice);
   plan.fallback = choice.fallback;
+  if (smooth() && choice.fallback) {
+    return Cause::no_surface;
+  }
   // The outputs of split polygons do not depend on the provoking vertex.
   DerivedKey key = derived_key(key_state(env_), {.refinement = choice.refinement,
                                                  .mode = plan.polygons ? GL_TRIANGLES : call.mode,
@@ -210,6 +226,9 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   choose_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
+  }
+  if (smooth() && key.welded && !plan.weld.on) {
+    return Cause::too_many_attributes;  // another pass over the mesh may be welded: its shape would differ
   }
   if (parts_.feedback.captures(env_.bindings()) && plan.derived != parts_.feedback.program) {
     return Cause::transform_feedback;

@@ -3,6 +3,19 @@
 #include "glark/core/plan/state_check.h"
 
 namespace glark::core {
+namespace {
+
+bool culled(const Bindings& b, GLenum face) {
+  return b.cull_face && (b.culled_face == face || b.culled_face == GL_FRONT_AND_BACK);
+}
+
+// A face that is culled is not drawn, whatever its polygon mode is.
+bool shows_lines_or_points(const Bindings& b) {
+  return (b.front_polygon_mode != GL_FILL && !culled(b, GL_FRONT)) ||
+         (b.back_polygon_mode != GL_FILL && !culled(b, GL_BACK));
+}
+
+}  // namespace
 
 std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& conditions) {
   const Bindings& b = conditions.bindings;
@@ -20,7 +33,7 @@ std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& con
   if ((conditions.transparent && b.primitive_queries > 0) || needs_query) {
     return Cause::primitive_query;
   }
-  if (conditions.transparent && b.polygon_mode != GL_FILL) {
+  if (conditions.transparent && shows_lines_or_points(b)) {
     return Cause::polygon_mode;
   }
   // Without rasterization, transform feedback and a query of generated primitives still see refined triangles.

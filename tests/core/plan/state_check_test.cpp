@@ -55,6 +55,22 @@ TEST(StateCheck, TransformFeedbackOfTheDriverStays) {
   EXPECT_EQ(setting.check(), std::nullopt);
 }
 
+TEST(StateCheck, OnlyFacesThatShowMustBeFilled) {
+  Setting setting{.transparent = true};
+  set_polygon_modes(setting.bindings, GL_FILL, GL_LINE);
+  EXPECT_EQ(setting.check(), Cause::polygon_mode);
+  setting.bindings.cull_face = true;
+  EXPECT_EQ(setting.check(), std::nullopt);
+  setting.bindings.culled_face = GL_FRONT;
+  EXPECT_EQ(setting.check(), Cause::polygon_mode);
+  set_polygon_modes(setting.bindings, GL_POINT, GL_FILL);
+  EXPECT_EQ(setting.check(), std::nullopt);
+  set_polygon_modes(setting.bindings, GL_POINT, GL_LINE);
+  EXPECT_EQ(setting.check(), Cause::polygon_mode);
+  setting.bindings.culled_face = GL_FRONT_AND_BACK;
+  EXPECT_EQ(setting.check(), std::nullopt);
+}
+
 TEST(StateCheck, TransparentRefinementDoesNotShowInQueries) {
   Setting setting;
   setting.bindings.primitive_queries = 1;
@@ -76,7 +92,7 @@ TEST(StateCheck, AnInexactDrawNeedsAQuery) {
 
 TEST(StateCheck, LinesAndPointsOfPolygonsStayInTransparentRefinement) {
   Setting setting;
-  setting.bindings.polygon_mode = GL_LINE;
+  set_polygon_modes(setting.bindings, GL_LINE, GL_LINE);
   EXPECT_EQ(setting.check(), std::nullopt);
   setting.transparent = true;
   EXPECT_EQ(setting.check(), Cause::polygon_mode);
