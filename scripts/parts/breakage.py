@@ -19,6 +19,7 @@ class Allowance:
 
 CONTOUR = 0.35     # share of a region's contour that must be sharp: colours differ by at least tolerance / 2 levels
 SMALLEST = 24      # pixels of the smallest region that counts as vanished or appeared
+FEWEST = 4         # strays; fewer may be the rounding of an edge
 STRAY = 64         # levels by which a stray colour differs from the median around it
 WINDOW = 11        # size of the window in which changes along a line are counted
 CROSSINGS = 4      # changes along each line of that window, beyond which two passes fight
@@ -185,4 +186,5 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near))
     strays = outliers(refined, new & ~stripes)
     strays &= ~grown(outliers(plain, grown(strays, allowance.reach)), allowance.reach)  # the plain picture sparkles, too
+    strays &= strays.sum() >= FEWEST
     return Breakage(sharp_area(lost, plain, allowance), sharp_area(new, refined, allowance), stripes, strays)

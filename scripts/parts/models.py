@@ -39,6 +39,8 @@ def write_models(folder: pathlib.Path) -> None:
                                      "material Material { diffuseColor 1 .5 .2 } } geometry Sphere { radius 1.5 } } }\n"
                                      "Transform { translation 2 0 0 children Shape { appearance Appearance { "
                                      "material Material { diffuseColor .2 .5 1 } } geometry Cone { } } }\n")
+    (folder / "world").mkdir(exist_ok=True)  # of Minetest
+    (folder / "world" / "world.mt").write_text("gameid = minetest_game\nbackend = sqlite3\n")
     (folder / "molecule.xyz").write_text(f"{len(ATOMS)}\nstrangers\n" + "".join(f"{e} {x} {y} {z}\n" for e, x, y, z in ATOMS))
     (folder / "molecule.pdb").write_text("".join(
         f"HETATM{i:5d}  {e:<3s} MOL A   1    {x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00           {e}\n"

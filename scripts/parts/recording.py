@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 """Recordings of OpenGL programs: how scripts/traces and scripts/strangers run, replay and read them."""
+import contextlib
 import os
 import pathlib
+import signal
 import subprocess
 
 import numpy
@@ -29,9 +31,17 @@ def on_display(command: list, *options: str) -> list:
 
 
 def run(command: list, more: dict, log: pathlib.Path, limit: float, **options) -> subprocess.CompletedProcess:
-    """Runs a command for at most so many seconds. Its messages go to the log."""
+    """Runs a command for at most so many seconds, and ends what it started. Its messages go to the log."""
     with open(log, "wb") as sink:
-        return subprocess.run(command, env=environment(more), stdin=subprocess.DEVNULL, stderr=sink, timeout=limit, **options)
+        process = subprocess.Popen(command, env=environment(more), stdin=subprocess.DEVNULL, stderr=sink, start_new_session=True,
+                                   **options)
+        try:
+            output, _ = process.communicate(timeout=limit)
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+    return subprocess.CompletedProcess(command, process.returncode, output)
 
 
 def read_frames(stream) -> list:

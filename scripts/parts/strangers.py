@@ -28,9 +28,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LEVEL = 2
 NUMBERS = ("vanished", "appeared", "stripes", "strays")
 MARKS = ("<!-- programs: written by scripts/strangers --write -->", "<!-- end of programs -->")
-# Causes of draws that are no surfaces of objects: points and lines, user interfaces, what draws nothing.
+# Causes of draws that smooth cannot refine: points and lines, user interfaces, what draws nothing, no normals.
 NO_OBJECTS = {"not_triangles", "screen_quad", "overlay", "orthographic", "render_mode", "rasterizer_discard", "invalid_draw",
-              "left_shader", "blended", "no_depth_test", "no_depth_writes"}
+              "left_shader", "blended", "no_depth_test", "no_depth_writes", "no_surface"}
 
 
 def file_of(program: Stranger, folder: pathlib.Path, suffix: str) -> pathlib.Path:
@@ -67,7 +67,7 @@ def record(program: Stranger, folder: pathlib.Path, slow: float) -> list:
         log = file_of(program, folder, ".record.log")
         run(on_display(with_keys(program, command), "--seconds", str(program.seconds * slow), "--screenshot",
                        str(file_of(program, folder, ".ppm"))),
-            {"HOME": str(home), **program.environment}, log, limit=300, stdout=subprocess.DEVNULL)
+            {"HOME": str(home), "PATH": "/usr/games:/usr/bin:/bin", **program.environment}, log, 300, cwd=home, stdout=subprocess.DEVNULL)
         if not whole.exists():
             raise Failure(f"nothing was recorded; see {log}")
         found = frame_calls(whole)
@@ -100,7 +100,7 @@ def replay(program: Stranger, folder: pathlib.Path, variant: str, library: dict,
                "--snapshot-format=PNM", "-S", ",".join(map(str, calls)), str(file_of(program, folder, ".trace"))]
     try:
         with open(pictures, "wb") as sink:
-            result = run(on_display(command), {}, log, limit=limit, stdout=sink)
+            result = run(on_display(command), {}, log, limit, stdout=sink)
         with open(pictures, "rb") as stream:
             frames = read_frames(stream)
     except subprocess.TimeoutExpired:
@@ -199,6 +199,13 @@ def write_table(text: str) -> None:
     page.write_text(f"{before}{MARKS[0]}\n{text}\n{MARKS[1]}{after}")
 
 
+def install(programs: list) -> None:
+    """Installs each program by itself: a package that cannot be had must not keep the others away."""
+    for program in programs:
+        if not installed(program):
+            subprocess.run([str(ROOT / "scripts" / "install_packages"), "--these", *program.packages], check=False)
+
+
 def installed(program: Stranger) -> bool:
     return all(shutil.which(tool) for tool in (program.command[0], "apitrace", "glretrace")) and all(
         pathlib.Path(word).exists() for word in program.command if word.startswith("/"))
@@ -273,6 +280,8 @@ def main() -> int:
             print(program.name, " ".join(program.packages), "installed" if installed(program) else "absent", sep=" | ")
         return 0
     write_models(arguments.folder / "models")
+    if arguments.install:
+        install([program for program in PROGRAMS if not arguments.only or program.name in arguments.only])
     if not arguments.sheet:
         for program in PROGRAMS:
             if installed(program) and is_due(program, arguments):
@@ -280,7 +289,7 @@ def main() -> int:
     results = results_of(arguments.folder)
     rows = [file_of(program, arguments.folder, ".png") for program in PROGRAMS]
     contact_sheet.join([row for row in rows if row.exists()], arguments.folder)
-    text = table([result for result in results if result["modes"]], arguments.modes)
+    text = table([result for result in results if any(mode.get("draws") for mode in result["modes"].values())], arguments.modes)
     if arguments.write:
         write_table(text)
     broken = [result["name"] for result in results if is_broken(result)]

@@ -20,5 +20,5 @@ def step(event):
     view.camera.azimuth += 2
 
 
-timer = app.Timer(1 / 30, connect=step, start=True)
+timer = app.Timer("auto", connect=step, start=True)
 app.run()

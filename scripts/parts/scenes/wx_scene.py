@@ -26,8 +26,8 @@ class Canvas(glcanvas.GLCanvas):
         GL.glEnable(GL.GL_LIGHT0)
         GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
         GL.glLoadIdentity()
+        GL.glOrtho(-1.2, 1.2, -1.2, 1.2, -2, 2)
         GL.glRotatef(self.angle, 0.3, 1, 0)
-        GL.glScalef(0.8, 0.8, 0.8)
         GL.glBegin(GL.GL_TRIANGLES)
         for corner in ball():
             GL.glNormal3f(*corner)
