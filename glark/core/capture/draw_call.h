@@ -54,6 +54,8 @@ struct DrawCall {
   const PolygonSides* polygon_sides =
       nullptr;                        // sizes of several GL_POLYGONs, if they are known; for a bound, the greatest ones
   bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
+  bool from_arrays = false;           // its vertices come from vertex arrays
+  std::uint64_t list_segment = 0;     // or from this ListSegment::identity; 0: from neither
   const ArrayDraw* arrays = nullptr;  // set, or a segment is, if the capture may be kept
   const ListSegment* segment = nullptr;
   std::span<const std::uint32_t> commands = {};  // words of the indirect commands; `arrays` has only mode and index type

@@ -98,7 +98,8 @@ void change_material(Context& c, const DeferredMaterial& change) {
 
 bool replaces_fixed_function(Context& c) {
   const ProgramChoice choice =
-      choose_program(c.state().bindings(), c.state().programs().current().get(), c.is_compatibility());
+      choose_program(c.state().bindings(), c.state().programs().current().get(),
+                     {.is_compatibility = c.capabilities().is_compatibility(), .transparent = c.options().transparent});
   return choice.stage == VertexStage::fixed_function;
 }
 
@@ -121,7 +122,7 @@ void Begin(Context& c, GLenum mode) {
   if (immediate.begin(mode) && c.refining()) {
     const bool joined = is_triangle_mode(mode) && vertices_of_primitive(mode) == 0;
     if (joined && immediate.materials_vary() && materials_count(c)) {
-      track::pass(c, Cause::materials_vary);
+      track::leave(c, {.mode = mode, .issue = [] {}}, Cause::materials_vary);
     } else {
       begin_capture(c, mode);
     }

@@ -54,7 +54,7 @@ Commands read_commands(Context& c, const IndirectDraw& call) {
   const auto draws = static_cast<std::size_t>(call.draws);
   const GLintptr stride = call.stride != 0 ? call.stride : call.command_bytes;
   const bool in_memory = c.state().bindings().draw_indirect_buffer == 0;
-  if (in_memory && (!c.is_compatibility() || call.indirect == nullptr)) {
+  if (in_memory && (!c.capabilities().is_compatibility() || call.indirect == nullptr)) {
     return commands;
   }
   GLint size = 0;
@@ -95,8 +95,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     }
   }
   if (commands.words.empty()) {
-    track::pass(c, Cause::indirect_unbounded);
-    issue();
+    track::leave(c, {.mode = call.mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
     return;
   }
   c.state().refresh();
@@ -111,6 +110,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
                   .polygon_sides = may_restart || sides.empty() ? nullptr : &sides,
                   .arrays = keeps ? &arrays : nullptr,
                   .commands = commands.words,
+                  .from_arrays = true,
                   .issue = issue});
 }
 

@@ -53,25 +53,22 @@ void run_state(Context& c, const ListSegment& segment) {
 }
 
 void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
-  if (materials_differ(c, segment.effects)) {
-    pass(c, Cause::materials_vary);
-    c.gl().CallList(segment.list);
-    c.state().forget_current_values();
-    return;
-  }
   bool issued = false;
   const bool watched = !segment.effects.opaque && segment.vertex_lists.empty();
-  refine(c, {.mode = segment.mode,
-             .triangles = triangles,
-             .exact = segment.exact,
-             .tags_vary = segment.sets_tags,
-             .whole_polygons = segment.whole_polygons,
-             .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
-             .segment = watched ? &segment : nullptr,
-             .issue = [&] {
-               c.gl().CallList(segment.list);
-               issued = true;
-             }});
+  const auto issue = [&] {
+    c.gl().CallList(segment.list);
+    issued = true;
+  };
+  const DrawCall call{.mode = segment.mode,
+                      .triangles = triangles,
+                      .exact = segment.exact,
+                      .tags_vary = segment.sets_tags,
+                      .whole_polygons = segment.whole_polygons,
+                      .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
+                      .list_segment = segment.identity,
+                      .segment = watched ? &segment : nullptr,
+                      .issue = issue};
+  materials_differ(c, segment.effects) ? leave(c, call, Cause::materials_vary) : refine(c, call);
   if (!watched) {
     c.state().forget_current_values();
   }
