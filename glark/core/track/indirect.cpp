@@ -108,9 +108,9 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
                   .exact = call.exact && !may_restart,
                   .whole_polygons = tells_polygons_apart(call.mode, primitives),
                   .polygon_sides = may_restart || sides.empty() ? nullptr : &sides,
+                  .from_arrays = true,
                   .arrays = keeps ? &arrays : nullptr,
                   .commands = commands.words,
-                  .from_arrays = true,
                   .issue = issue});
 }
 
@@ -124,8 +124,10 @@ void DrawArraysIndirect(Context& c, GLenum mode, const void* indirect) {
 }
 
 void DrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect) {
-  draw_indirect(c, {.mode = mode, .indirect = indirect, .command_bytes = elements_command_bytes, .exact = true, .index_type = type},
-                [&] { c.gl().DrawElementsIndirect(mode, type, indirect); });
+  draw_indirect(
+      c,
+      {.mode = mode, .indirect = indirect, .command_bytes = elements_command_bytes, .exact = true, .index_type = type},
+      [&] { c.gl().DrawElementsIndirect(mode, type, indirect); });
 }
 
 void MultiDrawArraysIndirect(Context& c, GLenum mode, const void* indirect, GLsizei draws, GLsizei stride) {

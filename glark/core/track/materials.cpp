@@ -43,17 +43,17 @@ std::array<Value, 4> values_in(const DeferredMaterial& change) {
 namespace hook {
 
 void Materialf(Context& c, GLenum face, GLenum name, GLfloat value) {
-  track::change_material(
-      c, change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const DeferredMaterial& change) {
-        gl.Materialf(change.face, change.name, values_in<GLfloat>(change)[0]);
-      }));
+  track::change_material(c,
+                         change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const DeferredMaterial& change) {
+                           gl.Materialf(change.face, change.name, values_in<GLfloat>(change)[0]);
+                         }));
 }
 
 void Materiali(Context& c, GLenum face, GLenum name, GLint value) {
-  track::change_material(
-      c, change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const DeferredMaterial& change) {
-        gl.Materiali(change.face, change.name, values_in<GLint>(change)[0]);
-      }));
+  track::change_material(c,
+                         change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const DeferredMaterial& change) {
+                           gl.Materiali(change.face, change.name, values_in<GLint>(change)[0]);
+                         }));
 }
 
 void Materialfv(Context& c, GLenum face, GLenum name, const GLfloat* values) {
