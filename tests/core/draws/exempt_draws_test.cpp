@@ -200,6 +200,26 @@ TEST_F(ExemptDraws, ACulledFaceMayHaveLines) {
   EXPECT_EQ(real.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+// Indirect draws read their commands anyway; unchanged ones are captured once.
+TEST_F(ExemptDraws, UnchangedIndirectDrawsAreKept) {
+  use(modern_vertex, modern_fragment);
+  test_depth();
+  std::array<GLuint, 2> buffers{};
+  real.GenBuffers(2, buffers.data());
+  const std::vector<GLfloat> vertices(24 * 4, 0.25F);
+  hook::BindBuffer(*context_, GL_ARRAY_BUFFER, buffers[0]);
+  real.BufferData(GL_ARRAY_BUFFER, 24 * 16, vertices.data(), GL_STATIC_DRAW);
+  hook::VertexAttribPointer(*context_, 0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+  hook::EnableVertexAttribArray(*context_, 0);
+  const std::array<GLuint, 8> commands{12, 1, 0, 0, 12, 1, 12, 0};
+  hook::BindBuffer(*context_, GL_DRAW_INDIRECT_BUFFER, buffers[1]);
+  real.BufferData(GL_DRAW_INDIRECT_BUFFER, sizeof(commands), commands.data(), GL_STATIC_DRAW);
+  const std::uint64_t reused = statistics().captures_reused;
+  for (int i = 0; i < 5; ++i) hook::MultiDrawArraysIndirect(*context_, GL_TRIANGLES, nullptr, 2, 0);
+  EXPECT_EQ(statistics().captures_reused, reused + 3);
+  EXPECT_EQ(real.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 // Interpolated values of the whole triangle and values that cull the whole triangle cannot be had at once.
 TEST_F(ExemptDraws, CullDistancesThatAreReadAreLeft) {
   const std::string extension = "#version 430\n#extension GL_ARB_cull_distance : require\n";
