@@ -3,6 +3,7 @@
 #include "glark/core/plan/derived_key.h"
 
 #include "glark/core/shape.h"
+#include "glark/core/weld/weld.h"
 
 namespace glark::core {
 
@@ -18,7 +19,7 @@ DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
   const bool first =
       b.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !captures_last_vertex(b, state.capabilities, request.mode);
   DerivedKey key;
-  key.refinement = transparent ? state.options.refinement : state.ark.refinement;
+  key.refinement = request.refinement;
   key.provoking_corner = first ? 0 : 2;
   key.flat_colors = compatibility && b.shade_model == GL_FLAT;
   key.clamp_colors = compatibility && b.clamp_vertex_color;
@@ -29,6 +30,8 @@ DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
   add_shape(state.options, state.ark, key);
   return key;
 }
+
+float crease_of(const ContextOptions& options) { return options.transparent ? options.crease : weld::no_crease; }
 
 void add_welded_words(DerivedKey& key, bool turns) {
   key.turns = key.welded && turns;

@@ -24,12 +24,16 @@ struct KeyState {
 bool captures_last_vertex(const Bindings& bindings, const Capabilities& capabilities, GLenum mode);
 
 struct KeyRequest {
+  Refinement refinement = Refinement::linear_inputs;  // choose_refinement()
   GLenum mode = GL_TRIANGLES;
   bool tagged = false;    // records hold depth tags
   bool placed = false;    // pieces have a placement
   bool morphing = false;  // vertices move between levels
 };
 DerivedKey derived_key(const KeyState& state, const KeyRequest& request);
+// The angle beyond which shared normals do not curve an edge, in degrees. A program that calls the API gets what its
+// normals say.
+float crease_of(const ContextOptions& options);
 // Adds the words that welding writes to the records, if there is room. `turns`: normals are measured.
 void add_welded_words(DerivedKey& key, bool turns);
 

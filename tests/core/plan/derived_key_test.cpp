@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "glark/core/weld/weld.h"
+
 namespace glark::core {
 namespace {
 
@@ -43,13 +45,10 @@ TEST_F(DerivedKeys, FlatShadingIsOfCompatibilityContexts) {
   EXPECT_FALSE(key().clamp_colors);
 }
 
-TEST_F(DerivedKeys, TheSurfaceIsTheUsersInTransparentRefinement) {
-  options.refinement = Refinement::pn;
+TEST_F(DerivedKeys, WeldingIsTheUsersInTransparentRefinement) {
   options.weld = true;
-  EXPECT_EQ(key().refinement, Refinement::linear_inputs);
   EXPECT_FALSE(key().welded);
   options.transparent = true;
-  EXPECT_EQ(key().refinement, Refinement::pn);
   EXPECT_TRUE(key().welded);
 }
 
@@ -64,8 +63,16 @@ TEST_F(DerivedKeys, WeldedWordsNeedWelding) {
   EXPECT_TRUE(welded.turns && welded.border);
 }
 
+TEST_F(DerivedKeys, CreasesLimitTransparentRefinementOnly) {
+  options.crease = 30;
+  EXPECT_EQ(crease_of(options), weld::no_crease);
+  options.transparent = true;
+  EXPECT_EQ(crease_of(options), 30);
+}
+
 TEST_F(DerivedKeys, WhatTheDrawAsksForIsInTheKey) {
-  const DerivedKey asked = key({.tagged = true, .placed = true, .morphing = true});
+  const DerivedKey asked = key({.refinement = Refinement::pn, .tagged = true, .placed = true, .morphing = true});
+  EXPECT_EQ(asked.refinement, Refinement::pn);
   EXPECT_TRUE(asked.tagged && asked.placed && asked.morphing);
   EXPECT_FALSE(key().tagged || key().placed || key().morphing);
 }

@@ -58,9 +58,9 @@ class ProgramBuilder {
  private:
   GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources,
                           GLuint settings_of, const core::DerivedKey& key, std::string& error) const;
+  void check_inputs(core::Program& program) const;
   void bind_inputs(GLuint name, const core::DerivedKey& key) const;
   bool needs_stage(GLenum stage, bool at_corner) const;
-  bool interpolates_outputs(const core::Program& program) const;
   int most_chunks(bool placed) const;
   capture::WeldedWords welded_words(const core::Program& program, const std::vector<capture::Field>& fields,
                                     int coordinate_field, const core::DerivedKey& key) const;

@@ -45,10 +45,11 @@ struct Program {
   bool from_binary = false;
   bool linked = true;          // false: GL runs the executable from before the last link, and cannot return to it
   bool may_store = false;      // its shaders may write buffers
-  bool prepared = false;       // the next three members are valid
+  bool prepared = false;       // the next four members are valid
   std::optional<Cause> cause;  // why it cannot be refined
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
+  refine::VertexInputTraits input_traits;
   bool subroutines_asked = false;  // the next member is valid
   bool uses_subroutines = false;
   std::map<DerivedKey, std::shared_ptr<DerivedProgram>> derived;  // null: it could not be derived
@@ -60,6 +61,7 @@ struct Program {
   bool left_alone = false;                    // the user named its hash
   bool conventional_projection = false;       // reads_conventional_projection()
   ProgramCounters* counters = nullptr;        // valid if prepared
+  unsigned logged_fallbacks = 0;              // bits by RefinementFallback: its line is in the log
   bool uniforms_stale = false;  // a display list changed uniforms: copy all values before the next refined draw
 
   bool has_stage(GLenum stage) const {
