@@ -144,7 +144,25 @@ TEST_F(Creases, ASheetOfTwoFacesIsOneSurface) {
   expect_unchanged(with_backs(leaf));
 }
 
-TEST_F(Creases, BoundariesAreNoCreases) { expect_unchanged(bent_leaf()); }
+TEST_F(Creases, GentleBoundariesStayCurved) { expect_unchanged(bent_leaf()); }
+
+// Each face is a draw of its own, as where faces have different textures.
+TEST_F(Creases, FacesDrawnAloneKeepTheirShape) {
+  SplitMesh box = averaged(cube());
+  for (CurvedVertex& vertex : box.vertices) vertex.normal = unit(vertex.position);
+  const SplitMesh ball = averaged(octahedron());
+  for (std::size_t t = 0; t < box.triangles(); t += 2) {
+    SplitMesh face;
+    face.add(positions_of(box, t), normals_of(box, t));
+    face.add(positions_of(box, t + 1), normals_of(box, t + 1));
+    expect_straight(face);
+  }
+  for (std::size_t t = 0; t < ball.triangles(); ++t) {
+    SplitMesh face;
+    face.add(positions_of(ball, t), normals_of(ball, t));
+    expect_unchanged(face);
+  }
+}
 
 // A fin stands on a smooth surface and shares its normals. The sheet does not bend where the fin stands.
 TEST_F(Creases, TheGreatestAngleOfThreeSidesCounts) {
