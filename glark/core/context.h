@@ -44,10 +44,8 @@ class Context final : private ProgramWatcher {
   // At the end of a frame, before buffers are swapped.
   void frame_finished();
 
-  const gl::Dispatch& gl() const { return gl_; }                // for the application's calls
-  const gl::Dispatch& supported() const { return supported_; }  // for our calls: only what the context offers
+  const gl::Dispatch& gl() const { return gl_; }  // for the application's calls
   const Capabilities& capabilities() const { return capabilities_; }
-  bool is_compatibility() const { return capabilities_.is_compatibility(); }
   ContextOptions& options() { return options_; }
   const ContextOptions& options() const { return options_; }
   ArkState& ark() { return ark_; }
@@ -85,7 +83,7 @@ class Context final : private ProgramWatcher {
   void program_changed(Program& program, GLuint name) override;
 
   const gl::Dispatch& gl_;
-  gl::Dispatch supported_;
+  gl::Dispatch supported_;  // for our calls: only what the context offers
   std::shared_ptr<ShareGroup> share_;
   ContextOptions options_;
   Capabilities capabilities_;

@@ -36,6 +36,7 @@ void RefinedDraw::run(const DrawCall& call) {
   }
   const DrawPlan& plan = decision.plan;
   if (const std::optional<Cause> cause = parts_.passes.ensure_room(plan, call.triangles)) {
+    parts_.meshes.judge(call, &plan.program->fields, cause);
     draw_as_asked(call, *cause, quiet);
     return;
   }
@@ -50,6 +51,12 @@ void RefinedDraw::run(const DrawCall& call) {
   refine(plan, triangles, kept, welded);
   count_refined(plan);
   parts_.capture.count_drawn(triangles, plan.depth.adaptive ? 0 : plan.depth.level);
+}
+
+void RefinedDraw::leave(const DrawCall& call, Cause cause) {
+  env_.state.refresh();
+  parts_.meshes.judge(call, nullptr, cause);
+  pass(cause);
 }
 
 void RefinedDraw::draw_as_asked(const DrawCall& call, Cause cause, const Quiet& quiet) {

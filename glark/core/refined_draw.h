@@ -13,6 +13,7 @@
 #include "glark/core/feedback/refined_feedback.h"
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
+#include "glark/core/meshes/mesh_watch.h"
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
@@ -34,6 +35,7 @@ class RefinedDraw {
     submit::Submission& submission;
     RefinedFeedback& feedback;
     ImmediateCapture& immediate;
+    MeshWatch& meshes;
   };
   RefinedDraw(const Environment& environment, const Parts& parts) : env_(environment), parts_(parts) {}
 
@@ -42,10 +44,11 @@ class RefinedDraw {
   // glBegin in a triangle mode. Returns how many triangles fit until glEnd; 0 means that the caller begins unrefined.
   std::uint64_t begin_immediate(GLenum mode);
   void end_immediate(std::uint64_t triangles);
-  // Counts a draw that the caller makes unrefined.
-  void pass(Cause cause);
+  // Notes a draw that the caller makes unrefined.
+  void leave(const DrawCall& call, Cause cause);
 
  private:
+  void pass(Cause cause);
   void draw_as_asked(const DrawCall& call, Cause cause, const Quiet& quiet);
   capture::CoarseTriangles capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept, const Quiet& quiet);
   void refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept, bool welded);

@@ -126,8 +126,8 @@ void Reader::parse(std::string_view text) {
     parts_.push_back({std::move(whole).table(), 0});
     return;
   }
-  // The file has an error: parse it table by table, so that the other tables count. This also cuts lists of lists and
-  // texts of several lines, so a correct file is never parsed this way.
+  // The file has an error: parse it table by table, so that the tables without errors are still used. This way also
+  // cuts lists of lists and texts of several lines, so correct files are parsed as a whole.
   const std::vector<std::string_view> lines = lines_of(text);
   for (std::size_t first = 0; first < lines.size();) {
     std::size_t end = first + 1;
@@ -177,7 +177,9 @@ void Reader::apply_table(const Part& part, const toml::table& table, bool all_pr
     }
     const Setting* setting = find_setting(name);
     if (setting == nullptr || !setting->in_file) {
-      complain(part, node, fmt::format("there is no key \"{}\"; the keys are {}", name, known_keys()));
+      const std::string_view nearest = nearest_key(name);
+      const std::string meant = nearest.empty() ? "" : fmt::format("is \"{}\" meant? ", nearest);
+      complain(part, node, fmt::format("there is no key \"{}\"; {}the keys are {}", name, meant, known_keys()));
       continue;
     }
     apply_value(part, *setting, node);
@@ -188,7 +190,7 @@ void Reader::apply_value(const Part& part, const Setting& setting, const toml::n
   const std::optional<std::string> text = text_of(node);
   if (!text)
     complain(part, node, fmt::format("{} has a value of another kind; {} is needed", setting.key, setting.needed));
-  else if (!setting.read(settings_, *text))
+  else if (!give(setting, settings_, *text))
     complain(part, node, fmt::format("{} is \"{}\"; {} is needed", setting.key, *text, setting.needed));
 }
 

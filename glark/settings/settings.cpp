@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "glark/settings/configuration.h"
+#include "glark/settings/idle_settings.h"
+#include "glark/settings/nearest_name.h"
 #include "glark/settings/table.h"
 
 namespace glark::settings {
@@ -35,7 +38,7 @@ std::string wrong_value(std::string_view name, std::string_view text, std::strin
 void read_variables(const char* const* environment, Parsed& parsed) {
   for (const Setting& setting : table()) {
     const std::optional<std::string_view> text = find_variable(environment, setting.variable);
-    if (text && !text->empty() && !setting.read(parsed.settings, *text))
+    if (text && !text->empty() && !give(setting, parsed.settings, *text))
       parsed.problems.push_back(wrong_value(setting.variable, *text, setting.needed));
   }
 }
@@ -44,27 +47,43 @@ void read_variables(const char* const* environment, Parsed& parsed) {
 void limit_level(Parsed& parsed) {
   core::ContextOptions& context = parsed.settings.context;
   if (context.level <= context.max_level) return;
-  if (parsed.settings.max_level_set) {
-    parsed.problems.push_back(
-        fmt::format("the level {0} exceeds the limit {1}; {1} is used; raise GLARK_MAX_LEVEL or max-level",
-                    context.level, context.max_level));
+  if (parsed.settings.is_given("max-level")) {
+    parsed.problems.push_back(fmt::format("--level {0} exceeds --max-level {1}; level {1} is used; raise --max-level",
+                                          context.level, context.max_level));
     context.level = context.max_level;
   } else {
     context.max_level = context.level;
   }
 }
 
-void warn_of_unused(Parsed& parsed) {
-  const core::ContextOptions& context = parsed.settings.context;
-  if (context.measure.budget > 0 && !context.measure.on())
-    parsed.problems.emplace_back("GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
-  for (const core::RefinementTraits& row : core::refinements) {
-    const float number = context.shape_numbers.at(static_cast<std::size_t>(row.refinement));
-    if (number != row.number.initial && context.refinement != row.refinement)
-      parsed.problems.push_back(fmt::format("{} has no effect without GLARK_REFINE={}", row.number.variable, row.word));
+// A misspelt variable would have no effect.
+void find_unknown_variables(const char* const* environment, std::vector<std::string>& problems) {
+  std::vector<std::string_view> known{variable::enable, variable::library};
+  for (const Setting& setting : table()) known.emplace_back(setting.variable);
+  for (; environment != nullptr && *environment != nullptr; ++environment) {
+    const std::string_view entry = *environment;
+    const std::string_view name = entry.substr(0, entry.find('='));
+    if (!name.starts_with("GLARK_") || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string_view nearest = nearest_name(name, known);
+    problems.push_back(nearest.empty()
+                           ? fmt::format("{} is not a variable of glark and has no effect; man glark lists them", name)
+                           : fmt::format("{} is not a variable of glark and has no effect; is {} meant?", name, nearest));
   }
-  if (context.geomorph && !context.measure.on())
-    parsed.problems.emplace_back("GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
+}
+
+void find_idle(Parsed& parsed) {
+  const std::vector<std::string> idle = idle_settings(parsed.settings);
+  parsed.problems.insert(parsed.problems.end(), idle.begin(), idle.end());
+}
+
+// Without GLARK_ENABLE, only programs that call the extension are refined, and they choose these themselves.
+void find_disabled(Parsed& parsed) {
+  for (const std::string_view key : {"level", "edge-pixels", "curvature", "refine"}) {
+    if (!parsed.settings.is_given(key)) continue;
+    parsed.problems.push_back(fmt::format("{} has no effect without {}=1 on a program that does not call the extension",
+                                          find_setting(key)->variable, variable::enable));
+    return;
+  }
 }
 
 }  // namespace
@@ -84,6 +103,9 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
   apply_defaults(settings);
   settings.leave_alone = makes_its_own_calls(names);
   read_configuration_file(environment, names, parsed);
+  // A variable must not make a setting of the file a mistake: the file is judged alone.
+  if (!settings.leave_alone) find_idle(parsed);
+  std::set<std::string_view> in_file = std::exchange(settings.given, {});
   if (const auto enable = find_variable(environment, variable::enable); enable && !enable->empty()) {
     if (const std::optional<bool> wanted = parse_switch(*enable))
       settings.context.transparent = *wanted;
@@ -91,8 +113,11 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
       parsed.problems.push_back(wrong_value(variable::enable, *enable, "0 or 1"));
   }
   read_variables(environment, parsed);
+  find_unknown_variables(environment, parsed.problems);
+  find_idle(parsed);
+  if (!find_variable(environment, variable::enable)) find_disabled(parsed);
+  settings.given.merge(in_file);
   limit_level(parsed);
-  warn_of_unused(parsed);
   settings.context.transparent = settings.context.transparent && !settings.leave_alone;
   settings.context.read_counts = !settings.statistics_file.empty();
   if (settings.everything) {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,8 +20,9 @@
 namespace glark::settings {
 
 namespace variable {
-inline constexpr char enable[] = "GLARK_ENABLE";  // 1: refine a program that does not call the extension
-inline constexpr char config[] = "GLARK_CONFIG";  // FILE: replaces the configuration file of the XDG folders
+inline constexpr char enable[] = "GLARK_ENABLE";    // 1: refine a program that does not call the extension
+inline constexpr char config[] = "GLARK_CONFIG";    // FILE: replaces the configuration file of the XDG folders
+inline constexpr char library[] = "GLARK_LIBRARY";  // FILE: the library that the launcher preloads
 }  // namespace variable
 
 struct CaptureRequest {
@@ -33,11 +35,13 @@ struct Settings {
   core::ContextOptions context;  // `transparent` needs GLARK_ENABLE
   core::LogLevel log_level = core::LogLevel::warning;
   std::vector<CaptureRequest> captures;
-  std::string statistics_file;  // empty: none
-  std::string dump_folder;      // for the sources of shaders; empty: none
-  bool everything = false;      // refine every draw and shader
-  bool leave_alone = false;     // refine nothing in this program
-  bool max_level_set = false;   // whether the user set max_level
+  std::string statistics_file;            // empty: none
+  std::string dump_folder;                // for the sources of shaders; empty: none
+  bool everything = false;                // refine every draw and shader
+  bool leave_alone = false;               // refine nothing in this program
+  std::set<std::string_view> given = {};  // keys that the user set, from the table
+
+  bool is_given(std::string_view key) const { return given.contains(key); }
 };
 
 // An invalid value leaves its setting unchanged and adds a sentence to `problems`.
@@ -47,7 +51,7 @@ struct Parsed {
 };
 
 // Reads the configuration file, then the environment, which wins. `environment` is like `environ`: "NAME=value" strings
-// up to a null pointer; it may be null. In the file, only the tables of the programs `names` count.
+// up to a null pointer; it may be null. Of the file's tables, only those of the programs in `names` are read.
 Parsed parse(const char* const* environment, std::span<const std::string> names = {});
 
 // Returns the value of a variable, or nothing if the variable is unset.

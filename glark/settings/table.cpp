@@ -6,11 +6,16 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "glark/settings/nearest_name.h"
 
 namespace glark::settings {
 namespace {
 
 static_assert(core::max_supported_level == 11, "the texts below name the limit");
+
+constexpr std::string_view smooth_word = "smooth";
 
 template <class T, class U>
 bool assign(std::optional<T> value, U& setting) {
@@ -23,9 +28,10 @@ std::optional<std::string> parse_file(std::string_view text) {
   return text.empty() || text.find('\0') != std::string_view::npos ? std::nullopt : std::optional(std::string(text));
 }
 
-bool read_max_level(Settings& s, std::string_view text) {
-  const bool valid = assign(parse_level(text), s.context.max_level);
-  s.max_level_set = s.max_level_set || valid;
+bool read_refinement(Settings& s, std::string_view text) {
+  const bool smooth = text == smooth_word;
+  const bool valid = assign(smooth ? core::Refinement::pn : parse_refinement(text), s.context.refinement);
+  if (valid) s.context.smooth = smooth;
   return valid;
 }
 
@@ -57,14 +63,27 @@ struct Text {
 
 enum class RefinementText { words, help, details };
 
+// `smooth` is no refinement of its own: it chooses between pn and none, mesh by mesh.
+constexpr std::string_view smooth_help = "curved where all passes over a mesh can be";
+constexpr std::string_view smooth_details =
+    "smooth curves meshes as pn does, if they have normals and every pass over them can be curved. Everything else "
+    "stays "
+    "as the program draws it. A mesh is curved from the third frame on that draws it. ";
+
 // Calls `add` with the parts of "a, b or c", or with the sentences.
 constexpr void list_refinements(RefinementText wanted, auto&& add) {
+  add(wanted == RefinementText::details ? smooth_details : smooth_word);
+  if (wanted == RefinementText::help) {
+    add(" (");
+    add(smooth_help);
+    add(")");
+  }
   for (std::size_t i = 0; i < core::refinements.size(); ++i) {
     if (wanted == RefinementText::details) {
       add(core::refinements[i].details);
       continue;
     }
-    add(i == 0 ? "" : i + 1 < core::refinements.size() ? ", " : " or ");
+    add(i + 1 < core::refinements.size() ? ", " : " or ");
     add(core::refinements[i].word);
     if (wanted == RefinementText::words) continue;
     add(" (");
@@ -131,7 +150,8 @@ constexpr std::array first_settings{
             "Replace every triangle by 4^N triangles", "",
             [](Settings& s, std::string_view text) { return assign(parse_level(text), s.context.level); }},
     Setting{depth, "max-level", "GLARK_MAX_LEVEL", Kind::value, "N", level_needed, "6", "",
-            "Prepare patterns up to level N", "A higher --level raises this limit unless the limit was set too.", read_max_level},
+            "Prepare patterns up to level N", "A higher --level raises this limit unless the limit was set too.",
+            [](Settings& s, std::string_view text) { return assign(parse_level(text), s.context.max_level); }},
     Setting{depth, "edge-pixels", "GLARK_EDGE_PIXELS", Kind::value, "P", "a number from 0.5 to 10000, or 0 for none,", "0", "off",
             "Refine each edge by its length on the screen, into segments of at most P pixels", "Replaces --level.",
             [](Settings& s, std::string_view text) { return assign(parse_edge_pixels(text), s.context.measure.pixels); }},
@@ -147,9 +167,8 @@ constexpr std::array first_settings{
             "With a --budget, depths change slowly, so that some frames may exceed the budget.",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.geomorph); }},
 
-    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words.view(), "linear", "",
-            refinement_help.view(), refinement_details.view(),
-            [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
+    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words.view(), smooth_word, "",
+            refinement_help.view(), refinement_details.view(), read_refinement},
     Setting{shape, "crease", "GLARK_CREASE", Kind::value, "DEGREES", "degrees from 0 to 180", "80", "",
             "Keep edges straight whose faces share their normals but meet at more than DEGREES",
             "Curved triangles then stay within half of their least height. 180 curves every edge as its normals say.",
@@ -239,10 +258,22 @@ std::string_view shown_default(const Setting& setting) {
   return setting.shown.empty() ? setting.initial : setting.shown;
 }
 
+std::string_view nearest_key(std::string_view wrong) {
+  std::vector<std::string_view> keys;
+  for (const Setting& setting : settings_table)
+    if (setting.in_file) keys.push_back(setting.key);
+  return nearest_name(wrong, keys);
+}
+
+bool give(const Setting& setting, Settings& settings, std::string_view text) {
+  const bool valid = setting.read(settings, text);
+  if (valid) settings.given.insert(setting.key);
+  return valid;
+}
+
 void apply_defaults(Settings& settings) {
   for (const Setting& setting : settings_table)
     if (!setting.initial.empty()) setting.read(settings, setting.initial);
-  settings.max_level_set = false;
 }
 
 }  // namespace glark::settings

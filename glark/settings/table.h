@@ -42,6 +42,12 @@ std::span<const Setting> table();
 const Setting* find_setting(std::string_view key);
 std::string_view shown_default(const Setting& setting);
 
+// Returns the key that `wrong` was probably meant to be, or an empty text.
+std::string_view nearest_key(std::string_view wrong);
+
+// Sets the setting as the user wants. Returns false and changes nothing if `text` is no value of it.
+bool give(const Setting& setting, Settings& settings, std::string_view text);
+
 // Sets every setting to its default.
 void apply_defaults(Settings& settings);
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "glark/tool/exec.h"
-#include "glark/tool/info.h"
+#include "glark/tool/info/info.h"
 #include "glark/tool/run.h"
 #include "glark/tool/settings_pages.h"
 
@@ -71,6 +71,17 @@ std::vector<std::string> take_program(const CLI::App& run, std::vector<std::stri
   return taken;
 }
 
+// CLI11 names an option that it does not know, but not the one that was meant.
+std::string with_nearest_option(const std::string& problem, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    const std::string key = word.starts_with("--") ? word.substr(2, word.find('=') - 2) : std::string();
+    if (key.empty() || glark::settings::find_setting(key) != nullptr) continue;
+    const std::string_view nearest = glark::settings::nearest_key(key);
+    if (!nearest.empty()) return fmt::format("there is no option --{}; is --{} meant?", key, nearest);
+  }
+  return problem;
+}
+
 int complain(const std::string& problem) {
   std::fprintf(stderr, "glark: %s; glark --help lists the commands, glark run --help the options\n", problem.c_str());
   return exit_usage;
@@ -121,7 +132,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& wanted) {  // --help, --version
     return commands.app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return complain(error.what());
+    return complain(with_nearest_option(error.what(), words));
   }
   if (commands.info->parsed()) return glark::tool::info();
   if (commands.settings->parsed()) return print_settings(commands.page);

@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "glark/tool/start/notices.h"
+
 namespace glark::tool {
 namespace {
 
@@ -19,14 +21,11 @@ namespace fs = std::filesystem;
 namespace variable = settings::variable;
 
 constexpr char library_name[] = "libGLARK.so";
-constexpr char library_variable[] = "GLARK_LIBRARY";
-
-void say(const std::string& message) { std::fprintf(stderr, "glark: %s\n", message.c_str()); }
 
 std::optional<fs::path> find_library() {
-  if (const char* wanted = std::getenv(library_variable); wanted != nullptr && *wanted != '\0') {
+  if (const char* wanted = std::getenv(variable::library); wanted != nullptr && *wanted != '\0') {
     if (fs::exists(wanted)) return fs::absolute(wanted);
-    say(fmt::format("{} names {}, which does not exist; correct it or unset it", library_variable, wanted));
+    say(fmt::format("{} names {}, which does not exist; correct it or unset it", variable::library, wanted));
     return std::nullopt;
   }
   std::error_code error;
@@ -34,7 +33,7 @@ std::optional<fs::path> find_library() {
   for (const fs::path folder : {"lib", "lib/glark", GLARK_LIBRARY_FOLDER, GLARK_LIBRARY_FOLDER "/glark"})
     if (const fs::path file = prefix / folder / library_name; fs::exists(file)) return file;
   say(fmt::format("{} is not in {}; install glark completely or set {} to the file", library_name,
-                  (prefix / "lib").string(), library_variable));
+                  (prefix / "lib").string(), variable::library));
   return std::nullopt;
 }
 
@@ -128,24 +127,47 @@ bool set_environment(const RunOptions& options) {
   return true;
 }
 
+void print_notices(const fs::path& library, const std::vector<std::string>& command) {
+  const ProgramFile own = read_program_file(library.string());
+  if (!own.elf) {
+    say(fmt::format("{} is not a library; the program stays unrefined", library.string()));
+    return;
+  }
+  for (const std::string& notice : start_notices(read_command(command[0]), *own.elf)) say(notice);
+}
+
 }  // namespace
 
-int run(const RunOptions& options, const std::vector<std::string>& command) {
-  if (!set_environment(options)) return exit_usage;
-  const std::optional<fs::path> library = find_library();
-  if (!library || !preload(*library)) return exit_usage;
+void say(const std::string& message) { std::fprintf(stderr, "glark: %s\n", message.c_str()); }
 
+bool prepare_run(const RunOptions& options, const std::vector<std::string>& command) {
+  if (!set_environment(options)) return false;
+  const std::optional<fs::path> library = find_library();
+  if (!library || !preload(*library)) return false;
+  print_notices(*library, command);
+  return true;
+}
+
+int become_program(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
   for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
   execvp(arguments[0], arguments.data());
   const int error = errno;
+  if (const std::optional<std::string> reason = cannot_run(read_command(command[0]))) {
+    say(*reason);
+    return exit_not_executable;
+  }
   if (error == ENOENT) {
     say(fmt::format("the program {} is not found; check its name or give its path", command[0]));
     return exit_not_found;
   }
   say(fmt::format("the program {} cannot be run: {}", command[0], std::strerror(error)));
   return exit_not_executable;
+}
+
+int run(const RunOptions& options, const std::vector<std::string>& command) {
+  return prepare_run(options, command) ? become_program(command) : exit_usage;
 }
 
 }  // namespace glark::tool

@@ -65,7 +65,7 @@ class ReadState {
       gl_.GetIntegerv(pack_parameters[i].name, &pack_[i]);
       gl_.PixelStorei(pack_parameters[i].name, pack_parameters[i].value);
     }
-    if (context.is_compatibility()) save_transfer();
+    if (context.capabilities().is_compatibility()) save_transfer();
     select_default_framebuffer(es);
   }
 

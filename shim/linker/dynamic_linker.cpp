@@ -6,6 +6,7 @@
 #include <elf.h>
 #include <link.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -74,6 +75,22 @@ void* address_of_dlvsym() {
   }
   return nullptr;
 }
+
+// Returns whether the object was linked with a library of this file name.
+bool needs(const link_map& object, std::string_view file) {
+  const SymbolTable table = symbol_table(object);
+  for (const ElfW(Dyn)* entry = object.l_ld; entry->d_tag != DT_NULL && table.strings != nullptr; ++entry)
+    if (entry->d_tag == DT_NEEDED && table.strings + entry->d_un.d_val == file) return true;
+  return false;
+}
+
+bool defines_any(const link_map& object, std::span<const char* const> names) {
+  const SymbolTable table = symbol_table(object);
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return find_defined(table, name) != nullptr; });
+}
+
+std::string_view file_of(std::string_view path) { return path.substr(path.rfind('/') + 1); }
 
 DynamicLinker find_linker() {
   DynamicLinker linker;
@@ -148,6 +165,20 @@ void* symbol_of_loaded_gl(const char* name) {
 void* find_symbol(const char* name) {
   void* symbol = next_symbol(name);
   return symbol != nullptr ? symbol : symbol_of_loaded_gl(name);
+}
+
+std::string gl_library_before_us(std::span<const char* const> names) {
+  Dl_info info{};
+  link_map* own = nullptr;
+  if (dladdr1(reinterpret_cast<void*>(&real_linker), &info, reinterpret_cast<void**>(&own), RTLD_DL_LINKMAP) == 0)
+    return {};
+  bool linked = false;
+  std::string before;
+  for (const link_map* object = _r_debug.r_map; object != nullptr && object != own; object = object->l_next) {
+    linked = linked || needs(*object, file_of(own->l_name));
+    if (before.empty() && is_gl_library(object->l_name) && defines_any(*object, names)) before = object->l_name;
+  }
+  return linked ? before : std::string();
 }
 
 bool gl_is_loaded() { return !loaded_gl_libraries().empty(); }

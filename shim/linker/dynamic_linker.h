@@ -4,6 +4,7 @@
 // The real dlsym, dlvsym and dlopen behind ours, and the libraries that are loaded in this process.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,10 @@ template <class Function>
 Function find_function(const char* name) {
   return reinterpret_cast<Function>(find_symbol(name));
 }
+
+// If the program was linked with this library behind a GL library that defines one of the names, returns the path of
+// that GL library: its functions are called instead of ours. Else returns an empty text.
+std::string gl_library_before_us(std::span<const char* const> names);
 
 // Returns whether any GL library is loaded.
 bool gl_is_loaded();

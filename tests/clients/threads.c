@@ -20,8 +20,8 @@
 
 #include <string.h>
 
-#include "picture.h"
-#include "sphere.h"
+#include "tests/clients/scene/picture.h"
+#include "tests/clients/scene/sphere.h"
 
 enum { thread_count = 6, tile_size = 64, tiles_across = picture_size / tile_size };
 

@@ -181,9 +181,24 @@ TEST(Configuration, AFileThatCannotBeReadIsTold) {
 TEST(Configuration, EverythingLeavesNothingAlone) {
   const Parsed parsed =
       parse_with({"GLARK_LEAVE_DRAWS=blended", "GLARK_LEAVE_SHADERS=0123456789abcdef", "GLARK_EVERYTHING=1"});
-  EXPECT_TRUE(parsed.problems.empty());
+  EXPECT_EQ(parsed.problems.size(), 2u);
   EXPECT_EQ(parsed.settings.context.left_draws, 0u);
   EXPECT_TRUE(parsed.settings.context.left_shaders.empty());
+}
+
+TEST(Configuration, OnlyAFileThatIsIdleByItselfIsTold) {
+  const Folder folder;
+  const std::string alone = "GLARK_CONFIG=" + folder.write("a.toml", "budget = 9\n");
+  EXPECT_EQ(parse_with({"GLARK_ENABLE=1", alone}).problems.size(), 1u);
+  const std::string whole = "GLARK_CONFIG=" + folder.write("b.toml", "tension = 0.5\nrefine = 'stpn'\n");
+  EXPECT_TRUE(parse_with({"GLARK_ENABLE=1", whole, "GLARK_REFINE=pn"}).problems.empty());
+}
+
+TEST(Configuration, AWrongKeyIsToldWithTheNearest) {
+  const Applied applied = apply("max_level = 3\n");
+  ASSERT_EQ(applied.problems.size(), 1u);
+  EXPECT_TRUE(applied.problems[0].starts_with("f.toml:1:13: there is no key \"max_level\"; is \"max-level\" meant? the keys"))
+      << applied.problems[0];
 }
 
 TEST(Configuration, AProgramThatIsLeftAloneIsNotTransparent) {

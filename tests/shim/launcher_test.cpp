@@ -46,7 +46,25 @@ TEST(Launcher, AMissingProgramIs127) { expect_refused("run no-such-program", 127
 TEST(Launcher, AProgramThatIsNotExecutableIs126) {
   expect_refused("run /etc/passwd", 126, "/etc/passwd cannot be run: Permission denied");
 }
+TEST(Launcher, AFolderIs126) { expect_refused("run /etc", 126, "/etc is a folder; name a program in it"); }
+TEST(Launcher, AScriptWithoutItsInterpreterIs126) {
+  const std::string script = PROGRAM_FOLDER "/script_for_nobody";
+  run("printf '#!/nowhere/perl\\n' > " + script + "; chmod +x " + script);
+  expect_refused("run " + script, 126, "is a script for /nowhere/perl, which is not installed");
+}
+TEST(Launcher, AStaticProgramIsTold) {
+  const std::string folder = PROGRAM_FOLDER;
+  const Outcome built = run("echo 'int main(void) { return 5; }' > " + folder + "/static.c && cc -static " + folder +
+                            "/static.c -o " + folder + "/static");
+  if (built.status != 0) GTEST_SKIP() << "no static C library here";
+  const Outcome outcome = glark("run " + folder + "/static");
+  EXPECT_EQ(outcome.status, 5);
+  EXPECT_NE(outcome.output.find("is linked statically"), std::string::npos) << outcome.output;
+}
 TEST(Launcher, AnUnknownOptionIs2) { expect_refused("run --depth 3 true", 2, "--depth"); }
+TEST(Launcher, AnUnknownOptionIsToldWithTheNearest) {
+  expect_refused("run --levle 3 true", 2, "there is no option --levle; is --level meant?");
+}
 TEST(Launcher, AnUnknownCommandIs2) { expect_refused("walk", 2, "walk"); }
 TEST(Launcher, NoCommandIs2) { expect_refused("", 2, "glark --help"); }
 TEST(Launcher, NoProgramIs2) { expect_refused("run --level 2", 2, "no program"); }
@@ -54,7 +72,7 @@ TEST(Launcher, ALevelBeyondTheLimitIs2) {
   expect_refused("run --level 12 true", 2, "\"12\" is not valid; an integer from 0 to 11 is needed");
 }
 TEST(Launcher, AnUnknownRefinementIs2) {
-  expect_refused("run --refine cubic true", 2, "linear, outputs, pn, stpn or phong");
+  expect_refused("run --refine cubic true", 2, "smooth, linear, outputs, pn, stpn or phong");
 }
 TEST(Launcher, ACaptureWithoutAFrameIs2) { expect_refused("run --capture a.png true", 2, "FRAME:FILE.png"); }
 TEST(Launcher, ACaptureFolderThatIsMissingIs2) {
@@ -80,7 +98,14 @@ TEST(Launcher, HelpAndVersionSucceed) {
 TEST(Launcher, InfoNamesTheRenderer) {
   const Outcome outcome = glark("info");
   EXPECT_LE(outcome.status, 1);
-  EXPECT_NE(outcome.output.find("OSMesa\n"), std::string::npos) << outcome.output;
+  for (const char* way : {"GLX\n", "OSMesa\n", "EGL without a surface, OpenGL\n"})
+    EXPECT_NE(outcome.output.find(way), std::string::npos) << outcome.output;
+}
+
+TEST(Launcher, InfoSaysWhyThereIsNoGlx) {
+  EXPECT_NE(run("env -u DISPLAY " GLARK_TOOL " info").output.find("GLX\n  not available here: DISPLAY is not set"),
+            std::string::npos);
+  EXPECT_NE(run("env DISPLAY=:7654 " GLARK_TOOL " info").output.find("GLX\n  not available here: "), std::string::npos);
 }
 
 }  // namespace glark::test

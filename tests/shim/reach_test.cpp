@@ -31,6 +31,17 @@ TEST(Reach, ByLinking) {
   EXPECT_EQ(outcome.output, drawn);
 }
 
+TEST(Reach, ALibraryThatIsLinkedBehindGlIsTold) {
+  const Outcome wrong = run(program("shim_wrong_order"));
+  EXPECT_TRUE(wrong.output.starts_with("glark: this program was linked with libGLARK.so behind ")) << wrong.output;
+  EXPECT_NE(wrong.output.find("name -lGLARK before the GL library"), std::string::npos) << wrong.output;
+  EXPECT_EQ(wrong.output.find("glark: ", 1), std::string::npos) << wrong.output;  // once
+  EXPECT_NE(wrong.output.find("extension no"), std::string::npos) << wrong.output;
+  EXPECT_EQ(run(program("shim_right_order")).output, drawn);
+  EXPECT_EQ(run_preloaded(program("shim_wrong_order")).output, drawn);
+  EXPECT_EQ(run("GLARK_LOG=error " + program("shim_wrong_order")).output.find("glark: "), std::string::npos);
+}
+
 class ReachByLookup : public testing::TestWithParam<const char*> {};
 
 TEST_P(ReachByLookup, TheWrapperIsFound) {
@@ -73,8 +84,9 @@ TEST(Dump, OriginalAndDerivedShadersLieSideBySideUnderTheHashOfTheStatistics) {
   const std::string statistics = PROGRAM_FOLDER "/dump.json";
   std::filesystem::remove_all(PROGRAM_FOLDER "/shaders");
   const Outcome outcome = run_preloaded(
-      program("shim_linked"), "GLARK_ENABLE=1 GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_STATS=" + statistics +
-                                  " GLARK_DUMP_SHADERS='" + folder + "'");
+      program("shim_linked"),
+      "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_STATS=" + statistics +
+          " GLARK_DUMP_SHADERS='" + folder + "'");
   EXPECT_EQ(outcome.output, drawn);
   const auto shaders = nlohmann::json::parse(read_file(statistics))["shaders"];
   ASSERT_EQ(shaders.size(), 1u) << shaders;
@@ -85,9 +97,9 @@ TEST(Dump, OriginalAndDerivedShadersLieSideBySideUnderTheHashOfTheStatistics) {
 }
 
 TEST(Dump, AFolderThatCannotBeMadeIsToldOnceAndThePictureStays) {
-  const Outcome outcome =
-      run_preloaded(program("shim_linked"),
-                    "GLARK_ENABLE=1 GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_DUMP_SHADERS=/dev/null/x");
+  const Outcome outcome = run_preloaded(
+      program("shim_linked"),
+      "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_DUMP_SHADERS=/dev/null/x");
   EXPECT_TRUE(outcome.output.ends_with(drawn)) << outcome.output;
   EXPECT_TRUE(outcome.output.starts_with("glark: error: shaders cannot be written to /dev/null/x")) << outcome.output;
   EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 4) << outcome.output;
@@ -124,7 +136,7 @@ TEST(Linker, AProgramWithoutGlIsLeftAlone) {
 
 TEST(Statistics, ADrawIsCounted) {
   const std::string file = testing::TempDir() + "draw" + std::to_string(getpid()) + ".json";
-  run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_LEVEL=1 GLARK_STATS=" + file);
+  run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_LEVEL=1 GLARK_STATS=" + file);
   const nlohmann::json statistics = nlohmann::json::parse(read_file(file));
   EXPECT_EQ(statistics["draws"]["seen"], 1);
   EXPECT_EQ(statistics["frames"], 1);

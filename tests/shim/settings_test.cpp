@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "glark/settings/nearest_name.h"
 #include "glark/settings/table.h"
 
 namespace glark::settings {
@@ -17,7 +21,7 @@ Parsed parse_all(std::vector<const char*> environment) {
 }
 
 std::string only_problem(const char* entry) {
-  const Parsed parsed = parse_all({entry});
+  const Parsed parsed = parse_all({"GLARK_ENABLE=1", entry});
   return parsed.problems.size() == 1 ? parsed.problems[0] : "";
 }
 
@@ -32,16 +36,27 @@ TEST(Settings, AnEmptyEnvironmentGivesTheDefaults) {
   EXPECT_TRUE(parsed.settings.captures.empty());
 }
 
+TEST(Settings, SmoothIsTheDefault) {
+  for (const core::ContextOptions& context :
+       {parse(nullptr).settings.context, parse_all({"GLARK_REFINE=smooth"}).settings.context}) {
+    EXPECT_TRUE(context.smooth);
+    EXPECT_EQ(context.refinement, core::Refinement::pn);
+  }
+  const core::ContextOptions pn = parse_all({"GLARK_REFINE=pn"}).settings.context;
+  EXPECT_FALSE(pn.smooth);
+  EXPECT_EQ(pn.refinement, core::Refinement::pn);
+  EXPECT_TRUE(parse_all({"GLARK_REFINE=cubic"}).settings.context.smooth) << "a wrong word changes nothing";
+}
+
 TEST(Settings, DefaultsOfTheTableAreThoseOfTheCore) {
   const Settings parsed = parse(nullptr).settings;
   const Settings constructed;
   EXPECT_EQ(parsed.context.max_level, constructed.context.max_level);
-  EXPECT_EQ(parsed.context.refinement, constructed.context.refinement);
   EXPECT_EQ(parsed.context.left_draws, constructed.context.left_draws);
   EXPECT_EQ(parsed.context.weld, constructed.context.weld);
   EXPECT_EQ(parsed.context.crease, constructed.context.crease);
   EXPECT_EQ(parsed.context.measure.on(), constructed.context.measure.on());
-  EXPECT_FALSE(parsed.max_level_set);
+  EXPECT_TRUE(parsed.given.empty());
 }
 
 TEST(Settings, EveryDefaultIsAValidValue) {
@@ -83,8 +98,9 @@ TEST(Settings, AProblemNamesVariableValueAndLimit) {
   EXPECT_EQ(only_problem("GLARK_LEVEL=x"), "GLARK_LEVEL is \"x\"; an integer from 0 to 11 is needed");
   EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=12"), "GLARK_MAX_LEVEL is \"12\"; an integer from 0 to 11 is needed");
   EXPECT_EQ(only_problem("GLARK_REFINE=cubic"),
-            "GLARK_REFINE is \"cubic\"; linear, outputs, pn, stpn or phong is needed");
-  EXPECT_EQ(only_problem("GLARK_ENABLE=maybe"), "GLARK_ENABLE is \"maybe\"; 0 or 1 is needed");
+            "GLARK_REFINE is \"cubic\"; smooth, linear, outputs, pn, stpn or phong is needed");
+  EXPECT_EQ(parse_all({"GLARK_ENABLE=maybe"}).problems,
+            (std::vector<std::string>{"GLARK_ENABLE is \"maybe\"; 0 or 1 is needed"}));
   EXPECT_EQ(only_problem("GLARK_LOG=loud"), "GLARK_LOG is \"loud\"; error, warning, info or debug is needed");
   EXPECT_EQ(only_problem("GLARK_CAPTURE=a.png"),
             "GLARK_CAPTURE is \"a.png\"; FRAME:FILE.png, with frames counted from 1, is needed");
@@ -93,21 +109,21 @@ TEST(Settings, AProblemNamesVariableValueAndLimit) {
 TEST(Settings, AProblemLeavesTheDefault) { EXPECT_EQ(parse_all({"GLARK_LEVEL=-1"}).settings.context.level, 2u); }
 
 TEST(Settings, ALevelRaisesTheLimitThatNobodySet) {
-  const Parsed parsed = parse_all({"GLARK_LEVEL=8"});
+  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_LEVEL=8"});
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_EQ(parsed.settings.context.level, 8u);
   EXPECT_EQ(parsed.settings.context.max_level, 8u);
 }
 
 TEST(Settings, ALimitThatIsSetHoldsTheLevelBack) {
-  const Parsed parsed = parse_all({"GLARK_LEVEL=8", "GLARK_MAX_LEVEL=3"});
+  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_LEVEL=8", "GLARK_MAX_LEVEL=3"});
   EXPECT_EQ(parsed.settings.context.level, 3u);
   ASSERT_EQ(parsed.problems.size(), 1u);
-  EXPECT_EQ(parsed.problems[0], "the level 8 exceeds the limit 3; 3 is used; raise GLARK_MAX_LEVEL or max-level");
+  EXPECT_EQ(parsed.problems[0], "--level 8 exceeds --max-level 3; level 3 is used; raise --max-level");
 }
 
 TEST(Settings, Measures) {
-  const Parsed parsed = parse_all({"GLARK_EDGE_PIXELS=7.5", "GLARK_CURVATURE=12", "GLARK_BUDGET=50000"});
+  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_EDGE_PIXELS=7.5", "GLARK_CURVATURE=12", "GLARK_BUDGET=50000"});
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_EQ(parsed.settings.context.measure, (core::EdgeMeasure{7.5F, 12, 50000}));
   EXPECT_FALSE(parse_all({}).settings.context.measure.on());
@@ -115,25 +131,25 @@ TEST(Settings, Measures) {
 }
 
 TEST(Settings, ABudgetNeedsAMeasure) {
-  const Parsed parsed = parse_all({"GLARK_BUDGET=50000"});
+  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_BUDGET=50000"});
   ASSERT_EQ(parsed.problems.size(), 1u);
-  EXPECT_EQ(parsed.problems[0], "GLARK_BUDGET has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
+  EXPECT_EQ(parsed.problems[0], "--budget has no effect without --edge-pixels or --curvature");
 }
 
 TEST(Settings, Tension) {
-  const Parsed parsed = parse_all({"GLARK_REFINE=stpn", "GLARK_TENSION=-0.5"});
+  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_REFINE=stpn", "GLARK_TENSION=-0.5"});
   EXPECT_EQ(parsed.settings.context.refinement, core::Refinement::scalar_tagged_pn);
   EXPECT_EQ(parsed.settings.context.shape_numbers[static_cast<std::size_t>(core::Refinement::scalar_tagged_pn)], -0.5F);
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_EQ(only_problem("GLARK_TENSION=1.5"), "GLARK_TENSION is \"1.5\"; a number from -1 to 1 is needed");
-  EXPECT_EQ(only_problem("GLARK_TENSION=1"), "GLARK_TENSION has no effect without GLARK_REFINE=stpn");
-  EXPECT_EQ(only_problem("GLARK_PHONG_SHAPE=1"), "GLARK_PHONG_SHAPE has no effect without GLARK_REFINE=phong");
+  EXPECT_EQ(only_problem("GLARK_TENSION=1"), "--tension has no effect without --refine stpn");
+  EXPECT_EQ(only_problem("GLARK_PHONG_SHAPE=1"), "--phong-shape has no effect without --refine phong");
 }
 
 TEST(Settings, GeomorphingNeedsAMeasure) {
   EXPECT_EQ(only_problem("GLARK_GEOMORPH=1"),
-            "GLARK_GEOMORPH has no effect without GLARK_EDGE_PIXELS or GLARK_CURVATURE");
-  const Parsed parsed = parse_all({"GLARK_GEOMORPH=1", "GLARK_CURVATURE=5"});
+            "--geomorph has no effect without --edge-pixels or --curvature");
+  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_GEOMORPH=1", "GLARK_CURVATURE=5"});
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_TRUE(parsed.settings.context.geomorph);
 }
@@ -148,6 +164,56 @@ TEST(Settings, PolygonsAreSplitInOneOfTwoWays) {
   EXPECT_TRUE(parse_all({"GLARK_POLYGONS=centroid"}).settings.context.centroids);
   EXPECT_FALSE(parse_all({"GLARK_POLYGONS=triangles"}).settings.context.centroids);
   EXPECT_EQ(only_problem("GLARK_POLYGONS=fan"), "GLARK_POLYGONS is \"fan\"; triangles or centroid is needed");
+}
+
+TEST(Settings, AnUnknownVariableIsToldWithTheNearestName) {
+  EXPECT_EQ(only_problem("GLARK_LEVLE=3"),
+            "GLARK_LEVLE is not a variable of glark and has no effect; is GLARK_LEVEL meant?");
+  EXPECT_EQ(only_problem("GLARK_MAXLEVEL=3"),
+            "GLARK_MAXLEVEL is not a variable of glark and has no effect; is GLARK_MAX_LEVEL meant?");
+  EXPECT_EQ(only_problem("GLARK_BANANAS_AND_PEARS=3"),
+            "GLARK_BANANAS_AND_PEARS is not a variable of glark and has no effect; man glark lists them");
+  EXPECT_EQ(only_problem("GLARK_LIBRARY=/lib/libGLARK.so"), "");
+  EXPECT_EQ(only_problem("GLARKLEVEL=3"), "");
+}
+
+TEST(Settings, SettingsThatChangeNothingAreTold) {
+  EXPECT_EQ(only_problem("GLARK_LEVEL=0"), "--level 0 refines nothing; give a level of 1 or more");
+  EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=3"), "--max-level has no effect without --level, --edge-pixels or --curvature");
+  const auto problems = [](std::vector<const char*> environment) {
+    environment.push_back("GLARK_ENABLE=1");
+    return parse_all(std::move(environment)).problems;
+  };
+  using Problems = std::vector<std::string>;
+  EXPECT_EQ(problems({"GLARK_LEVEL=3", "GLARK_EDGE_PIXELS=8"}),
+            (Problems{"--level has no effect on draws that --edge-pixels measures; --max-level limits their depth"}));
+  EXPECT_EQ(problems({"GLARK_NO_WELD=1", "GLARK_REFINE=outputs"}),
+            (Problems{"--no-weld has no effect without --curvature or a --refine that curves triangles"}));
+  EXPECT_EQ(problems({"GLARK_EVERYTHING=1", "GLARK_LEAVE_DRAWS=none"}),
+            (Problems{"--leave-draws has no effect beside --everything"}));
+  EXPECT_EQ(problems({"GLARK_EVERYTHING=1", "GLARK_LEAVE_ALONE=1"}),
+            (Problems{"--everything has no effect beside --leave-alone"}));
+  EXPECT_EQ(problems({"GLARK_NO_WELD=1", "GLARK_REFINE=pn", "GLARK_LEVEL=3", "GLARK_MAX_LEVEL=9"}), Problems());
+}
+
+TEST(Settings, AVariableThatIsSetToItsDefaultIsToldToo) {
+  EXPECT_EQ(only_problem("GLARK_TENSION=0"), "--tension has no effect without --refine stpn");
+}
+
+TEST(Settings, RefinementThatIsNotEnabledIsTold) {
+  EXPECT_EQ(parse_all({"GLARK_LEVEL=3", "GLARK_REFINE=pn"}).problems,
+            (std::vector<std::string>{
+                "GLARK_LEVEL has no effect without GLARK_ENABLE=1 on a program that does not call the extension"}));
+}
+
+TEST(NearestName, IsTheOneWithTheFewestDifferences) {
+  constexpr std::array<std::string_view, 3> names{"level", "leave-draws", "log"};
+  EXPECT_EQ(nearest_name("levle", names), "level");
+  EXPECT_EQ(nearest_name("leave_draw", names), "leave-draws");
+  EXPECT_EQ(nearest_name("LEVEL", names), "level");
+  EXPECT_EQ(nearest_name("", names), "");
+  EXPECT_EQ(nearest_name("colour", names), "");
+  EXPECT_EQ(nearest_name(std::string(1000, 'l'), names), "");
 }
 
 TEST(ParseMeasures, RejectWhatIsNoMeasure) {

@@ -47,12 +47,12 @@ Counts Strips::counts(unsigned level) const {
   Counts counts;
   check_level(level, level_count());
   for (const Patch& patch : state_->levels[level].patches) {
-    counts.outer += patch.outer;
-    counts.redundant += patch.redundant;
-    counts.dual += patch.dual;
-    counts.valid += patch.valid;
-    counts.out_of_reach += patch.out_of_reach;
-    counts.turned += patch.flipped_in_triangulation + patch.flipped_in_strip;
+    counts.outer += patch.counts.outer;
+    counts.redundant += patch.counts.redundant;
+    counts.dual += patch.counts.dual;
+    counts.valid += patch.counts.valid;
+    counts.out_of_reach += patch.counts.out_of_reach;
+    counts.turned += patch.counts.flipped_in_triangulation + patch.counts.flipped_in_strip;
     counts.strips += patch.strip.count > 0 ? 1 : 0;
     counts.indices += patch.strip.count;
   }

@@ -19,7 +19,7 @@ DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
   const bool first =
       b.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !captures_last_vertex(b, state.capabilities, request.mode);
   DerivedKey key;
-  key.refinement = transparent ? state.options.refinement : state.ark.refinement;
+  key.refinement = request.refinement;
   key.provoking_corner = first ? 0 : 2;
   key.flat_colors = compatibility && b.shade_model == GL_FLAT;
   key.clamp_colors = compatibility && b.clamp_vertex_color;

@@ -24,6 +24,7 @@ struct KeyState {
 bool captures_last_vertex(const Bindings& bindings, const Capabilities& capabilities, GLenum mode);
 
 struct KeyRequest {
+  Refinement refinement = Refinement::linear_inputs;  // choose_refinement()
   GLenum mode = GL_TRIANGLES;
   bool tagged = false;    // records hold depth tags
   bool placed = false;    // pieces have a placement

@@ -7,7 +7,11 @@
 namespace glark::core {
 namespace {
 
-bool ignores_depth(const Bindings& b) { return !b.depth_test || (b.depth_function == GL_ALWAYS && !b.depth_writes); }
+bool tests_depth(const ExemptionFacts& facts) { return facts.bindings.depth_test && facts.depth_buffer; }
+
+bool ignores_depth(const ExemptionFacts& facts) {
+  return !tests_depth(facts) || (facts.bindings.depth_function == GL_ALWAYS && !facts.bindings.depth_writes);
+}
 
 // Rules that the user has asked for.
 std::optional<Cause> named_exemption(const ExemptionFacts& facts) {
@@ -18,10 +22,10 @@ std::optional<Cause> named_exemption(const ExemptionFacts& facts) {
   if ((facts.rules & left_draws::blended) != 0 && b.blend) {
     return Cause::blended;
   }
-  if ((facts.rules & left_draws::no_depth_test) != 0 && !b.depth_test) {
+  if ((facts.rules & left_draws::no_depth_test) != 0 && !tests_depth(facts)) {
     return Cause::no_depth_test;
   }
-  if ((facts.rules & left_draws::no_depth_writes) != 0 && (!b.depth_test || !b.depth_writes)) {
+  if ((facts.rules & left_draws::no_depth_writes) != 0 && (!tests_depth(facts) || !b.depth_writes)) {
     return Cause::no_depth_writes;
   }
   return std::nullopt;
@@ -31,7 +35,7 @@ std::optional<Cause> named_exemption(const ExemptionFacts& facts) {
 
 bool needs_matrices(const ExemptionFacts& facts) {
   const bool asks = (facts.rules & left_draws::orthographic) != 0 ||
-                    (ignores_depth(facts.bindings) && (facts.rules & left_draws::by_default) != 0);
+                    (ignores_depth(facts) && (facts.rules & left_draws::by_default) != 0);
   return facts.conventional && asks && !named_exemption(facts);
 }
 
@@ -40,7 +44,7 @@ std::optional<Cause> exemption(const ExemptionFacts& facts) {
     return cause;
   }
   const MatrixTraits& matrices = facts.matrices;
-  const bool ignored = ignores_depth(facts.bindings);
+  const bool ignored = ignores_depth(facts);
   // Neither a user interface nor a full-screen pass is drawn in perspective.
   if (ignored && (!facts.conventional || (facts.rules & left_draws::by_default) == 0 || matrices.affine)) {
     if ((facts.rules & left_draws::screen_quads) != 0 && facts.triangles > 0 && facts.triangles <= 2) {

@@ -21,6 +21,7 @@ namespace glark::core {
 struct ExemptionFacts {
   unsigned rules = 0;  // bits of left_draws
   const Bindings& bindings;
+  bool depth_buffer = true;     // the framebuffer has one; without it, depth is neither tested nor written
   bool left_alone = false;      // the user named the program
   bool conventional = false;    // the program multiplies by the current projection matrix
   std::uint64_t triangles = 0;  // 0: not counted yet

@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/plan/planner.h"
 
+#include <fmt/format.h>
+
 #include <cstring>
 #include <string>
 
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
-#include "glark/core/plan/eligibility.h"
 #include "glark/core/plan/exemptions.h"
 #include "glark/core/plan/program_choice.h"
+#include "glark/core/plan/refinement_choice.h"
+#include "glark/core/plan/state_check.h"
 #include "glark/core/polygons/split_choice.h"
+#include "glark/core/refine/program/labels.h"
+#include "glark/core/report/log.h"
 #include "glark/core/shape.h"
 
 namespace glark::core {
@@ -33,6 +38,38 @@ KeyState key_state(const Environment& environment) {
   return {environment.options, environment.ark, environment.bindings(), environment.capabilities};
 }
 
+RefinementChoice refinement_choice(const Environment& environment, const Program& program) {
+  RefinementFacts facts{.wanted = wanted_refinement(environment.options, environment.ark),
+                        .transparent = environment.options.transparent,
+                        .stage = program.traits,
+                        .inputs = program.input_traits};
+  // The record of a displaced fixed-function draw has a normal, even if the state does not make the stage read it.
+  facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
+  return choose_refinement(facts);
+}
+
+// Logs each reason once for each program.
+void log_fallback(Program& program, const RefinementChoice& choice) {
+  const unsigned bit = choice.fallback ? 1U << static_cast<unsigned>(*choice.fallback) : 0;
+  if ((bit & ~program.logged_fallbacks) == 0) {
+    return;
+  }
+  program.logged_fallbacks |= bit;
+  const FallbackText& text = text_of(*choice.fallback);
+  const refine::OutputVariation* const position = program.traits.variation.position();
+  const std::string construct = choice.fallback == RefinementFallback::unsound_stage && position != nullptr
+                                    ? fmt::format(" ({})", position->reason)
+                                    : std::string();
+  log(LogLevel::info, fmt::format("{} is refined by {}: {}{}; {}", refine::label(program),
+                                  traits_of(choice.refinement).word, text.explanation, construct, text.remedy));
+}
+
+// Null: the vertex stage is not known.
+const std::vector<capture::Field>* inputs_of(const DrawPlan& plan) {
+  return plan.program != nullptr && plan.program->prepared && !plan.program->fields.empty() ? &plan.program->fields
+                                                                                            : nullptr;
+}
+
 }  // namespace
 
 Planner::Planner(const Environment& environment, const Parts& parts)
@@ -40,10 +77,19 @@ Planner::Planner(const Environment& environment, const Parts& parts)
 
 Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   env_.state.refresh();
+  const std::shared_ptr<Program> current = env_.state.programs().current();
+  const std::unique_lock lock =
+      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
+  if (smooth() && purpose == Purpose::draw) {
+    decision.cause = parts_.meshes.judge(call, inputs_of(decision.plan), decision.cause);
+  }
   return decision;
 }
+
+// A program that calls the extension says itself what is a surface.
+bool Planner::smooth() const { return env_.options.transparent && env_.options.smooth && !env_.ark.enabled; }
 
 std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, DrawPlan& plan) {
   const DrawConditions conditions{.bindings = env_.bindings(),
@@ -54,9 +100,6 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
   if (const std::optional<Cause> cause = check_state(call, conditions)) {
     return cause;
   }
-  const std::shared_ptr<Program> current = env_.state.programs().current();
-  const std::unique_lock lock =
-      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   if (const std::optional<Cause> cause = find_program(plan)) {
     return cause;
   }
@@ -77,7 +120,9 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
 
 std::optional<Cause> Planner::find_program(DrawPlan& plan) {
   Program* const current = env_.state.programs().current().get();
-  const ProgramChoice choice = choose_program(env_.bindings(), current, env_.capabilities.is_compatibility());
+  const ProgramChoice choice = choose_program(
+      env_.bindings(), current,
+      {.is_compatibility = env_.capabilities.is_compatibility(), .transparent = env_.options.transparent});
   if (choice.cause) {
     return choice.cause;
   }
@@ -85,7 +130,15 @@ std::optional<Cause> Planner::find_program(DrawPlan& plan) {
     return find_pipeline_programs(plan);
   }
   plan.owner = current;
-  plan.program = choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
+  if (choice.stage == VertexStage::assembly) {
+    plan.assembly = &parts_.programs.assembly().find(current);
+    plan.program = plan.assembly->program.get();
+  } else {
+    plan.program = choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
+  }
+  if (plan.program == nullptr) {
+    return Cause::assembly_program;
+  }
   parts_.programs.derived().prepare(*plan.program);
   ++plan.program->counters->draws_seen;
   return plan.program->cause;
@@ -117,6 +170,7 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
   }
   ExemptionFacts facts{.rules = options.left_draws,
                        .bindings = env_.bindings(),
+                       .depth_buffer = env_.state.depth_buffers().bound_has_one(env_.gl, env_.errors),
                        .left_alone = program.left_alone,
                        .conventional = program.conventional_projection && env_.capabilities.is_compatibility(),
                        .triangles = triangles};
@@ -169,8 +223,15 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
 
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
+  const RefinementChoice choice = refinement_choice(env_, *plan.program);
+  log_fallback(*plan.program, choice);
+  plan.fallback = choice.fallback;
+  if (smooth() && choice.fallback) {
+    return Cause::no_surface;
+  }
   // The outputs of split polygons do not depend on the provoking vertex.
-  DerivedKey key = derived_key(key_state(env_), {.mode = plan.polygons ? GL_TRIANGLES : call.mode,
+  DerivedKey key = derived_key(key_state(env_), {.refinement = choice.refinement,
+                                                 .mode = plan.polygons ? GL_TRIANGLES : call.mode,
                                                  .tagged = depth.adaptive && !depth.measured,
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
@@ -179,6 +240,9 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   choose_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
+  }
+  if (smooth() && key.welded && !plan.weld.on) {
+    return Cause::too_many_attributes;  // another pass over the mesh may be welded: its shape would differ
   }
   if (parts_.feedback.captures(env_.bindings()) && plan.derived != parts_.feedback.program) {
     return Cause::transform_feedback;
@@ -258,7 +322,8 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
   const bool placed = tagged || can_measure(program);
   return parts_.programs.derived().find(
       program, owner,
-      derived_key(key_state(env_), {.mode = GL_TRIANGLES,
+      derived_key(key_state(env_), {.refinement = refinement_choice(env_, program).refinement,
+                                    .mode = GL_TRIANGLES,
                                     .tagged = tagged,
                                     .placed = placed,
                                     .morphing = placed && geomorphs(env_.options, env_.ark)}));

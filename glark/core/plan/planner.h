@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "glark/core/meshes/mesh_watch.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/plan/feedback_in_use.h"
@@ -25,6 +26,7 @@ class Planner {
     DrawPrograms& programs;
     weld::WeldStage& weld;
     const FeedbackInUse& feedback;
+    MeshWatch& meshes;
   };
   Planner(const Environment& environment, const Parts& parts);
 
@@ -47,6 +49,7 @@ class Planner {
   void choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangles);
   std::optional<Cause> find_corner_program(DrawPlan& plan);
   bool can_measure(const Program& program) const;
+  bool smooth() const;
   std::shared_ptr<DerivedProgram> derived(const DrawPlan& plan, const DerivedKey& key);
 
   const Environment& env_;

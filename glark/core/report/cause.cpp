@@ -22,7 +22,11 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
      "delete programs after their last draw"},
     {"program_binary", "the program was loaded from a binary, or from SPIR-V",
      "make the application compile its shaders from GLSL, for instance by clearing its cache"},
-    {"assembly_program", "an ARB assembly vertex program is enabled", "use GLSL"},
+    {"assembly_program",
+     "an ARB assembly vertex program is enabled that glark cannot translate, or that belongs to a program which uses "
+     "the "
+     "extension itself",
+     "see the log line of the program; use GLSL"},
     {"tessellation", "the application tessellates by itself", "nothing to do"},
     {"too_many_attributes", "the vertex attributes of three corners do not fit into the attributes of one instance",
      "use fewer or smaller attributes"},
@@ -34,7 +38,7 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
      "move the writes to another draw"},
     {"transform_feedback", "the application captures transform feedback", "nothing to do"},
     {"primitive_query", "the application counts primitives or pipeline statistics", "nothing to do"},
-    {"polygon_mode", "the application draws polygons as lines or points",
+    {"polygon_mode", "the application draws polygons, or one side of them, as lines or points",
      "nothing to do; --wireframe shows refined triangles"},
     {"render_mode", "selection or feedback is on", "nothing to do"},
     {"rasterizer_discard", "nothing is rasterised", "nothing to do"},
@@ -56,6 +60,17 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
      "take no-depth-test out of leave-draws"},
     {"no_depth_writes", "the user wants draws that write no depth to be left alone",
      "take no-depth-writes out of leave-draws"},
+    {"no_surface",
+     "smooth curves only what is known to be a surface: the vertices have no normals of their own, or the vertex stage "
+     "cannot run between them",
+     "--normal if the normal was not found; --refine pn, linear or outputs refines such draws, too"},
+    {"mesh_waits", "smooth curves a mesh when two frames have shown all passes over it",
+     "nothing to do; --refine pn curves at once"},
+    {"mesh_flat", "another pass over the same mesh cannot be curved, and a mesh has one shape",
+     "--refine pn curves every pass by itself"},
+    {"unknown_partner",
+     "a pass that cannot be curved must meet another mesh in depth, and glark does not know which one",
+     "--refine pn curves every pass by itself"},
 }};
 
 }  // namespace

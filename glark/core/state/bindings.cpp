@@ -47,6 +47,13 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
   b.depth_test = gl.IsEnabled(GL_DEPTH_TEST) != GL_FALSE;
   b.depth_writes = get(gl, GL_DEPTH_WRITEMASK) != 0;
   b.depth_function = static_cast<GLenum>(get(gl, GL_DEPTH_FUNC));
+  b.stencil_test = gl.IsEnabled(GL_STENCIL_TEST) != GL_FALSE;
+  GLboolean channels[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
+  gl.GetBooleanv(GL_COLOR_WRITEMASK, channels);
+  b.color_writes =
+      channels[0] != GL_FALSE || channels[1] != GL_FALSE || channels[2] != GL_FALSE || channels[3] != GL_FALSE;
+  b.cull_face = gl.IsEnabled(GL_CULL_FACE) != GL_FALSE;
+  b.culled_face = static_cast<GLenum>(get(gl, GL_CULL_FACE_MODE));
   GLfloat viewport[4] = {0, 0, 0, 0};
   gl.GetFloatv(GL_VIEWPORT, viewport);
   b.viewport = {viewport[2], viewport[3]};
@@ -60,7 +67,7 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
     b.back_polygon_mode = capabilities.is_compatibility() ? static_cast<GLenum>(modes[1]) : b.front_polygon_mode;
     b.provoking_vertex = static_cast<GLenum>(get(gl, GL_PROVOKING_VERTEX));
   }
-  b.polygon_mode = b.front_polygon_mode == GL_FILL ? b.back_polygon_mode : b.front_polygon_mode;
+  set_polygon_modes(b, b.front_polygon_mode, b.back_polygon_mode);
 }
 
 void read_compatibility_modes(const gl::Dispatch& gl, Bindings& b) {
@@ -74,6 +81,12 @@ void read_compatibility_modes(const gl::Dispatch& gl, Bindings& b) {
 }
 
 }  // namespace
+
+void set_polygon_modes(Bindings& bindings, GLenum front, GLenum back) {
+  bindings.front_polygon_mode = front;
+  bindings.back_polygon_mode = back;
+  bindings.polygon_mode = front == GL_FILL ? back : front;
+}
 
 void read_bindings(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& bindings) {
   read_objects(gl, bindings);

@@ -39,6 +39,8 @@ struct Bindings {
   bool depth_test = false;
   bool depth_writes = true;
   GLenum depth_function = GL_LESS;
+  bool stencil_test = false;
+  bool color_writes = true;  // of draw buffer 0, of any channel
   GLenum matrix_mode = GL_MODELVIEW;
   bool primitive_restart = false;
   bool primitive_restart_fixed = false;
@@ -47,6 +49,8 @@ struct Bindings {
   GLenum polygon_mode = GL_FILL;  // GL_FILL only if both faces have it
   GLenum front_polygon_mode = GL_FILL;
   GLenum back_polygon_mode = GL_FILL;
+  bool cull_face = false;
+  GLenum culled_face = GL_BACK;  // glCullFace
   GLenum shade_model = GL_SMOOTH;
   bool clamp_vertex_color = true;  // compatibility only
   GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
@@ -58,6 +62,8 @@ struct Bindings {
   GLuint primitives_generated_query = 0;  // active queries that count triangles; 0: none
   GLuint primitives_written_query = 0;
 };
+
+void set_polygon_modes(Bindings& bindings, GLenum front, GLenum back);
 
 // Reads all of them from GL, except for the queries.
 void read_bindings(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& bindings);

@@ -9,8 +9,10 @@
 #include "glark/core/objects/quiet.h"
 #include "glark/core/state/arrays/array_state.h"
 #include "glark/core/state/arrays/current_values.h"
+#include "glark/core/state/assembly/assembly_state.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
+#include "glark/core/state/depth_buffers.h"
 #include "glark/core/state/fixed_function_changes.h"
 #include "glark/core/state/immediate_mode.h"
 #include "glark/core/state/lists/list_compilation.h"
@@ -51,8 +53,10 @@ class GlState {
   const CurrentValues& current_values() const { return current_values_; }
   // Something may have changed all current values.
   void forget_current_values() { current_values_.forget(stamps_.next()); }
+  DepthBuffers& depth_buffers() { return depth_buffers_; }
   FixedFunctionChanges& fixed_function() { return fixed_function_; }
   Programs& programs() { return programs_; }
+  AssemblyState& assembly() { return assembly_; }
   const Programs& programs() const { return programs_; }
 
   // Calls that a display list may take instead of the context.
@@ -74,8 +78,10 @@ class GlState {
   ImmediateMode immediate_;
   ArrayState arrays_;
   CurrentValues current_values_;
+  DepthBuffers depth_buffers_;
   FixedFunctionChanges fixed_function_;
   Programs programs_;
+  AssemblyState assembly_;
   ListCompilation lists_;
   QuerySurplus query_surplus_;
 };

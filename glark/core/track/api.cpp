@@ -35,7 +35,7 @@ bool is_tag_type(GLenum type) {
 // Adjacency, patches, points and lines cannot be refined.
 bool refuse_mode(Context& c, GLenum mode) {
   const bool quads = mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON;
-  if (!is_triangle_mode(mode) || (quads && !c.is_compatibility())) {
+  if (!is_triangle_mode(mode) || (quads && !c.capabilities().is_compatibility())) {
     c.raise(GL_INVALID_ENUM);
     return true;
   }
@@ -71,7 +71,7 @@ void with_ark(Context& c, Draw&& draw) {
 
 ParameterLimits limits_of(const Context& c) {
   return {.level = static_cast<GLint>(highest_tag(c)),
-          .first_attribute = c.is_compatibility() ? 1 : 0,  // attribute 0 is glVertex there
+          .first_attribute = c.capabilities().is_compatibility() ? 1 : 0,  // attribute 0 is glVertex there
           .attribute_count = c.capabilities().max_vertex_attributes,
           .texture_unit_count = c.capabilities().max_texture_units};
 }
@@ -100,7 +100,7 @@ Program* named_program(Context& c, GLuint name) {
     c.raise(GL_INVALID_OPERATION);
     return nullptr;
   }
-  if ((name == 0 && !c.is_compatibility()) || (name != 0 && c.gl().IsProgram(name) == GL_FALSE)) {
+  if ((name == 0 && !c.capabilities().is_compatibility()) || (name != 0 && c.gl().IsProgram(name) == GL_FALSE)) {
     c.raise(GL_INVALID_VALUE);
     return nullptr;
   }

@@ -36,7 +36,7 @@ bool attach(Context& c, AttributeSource& source, const Pointer& to) {
   const bool es_double = to.type == GL_DOUBLE && c.capabilities().api == Capabilities::Api::es;
   const GLsizei packed = es_double ? 0 : packed_stride(to.size, to.type);
   if (!bound.known || packed == 0 || to.stride < 0 || to.stride > surely_valid_stride ||
-      (bound.name == 0 && !c.is_compatibility())) {
+      (bound.name == 0 && !c.capabilities().is_compatibility())) {
     return false;
   }
   source.size = to.size;
@@ -135,8 +135,8 @@ void BindVertexBuffer(Context& c, GLuint binding, GLuint buffer, GLintptr offset
   if (array == nullptr) {
     return;
   }
-  const bool valid = (c.is_compatibility() || c.state().bindings().vertex_array != 0) && offset >= 0 && stride >= 0 &&
-                     stride <= surely_valid_stride && c.gl().IsBuffer(buffer) != GL_FALSE;
+  const bool valid = (c.capabilities().is_compatibility() || c.state().bindings().vertex_array != 0) && offset >= 0 &&
+                     stride >= 0 && stride <= surely_valid_stride && c.gl().IsBuffer(buffer) != GL_FALSE;
   for (GLuint i = 0; i < generic_slots; ++i) {
     AttributeSource& source = array->sources[i];
     if (source.binding != binding) {

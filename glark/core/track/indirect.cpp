@@ -38,7 +38,7 @@ std::vector<Counts> read_commands(Context& c, const void* indirect, GLsizei draw
   c.state().refresh();
   std::vector<Counts> result(static_cast<std::size_t>(std::max(draws, 0)));
   if (c.state().bindings().draw_indirect_buffer == 0) {
-    if (!c.is_compatibility() || indirect == nullptr) {
+    if (!c.capabilities().is_compatibility() || indirect == nullptr) {
       return {};
     }
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -86,8 +86,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     }
   }
   if (commands.empty()) {
-    track::pass(c, Cause::indirect_unbounded);
-    issue();
+    track::leave(c, {.mode = call.mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
     return;
   }
   c.state().refresh();
@@ -98,6 +97,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
                   .exact = call.exact && !may_restart,
                   .whole_polygons = tells_polygons_apart(call.mode, primitives),
                   .polygon_sides = may_restart || sides.empty() ? nullptr : &sides,
+                  .from_arrays = true,
                   .issue = issue});
 }
 

@@ -79,10 +79,10 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_VERTEX_PROGRAM_TWO_SIDE: b.two_side = enabled; break;
     case GL_BLEND: b.blend = enabled; break;
     case GL_DEPTH_TEST: b.depth_test = enabled; break;
+    case GL_STENCIL_TEST: b.stencil_test = enabled; break;
+    case GL_CULL_FACE: b.cull_face = enabled; break;
     // The most frequent enables that the vertex stage does not depend on.
-    case GL_CULL_FACE:
     case GL_SCISSOR_TEST:
-    case GL_STENCIL_TEST:
     case GL_ALPHA_TEST:
     case GL_DITHER: break;
     // EXT_vertex_array enabled arrays by glEnable, and drivers still accept it.
@@ -188,6 +188,21 @@ void DepthMask(Context& c, GLboolean writes) {
   }
 }
 
+void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+  c.gl().ColorMask(red, green, blue, alpha);
+  if (track::executes(c)) {
+    c.state().bindings().color_writes = (red | green | blue | alpha) != GL_FALSE;
+  }
+}
+
+// Draw buffer 0 stands for all of them: a prepared depth has no colours at all.
+void ColorMaski(Context& c, GLuint buffer, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+  c.gl().ColorMaski(buffer, red, green, blue, alpha);
+  if (track::executes(c) && buffer == 0) {
+    c.state().bindings().color_writes = (red | green | blue | alpha) != GL_FALSE;
+  }
+}
+
 void MatrixMode(Context& c, GLenum mode) {
   c.gl().MatrixMode(mode);
   if (track::executes(c)) {
@@ -226,8 +241,24 @@ void ViewportArrayv(Context& c, GLuint first, GLsizei count, const GLfloat* view
 
 void PolygonMode(Context& c, GLenum face, GLenum mode) {
   c.gl().PolygonMode(face, mode);
-  if (track::executes(c)) {
-    c.state().forget_bindings();  // the accepted faces depend on the profile
+  if (!track::executes(c)) {
+    return;
+  }
+  const bool one_face = c.capabilities().is_compatibility() && (face == GL_FRONT || face == GL_BACK);
+  if ((!one_face && face != GL_FRONT_AND_BACK) || mode < GL_POINT || mode > GL_FILL ||
+      c.state().immediate().open()) {
+    c.state().forget_bindings();  // GL may have refused
+    return;
+  }
+  Bindings& b = c.state().bindings();
+  set_polygon_modes(b, face == GL_BACK ? b.front_polygon_mode : mode, face == GL_FRONT ? b.back_polygon_mode : mode);
+}
+
+void CullFace(Context& c, GLenum face) {
+  c.gl().CullFace(face);
+  if (track::executes(c) && (face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK) &&
+      !c.state().immediate().open()) {
+    c.state().bindings().culled_face = face;
   }
 }
 

@@ -3,8 +3,12 @@
 //
 // Hooks of shaders and programs. The sources that a program was linked from are kept, because an application may delete
 // its shader objects right after linking.
+#include <algorithm>
+#include <array>
 #include <string>
+#include <utility>
 
+#include "glark/core/report/log.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -53,9 +57,32 @@ void LinkProgram(Context& c, GLuint program) {
   c.state().programs().linked(program);
 }
 
+// A binary of a program that was linked here brings its sources with it. Any other binary has none. Transparent
+// refinement refuses it, which OpenGL 4.6, 7.5 allows at any time: applications then compile their shaders again.
 void ProgramBinary(Context& c, GLuint program, GLenum format, const void* binary, GLsizei length) {
-  c.gl().ProgramBinary(program, format, binary, length);
-  c.state().programs().linked(program, {});
+  std::vector<StageSource> stages = c.share().binaries.find(binary, length);
+  if (stages.empty() && c.options().transparent && c.capabilities().refinable && length > 0) {
+    constexpr std::array<unsigned char, 64> no_binary{};
+    c.gl().ProgramBinary(program, format, no_binary.data(), std::min<GLsizei>(length, no_binary.size()));
+    log(LogLevel::info, "refused the cached binary of program " + std::to_string(program) +
+                            ": it has no sources to refine; the application compiles its shaders again");
+  } else {
+    c.gl().ProgramBinary(program, format, binary, length);
+  }
+  c.state().programs().linked(program, std::move(stages));
+}
+
+void GetProgramBinary(Context& c, GLuint program, GLsizei size, GLsizei* length, GLenum* format, void* binary) {
+  GLsizei written = 0;
+  c.gl().GetProgramBinary(program, size, &written, format, binary);
+  if (length != nullptr) {
+    *length = written;
+  }
+  const std::shared_ptr<Program> known = c.capabilities().refinable ? c.state().programs().find(program) : nullptr;
+  if (known != nullptr && written > 0) {
+    const std::lock_guard lock(known->mutex);
+    c.share().binaries.remember(binary, written, known->stages);
+  }
 }
 
 GLuint CreateShaderProgramv(Context& c, GLenum type, GLsizei count, const GLchar* const* strings) {

@@ -109,12 +109,33 @@ void simplify(const Simplify& command) {
   print(report, command.files.json);
 }
 
-}  // namespace
-
-void add_simplify(CLI::App& app) {
+// Adds the options that choose clusters and the points that replace them.
+void describe_clusters(CLI::App& command, vstree::SimplifyOptions& options) {
   using vstree::Clustering;
   using vstree::Metric;
   using vstree::Representative;
+  command
+      .add_option("--clustering", options.clustering,
+                  "Cells that make the clusters: vstree, octree or grid; default vstree")
+      ->transform(one_of<Clustering>(
+          {{"vstree", Clustering::volume_surface}, {"octree", Clustering::octree}, {"grid", Clustering::grid}}))
+      ->type_name("KIND");
+  command
+      .add_option("--metric", options.metric,
+                  "Error of a cluster: l2, l21 (normals), qef or density (samples); default l2")
+      ->transform(one_of<Metric>(
+          {{"l2", Metric::l2}, {"l21", Metric::l21}, {"qef", Metric::qef}, {"density", Metric::density}}))
+      ->type_name("METRIC");
+  command
+      .add_option("--representative", options.representative,
+                  "Position of the point of a cluster: qef or centroid; default qef")
+      ->transform(one_of<Representative>({{"qef", Representative::qef}, {"centroid", Representative::centroid}}))
+      ->type_name("KIND");
+}
+
+}  // namespace
+
+void add_simplify(CLI::App& app) {
   CLI::App* command = app.add_subcommand("simplify", "Reduce triangles, or points if there are no triangles");
   const auto simplification = std::make_shared<Simplify>();
   vstree::SimplifyOptions& options = simplification->options;
@@ -132,23 +153,7 @@ void add_simplify(CLI::App& app) {
                    "default 1e-4")
       ->check(above_zero())
       ->excludes(target);
-  command
-      ->add_option("--clustering", options.clustering,
-                   "Cells that make the clusters: vstree, octree or grid; default vstree")
-      ->transform(one_of<Clustering>(
-          {{"vstree", Clustering::volume_surface}, {"octree", Clustering::octree}, {"grid", Clustering::grid}}))
-      ->type_name("KIND");
-  command
-      ->add_option("--metric", options.metric,
-                   "Error of a cluster: l2, l21 (normals), qef or density (samples); default l2")
-      ->transform(one_of<Metric>(
-          {{"l2", Metric::l2}, {"l21", Metric::l21}, {"qef", Metric::qef}, {"density", Metric::density}}))
-      ->type_name("METRIC");
-  command
-      ->add_option("--representative", options.representative,
-                   "Position of the point of a cluster: qef or centroid; default qef")
-      ->transform(one_of<Representative>({{"qef", Representative::qef}, {"centroid", Representative::centroid}}))
-      ->type_name("KIND");
+  describe_clusters(*command, options);
   describe_threads(*command, options.threads);
   command->callback([simplification] { simplify(*simplification); });
 }

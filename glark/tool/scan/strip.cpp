@@ -38,13 +38,9 @@ void add_strip(geometry::Geometry& geometry, std::span<const std::uint32_t> stri
   }
 }
 
-void strip(const Strip& command) {
-  check_output(command.files);
-  geometry::Geometry geometry = load(command.files.input, command.files);
-  geometry.triangles = {};
-  if (geometry.normals.empty()) warn(command.files.input + ": it has no normals, so strips have no common orientation");
+// Adds the strips of the points to `geometry`.
+surfel::Counts add_strips(const Strip& command, geometry::Geometry& geometry, double& seconds) {
   std::optional<surfel::Strips> strips;
-  double seconds = 0;
   {
     Progress progress("stripping");
     progress.show(-1);
@@ -59,12 +55,21 @@ void strip(const Strip& command) {
   for (const surfel::Node& node : strips->nodes(level))
     if (node.left == surfel::none && node.count > 0)
       add_strip(geometry, strips->indices().subspan(node.first, node.count));
+  return strips->counts(level);
+}
+
+void strip(const Strip& command) {
+  check_output(command.files);
+  geometry::Geometry geometry = load(command.files.input, command.files);
+  geometry.triangles = {};
+  if (geometry.normals.empty()) warn(command.files.input + ": it has no normals, so strips have no common orientation");
+  double seconds = 0;
+  const surfel::Counts counts = add_strips(command, geometry, seconds);
   if (geometry.strips.empty())
     throw geometry::Error(command.files.input +
                           ": its points have no neighbours on a surface, so there are no strips and nothing is "
                           "written; allow longer edges by --reach, or show the points by glark view --mode splat");
   store(geometry, command.files);
-  const surfel::Counts counts = strips->counts(level);
   Report report;
   report["output"] = contents_of(geometry);
   report["strips"] = counts.strips;

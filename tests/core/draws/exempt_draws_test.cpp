@@ -159,6 +159,47 @@ TEST_F(ExemptDraws, FullScreenPassesAreLeft) {
   EXPECT_EQ(draw(2), "screen_quad");
 }
 
+TEST_F(ExemptDraws, AFramebufferWithoutDepthTestsNone) {
+  use(modern_vertex, modern_fragment);
+  test_depth(GL_LEQUAL);
+  EXPECT_EQ(draw(2), "refined");
+  GLuint framebuffer = 0;
+  real.GenFramebuffers(1, &framebuffer);
+  std::array<GLuint, 2> targets{};
+  real.GenRenderbuffers(2, targets.data());
+  hook::BindFramebuffer(*context_, GL_FRAMEBUFFER, framebuffer);
+  for (int i = 0; i < 2; ++i) {
+    real.BindRenderbuffer(GL_RENDERBUFFER, targets.at(i));
+    real.RenderbufferStorage(GL_RENDERBUFFER, i == 0 ? GL_RGBA8 : GL_DEPTH_COMPONENT24, side, side);
+  }
+  real.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, targets[0]);
+  EXPECT_EQ(draw(2), "screen_quad");
+  hook::BindFramebuffer(*context_, GL_FRAMEBUFFER, 0);
+  EXPECT_EQ(draw(2), "refined");
+  hook::BindFramebuffer(*context_, GL_DRAW_FRAMEBUFFER, framebuffer);
+  EXPECT_EQ(draw(2), "screen_quad");
+  real.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, targets[1]);
+  context_->state().depth_buffers().forget_attachments();
+  EXPECT_EQ(draw(2), "refined");
+  hook::BindFramebuffer(*context_, GL_READ_FRAMEBUFFER, 0);
+  EXPECT_EQ(draw(2), "refined");
+  EXPECT_EQ(real.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST_F(ExemptDraws, ACulledFaceMayHaveLines) {
+  use(modern_vertex, modern_fragment);
+  test_depth();
+  hook::PolygonMode(*context_, GL_BACK, GL_LINE);
+  EXPECT_EQ(draw(8), "polygon_mode");
+  hook::Enable(*context_, GL_CULL_FACE);
+  EXPECT_EQ(draw(8), "refined");
+  hook::CullFace(*context_, GL_FRONT);
+  EXPECT_EQ(draw(8), "polygon_mode");
+  hook::PolygonMode(*context_, GL_FRONT_AND_BACK, GL_FILL);
+  EXPECT_EQ(draw(8), "refined");
+  EXPECT_EQ(real.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 TEST_F(ExemptDraws, OverlaysAreLeft) {
   use(modern_vertex, modern_fragment);
   ignore_depth(true);

@@ -45,13 +45,10 @@ TEST_F(DerivedKeys, FlatShadingIsOfCompatibilityContexts) {
   EXPECT_FALSE(key().clamp_colors);
 }
 
-TEST_F(DerivedKeys, TheSurfaceIsTheUsersInTransparentRefinement) {
-  options.refinement = Refinement::pn;
+TEST_F(DerivedKeys, WeldingIsTheUsersInTransparentRefinement) {
   options.weld = true;
-  EXPECT_EQ(key().refinement, Refinement::linear_inputs);
   EXPECT_FALSE(key().welded);
   options.transparent = true;
-  EXPECT_EQ(key().refinement, Refinement::pn);
   EXPECT_TRUE(key().welded);
 }
 
@@ -74,7 +71,8 @@ TEST_F(DerivedKeys, CreasesLimitTransparentRefinementOnly) {
 }
 
 TEST_F(DerivedKeys, WhatTheDrawAsksForIsInTheKey) {
-  const DerivedKey asked = key({.tagged = true, .placed = true, .morphing = true});
+  const DerivedKey asked = key({.refinement = Refinement::pn, .tagged = true, .placed = true, .morphing = true});
+  EXPECT_EQ(asked.refinement, Refinement::pn);
   EXPECT_TRUE(asked.tagged && asked.placed && asked.morphing);
   EXPECT_FALSE(key().tagged || key().placed || key().morphing);
 }

@@ -34,6 +34,18 @@ TEST(ExemptionRules, TwoTrianglesWithoutDepthAreAScreenQuad) {
   EXPECT_EQ(by_default(without_depth(), 3), std::nullopt);
 }
 
+TEST(ExemptionRules, WithoutADepthBufferTheDepthTestIsOff) {
+  const Bindings bindings = with_depth();
+  ExemptionFacts facts{.rules = left_draws::by_default, .bindings = bindings, .depth_buffer = false, .triangles = 2};
+  EXPECT_EQ(exemption(facts), Cause::screen_quad);
+  facts.rules = left_draws::no_depth_test;
+  EXPECT_EQ(exemption(facts), Cause::no_depth_test);
+  facts.rules = left_draws::no_depth_writes;
+  EXPECT_EQ(exemption(facts), Cause::no_depth_writes);
+  facts.depth_buffer = true;
+  EXPECT_EQ(exemption(facts), std::nullopt);
+}
+
 TEST(ExemptionRules, TrianglesThatAreNotCountedYetAreNoScreenQuad) {
   EXPECT_EQ(by_default(without_depth(), 0), std::nullopt);
 }

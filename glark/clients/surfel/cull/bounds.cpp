@@ -117,20 +117,21 @@ Vector measure(const Level& level, std::span<const Triangle> triangles, Box& box
 
 // The axis is the mean of the normals, weighted by area. The apex lies behind the planes of all triangles, as near to
 // the box as possible.
-void compute_bounds(const Level& level, std::span<const Triangle> triangles, Patch& patch) {
+Bounds compute_bounds(const Level& level, std::span<const Triangle> triangles) {
   thread_local std::vector<Planes> all;
-  patch.box = {};
-  patch.cone_axis = unit(measure(level, triangles, patch.box, all));
-  const Vector centre = patch.box.centre();
+  Bounds bounds;
+  bounds.cone_axis = unit(measure(level, triangles, bounds.box, all));
+  const Vector centre = bounds.box.centre();
   ConeFit fit;
   fit.squared_cosine.fill(1);
   fit.behind.fill(-Box::far);
-  for (const Planes& planes : all) fit.add(planes, patch.cone_axis, centre);
+  for (const Planes& planes : all) fit.add(planes, bounds.cone_axis, centre);
   const float squared_cosine = *std::min_element(fit.squared_cosine.begin(), fit.squared_cosine.end());
   const float behind = *std::max_element(fit.behind.begin(), fit.behind.end());
-  const float margin = cone_margin * length(patch.box.extent());
-  patch.cone_apex = behind > -Box::far ? centre - patch.cone_axis * (behind + margin) : centre;
-  patch.cone_cosine = std::copysign(std::sqrt(std::fabs(squared_cosine)), squared_cosine);
+  const float margin = cone_margin * length(bounds.box.extent());
+  bounds.cone_apex = behind > -Box::far ? centre - bounds.cone_axis * (behind + margin) : centre;
+  bounds.cone_cosine = std::copysign(std::sqrt(std::fabs(squared_cosine)), squared_cosine);
+  return bounds;
 }
 
 }  // namespace glark::surfel

@@ -40,12 +40,13 @@ bool draws_nothing(const Node& node) { return node.low[0] > node.high[0]; }
 
 void update_leaf_node(const Level& level, const LevelOptions& options, std::uint32_t leaf, Node& node) {
   const Patch& patch = level.patches[leaf];
-  node.low = to_array(patch.box.empty() ? patch.box.low : patch.box.low * options.unit);
-  node.high = to_array(patch.box.empty() ? patch.box.high : patch.box.high * options.unit);
-  node.cone_axis = to_array(patch.cone_axis);
-  const float half_angle = std::acos(std::clamp(patch.cone_cosine, -1.0F, 1.0F)) + cone_margin;
-  node.cone_sine = options.has_normals && patch.cone_cosine > 2 * cone_margin ? std::sin(half_angle) : no_cone;
-  node.cone_apex = to_array(patch.cone_apex * options.unit);
+  const Bounds& bounds = patch.bounds;
+  node.low = to_array(bounds.box.empty() ? bounds.box.low : bounds.box.low * options.unit);
+  node.high = to_array(bounds.box.empty() ? bounds.box.high : bounds.box.high * options.unit);
+  node.cone_axis = to_array(bounds.cone_axis);
+  const float half_angle = std::acos(std::clamp(bounds.cone_cosine, -1.0F, 1.0F)) + cone_margin;
+  node.cone_sine = options.has_normals && bounds.cone_cosine > 2 * cone_margin ? std::sin(half_angle) : no_cone;
+  node.cone_apex = to_array(bounds.cone_apex * options.unit);
   node.first = patch.strip.first;
   node.count = patch.strip.count;
 }

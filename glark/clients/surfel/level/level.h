@@ -23,6 +23,19 @@ struct StitchedTriangle {
   std::uint32_t region;
 };
 
+// Numbers of triangles and edges of a leaf, see glark::surfel::Counts.
+struct PatchCounts {
+  std::size_t outer = 0, redundant = 0, dual = 0, valid = 0, out_of_reach = 0;
+  std::size_t flipped_in_triangulation = 0, flipped_in_strip = 0;
+};
+
+// The bounding box and the normal cone of drawn triangles.
+struct Bounds {
+  Box box;
+  Vector cone_axis, cone_apex;
+  float cone_cosine = -2;  // the cosine of the cone's half-angle
+};
+
 // The triangles and the strip of one leaf.
 struct Patch {
   Slot candidates;  // a range of Level::candidates
@@ -32,13 +45,8 @@ struct Patch {
   Slot strip;                              // a range of the indices of all strips
   std::uint64_t drawn_hash = 0;            // a hash of the triangles in the strip
   bool points_moved = true;                // since the strip, the box and the cone were made
-  // Numbers of triangles and edges, see glark::surfel::Counts.
-  std::size_t outer = 0, redundant = 0, dual = 0, valid = 0, out_of_reach = 0;
-  std::size_t flipped_in_triangulation = 0, flipped_in_strip = 0;
-  // The bounds of the drawn triangles.
-  Box box;
-  Vector cone_axis, cone_apex;
-  float cone_cosine = -2;  // the cosine of the cone's half-angle
+  PatchCounts counts;
+  Bounds bounds;  // of the drawn triangles
 };
 
 struct LevelOptions {

@@ -22,23 +22,24 @@ bool is_stitched(const Level& level, const Corners& corners) {
 
 void collect_drawn_triangles(const Level& level, std::uint32_t leaf, Patch& patch, std::vector<Triangle>& valid) {
   valid.clear();
-  patch.redundant = patch.dual = patch.out_of_reach = 0;
+  PatchCounts& counts = patch.counts;
+  counts.redundant = counts.dual = counts.out_of_reach = 0;
   const auto candidates = level.candidates_of(leaf);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& candidate = candidates[i];
     if (candidate.state == CandidateState::boundary) continue;
     if (candidate.state == CandidateState::out_of_reach) {
-      ++patch.out_of_reach;
+      ++counts.out_of_reach;
     } else if (candidate.state != CandidateState::agreed) {
-      ++(is_stitched(level, candidate.corners) ? patch.redundant : patch.dual);
+      ++(is_stitched(level, candidate.corners) ? counts.redundant : counts.dual);
     } else if (i < patch.shared_count && drawing_leaf(level, candidate.corners) != leaf) {
-      ++patch.redundant;
+      ++counts.redundant;
     } else {
       valid.push_back(triangle_of(candidate));
     }
   }
   for (const StitchedTriangle& stitched : patch.stitched) valid.push_back(stitched.triangle);
-  patch.valid = valid.size();
+  counts.valid = valid.size();
 }
 
 }  // namespace glark::surfel

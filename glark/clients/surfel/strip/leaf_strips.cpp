@@ -43,16 +43,16 @@ class LeafStripper {
     const auto old = std::span(indices_).subspan(patch.strip.first, patch.strip.count);
     const std::uint64_t drawn_hash = hash(triangles_);
     // If points moved, flipped edges may no longer be flat.
-    const bool is_same = drawn_hash == patch.drawn_hash && (!patch.points_moved || patch.flipped_in_strip == 0);
+    const bool is_same = drawn_hash == patch.drawn_hash && (!patch.points_moved || patch.counts.flipped_in_strip == 0);
     patch.drawn_hash = drawn_hash;
     const std::size_t begin = strip.size();
     if (is_same) {
-      if (patch.points_moved) compute_bounds(level_, triangles_, patch);
+      if (patch.points_moved) patch.bounds = compute_bounds(level_, triangles_);
       strip.insert(strip.end(), old.begin(), old.end());
     } else {
       for (const std::uint32_t point : stripifier_.stripify(triangles_)) strip.push_back(level_.cloud_index(point));
-      patch.flipped_in_strip = stripifier_.flipped_edges();
-      compute_bounds(level_, stripifier_.triangles(), patch);
+      patch.counts.flipped_in_strip = stripifier_.flipped_edges();
+      patch.bounds = compute_bounds(level_, stripifier_.triangles());
     }
     patch.points_moved = false;
     return is_same || std::ranges::equal(std::span(std::as_const(strip)).subspan(begin), old);

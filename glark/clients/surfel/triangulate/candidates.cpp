@@ -19,8 +19,8 @@ void make_candidates(Level& level, std::span<const std::uint32_t> leaves, const 
           batch.items.insert(batch.items.end(), result.candidates.begin(), result.candidates.end());
           batch.counts.push_back(static_cast<std::uint32_t>(result.candidates.size()));
           Patch& patch = level.patches[leaf];
-          patch.outer = result.outer;
-          patch.flipped_in_triangulation = result.flipped;
+          patch.counts.outer = result.outer;
+          patch.counts.flipped_in_triangulation = result.flipped;
           patch.shared_count = result.shared_count;
           patch.points_moved = true;
           const std::span<Surfel> surfels = level.tree.unique_surfels(level.tree.leaves[leaf]);

@@ -53,7 +53,7 @@ struct FixedFunctionState {
 // acts after it.
 //
 // Not reproduced: glMaterial between the vertices of one draw (no GLSL attribute carries it). Where Mesa 22.3's fixed
-// function differs from OpenGL 2.1, the shader follows OpenGL 2.1; tests/refine/fixed_function_test.cpp says where.
+// function differs from OpenGL 2.1, the shader follows OpenGL 2.1; fixed_function_test.cpp lists the differences.
 //
 // GL treats some state differently when a vertex shader is active. A caller that draws with the shader sets this state,
 // and restores it afterwards:

@@ -28,9 +28,9 @@ void show(const core::Program& program, GLenum stage, std::string_view kind, uns
 }
 
 // The choices of the key, in a fixed order: "pn-tagged-welded-placed".
-std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
+std::string kind_of(const core::DerivedKey& key) {
   if (key.at_corner) return "corners";
-  const core::RefinementTraits& traits = core::traits_of(refinement);
+  const core::RefinementTraits& traits = core::traits_of(key.refinement);
   std::string kind(traits.word);
   kind += key.displaced ? "-displaced" : "";
   kind += key.tagged ? "-tagged" : "";
@@ -47,7 +47,9 @@ std::string kind_of(const core::DerivedKey& key, core::Refinement refinement) {
 }  // namespace
 
 std::string label(const core::Program& program) {
-  const std::string name = program.fixed_function ? "fixed function" : fmt::format("program {}", program.name);
+  const std::string name = program.fixed_function ? "fixed function"
+                           : program.assembly     ? "assembly program"
+                                                  : fmt::format("program {}", program.name);
   return fmt::format("{} [{}]", name, core::hash_text(program.hash));
 }
 
@@ -58,11 +60,11 @@ void show_originals(const core::Program& program) {
   }
 }
 
-void show_derived(const core::Program& program, const core::DerivedKey& key, core::Refinement refinement,
+void show_derived(const core::Program& program, const core::DerivedKey& key,
                   const std::vector<std::string>& vertex_sources) {
   if (!core::wants_shaders()) return;
   for (std::size_t i = 0; i < vertex_sources.size(); ++i) {
-    show(program, GL_VERTEX_SHADER, kind_of(key, refinement), static_cast<unsigned>(i), vertex_sources[i]);
+    show(program, GL_VERTEX_SHADER, kind_of(key), static_cast<unsigned>(i), vertex_sources[i]);
   }
 }
 

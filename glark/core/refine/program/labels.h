@@ -16,9 +16,8 @@ std::string label(const core::Program& program);
 
 // Hands the application's shaders to the shader sink.
 void show_originals(const core::Program& program);
-// Hands a derived vertex stage to the shader sink. `refinement`: what the program evaluates, which may differ from the
-// key's.
-void show_derived(const core::Program& program, const core::DerivedKey& key, core::Refinement refinement,
+// Hands a derived vertex stage to the shader sink.
+void show_derived(const core::Program& program, const core::DerivedKey& key,
                   const std::vector<std::string>& vertex_sources);
 
 }  // namespace glark::refine

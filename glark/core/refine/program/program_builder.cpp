@@ -13,6 +13,7 @@
 #include "glark/core/refine/program/shape_fields.h"
 #include "glark/core/refine/program/subroutines.h"
 #include "glark/core/refine/program/uniform_copy.h"
+#include "glark/core/refine/program/unsound_outputs.h"
 #include "glark/core/refine/program/vertex_inputs.h"
 #include "glark/core/report/cause.h"
 #include "glark/core/report/log.h"
@@ -61,6 +62,15 @@ std::optional<core::Cause> cause_of(const core::Program& program, const VertexSt
   return std::nullopt;
 }
 
+void log_unsound_outputs(const core::Program& program) {
+  for (const OutputVariation& output : unsound_outputs(program.traits.variation, program.input_traits.can_curve)) {
+    const std::string_view reason =
+        output.reason.empty() ? std::string_view("not linear, and no normal is known") : output.reason;
+    core::log(core::LogLevel::info, fmt::format("{}: output {} is interpolated between the corners ({})",
+                                                label(program), output.path, reason));
+  }
+}
+
 void leave(core::Program& program, const std::string& reason) {
   program.cause = core::Cause::program_not_derived;
   core::log(core::LogLevel::warning,
@@ -84,6 +94,7 @@ bool ProgramBuilder::can_store_records(const core::Program& program) const {
 
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
+  program.logged_fallbacks = 0;
   program.cause.reset();
   program.hash = core::source_hash(program.stages);
   program.counters = &core::program_counters(program.hash);
@@ -100,16 +111,26 @@ void ProgramBuilder::prepare(core::Program& program) const {
     leave(program, inspection.error);
     return;
   }
+  if (program.fixed_function) {
+    program.traits.variation = {};  // glark's own shader is sound
+  }
   program.cause = cause_of(program, inspection.traits, traits_.transparent);
   if (program.cause) {
     return;
   }
   read_vertex_inputs(gl_, traits_.roles, program);
+  if (!program.cause) {
+    check_inputs(program);
+  }
+}
+
+// Decides whether the inputs fit into a record.
+void ProgramBuilder::check_inputs(core::Program& program) const {
+  if (traits_.transparent) {
+    log_unsound_outputs(program);
+  }
   const capture::Layout layout = capture::make_layout(program.fields, false);
   const int free_locations = most_chunks(false);
-  if (program.cause) {
-    return;
-  }
   if (layout.fields.empty()) {
     leave(program, "its vertex stage has no inputs");
   } else if ((layout.chunk_count() > free_locations && !can_store_records(program)) ||
@@ -165,15 +186,6 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   return core::link_program(gl_, name, shaders, error) ? name : 0;
 }
 
-// Integers are names (bones, layers). If the corners of a triangle name different things, the stage cannot run between
-// them. A program that uses the extension is told so and gets the provoking corner's integers.
-bool ProgramBuilder::interpolates_outputs(const core::Program& program) const {
-  const bool names_things = std::any_of(program.fields.begin(), program.fields.end(), [](const capture::Field& field) {
-    return field.location >= 0 && capture::is_integer(field.type);
-  });
-  return program.traits.reads_vertex_id || program.traits.writes_cull_distance || (traits_.transparent && names_things);
-}
-
 capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
                                                   const std::vector<capture::Field>& fields, int coordinate_field,
                                                   const core::DerivedKey& key) const {
@@ -188,7 +200,7 @@ capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
   };
   const bool stored = can_store_records(program);
   const core::RefinementTraits& refinement = core::traits_of(key.refinement);
-  const bool refines = !interpolates_outputs(program) && !refinement.interpolates_outputs;
+  const bool refines = !refinement.interpolates_outputs;
   const bool curved = key.welded && refinement.curves_positions && refines;
   const bool displaced = key.border && coordinate_field >= 0 && refines;
   words.controls = curved && fits({.controls = true}, stored);
@@ -216,7 +228,7 @@ DeriveRequest ProgramBuilder::request_for(const core::Program& program, const co
   request.scalar_tags = traits_.scalar_tags;
   const capture::WeldedWords welded = welded_words(program, fields, request.coordinate_field, key);
   request.layout = capture::make_layout(std::move(fields), key.tagged, welded);
-  request.refinement = interpolates_outputs(program) ? core::Refinement::linear_outputs : key.refinement;
+  request.refinement = key.refinement;
   request.at_corner = key.at_corner;
   request.placed = key.placed;
   request.morphing = key.morphing;
@@ -225,6 +237,11 @@ DeriveRequest ProgramBuilder::request_for(const core::Program& program, const co
   // gl_VertexID has no value between corners. So the stage runs on the corners, and the refinement shader is ignored.
   if (!key.at_corner && !program.traits.reads_vertex_id) {
     request.refinement_source = program.refinement_source;
+  }
+  if (traits_.transparent && request.refinement_source.empty()) {
+    for (const OutputVariation& output : unsound_outputs(program.traits.variation, program.input_traits.can_curve)) {
+      request.outputs.unsound.insert(output.path);
+    }
   }
   request.extensions = traits_.extensions;
   request.stored = !key.at_corner && request.layout.chunk_count() > most_chunks(key.placed);
@@ -284,7 +301,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   std::shared_ptr<core::DerivedProgram>& slot = program.derived[key];
   DeriveRequest request = request_for(program, key);
   const Derivation derivation = derive_if_it_fits(program, request);
-  show_derived(program, key, request.refinement, derivation.vertex_sources);
+  show_derived(program, key, derivation.vertex_sources);
   std::string error = derivation.error;
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
                                                        owner != nullptr ? owner->name : 0, key, error)
@@ -305,23 +322,29 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   return slot;
 }
 
-std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctionState& state,
-                                                              const core::Program* fragment) const {
+std::shared_ptr<core::Program> ProgramBuilder::generated(const std::string& source, std::string_view what,
+                                                         const core::Program* fragment) const {
   auto program = std::make_shared<core::Program>();
-  program->fixed_function = true;
-  const std::string source = fixed_function_vertex_shader(state);
   program->stages.push_back({GL_VERTEX_SHADER, std::make_shared<const std::string>(source)});
   // A program with only the vertex stage shows which attributes this stage reads.
   std::string error;
   program->name = compile_and_link(*program, {source}, 0, core::DerivedKey{.placed = false}, error);
   if (program->name == 0) {
-    core::log(core::LogLevel::error, fmt::format("the fixed-function vertex stage cannot be built: {}", error));
+    core::log(core::LogLevel::error, fmt::format("{} cannot be built: {}", what, error));
   }
   if (fragment != nullptr) {
     for (const core::StageSource& stage : fragment->stages) {
       program->stages.push_back(stage);
     }
   }
+  return program;
+}
+
+std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctionState& state,
+                                                              const core::Program* fragment) const {
+  std::shared_ptr<core::Program> program =
+      generated(fixed_function_vertex_shader(state), "the fixed-function vertex stage", fragment);
+  program->fixed_function = true;
   return program;
 }
 

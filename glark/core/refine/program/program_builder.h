@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glark/core/capture/layout.h"
@@ -43,6 +44,10 @@ class ProgramBuilder {
   std::shared_ptr<core::DerivedProgram> derive(core::Program& program, core::Program* owner,
                                                const core::DerivedKey& key) const;
 
+  // A Program that holds a vertex stage of ours beside the fragment stages of `fragment` (may be null). Its name is 0 if
+  // GL refuses the source; the log then says what `what` is.
+  std::shared_ptr<core::Program> generated(const std::string& source, std::string_view what,
+                                           const core::Program* fragment) const;
   // A Program that holds the generated vertex stage of `state` beside the fragment stages of `fragment` (may be null).
   std::shared_ptr<core::Program> fixed_function(const FixedFunctionState& state, const core::Program* fragment) const;
 
@@ -53,9 +58,9 @@ class ProgramBuilder {
  private:
   GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources,
                           GLuint settings_of, const core::DerivedKey& key, std::string& error) const;
+  void check_inputs(core::Program& program) const;
   void bind_inputs(GLuint name, const core::DerivedKey& key) const;
   bool needs_stage(GLenum stage, bool at_corner) const;
-  bool interpolates_outputs(const core::Program& program) const;
   int most_chunks(bool placed) const;
   capture::WeldedWords welded_words(const core::Program& program, const std::vector<capture::Field>& fields,
                                     int coordinate_field, const core::DerivedKey& key) const;

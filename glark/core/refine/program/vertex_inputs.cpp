@@ -92,6 +92,7 @@ void read_vertex_inputs(const gl::Dispatch& gl, const core::AttributeRoles& role
     program.fields.push_back({.name = name, .type = GL_INT});
   }
   capture::assign_roles(program.fields, roles);
+  program.input_traits = {.can_curve = capture::can_curve(program.fields)};
   core::log(core::LogLevel::info, fmt::format("{}: {}", label(program), capture::roles_text(program.fields)));
 }
 

@@ -40,14 +40,16 @@ struct Program {
   mutable std::recursive_mutex mutex;
   GLuint name = 0;  // the application's program; for the fixed function, a program of ours with the generated shader
   bool fixed_function = false;
+  bool assembly = false;  // of ours: the GLSL of an assembly program
   std::vector<StageSource> stages;
   bool from_binary = false;
   bool linked = true;          // false: GL runs the executable from before the last link, and cannot return to it
   bool may_store = false;      // its shaders may write buffers
-  bool prepared = false;       // the next three members are valid
+  bool prepared = false;       // the next four members are valid
   std::optional<Cause> cause;  // why it cannot be refined
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
+  refine::VertexInputTraits input_traits;
   bool subroutines_asked = false;  // the next member is valid
   bool uses_subroutines = false;
   std::map<DerivedKey, std::shared_ptr<DerivedProgram>> derived;  // null: it could not be derived
@@ -59,6 +61,7 @@ struct Program {
   bool left_alone = false;                    // the user named its hash
   bool conventional_projection = false;       // reads_conventional_projection()
   ProgramCounters* counters = nullptr;        // valid if prepared
+  unsigned logged_fallbacks = 0;              // bits by RefinementFallback: its line is in the log
   bool uniforms_stale = false;  // a display list changed uniforms: copy all values before the next refined draw
 
   bool has_stage(GLenum stage) const {

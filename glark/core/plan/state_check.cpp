@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/plan/state_check.h"
+
+namespace glark::core {
+namespace {
+
+bool culled(const Bindings& b, GLenum face) {
+  return b.cull_face && (b.culled_face == face || b.culled_face == GL_FRONT_AND_BACK);
+}
+
+// A face that is culled is not drawn, whatever its polygon mode is.
+bool shows_lines_or_points(const Bindings& b) {
+  return (b.front_polygon_mode != GL_FILL && !culled(b, GL_FRONT)) ||
+         (b.back_polygon_mode != GL_FILL && !culled(b, GL_BACK));
+}
+
+}  // namespace
+
+std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& conditions) {
+  const Bindings& b = conditions.bindings;
+  if (!is_triangle_mode(call.mode)) {
+    return Cause::not_triangles;
+  }
+  if (b.render_mode != GL_RENDER) {
+    return Cause::render_mode;
+  }
+  if (b.transform_feedback_active && !b.transform_feedback_paused && !conditions.feedback_is_ours) {
+    return Cause::transform_feedback;
+  }
+  // Counting our own triangles would take a query that the application has open.
+  const bool needs_query = !call.exact && b.primitives_written_query != 0 && b.primitives_generated_query != 0;
+  if ((conditions.transparent && b.primitive_queries > 0) || needs_query) {
+    return Cause::primitive_query;
+  }
+  if (conditions.transparent && shows_lines_or_points(b)) {
+    return Cause::polygon_mode;
+  }
+  // Without rasterization, transform feedback and a query of generated primitives still see refined triangles.
+  const bool results_count =
+      conditions.feedback_is_ours || conditions.plans_feedback || b.primitives_generated_query != 0;
+  if (b.rasterizer_discard && !results_count) {
+    return Cause::rasterizer_discard;
+  }
+  if (conditions.core_profile && b.vertex_array == 0) {
+    return Cause::invalid_draw;
+  }
+  return std::nullopt;
+}
+
+}  // namespace glark::core

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A program of OpenGL ES 2 in a context of OpenGL ES 3.2, drawing to an EGL pbuffer; linked to libGLESv2.
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GLES2/gl2.h>
+
+#define GL(name) gl##name
+#define SCENE_GLSL_VERTEX SCENE_GLSL_100_VERTEX
+#define SCENE_GLSL_FRAGMENT SCENE_GLSL_100_FRAGMENT
+#define SCENE_HAS_VAO 0
+
+#include "tests/clients/scene/scene_shader.h"
+
+int main(int argc, char** argv) {
+  static unsigned char pixels[4 * picture_size * picture_size];
+  static const EGLint wanted[] = {EGL_SURFACE_TYPE,
+                                  EGL_PBUFFER_BIT,
+                                  EGL_RENDERABLE_TYPE,
+                                  EGL_OPENGL_ES2_BIT,
+                                  EGL_RED_SIZE,
+                                  8,
+                                  EGL_GREEN_SIZE,
+                                  8,
+                                  EGL_BLUE_SIZE,
+                                  8,
+                                  EGL_DEPTH_SIZE,
+                                  24,
+                                  EGL_NONE};
+  static const EGLint size[] = {EGL_WIDTH, picture_size, EGL_HEIGHT, picture_size, EGL_NONE};
+  static const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2, EGL_NONE};
+  const int frames = frame_count(argc, argv);
+  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+  require(eglInitialize(display, NULL, NULL) && eglBindAPI(EGL_OPENGL_ES_API), "no surfaceless EGL display");
+  EGLConfig config;
+  EGLint configs = 0;
+  require(eglChooseConfig(display, wanted, &config, 1, &configs) && configs == 1, "no EGL config");
+  const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
+  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
+  require(eglMakeCurrent(display, surface, surface, context), "no context of OpenGL ES 3.2");
+  scene_setup();
+  for (int frame = 0; frame < frames; ++frame) {
+    scene_draw();
+    if (frame == frames - 1) scene_read(pixels);
+    eglSwapBuffers(display, surface);
+  }
+  eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroySurface(display, surface);
+  eglDestroyContext(display, context);
+  eglTerminate(display);
+  return write_picture(argv[2], pixels);
+}

@@ -1,7 +1,0 @@
-// SPDX-FileCopyrightText: 2026 The glark authors
-// SPDX-License-Identifier: MIT
-//
-// Reaches GL by being linked to libOSMesa.
-#include "osmesa_scene.h"
-
-int main(int argc, char** argv) { return draw_in_memory(frame_count(argc, argv), argv[2]); }
