@@ -60,9 +60,7 @@ TEST_F(Creases, ACubeStaysFlat) {
   expect_straight(rows_of(averaged(cube()), 20));  // more triangles than one work group takes
 }
 
-TEST_F(Creases, ASplitCubeStaysFlat) {
-  EXPECT_EQ(bent_edges(weld(flat_shaded(cube()))), 0);
-}
+TEST_F(Creases, ASplitCubeStaysFlat) { EXPECT_EQ(bent_edges(weld(flat_shaded(cube()))), 0); }
 
 TEST_F(Creases, AnOctahedralBallRounds) {
   expect_unchanged(averaged(octahedron()));
@@ -171,8 +169,9 @@ TEST_F(Creases, TheGreatestAngleOfThreeSidesCounts) {
   const CurvedVertex b = mesh.vertices[1];
   const WeldedMesh before = weld(mesh);
   ASSERT_FALSE(before[0].is_straight());
-  mesh.add({a.position, b.position, {0.5F * (a.position[0] + b.position[0]), 0.5F * (a.position[1] + b.position[1]), 3}},
-           {a.normal, b.normal, a.normal});
+  mesh.add(
+      {a.position, b.position, {0.5F * (a.position[0] + b.position[0]), 0.5F * (a.position[1] + b.position[1]), 3}},
+      {a.normal, b.normal, a.normal});
   EXPECT_TRUE(weld(mesh)[0].is_straight());
 }
 
