@@ -53,6 +53,15 @@ class GlState {
   const CurrentValues& current_values() const { return current_values_; }
   // Something may have changed all current values.
   void forget_current_values() { current_values_.forget(stamps_.next()); }
+  // Another framebuffer is bound, or attachments of framebuffers have changed.
+  void framebuffer_bound(GLuint framebuffer) {
+    depth_buffers_.bind(framebuffer);
+    bindings_stale_ |= bindings_.clamps_by_framebuffer;
+  }
+  void attachments_changed() {
+    depth_buffers_.forget_attachments();
+    bindings_stale_ |= bindings_.clamps_by_framebuffer;
+  }
   DepthBuffers& depth_buffers() { return depth_buffers_; }
   FixedFunctionChanges& fixed_function() { return fixed_function_; }
   Programs& programs() { return programs_; }
