@@ -118,17 +118,21 @@ def regions(mask: numpy.ndarray) -> numpy.ndarray:
     return numpy.array([root(i) for i in range(len(parents))], numpy.int32)[labels]
 
 
-def sharp_area(mask: numpy.ndarray, picture: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
-    """Marks the regions of a mask that are large and have a sharp contour in the picture: objects, not shading."""
+def lone_steps(picture: numpy.ndarray, other: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
+    """Marks the pixels beside a step that the other picture lacks. A texture under another light has its steps in both."""
+    return grown(steps(picture) >= allowance.tolerance // 2, 1) & ~grown(steps(other) >= allowance.tolerance // 4, 1)
+
+
+def sharp_area(mask: numpy.ndarray, lone: numpy.ndarray) -> numpy.ndarray:
+    """Marks the regions of a mask that are large and have a sharp contour in one picture only: objects, not shading."""
     closed = grown(mask, 1)  # so that a grid of holes is one region
     labels = regions(closed)
     inside = ~grown(~closed, 1)
     contour = closed & ~inside
-    sharp = grown(steps(picture) >= allowance.tolerance // 2, 1)
     count = int(labels.max()) + 1
     sizes = numpy.bincount(labels[mask], minlength=count)
     around = numpy.bincount(labels[contour], minlength=count)
-    cut = numpy.bincount(labels[contour & sharp], minlength=count)
+    cut = numpy.bincount(labels[contour & lone], minlength=count)
     broken = (sizes >= SMALLEST) & (cut > CONTOUR * around)
     broken[0] = False
     return mask & broken[labels]
@@ -182,9 +186,10 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     new = unexplained(refined, plain, allowance)
     if not lost.any() and not new.any():
         return Breakage(lost, lost, lost, lost)
+    lone_plain, lone_refined = lone_steps(plain, refined, allowance), lone_steps(refined, plain, allowance)
     near = Allowance(min(2, allowance.reach), allowance.tolerance)
-    stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near))
+    stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near)) & lone_refined
     strays = outliers(refined, new & ~stripes)
     strays &= ~grown(outliers(plain, grown(strays, allowance.reach)), allowance.reach)  # the plain picture sparkles, too
     strays &= strays.sum() >= FEWEST
-    return Breakage(sharp_area(lost, plain, allowance), sharp_area(new, refined, allowance), stripes, strays)
+    return Breakage(sharp_area(lost, lone_plain), sharp_area(new, lone_refined), stripes, strays)

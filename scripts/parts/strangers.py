@@ -115,6 +115,12 @@ def replay(program: Stranger, folder: pathlib.Path, variant: str, library: dict,
                   json.loads(statistics.read_text()) if library else {})
 
 
+def is_blank(frame: numpy.ndarray) -> bool:
+    """Whether nearly every pixel has the same colour."""
+    _, counts = numpy.unique(frame.reshape(-1, 3), axis=0, return_counts=True)
+    return counts.max() > 0.997 * counts.sum()
+
+
 def off_pixels(plain: list, off: list) -> int:
     return sum(int((first != second).any(axis=2).sum()) for first, second in zip(plain, off))
 
@@ -146,6 +152,8 @@ def examine(program: Stranger, folder: pathlib.Path, arguments: argparse.Namespa
     plain = replay(program, folder, "plain", {}, arguments.limit)
     if not plain.frames:
         raise Failure("the recording has no frame")
+    if all(is_blank(frame) for frame in plain.frames):
+        raise Failure("the recording shows nothing")
     off = replay(program, folder, "off", {"LD_PRELOAD": str(library)}, arguments.limit)
     result = {"name": program.name, "kind": program.kind, "frames": len(plain.frames),
               "off": off_pixels(plain.frames, off.frames), "modes": {}}

@@ -153,6 +153,15 @@ def texture_moved(plain, refined, random):
         scene.fill(disc(60), plain.colour * (0.6 + 0.4 * checks(shift))[..., None])
 
 
+def lit_texture(plain, refined, random):
+    """A highlight on a texture with sharp edges."""
+    x, size = random.integers(100, 140), random.integers(12, 20)
+    light = numpy.exp(-((COLUMNS - x) ** 2 + (ROWS - 80) ** 2) / (2 * size ** 2))[..., None]
+    texture = numpy.where((COLUMNS // 9 + ROWS // 9) % 2, 1.0, 0.2)[..., None]
+    plain.fill(disc(60), 0.4 * plain.colour * texture)
+    refined.fill(disc(60), (0.4 * plain.colour + 130 * light) * texture)
+
+
 def rounding(plain, refined, random):
     """A vertical edge moves by a pixel, and colours by a level."""
     plain.fill(COLUMNS < 100, plain.colour)
@@ -165,7 +174,7 @@ BROKEN = {
     "cracks": (cracks, "strays"), "black triangle": (black_triangle, "appeared"),
 }
 HEALTHY = {function.__name__.replace("_", " "): function for function in
-           (unchanged, rounded, smooth_light, highlight, texture_moved, rounding)}
+           (unchanged, rounded, smooth_light, highlight, lit_texture, texture_moved, rounding)}
 
 
 def counts(paint, seed: int, allowance) -> dict:

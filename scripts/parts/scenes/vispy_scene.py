@@ -16,9 +16,9 @@ points = numpy.random.default_rng(1).normal(size=(40, 3))
 scene.visuals.Markers(parent=view.scene).set_data(points, size=8)
 
 
+@canvas.events.draw.connect
 def step(event):
     view.camera.azimuth += 2
 
 
-timer = app.Timer("auto", connect=step, start=True)
 app.run()
