@@ -35,7 +35,7 @@ def saver(name: str, *options: str, remark: str = "") -> Stranger:
 
 
 def slick(name: str) -> Stranger:
-    return Stranger(name, "screen saver", ("rss-glx",), [HACKS + name], seconds=5, frames=60)
+    return Stranger(name, "screen saver", ("rss-glx",), [HACKS + name], seconds=12, frames=60)
 
 
 def shooter(name: str, *options: str, keys: tuple = ((4, "keydown z"), (2, "keydown Left"))) -> Stranger:
@@ -84,8 +84,6 @@ SHOOTERS = [
 
 GAMES = [
     arena("OpenArena", "opengl1"), arena("OpenArena GL2", "opengl2"),
-    Stranger("gl-117", "game, in play", ("gl-117",), ["/usr/games/gl-117"], seconds=12,
-             keys=((3, "key Return"), (1, "key Return"), (1, "key Return"))),
     Stranger("armagetronad", "game, in play", ("armagetronad",), ["/usr/games/armagetronad"], seconds=14, frames=400,
              keys=((3, "key Return"), (1, "key Return"), (1, "key Return"), (1, "key Return"))),
     Stranger("zaz", "game, in play", ("zaz",), ["/usr/games/zaz"], seconds=12, keys=((4, "key Return"), (2, "key Return"))),
