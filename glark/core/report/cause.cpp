@@ -22,7 +22,11 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
      "delete programs after their last draw"},
     {"program_binary", "the program was loaded from a binary, or from SPIR-V",
      "make the application compile its shaders from GLSL, for instance by clearing its cache"},
-    {"assembly_program", "an ARB assembly vertex program is enabled", "use GLSL"},
+    {"assembly_program",
+     "an ARB assembly vertex program is enabled that glark cannot translate, or that belongs to a program which uses "
+     "the "
+     "extension itself",
+     "see the log line of the program; use GLSL"},
     {"tessellation", "the application tessellates by itself", "nothing to do"},
     {"too_many_attributes", "the vertex attributes of three corners do not fit into the attributes of one instance",
      "use fewer or smaller attributes"},

@@ -9,6 +9,7 @@
 #include "glark/core/objects/quiet.h"
 #include "glark/core/state/arrays/array_state.h"
 #include "glark/core/state/arrays/current_values.h"
+#include "glark/core/state/assembly/assembly_state.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/depth_buffers.h"
@@ -55,6 +56,7 @@ class GlState {
   DepthBuffers& depth_buffers() { return depth_buffers_; }
   FixedFunctionChanges& fixed_function() { return fixed_function_; }
   Programs& programs() { return programs_; }
+  AssemblyState& assembly() { return assembly_; }
   const Programs& programs() const { return programs_; }
 
   // Calls that a display list may take instead of the context.
@@ -79,6 +81,7 @@ class GlState {
   DepthBuffers depth_buffers_;
   FixedFunctionChanges fixed_function_;
   Programs programs_;
+  AssemblyState assembly_;
   ListCompilation lists_;
   QuerySurplus query_surplus_;
 };

@@ -322,23 +322,29 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   return slot;
 }
 
-std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctionState& state,
-                                                              const core::Program* fragment) const {
+std::shared_ptr<core::Program> ProgramBuilder::generated(const std::string& source, std::string_view what,
+                                                         const core::Program* fragment) const {
   auto program = std::make_shared<core::Program>();
-  program->fixed_function = true;
-  const std::string source = fixed_function_vertex_shader(state);
   program->stages.push_back({GL_VERTEX_SHADER, std::make_shared<const std::string>(source)});
   // A program with only the vertex stage shows which attributes this stage reads.
   std::string error;
   program->name = compile_and_link(*program, {source}, 0, core::DerivedKey{.placed = false}, error);
   if (program->name == 0) {
-    core::log(core::LogLevel::error, fmt::format("the fixed-function vertex stage cannot be built: {}", error));
+    core::log(core::LogLevel::error, fmt::format("{} cannot be built: {}", what, error));
   }
   if (fragment != nullptr) {
     for (const core::StageSource& stage : fragment->stages) {
       program->stages.push_back(stage);
     }
   }
+  return program;
+}
+
+std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctionState& state,
+                                                              const core::Program* fragment) const {
+  std::shared_ptr<core::Program> program =
+      generated(fixed_function_vertex_shader(state), "the fixed-function vertex stage", fragment);
+  program->fixed_function = true;
   return program;
 }
 
