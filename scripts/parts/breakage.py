@@ -190,6 +190,7 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     near = Allowance(min(2, allowance.reach), allowance.tolerance)
     stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near)) & lone_refined
     strays = outliers(refined, new & ~stripes)
-    strays &= ~grown(outliers(plain, grown(strays, allowance.reach)), allowance.reach)  # the plain picture sparkles, too
+    around = max(allowance.reach, 3)
+    strays &= ~grown(outliers(plain, grown(strays, around)), around)  # the plain picture sparkles, too
     strays &= strays.sum() >= FEWEST
     return Breakage(sharp_area(lost, lone_plain), sharp_area(new, lone_refined), stripes, strays)

@@ -34,10 +34,6 @@ def saver(name: str, *options: str, remark: str = "") -> Stranger:
                     [HACKS + name, "--window", "--geometry", "400x300", *options], egl=True, seconds=5, frames=60, remark=remark)
 
 
-def slick(name: str) -> Stranger:
-    return Stranger(name, "screen saver", ("rss-glx",), [HACKS + name], seconds=12, frames=60)
-
-
 def shooter(name: str, *options: str, keys: tuple = ((4, "keydown z"), (2, "keydown Left"))) -> Stranger:
     return Stranger(name, "game, in play", (name,), ["/usr/games/" + name, *options], seconds=10, frames=240, keys=keys)
 
@@ -86,15 +82,15 @@ GAMES = [
     arena("OpenArena", "opengl1"), arena("OpenArena GL2", "opengl2"),
     Stranger("armagetronad", "game, in play", ("armagetronad",), ["/usr/games/armagetronad"], seconds=14, frames=400,
              keys=((3, "key Return"), (1, "key Return"), (1, "key Return"), (1, "key Return"))),
-    Stranger("zaz", "game, in play", ("zaz",), ["/usr/games/zaz"], seconds=12, keys=((4, "key Return"), (2, "key Return"))),
+    Stranger("zaz", "game, menu", ("zaz",), ["/usr/games/zaz"], seconds=12, keys=((4, "key Return"), (2, "key Return"))),
     Stranger("brutalchess", "game, in play", ("brutalchess",), ["/usr/games/brutalchess"], seconds=10,
              keys=((3, "key Return"), (2, "key Return"))),
-    Stranger("dreamchess", "game, in play", ("dreamchess",), ["/usr/games/dreamchess", "--width", "640", "--height", "480"],
+    Stranger("dreamchess", "game, menu", ("dreamchess",), ["/usr/games/dreamchess", "--width", "640", "--height", "480"],
              seconds=10, keys=((4, "key Return"), (1, "key Return"))),
     Stranger("Freedoom in dsda-doom", "game, in play", ("dsda-doom", "freedoom"),
              ["/usr/games/dsda-doom", "-iwad", "/usr/share/games/doom/freedoom1.wad", "-vidmode", "gl", "-geom", "320x240w",
               "-nosound", "-warp", "1", "-skill", "3"], frames=300),
-    Stranger("supertux", "game, in play", ("supertux",), ["/usr/games/supertux2", "--geometry", "320x240", "--window",
+    Stranger("supertux", "game, menu", ("supertux",), ["/usr/games/supertux2", "--geometry", "320x240", "--window",
              "/usr/share/games/supertux2/levels/world1/welcome_antarctica.stl"], seconds=10),
     Stranger("minetest", "game, in play", ("minetest", "minetest-data"),
              ["/usr/games/minetest", "--world", f"{MODELS}/world", "--go"], seconds=25, frames=200),
@@ -111,23 +107,18 @@ GAMES = [
 SAVERS = [saver(name) for name in (
     "endgame", "jigglypuff", "lament", "sballs", "pinion", "engine", "cube21", "peepers", "headroom", "handsy",
     "lavalite", "juggler3d", "glschool", "glsnake", "moebiusgears", "splodesic", "topblock", "winduprobot", "rubik",
-    "companioncube", "skytentacles", "hydrostat")]
-SAVERS += [slick(name) for name in ("euphoria", "fieldlines", "flux", "helios", "hyperspace", "lattice", "skyrocket",
-                                    "solarwinds", "cyclone", "busyspheres", "pixelcity")]
-
+    "companioncube", "skytentacles", "hydrostat", "geodesicgears", "energystream", "glhanoi",
+    "queens", "sphereeversion", "vigilance")]
 GLX = {"GDK_DEBUG": "gl-glx"}  # GTK 4 then does without EGL
 
 TOOLKITS = [
-    Stranger("GTK 4 gears", "toolkit", ("gtk-4-examples",), ["/usr/bin/gtk4-demo", "--run=gears"], frames=40, environment=GLX),
     Stranger("GTK 4 widgets", "toolkit", ("gtk-4-examples",), ["/usr/bin/gtk4-widget-factory"], frames=20, environment=GLX),
-    Stranger("GTK 3 GLArea", "toolkit", ("gtk-3-examples",), ["/usr/bin/gtk3-demo", "--run=glarea"], frames=20),
     qt("datavisualization/bars"), qt("datavisualization/scatter"), qt("datavisualization/surface"),
     qt("datavisualization/customitems"), qt("datavisualization/volumetric"), qt("datavisualization/qmlsurface"),
     qt("datavisualization/qmlbars"), qt("opengl/threadedqopenglwidget"), qt("opengl/hellowindow"), qt("opengl/textures"),
     pyqtgraph("GLMeshItem"), pyqtgraph("GLSurfacePlot"), pyqtgraph("GLIsosurface"), pyqtgraph("GLVolumeItem"),
-    scene("pyglet", "python3-pyglet"), scene("kivy", "python3-kivy"), scene("vispy", "python3-vispy"),
+    scene("pyglet", "python3-pyglet"), scene("kivy", "python3-kivy"),
     scene("wx", "python3-wxgtk4.0"), scene("vtk", "python3-vtk9"),
-    Stranger("Love2D", "toolkit", ("love",), ["/usr/bin/love", str(SCENES / "love")], frames=60, seconds=20),
     perl("planets"), perl("glxgears"),
 ]
 
@@ -135,7 +126,6 @@ DESKTOP = [
     Stranger("OpenSCAD", "modeller", ("openscad",), ["/usr/bin/openscad", "/usr/share/openscad/examples/Basics/CSG.scad"], seconds=14, keys=DRAG),
     Stranger("OpenSCAD logo", "modeller", ("openscad",), ["/usr/bin/openscad", "/usr/share/openscad/examples/Basics/logo.scad"],
              seconds=14, keys=DRAG),
-    Stranger("MeshLab", "modeller", ("meshlab",), ["/usr/bin/meshlab", f"{MODELS}/ball.obj"], seconds=14, keys=DRAG),
     Stranger("fstl", "modeller", ("fstl",), ["/usr/bin/fstl", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
     Stranger("Gmsh", "modeller", ("gmsh",), ["/usr/bin/gmsh", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
     Stranger("Goxel", "modeller", ("goxel",), ["/usr/bin/goxel"], seconds=14, keys=DRAG),
@@ -154,7 +144,7 @@ DESKTOP = [
     Stranger("Chromium WebGL", "browser", ("chromium",),
              ["/usr/bin/chromium", "--no-sandbox", "--in-process-gpu", "--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist",
               "--window-size=400,300", "--user-data-dir=MODELS/chromium", str(SCENES / "webgl.html")], seconds=25),
-    Stranger("openMSX", "emulator", ("openmsx", "cbios"), ["/usr/bin/openmsx", "-machine", "C-BIOS_MSX2"], seconds=10, frames=60),
+    Stranger("openMSX", "emulator", ("openmsx",), ["/usr/bin/openmsx", "-machine", "C-BIOS_MSX2"], seconds=10, frames=60),
     *(Stranger(f"Inventor {name}", "demo", ("inventor-demo",), [f"/usr/lib/inventor/{name}", *words], seconds=14, frames=40, keys=DRAG)
       for name, words in (("maze", ()), ("revo", ()), ("drop", ()), ("noodle", ()), ("textomatic", ()))),
     Stranger("FOX & Coin ivview", "demo", ("inventor-clients",), ["/usr/bin/ivview",
