@@ -18,7 +18,7 @@ class Allowance:
 
 
 CONTOUR = 0.35     # share of a region's contour that must be sharp: colours differ by at least tolerance / 2 levels
-SMALLEST = 24      # pixels of the smallest region that counts as vanished or appeared
+SMALLEST = 24      # pixels of the smallest region that counts as vanished or appeared, and of the fewest stripes
 FEWEST = 4         # strays; fewer may be the rounding of an edge
 STRAY = 64         # levels by which a stray colour differs from the median around it
 WINDOW = 11        # size of the window in which changes along a line are counted

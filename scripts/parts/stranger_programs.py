@@ -107,7 +107,7 @@ GAMES = [
 SAVERS = [saver(name) for name in (
     "endgame", "jigglypuff", "lament", "sballs", "pinion", "engine", "cube21", "peepers", "headroom", "handsy",
     "lavalite", "juggler3d", "glschool", "glsnake", "moebiusgears", "splodesic", "topblock", "winduprobot", "rubik",
-    "companioncube", "skytentacles", "hydrostat", "geodesicgears", "energystream", "glhanoi",
+    "companioncube", "skytentacles", "hydrostat", "geodesicgears", "glhanoi",
     "queens", "sphereeversion", "vigilance")]
 GLX = {"GDK_DEBUG": "gl-glx"}  # GTK 4 then does without EGL
 
@@ -145,9 +145,8 @@ DESKTOP = [
              ["/usr/bin/chromium", "--no-sandbox", "--in-process-gpu", "--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist",
               "--window-size=400,300", "--user-data-dir=MODELS/chromium", str(SCENES / "webgl.html")], seconds=25),
     Stranger("openMSX", "emulator", ("openmsx",), ["/usr/bin/openmsx", "-machine", "C-BIOS_MSX2"], seconds=10, frames=60),
-    *(Stranger(f"Inventor {name}", "demo", ("inventor-demo",), [f"/usr/lib/inventor/{name}", *words], seconds=14, frames=40, keys=DRAG)
-      for name, words in (("maze", ()), ("revo", ()), ("drop", ()), ("noodle", ()), ("textomatic", ()))),
-    Stranger("FOX & Coin ivview", "demo", ("inventor-clients",), ["/usr/bin/ivview",
+    Stranger("Inventor noodle", "demo", ("inventor-demo",), ["/usr/lib/inventor/noodle"], seconds=14, frames=40, keys=DRAG),
+    Stranger("Inventor ivview", "demo", ("inventor-clients",), ["/usr/bin/ivview",
              "/usr/share/doc/inventor-demo/src/apps/examples/data/luxo.iv"]),
 ]
 
