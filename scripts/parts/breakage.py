@@ -15,6 +15,7 @@ class Allowance:
     """What a refinement may change."""
     reach: int      # pixels that an outline may move
     tolerance: int  # levels of 255 by which a colour may differ from the one that explains it
+    light: bool     # whether light may change
 
 
 CONTOUR = 0.35     # share of a region's contour that must be sharp: colours differ by at least tolerance / 2 levels
@@ -27,12 +28,12 @@ CROSSINGS = 4      # changes along each line of that window, beyond which two pa
 
 def exact(width: int = 0, height: int = 0) -> Allowance:  # whatever the size
     """Outputs: only the rounding of an edge may differ."""
-    return Allowance(reach=1, tolerance=16)
+    return Allowance(reach=1, tolerance=16, light=False)
 
 
 def curved(width: int, height: int) -> Allowance:
     """Curved triangles: outlines bulge, and shading is evaluated at more points."""
-    return Allowance(reach=max(4, round(0.03 * max(width, height))), tolerance=32)
+    return Allowance(reach=max(4, round(0.03 * max(width, height))), tolerance=32, light=True)
 
 
 def difference(first: numpy.ndarray, second: numpy.ndarray) -> numpy.ndarray:
@@ -119,7 +120,12 @@ def regions(mask: numpy.ndarray) -> numpy.ndarray:
 
 
 def lone_steps(picture: numpy.ndarray, other: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
-    """Marks the pixels beside a step that the other picture lacks. A texture under another light has its steps in both."""
+    """Marks the pixels beside a step that the other picture lacks. A texture under another light has its steps in both.
+
+    If light may not change, every pixel counts as such.
+    """
+    if not allowance.light:
+        return numpy.ones(picture.shape[:2], bool)
     return grown(steps(picture) >= allowance.tolerance // 2, 1) & ~grown(steps(other) >= allowance.tolerance // 4, 1)
 
 
@@ -187,7 +193,7 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     if not lost.any() and not new.any():
         return Breakage(lost, lost, lost, lost)
     lone_plain, lone_refined = lone_steps(plain, refined, allowance), lone_steps(refined, plain, allowance)
-    near = Allowance(min(2, allowance.reach), allowance.tolerance)
+    near = dataclasses.replace(allowance, reach=min(2, allowance.reach))
     stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near)) & lone_refined
     strays = outliers(refined, new & ~stripes)
     around = max(allowance.reach, 3)
