@@ -20,8 +20,8 @@
 namespace glark::settings {
 
 namespace variable {
-inline constexpr char enable[] = "GLARK_ENABLE";  // 1: refine a program that does not call the extension
-inline constexpr char config[] = "GLARK_CONFIG";  // FILE: replaces the configuration file of the XDG folders
+inline constexpr char enable[] = "GLARK_ENABLE";    // 1: refine a program that does not call the extension
+inline constexpr char config[] = "GLARK_CONFIG";    // FILE: replaces the configuration file of the XDG folders
 inline constexpr char library[] = "GLARK_LIBRARY";  // FILE: the library that the launcher preloads
 }  // namespace variable
 
@@ -35,10 +35,10 @@ struct Settings {
   core::ContextOptions context;  // `transparent` needs GLARK_ENABLE
   core::LogLevel log_level = core::LogLevel::warning;
   std::vector<CaptureRequest> captures;
-  std::string statistics_file;  // empty: none
-  std::string dump_folder;      // for the sources of shaders; empty: none
-  bool everything = false;      // refine every draw and shader
-  bool leave_alone = false;     // refine nothing in this program
+  std::string statistics_file;            // empty: none
+  std::string dump_folder;                // for the sources of shaders; empty: none
+  bool everything = false;                // refine every draw and shader
+  bool leave_alone = false;               // refine nothing in this program
   std::set<std::string_view> given = {};  // keys that the user set, from the table
 
   bool is_given(std::string_view key) const { return given.contains(key); }

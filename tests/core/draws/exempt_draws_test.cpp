@@ -179,7 +179,7 @@ TEST_F(ExemptDraws, AFramebufferWithoutDepthTestsNone) {
   hook::BindFramebuffer(*context_, GL_DRAW_FRAMEBUFFER, framebuffer);
   EXPECT_EQ(draw(2), "screen_quad");
   real.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, targets[1]);
-  context_->state().depth_buffers().forget_attachments();
+  context_->state().framebuffers().forget_attachments();
   EXPECT_EQ(draw(2), "refined");
   hook::BindFramebuffer(*context_, GL_READ_FRAMEBUFFER, 0);
   EXPECT_EQ(draw(2), "refined");
