@@ -51,7 +51,7 @@ struct Parsed {
 };
 
 // Reads the configuration file, then the environment, which wins. `environment` is like `environ`: "NAME=value" strings
-// up to a null pointer; it may be null. In the file, only the tables of the programs `names` count.
+// up to a null pointer; it may be null. Of the file's tables, only those of the programs in `names` are read.
 Parsed parse(const char* const* environment, std::span<const std::string> names = {});
 
 // Returns the value of a variable, or nothing if the variable is unset.

@@ -56,8 +56,12 @@ void log_fallback(Program& program, const RefinementChoice& choice) {
   }
   program.logged_fallbacks |= bit;
   const FallbackText& text = text_of(*choice.fallback);
-  log(LogLevel::info, fmt::format("{} is refined by {}: {}; {}", refine::label(program),
-                                  traits_of(choice.refinement).word, text.explanation, text.remedy));
+  const refine::OutputVariation* const position = program.traits.variation.position();
+  const std::string construct = choice.fallback == RefinementFallback::unsound_stage && position != nullptr
+                                    ? fmt::format(" ({})", position->reason)
+                                    : std::string();
+  log(LogLevel::info, fmt::format("{} is refined by {}: {}{}; {}", refine::label(program),
+                                  traits_of(choice.refinement).word, text.explanation, construct, text.remedy));
 }
 
 // Null: the vertex stage is not known.

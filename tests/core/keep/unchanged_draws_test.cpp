@@ -216,8 +216,8 @@ void expect_rejected(const std::string& errors, const std::function<void()>& dra
   }
 }
 
-// A negative number is known before the draw. Other rejections are known only by GL's error, after the capture of as
-// many triangles as the draws ask for.
+// glark itself rejects a negative count, before the draw. For other mistakes, GL's error comes after the capture, which
+// has room for all triangles of the call.
 TEST_P(UnchangedDraws, RejectedDrawsDrawNothing) {
   const Picture drawn = picture_of(draw_arrays);
   expect_rejected("0x0501 ", [] {
