@@ -12,8 +12,8 @@
 #include "glark/core/state/assembly/assembly_state.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
-#include "glark/core/state/depth_buffers.h"
 #include "glark/core/state/fixed_function_changes.h"
+#include "glark/core/state/framebuffers.h"
 #include "glark/core/state/immediate_mode.h"
 #include "glark/core/state/lists/list_compilation.h"
 #include "glark/core/state/programs/programs.h"
@@ -55,14 +55,14 @@ class GlState {
   void forget_current_values() { current_values_.forget(stamps_.next()); }
   // Another framebuffer is bound, or attachments of framebuffers have changed.
   void framebuffer_bound(GLuint framebuffer) {
-    depth_buffers_.bind(framebuffer);
+    framebuffers_.bind(framebuffer);
     bindings_stale_ |= bindings_.clamps_by_framebuffer;
   }
   void attachments_changed() {
-    depth_buffers_.forget_attachments();
+    framebuffers_.forget_attachments();
     bindings_stale_ |= bindings_.clamps_by_framebuffer;
   }
-  DepthBuffers& depth_buffers() { return depth_buffers_; }
+  Framebuffers& framebuffers() { return framebuffers_; }
   FixedFunctionChanges& fixed_function() { return fixed_function_; }
   Programs& programs() { return programs_; }
   AssemblyState& assembly() { return assembly_; }
@@ -87,7 +87,7 @@ class GlState {
   ImmediateMode immediate_;
   ArrayState arrays_;
   CurrentValues current_values_;
-  DepthBuffers depth_buffers_;
+  Framebuffers framebuffers_;
   FixedFunctionChanges fixed_function_;
   Programs programs_;
   AssemblyState assembly_;
