@@ -4,6 +4,7 @@
 // The welding stage alone: welds a mesh without drawing it, and reads the control points of its edges back.
 #pragma once
 
+#include <bit>
 #include <chrono>
 
 #include "glark/core/weld/weld.h"
@@ -25,7 +26,10 @@ struct WeldedEdge {
 using WeldedMesh = std::vector<WeldedEdge>;  // a half-edge for each corner
 
 inline GLfloat length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
-inline bool same_bits(const Vector& a, const Vector& b) { return std::memcmp(a.data(), b.data(), sizeof(a)) == 0; }
+inline bool same_bits(const Vector& a, const Vector& b) {
+  using Bits = std::array<std::uint32_t, 3>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 inline bool same_offsets(const WeldedEdge& a, const WeldedEdge& b) {
   return same_bits(a.near_from, b.near_from) && same_bits(a.near_to, b.near_to);
 }
