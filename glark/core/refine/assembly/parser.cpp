@@ -66,8 +66,8 @@ class Parser {
     program_.position_invariant = true;
   }
 
-  void declare(const std::string& name, Symbol symbol) {
-    if (!symbols_.try_emplace(name, std::move(symbol)).second) at_.fail(fmt::format("'{}' is declared twice", name));
+  void declare(const std::string& name, const Symbol& symbol) {
+    if (!symbols_.try_emplace(name, symbol).second) at_.fail(fmt::format("'{}' is declared twice", name));
   }
 
   void attribute() {
@@ -125,7 +125,7 @@ class Parser {
       } while (at_.accept(","));
       at_.expect("}");
     }
-    declare(name, std::move(parameters));
+    declare(name, parameters);
   }
 
   // A constant, a binding, or all vectors of a binding with rows or a range.
