@@ -15,10 +15,11 @@ class Allowance:
     """What a refinement may change."""
     reach: int      # pixels that an outline may move
     tolerance: int  # levels of 255 by which a colour may differ from the one that explains it
+    light: bool     # whether light may change
 
 
 CONTOUR = 0.35     # share of a region's contour that must be sharp: colours differ by at least tolerance / 2 levels
-SMALLEST = 24      # pixels of the smallest region that counts as vanished or appeared
+SMALLEST = 24      # pixels of the smallest region that counts as vanished or appeared, and of the fewest stripes
 FEWEST = 4         # strays; fewer may be the rounding of an edge
 STRAY = 64         # levels by which a stray colour differs from the median around it
 WINDOW = 11        # size of the window in which changes along a line are counted
@@ -27,12 +28,12 @@ CROSSINGS = 4      # changes along each line of that window, beyond which two pa
 
 def exact(width: int = 0, height: int = 0) -> Allowance:  # whatever the size
     """Outputs: only the rounding of an edge may differ."""
-    return Allowance(reach=1, tolerance=16)
+    return Allowance(reach=1, tolerance=16, light=False)
 
 
 def curved(width: int, height: int) -> Allowance:
     """Curved triangles: outlines bulge, and shading is evaluated at more points."""
-    return Allowance(reach=max(4, round(0.03 * max(width, height))), tolerance=32)
+    return Allowance(reach=max(4, round(0.03 * max(width, height))), tolerance=32, light=True)
 
 
 def difference(first: numpy.ndarray, second: numpy.ndarray) -> numpy.ndarray:
@@ -118,17 +119,26 @@ def regions(mask: numpy.ndarray) -> numpy.ndarray:
     return numpy.array([root(i) for i in range(len(parents))], numpy.int32)[labels]
 
 
-def sharp_area(mask: numpy.ndarray, picture: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
-    """Marks the regions of a mask that are large and have a sharp contour in the picture: objects, not shading."""
+def lone_steps(picture: numpy.ndarray, other: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
+    """Marks the pixels beside a step that the other picture lacks. A texture under another light has its steps in both.
+
+    If light may not change, every pixel counts as such.
+    """
+    if not allowance.light:
+        return numpy.ones(picture.shape[:2], bool)
+    return grown(steps(picture) >= allowance.tolerance // 2, 1) & ~grown(steps(other) >= allowance.tolerance // 4, 1)
+
+
+def sharp_area(mask: numpy.ndarray, lone: numpy.ndarray) -> numpy.ndarray:
+    """Marks the regions of a mask that are large and have a sharp contour in one picture only: objects, not shading."""
     closed = grown(mask, 1)  # so that a grid of holes is one region
     labels = regions(closed)
     inside = ~grown(~closed, 1)
     contour = closed & ~inside
-    sharp = grown(steps(picture) >= allowance.tolerance // 2, 1)
     count = int(labels.max()) + 1
     sizes = numpy.bincount(labels[mask], minlength=count)
     around = numpy.bincount(labels[contour], minlength=count)
-    cut = numpy.bincount(labels[contour & sharp], minlength=count)
+    cut = numpy.bincount(labels[contour & lone], minlength=count)
     broken = (sizes >= SMALLEST) & (cut > CONTOUR * around)
     broken[0] = False
     return mask & broken[labels]
@@ -182,9 +192,11 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     new = unexplained(refined, plain, allowance)
     if not lost.any() and not new.any():
         return Breakage(lost, lost, lost, lost)
-    near = Allowance(min(2, allowance.reach), allowance.tolerance)
-    stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near))
+    lone_plain, lone_refined = lone_steps(plain, refined, allowance), lone_steps(refined, plain, allowance)
+    near = dataclasses.replace(allowance, reach=min(2, allowance.reach))
+    stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near)) & lone_refined
     strays = outliers(refined, new & ~stripes)
-    strays &= ~grown(outliers(plain, grown(strays, allowance.reach)), allowance.reach)  # the plain picture sparkles, too
+    around = max(allowance.reach, 3)
+    strays &= ~grown(outliers(plain, grown(strays, around)), around)  # the plain picture sparkles, too
     strays &= strays.sum() >= FEWEST
-    return Breakage(sharp_area(lost, plain, allowance), sharp_area(new, refined, allowance), stripes, strays)
+    return Breakage(sharp_area(lost, lone_plain), sharp_area(new, lone_refined), stripes, strays)

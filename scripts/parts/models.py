@@ -43,7 +43,7 @@ def write_models(folder: pathlib.Path) -> None:
     (folder / "world" / "world.mt").write_text("gameid = minetest_game\nbackend = sqlite3\n")
     (folder / "molecule.xyz").write_text(f"{len(ATOMS)}\nstrangers\n" + "".join(f"{e} {x} {y} {z}\n" for e, x, y, z in ATOMS))
     (folder / "molecule.pdb").write_text("".join(
-        f"HETATM{i:5d}  {e:<3s} MOL A   1    {x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00           {e}\n"
-        for i, (e, x, y, z) in enumerate(ATOMS, 1)) + "END\n")
+        f"ATOM  {i:5d}  {e:<3s} MOL A   1    {x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00           {e}\n"
+        for i, (e, x, y, z) in enumerate(ATOMS, 1)) + "TER\n")
     (folder / "history.log").write_text("".join(
         f"{1600000000 + 3600 * i}|author {i % 5}|{'AM'[i % 2]}|folder{i % 7}/part{i % 3}/file{i % 40}.c\n" for i in range(600)))

@@ -34,10 +34,6 @@ def saver(name: str, *options: str, remark: str = "") -> Stranger:
                     [HACKS + name, "--window", "--geometry", "400x300", *options], egl=True, seconds=5, frames=60, remark=remark)
 
 
-def slick(name: str) -> Stranger:
-    return Stranger(name, "screen saver", ("rss-glx",), [HACKS + name], seconds=5, frames=60)
-
-
 def shooter(name: str, *options: str, keys: tuple = ((4, "keydown z"), (2, "keydown Left"))) -> Stranger:
     return Stranger(name, "game, in play", (name,), ["/usr/games/" + name, *options], seconds=10, frames=240, keys=keys)
 
@@ -84,79 +80,56 @@ SHOOTERS = [
 
 GAMES = [
     arena("OpenArena", "opengl1"), arena("OpenArena GL2", "opengl2"),
-    Stranger("gl-117", "game, in play", ("gl-117",), ["/usr/games/gl-117"], seconds=12,
-             keys=((3, "key Return"), (1, "key Return"), (1, "key Return"))),
-    Stranger("foobillardplus", "game, in play", ("foobillardplus",), ["/usr/games/foobillardplus"], seconds=14, frames=80,
-             keys=((5, "key Return"), (2, "key space"))),
     Stranger("armagetronad", "game, in play", ("armagetronad",), ["/usr/games/armagetronad"], seconds=14, frames=400,
              keys=((3, "key Return"), (1, "key Return"), (1, "key Return"), (1, "key Return"))),
-    Stranger("csmash", "game, in play", ("csmash",), ["/usr/games/csmash"], seconds=14,
-             keys=((4, "mousemove 177 269 click 1"), (4, "click 1"))),
-    Stranger("zaz", "game, in play", ("zaz",), ["/usr/games/zaz"], seconds=12, keys=((4, "key Return"), (2, "key Return"))),
-    Stranger("kobodeluxe", "game, in play", ("kobodeluxe",), ["/usr/games/kobodl", "-nofullscreen"], seconds=10,
-             keys=((4, "key Return"), (1, "key Return"), (1, "key Return"))),
-    Stranger("pinball", "game, in play", ("pinball", "pinball-table-gnu"), ["/usr/games/pinball", "gnu"], seconds=8),
+    Stranger("zaz", "game, menu", ("zaz",), ["/usr/games/zaz"], seconds=12, keys=((4, "key Return"), (2, "key Return"))),
     Stranger("brutalchess", "game, in play", ("brutalchess",), ["/usr/games/brutalchess"], seconds=10,
              keys=((3, "key Return"), (2, "key Return"))),
-    Stranger("dreamchess", "game, in play", ("dreamchess",), ["/usr/games/dreamchess", "--width", "640", "--height", "480"],
+    Stranger("dreamchess", "game, menu", ("dreamchess",), ["/usr/games/dreamchess", "--width", "640", "--height", "480"],
              seconds=10, keys=((4, "key Return"), (1, "key Return"))),
     Stranger("Freedoom in dsda-doom", "game, in play", ("dsda-doom", "freedoom"),
              ["/usr/games/dsda-doom", "-iwad", "/usr/share/games/doom/freedoom1.wad", "-vidmode", "gl", "-geom", "320x240w",
               "-nosound", "-warp", "1", "-skill", "3"], frames=300),
-    Stranger("supertux", "game, in play", ("supertux",), ["/usr/games/supertux2", "--geometry", "320x240", "--window",
+    Stranger("supertux", "game, menu", ("supertux",), ["/usr/games/supertux2", "--geometry", "320x240", "--window",
              "/usr/share/games/supertux2/levels/world1/welcome_antarctica.stl"], seconds=10),
     Stranger("minetest", "game, in play", ("minetest", "minetest-data"),
              ["/usr/games/minetest", "--world", f"{MODELS}/world", "--go"], seconds=25, frames=200),
-    Stranger("xmoto", "game, in play", ("xmoto",), ["/usr/games/xmoto", "-win", "--res", "320x240", "-l", "tut1"], seconds=12),
     Stranger("crrcsim", "game, in play", ("crrcsim",), ["/usr/games/crrcsim"], seconds=12, frames=120),
-    Stranger("kball", "game, in play", ("kball",), ["/usr/games/kball"], seconds=10, keys=((4, "key Return"), (1, "key Return"))),
     Stranger("transcend", "game, in play", ("transcend",), ["/usr/games/Transcend"], seconds=8),
     Stranger("cultivation", "game, in play", ("cultivation",), ["/usr/games/Cultivation"], seconds=8),
     Stranger("extremetuxracer in play", "game, in play", ("extremetuxracer",), ["/usr/games/etr"], seconds=20, frames=400,
              keys=((4, "key Return"), (2, "key Return"), (2, "key Return"), (2, "key Return"), (2, "key Return"))),
     Stranger("torcs", "game, in play", ("torcs",), ["/usr/games/torcs"], seconds=40, frames=300,
              keys=((6, "key Return"), (3, "key Return"), (3, "key Return"), (3, "key Return"))),
-    Stranger("scorched3d", "game", ("scorched3d",), ["/usr/games/scorched3d"], seconds=20),
     Stranger("kubrick", "game", ("kubrick",), ["/usr/games/kubrick"], seconds=10, frames=60),
-    Stranger("ksudoku", "game", ("ksudoku",), ["/usr/games/ksudoku"], seconds=10, frames=60),
 ]
 
 SAVERS = [saver(name) for name in (
     "endgame", "jigglypuff", "lament", "sballs", "pinion", "engine", "cube21", "peepers", "headroom", "handsy",
     "lavalite", "juggler3d", "glschool", "glsnake", "moebiusgears", "splodesic", "topblock", "winduprobot", "rubik",
-    "companioncube", "skytentacles", "hydrostat")]
-SAVERS += [slick(name) for name in ("euphoria", "fieldlines", "flux", "helios", "hyperspace", "lattice", "skyrocket",
-                                    "solarwinds", "cyclone", "busyspheres", "pixelcity")]
-
+    "companioncube", "skytentacles", "hydrostat", "geodesicgears", "glhanoi",
+    "queens", "sphereeversion", "vigilance")]
 GLX = {"GDK_DEBUG": "gl-glx"}  # GTK 4 then does without EGL
 
 TOOLKITS = [
-    Stranger("GTK 4 gears", "toolkit", ("gtk-4-examples",), ["/usr/bin/gtk4-demo", "--run=gears"], frames=40, environment=GLX),
     Stranger("GTK 4 widgets", "toolkit", ("gtk-4-examples",), ["/usr/bin/gtk4-widget-factory"], frames=20, environment=GLX),
-    Stranger("GTK 3 GLArea", "toolkit", ("gtk-3-examples",), ["/usr/bin/gtk3-demo", "--run=glarea"], frames=20),
     qt("datavisualization/bars"), qt("datavisualization/scatter"), qt("datavisualization/surface"),
     qt("datavisualization/customitems"), qt("datavisualization/volumetric"), qt("datavisualization/qmlsurface"),
     qt("datavisualization/qmlbars"), qt("opengl/threadedqopenglwidget"), qt("opengl/hellowindow"), qt("opengl/textures"),
     pyqtgraph("GLMeshItem"), pyqtgraph("GLSurfacePlot"), pyqtgraph("GLIsosurface"), pyqtgraph("GLVolumeItem"),
-    Stranger("pygame glcube", "toolkit", ("python3-pygame", "python3-opengl"), [PYTHON, "-m", "pygame.examples.glcube"], frames=60),
-    scene("pyglet", "python3-pyglet"), scene("kivy", "python3-kivy"), scene("vispy", "python3-vispy"),
+    scene("pyglet", "python3-pyglet"), scene("kivy", "python3-kivy"),
     scene("wx", "python3-wxgtk4.0"), scene("vtk", "python3-vtk9"),
-    Stranger("LÖVE", "toolkit", ("love",), ["/usr/bin/love", str(SCENES / "love")], frames=60),
-    perl("planets"), perl("glxgears"), perl("cube"),
+    perl("planets"), perl("glxgears"),
 ]
 
 DESKTOP = [
     Stranger("OpenSCAD", "modeller", ("openscad",), ["/usr/bin/openscad", "/usr/share/openscad/examples/Basics/CSG.scad"], seconds=14, keys=DRAG),
     Stranger("OpenSCAD logo", "modeller", ("openscad",), ["/usr/bin/openscad", "/usr/share/openscad/examples/Basics/logo.scad"],
              seconds=14, keys=DRAG),
-    Stranger("MeshLab", "modeller", ("meshlab",), ["/usr/bin/meshlab", f"{MODELS}/ball.obj"], seconds=14, keys=DRAG),
     Stranger("fstl", "modeller", ("fstl",), ["/usr/bin/fstl", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
     Stranger("Gmsh", "modeller", ("gmsh",), ["/usr/bin/gmsh", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
-    Stranger("CalculiX cgx", "modeller", ("calculix-cgx",), ["/usr/bin/cgx", "-stl", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
-    Stranger("structure-synth", "modeller", ("structure-synth",), ["/usr/bin/structure-synth"], seconds=14, keys=DRAG),
     Stranger("Goxel", "modeller", ("goxel",), ["/usr/bin/goxel"], seconds=14, keys=DRAG),
     Stranger("SolveSpace", "modeller", ("solvespace",), ["/usr/bin/solvespace"], seconds=14, keys=DRAG),
-    Stranger("white_dune", "modeller", ("whitedune",), ["/usr/bin/whitedune", f"{MODELS}/ball.wrl"], seconds=14, keys=DRAG),
     Stranger("Wings 3D", "modeller", ("wings3d",), ["/usr/bin/wings"], seconds=14, keys=DRAG),
     Stranger("Avogadro", "molecules", ("avogadro",), ["/usr/bin/avogadro2", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
     Stranger("PyMOL sticks", "molecules", ("pymol",), ["/usr/bin/pymol", "-q", "-x", f"{MODELS}/molecule.xyz", "-d", "show sticks"],
@@ -166,19 +139,14 @@ DESKTOP = [
     Stranger("QuteMol", "molecules", ("qutemol",), ["/usr/bin/qutemol", f"{MODELS}/molecule.pdb"], seconds=14, keys=DRAG),
     Stranger("GDIS", "molecules", ("gdis",), ["/usr/bin/gdis", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
     Stranger("V_Sim", "molecules", ("v-sim",), ["/usr/bin/v_sim", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
-    Stranger("XCrySDen", "molecules", ("xcrysden",), ["/usr/bin/xcrysden", "--xyz", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
     Stranger("kitty", "desktop", ("kitty",), ["/usr/bin/kitty", "ls", "-l", "/usr/share"]),
     Stranger("gource", "desktop", ("gource",), ["/usr/bin/gource", "-320x240", "--log-format", "custom", f"{MODELS}/history.log"]),
-    Stranger("tdfsb", "desktop", ("tdfsb",), ["/usr/games/tdfsb", "--dir", "/usr/share/games"], seconds=10),
-    Stranger("Octave surf", "plot", ("octave",), ["/usr/bin/octave", "--eval", "graphics_toolkit fltk; sombrero; pause(6)"],
-             seconds=15),
     Stranger("Chromium WebGL", "browser", ("chromium",),
              ["/usr/bin/chromium", "--no-sandbox", "--in-process-gpu", "--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist",
               "--window-size=400,300", "--user-data-dir=MODELS/chromium", str(SCENES / "webgl.html")], seconds=25),
-    Stranger("openMSX", "emulator", ("openmsx", "cbios"), ["/usr/bin/openmsx", "-machine", "C-BIOS_MSX2"], seconds=10, frames=60),
-    *(Stranger(f"Inventor {name}", "demo", ("inventor-demo",), [f"/usr/lib/inventor/{name}", *words], seconds=14, frames=40, keys=DRAG)
-      for name, words in (("maze", ()), ("revo", ()), ("drop", ()), ("noodle", ()), ("qmorf", ()), ("gview", ()), ("textomatic", ()))),
-    Stranger("FOX & Coin ivview", "demo", ("inventor-clients",), ["/usr/bin/ivview",
+    Stranger("openMSX", "emulator", ("openmsx",), ["/usr/bin/openmsx", "-machine", "C-BIOS_MSX2"], seconds=10, frames=60),
+    Stranger("Inventor noodle", "demo", ("inventor-demo",), ["/usr/lib/inventor/noodle"], seconds=14, frames=40, keys=DRAG),
+    Stranger("Inventor ivview", "demo", ("inventor-clients",), ["/usr/bin/ivview",
              "/usr/share/doc/inventor-demo/src/apps/examples/data/luxo.iv"]),
 ]
 

@@ -115,6 +115,12 @@ def replay(program: Stranger, folder: pathlib.Path, variant: str, library: dict,
                   json.loads(statistics.read_text()) if library else {})
 
 
+def is_blank(frame: numpy.ndarray) -> bool:
+    """Whether nearly every pixel has the same colour."""
+    _, counts = numpy.unique(frame.reshape(-1, 3), axis=0, return_counts=True)
+    return counts.max() > 0.997 * counts.sum()
+
+
 def off_pixels(plain: list, off: list) -> int:
     return sum(int((first != second).any(axis=2).sum()) for first, second in zip(plain, off))
 
@@ -146,6 +152,8 @@ def examine(program: Stranger, folder: pathlib.Path, arguments: argparse.Namespa
     plain = replay(program, folder, "plain", {}, arguments.limit)
     if not plain.frames:
         raise Failure("the recording has no frame")
+    if all(is_blank(frame) for frame in plain.frames):
+        raise Failure("the recording shows nothing")
     off = replay(program, folder, "off", {"LD_PRELOAD": str(library)}, arguments.limit)
     result = {"name": program.name, "kind": program.kind, "frames": len(plain.frames),
               "off": off_pixels(plain.frames, off.frames), "modes": {}}
@@ -172,11 +180,11 @@ def row_of(result: dict) -> list:
     for mode in result.get("modes", {}).values():
         cells += [mode["failure"]] if "failure" in mode else [" ".join(map(str, mode["numbers"]))]
     lives = [mode for mode in result.get("modes", {}).values() if "draws" in mode]
-    if lives:
-        last = lives[-1]
-        left = ", ".join(f"{count} `{cause}`" for cause, count in last["causes"].items()) or "-"
-        cells += [last["draws"], last["objects"], last["refined"], left]
-    return cells
+    if not lives:
+        return cells + [result.get("failure", "-")]
+    last = lives[-1]
+    left = ", ".join(f"{count} `{cause}`" for cause, count in last["causes"].items()) or "-"
+    return cells + [last["draws"], last["objects"], last["refined"], left]
 
 
 def results_of(folder: pathlib.Path) -> list:
@@ -190,6 +198,16 @@ def table(results: list, modes: list) -> str:
     rows = [row_of(result) + [remarks.get(result["name"], "") or "-"] for result in results]
     lines = ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     return "\n".join(["| " + " | ".join(head) + " |", "|" + "---|" * len(head), *lines])
+
+
+def summary(results: list) -> str:
+    """How many were judged and are healthy, and the share of draws of objects that the last mode refined."""
+    broken = [result["name"] for result in results if is_broken(result)]
+    lives = [mode for result in results for mode in list(result["modes"].values())[-1:] if mode.get("objects")]
+    refined, objects = (sum(life[key] for life in lives) for key in ("refined", "objects"))
+    share = f"{100 * refined / objects:.1f} %" if objects else "none"
+    return (f"{len(results)} programs judged, {len(broken)} look broken: {', '.join(broken) or '-'}. "
+            f"Of {objects} draws of objects, {share} were refined.")
 
 
 def write_table(text: str) -> None:
@@ -289,12 +307,11 @@ def main() -> int:
     results = results_of(arguments.folder)
     rows = [file_of(program, arguments.folder, ".png") for program in PROGRAMS]
     contact_sheet.join([row for row in rows if row.exists()], arguments.folder)
-    text = table([result for result in results if any(mode.get("draws") for mode in result["modes"].values())], arguments.modes)
+    drawn = [result for result in results if any(mode.get("draws") for mode in result["modes"].values())]
+    print(f"strangers: {summary(drawn)}")
     if arguments.write:
-        write_table(text)
-    broken = [result["name"] for result in results if is_broken(result)]
-    print(f"strangers: {len(results)} judged, {len(broken)} look broken: {', '.join(broken) or 'none'}")
-    return 1 if broken else 0
+        write_table(f"{summary(drawn)}\n\n{table(drawn, arguments.modes)}")
+    return 1 if any(is_broken(result) for result in drawn) else 0
 
 
 sys.exit(main())

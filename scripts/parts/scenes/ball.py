@@ -15,6 +15,5 @@ def ball(rings: int = 6, sectors: int = 9) -> list:
     for i in range(rings):
         for j in range(sectors):
             a, b, c, d = (point(i + k, j + l, rings, sectors) for k, l in ((0, 0), (0, 1), (1, 0), (1, 1)))
-            corners += [a, c, d] if i else []
-            corners += [a, d, b] if i < rings - 1 else [a, c, b]
+            corners += [a, c, d] if i == 0 else [a, c, b] if i == rings - 1 else [a, c, d, a, d, b]
     return corners

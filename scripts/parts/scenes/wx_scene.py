@@ -25,8 +25,11 @@ class Canvas(glcanvas.GLCanvas):
         GL.glEnable(GL.GL_LIGHTING)
         GL.glEnable(GL.GL_LIGHT0)
         GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+        GL.glMatrixMode(GL.GL_PROJECTION)
         GL.glLoadIdentity()
         GL.glOrtho(-1.2, 1.2, -1.2, 1.2, -2, 2)
+        GL.glMatrixMode(GL.GL_MODELVIEW)
+        GL.glLoadIdentity()
         GL.glRotatef(self.angle, 0.3, 1, 0)
         GL.glBegin(GL.GL_TRIANGLES)
         for corner in ball():
