@@ -67,7 +67,7 @@ Shape Evaluator::evaluate(TIntermNode* node) {
 }
 
 Shape Evaluator::read(TIntermSymbol& symbol) {
-  const std::string name = symbol.getName().c_str();
+  const std::string name{std::string_view(symbol.getName())};
   if (is_input(symbol)) {
     const bool constant =
         name.starts_with("gl_InstanceID") || name.starts_with("gl_Base") || name.starts_with("gl_DrawID");
@@ -251,7 +251,7 @@ Shape Evaluator::evaluate_aggregate(TIntermAggregate& node) {
   Value all;
   for (const Shape& argument : arguments) all = worse(all, merged(argument));
   if (node.isTexture() || node.isImage()) return evaluate_texture(node, all);
-  const Shape result = operate(node, operation(node.getOp()), arguments);
+  Shape result = operate(node, operation(node.getOp()), arguments);
   for (std::size_t i = 1; writes_arguments(node.getOp()) && i < arguments.size(); ++i) {
     store(node.getSequence()[i], {merged(result), {}});
   }

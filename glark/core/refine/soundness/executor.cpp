@@ -84,7 +84,7 @@ Call Executor::execute_body(const Function& function, const glslang::TType& resu
 }
 
 Shape Executor::call(TIntermAggregate& call) {
-  const auto found = functions_.find(call.getName().c_str());
+  const auto found = functions_.find(std::string{std::string_view(call.getName())});
   if (found == functions_.end() || run_.calls.size() > deepest_call || too_long()) return call_unknown(call);
   const Function& function = found->second;
   const TIntermSequence& parameters = parameters_of(*function.definition);

@@ -39,7 +39,8 @@ void add_outputs(const std::string& path, const glslang::TType& type, const Shap
   }
   const glslang::TTypeList& members = *type.getStruct();
   for (std::size_t i = 0; i < members.size() && i < shape.parts.size(); ++i) {
-    add_outputs(path + "." + members[i].type->getFieldName().c_str(), *members[i].type, shape.parts[i], outputs);
+    add_outputs(path + "." + std::string{std::string_view(members[i].type->getFieldName())}, *members[i].type,
+                shape.parts[i], outputs);
   }
 }
 
@@ -64,14 +65,14 @@ int Memory::find(const Key& key, const glslang::TType& type, const std::string& 
 
 int Memory::variable(const glslang::TIntermSymbol& symbol, std::size_t unit) {
   const glslang::TQualifier& qualifier = symbol.getQualifier();
-  const std::string name = symbol.getName().c_str();
+  const std::string name{std::string_view(symbol.getName())};
   if (is_local(qualifier)) return find({std::to_string(unit) + " ", symbol.getId()}, symbol.getType(), {});
   return find({name, 0}, symbol.getType(), is_output(qualifier) ? name : std::string());
 }
 
 int Memory::block_member(const glslang::TType& block, std::size_t index) {
   const glslang::TType& member = *(*block.getStruct())[index].type;
-  const std::string name = member.getFieldName().c_str();
+  const std::string name{std::string_view(member.getFieldName())};
   return find({name, 0}, member, is_output(block.getQualifier()) ? name : std::string());
 }
 
