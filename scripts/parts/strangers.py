@@ -22,7 +22,7 @@ import breakage
 import contact_sheet
 from models import write_models
 from recording import Failure, on_display, read_frames, run
-from stranger_programs import MODELS, PROGRAMS, Stranger
+from stranger_programs import MODELS, PROGRAMS, REMARKS, Stranger
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LEVEL = 2
@@ -194,8 +194,7 @@ def results_of(folder: pathlib.Path) -> list:
 
 def table(results: list, modes: list) -> str:
     head = ["program", "kind", "off: pixels", *modes, "draws", "of objects", "refined", "left alone", "remark"]
-    remarks = {program.name: program.remark for program in PROGRAMS}
-    rows = [row_of(result) + [remarks.get(result["name"], "") or "-"] for result in results]
+    rows = [row_of(result) + [REMARKS.get(result["name"], "-")] for result in results]
     lines = ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     return "\n".join(["| " + " | ".join(head) + " |", "|" + "---|" * len(head), *lines])
 
