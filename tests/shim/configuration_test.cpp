@@ -197,7 +197,8 @@ TEST(Configuration, OnlyAFileThatIsIdleByItselfIsTold) {
 TEST(Configuration, AWrongKeyIsToldWithTheNearest) {
   const Applied applied = apply("max_level = 3\n");
   ASSERT_EQ(applied.problems.size(), 1u);
-  EXPECT_TRUE(applied.problems[0].starts_with("f.toml:1:13: there is no key \"max_level\"; is \"max-level\" meant? the keys"))
+  EXPECT_TRUE(
+      applied.problems[0].starts_with("f.toml:1:13: there is no key \"max_level\"; is \"max-level\" meant? the keys"))
       << applied.problems[0];
 }
 

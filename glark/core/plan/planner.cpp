@@ -170,7 +170,7 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
   }
   ExemptionFacts facts{.rules = options.left_draws,
                        .bindings = env_.bindings(),
-                       .depth_buffer = env_.state.depth_buffers().bound_has_one(env_.gl, env_.errors),
+                       .depth_buffer = env_.state.framebuffers().bound_has_depth(env_.gl, env_.errors),
                        .left_alone = program.left_alone,
                        .conventional = program.conventional_projection && env_.capabilities.is_compatibility(),
                        .triangles = triangles};

@@ -16,6 +16,8 @@ refine::FragmentReads FixedFunctionPrograms::fragment_reads(const Program* fragm
     gl.GetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_LENGTH_ARB, &length);
     text.resize(static_cast<std::size_t>(length));
     gl.GetProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_STRING_ARB, text.data());
+  } else if (env_.capabilities.ati_fragment_shader && gl.IsEnabled(GL_FRAGMENT_SHADER_ATI) != GL_FALSE) {
+    return {.own_fragment_stage = true, .texture_units = ~0U};  // GL does not say which ones it reads
   } else {
     return {};
   }

@@ -21,7 +21,7 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
     {"program_gone", "the program in use was deleted, or its last link failed: OpenGL cannot return to it",
      "delete programs after their last draw"},
     {"program_binary", "the program was loaded from a binary, or from SPIR-V",
-     "make the application compile its shaders from GLSL, for instance by clearing its cache"},
+     "make the application compile its shaders from GLSL"},
     {"assembly_program",
      "an ARB assembly vertex program is enabled that glark cannot translate, or that belongs to a program which uses "
      "the "
@@ -32,6 +32,10 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
      "use fewer or smaller attributes"},
     {"primitive_id", "a fragment or geometry shader reads gl_PrimitiveID, which would number refined triangles",
      "refine the program by its own calls of the extension"},
+    {"cull_distance", "a later stage reads gl_CullDistance, whose values differ in refined triangles",
+     "pass the distance in an output of its own"},
+    {"materials_vary", "glMaterial is called between the vertices of a strip, a fan or a display list's primitive",
+     "use glColorMaterial and glColor"},
     {"geometry_shader", "the geometry shader places its triangles by itself, or reads integers of every vertex",
      "nothing to do"},
     {"side_effects", "the vertex stage writes to buffers, images or counters, once per vertex of the application",

@@ -12,8 +12,8 @@
 #include "glark/core/state/assembly/assembly_state.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
-#include "glark/core/state/depth_buffers.h"
 #include "glark/core/state/fixed_function_changes.h"
+#include "glark/core/state/framebuffers.h"
 #include "glark/core/state/immediate_mode.h"
 #include "glark/core/state/lists/list_compilation.h"
 #include "glark/core/state/programs/programs.h"
@@ -53,7 +53,16 @@ class GlState {
   const CurrentValues& current_values() const { return current_values_; }
   // Something may have changed all current values.
   void forget_current_values() { current_values_.forget(stamps_.next()); }
-  DepthBuffers& depth_buffers() { return depth_buffers_; }
+  // Another framebuffer is bound, or attachments of framebuffers have changed.
+  void framebuffer_bound(GLuint framebuffer) {
+    framebuffers_.bind(framebuffer);
+    bindings_stale_ |= bindings_.clamps_by_framebuffer;
+  }
+  void attachments_changed() {
+    framebuffers_.forget_attachments();
+    bindings_stale_ |= bindings_.clamps_by_framebuffer;
+  }
+  Framebuffers& framebuffers() { return framebuffers_; }
   FixedFunctionChanges& fixed_function() { return fixed_function_; }
   Programs& programs() { return programs_; }
   AssemblyState& assembly() { return assembly_; }
@@ -78,7 +87,7 @@ class GlState {
   ImmediateMode immediate_;
   ArrayState arrays_;
   CurrentValues current_values_;
-  DepthBuffers depth_buffers_;
+  Framebuffers framebuffers_;
   FixedFunctionChanges fixed_function_;
   Programs programs_;
   AssemblyState assembly_;

@@ -245,8 +245,7 @@ void PolygonMode(Context& c, GLenum face, GLenum mode) {
     return;
   }
   const bool one_face = c.capabilities().is_compatibility() && (face == GL_FRONT || face == GL_BACK);
-  if ((!one_face && face != GL_FRONT_AND_BACK) || mode < GL_POINT || mode > GL_FILL ||
-      c.state().immediate().open()) {
+  if ((!one_face && face != GL_FRONT_AND_BACK) || mode < GL_POINT || mode > GL_FILL || c.state().immediate().open()) {
     c.state().forget_bindings();  // GL may have refused
     return;
   }

@@ -80,8 +80,19 @@ bool share_normals(int corner, int other, float cosine_of_faces) {
   return a == vec3(0.0) || b == vec3(0.0) || cosine * cosine > 0.5 + 0.5 * abs(cosine_of_faces);
 }
 
+// The face beyond a boundary belongs to another draw. If its angle to this face is that of a crease, then a normal of
+// both lies half of this angle away from this face.
+bool is_mean_of_crease(int corner, vec3 along, vec3 direction) {
+  vec3 normal = glark_pn_unit(normal_of(corner));
+  float out_of_face = dot(normal, cross(along, direction));
+  float in_face = dot(normal, direction);
+  float square = out_of_face * out_of_face;
+  float size = square + in_face * in_face;
+  return size > 0.0 && 1.0 - 2.0 * square / size > crease_cosine;
+}
+
 // Finds the side that continues this one with the least angle. Sides that lie upon this one, as in sheets with two
-// faces, do not count. Without another side, the edge is a boundary and no crease.
+// faces, do not count. Without another side, the edge is a boundary.
 void mark_crease(uint own, vec3 direction) {
   const int most_sides = 32;
   const float same = 0.999999;
@@ -90,26 +101,30 @@ void mark_crease(uint own, vec3 direction) {
   bool shared_low = false;
   bool shared_high = false;
   int count = 0;
+  int low = end_of_side(own, false);
+  int high = end_of_side(own, true);
   uint side = tables[first_side(int(tables[edge_slots() + (int(own - 1u) >> 1)]))];
   for (; side != 0u && count < most_sides; ++count) {
     vec3 other = across(side);
     float cosine = dot(direction, other);
     if (other != vec3(0.0) && cosine < same && cosine <= straightest) {
       bool equal = cosine == straightest;
-      int low = end_of_side(own, false);
-      int high = end_of_side(own, true);
       shared_low = (equal && shared_low) || share_normals(low, end_of_side(side, false), cosine);
       shared_high = (equal && shared_high) || share_normals(high, end_of_side(side, true), cosine);
       straightest = cosine;
     }
     side = tables[next_side(int(side - 1u) >> 1)];
   }
-  bool crease = straightest > crease_cosine && straightest != none;
-  if (side != 0u || (crease && shared_low)) {
-    tables[steepness(end_of_side(own, false))] = 1u;
+  if (straightest == none) {
+    vec3 along = glark_pn_unit(place_of(high) - place_of(low));
+    shared_low = is_mean_of_crease(low, along, direction);
+    shared_high = is_mean_of_crease(high, along, direction);
   }
-  if (side != 0u || (crease && shared_high)) {
-    tables[steepness(end_of_side(own, true))] = 1u;
+  if (side != 0u || (straightest > crease_cosine && shared_low)) {
+    tables[steepness(low)] = 1u;
+  }
+  if (side != 0u || (straightest > crease_cosine && shared_high)) {
+    tables[steepness(high)] = 1u;
   }
 }
 

@@ -14,10 +14,9 @@ constexpr char weld_source[] =
     ;
 
 constexpr const char* uniform_names[] = {
-    "record_offset",     "corner_words",   "triangle_bound", "count_on_gpu",   "position_offset",
-    "position_words",    "normal_offset",  "control_offset", "turn_offset",    "border_offset",
-    "coordinate_offset", "tag_offset",     "slot_count",     "key_count",      "key_words",
-    "crease_cosine",     "steepest_cosine"};
+    "record_offset", "corner_words",   "triangle_bound", "count_on_gpu",  "position_offset",   "position_words",
+    "normal_offset", "control_offset", "turn_offset",    "border_offset", "coordinate_offset", "tag_offset",
+    "slot_count",    "key_count",      "key_words",      "crease_cosine", "steepest_cosine"};
 constexpr std::size_t key_words = 14;
 constexpr std::size_t crease_cosine = 15;
 constexpr std::size_t steepest_cosine = 16;

@@ -32,9 +32,7 @@ struct WeldPlan {
   float crease = no_crease;  // degrees; edges stay straight whose faces meet at more although they share their normals
 
   // Returns whether curved triangles stay near their coarse ones. Tags need the words of the tables for themselves.
-  bool creased(const capture::Layout& layout) const {
-    return crease < no_crease && layout.welded() && !layout.tagged;
-  }
+  bool creased(const capture::Layout& layout) const { return crease < no_crease && layout.welded() && !layout.tagged; }
 };
 
 struct WeldRequest {

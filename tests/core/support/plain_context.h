@@ -27,8 +27,9 @@ class PlainContext {
       std::fputs("no OSMesa context\n", stderr);
       std::abort();
     }
-    gl::load(gl, [](void* /*user*/, const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); },
-             nullptr);
+    gl::load(
+        gl, [](void* /*user*/, const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); },
+        nullptr);
   }
   ~PlainContext() { OSMesaDestroyContext(window_); }
   PlainContext(const PlainContext&) = delete;

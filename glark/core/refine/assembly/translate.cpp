@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 
 #include "glark/core/refine/assembly/parser.h"
@@ -115,13 +116,28 @@ class Generator {
     return text;
   }
 
+  // Mesa gives 0 to the components that a program does not write.
+  std::string unwritten_components() const {
+    std::map<std::string, std::set<char>> written;
+    for (const Instruction& instruction : program_.instructions) {
+      const Target& target = instruction.target;
+      if (target.kind != Target::Kind::output || target.scalar) continue;
+      written[target.output].insert(target.mask.begin(), target.mask.end());
+    }
+    std::string text;
+    for (const auto& [output, components] : written) {
+      if (components.size() < 4) text += "  " + output + " = vec4(0.0);\n";
+    }
+    return text;
+  }
+
   std::string address(std::size_t number) const { return readable('a', number, program_.addresses[number]); }
   std::string temporary(std::size_t number) const { return readable('t', number, program_.temporaries[number]); }
 
   // The position is the one of the fixed function. Clip planes are in eye space. Mesa clips by them without the option,
   // too: it takes them to the space of the position.
   std::string body() {
-    std::string text;
+    std::string text = unwritten_components();
     if (program_.position_invariant) text += "  gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;\n";
     for (const Instruction& instruction : program_.instructions) text += "  " + statement(instruction) + "\n";
     if (clip_planes_) {

@@ -55,6 +55,10 @@ std::optional<core::Cause> cause_of(const core::Program& program, const VertexSt
                           : reads(program, GL_FRAGMENT_SHADER, "gl_PrimitiveID")) {
     return core::Cause::primitive_id;
   }
+  if (traits.writes_cull_distance && (reads(program, GL_FRAGMENT_SHADER, "gl_CullDistance") ||
+                                      reads(program, GL_GEOMETRY_SHADER, "gl_CullDistance"))) {
+    return core::Cause::cull_distance;
+  }
   if (has_geometry_shader &&
       (traits.writes_integers || makes_its_own_positions(sources_of(program, GL_GEOMETRY_SHADER)))) {
     return core::Cause::geometry_shader;

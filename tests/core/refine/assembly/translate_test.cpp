@@ -27,6 +27,7 @@ TEST(AssemblyTranslation, AWholeProgram) {
             "#version 330 compatibility\ninvariant gl_Position;\n"
             "layout(location = 3) in vec4 assembly_attribute_3;\nuniform vec4 assembly_local[1];\n"
             "\nvoid main() {\n  vec4 t0_r0 = vec4(0.0);\n"
+            "  gl_FrontColor = vec4(0.0);\n"
             "  t0_r0.x = (vec4(dot(assembly_local[0], gl_Vertex))).x;\n"
             "  gl_Position = t0_r0.xxxx;\n"
             "  gl_FrontColor.xy = ((-t0_r0) * assembly_attribute_3 + vec4(0.5)).xy;\n}\n");

@@ -323,7 +323,7 @@ TEST_F(AssemblyValues, EveryResult) {
                                                            {"texcoord", "texcoord"},
                                                            {"texcoord[6]", "texcoord[6]"},
                                                            {"fogcoord", "fogcoord.x"},
-                                                           {"texcoord[1].xz", "texcoord[1].xzxz"}};
+                                                           {"texcoord[1].xz", "texcoord[1].xyzw"}};
   for (const auto& [written, read] : results) {
     load(GL_FRAGMENT_PROGRAM_ARB, "!!ARBfp1.0\nMOV result.color, fragment." + read + ";\nEND\n");
     expect_same_color("MOV result." + written + ", vertex.attrib[1];");

@@ -113,8 +113,8 @@ inline SplitMesh pole(int sides, GLfloat length) {
 
 // Its lids have slopes of 45 degrees.
 inline SplitMesh chamfered_pole(int sides, GLfloat length) {
-  return averaged(turned({{0, -0.5F}, {0.5F, -0.5F}, {1, 0}, {1, length}, {0.5F, length + 0.5F}, {0, length + 0.5F}},
-                         sides));
+  return averaged(
+      turned({{0, -0.5F}, {0.5F, -0.5F}, {1, 0}, {1, length}, {0.5F, length + 0.5F}, {0, length + 0.5F}}, sides));
 }
 
 // A pointed pole without a lid. The first corner of the first triangles is at the bottom.
