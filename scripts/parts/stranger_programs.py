@@ -34,7 +34,7 @@ def saver(name: str, *options: str) -> Stranger:
 
 
 def shooter(name: str, *options: str, keys: tuple = ((4, "keydown z"), (2, "keydown Left"))) -> Stranger:
-    return Stranger(name, "game, in play", (name,), ["/usr/games/" + name, *options], seconds=10, frames=240, keys=keys)
+    return Stranger(name, "game, demo", (name,), ["/usr/games/" + name, *options], seconds=10, frames=240, keys=keys)
 
 
 def qt(path: str, **more) -> Stranger:
@@ -165,6 +165,7 @@ REMARKS = {
     "juggler3d": "`glMaterial` between the vertices of `glBegin`",
     "lavalite": "a highlight appears on the metal cone, as it should",
     "torcs": ADDRESSES, "Perl planets": ADDRESSES, "V_Sim": ADDRESSES,
+    "OpenArena GL2": "a bright line beside a column in the pit, and a highlight on the gun",
     "zaz": "its menu", "dreamchess": "its title", "supertux": "its title", "armagetronad": "between two rounds",
     "Gmsh": "draws lines", "fstl": "makes its normals from screen derivatives",
 }

@@ -14,6 +14,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import textwrap
 import time
 
 import numpy
@@ -188,8 +189,8 @@ def row_of(result: dict) -> list:
 
 
 def results_of(folder: pathlib.Path) -> list:
-    files = [file_of(program, folder, ".result") for program in PROGRAMS]
-    return [json.loads(file.read_text()) for file in files if file.exists()]
+    files = [(program, file_of(program, folder, ".result")) for program in PROGRAMS]
+    return [{**json.loads(file.read_text()), "kind": program.kind} for program, file in files if file.exists()]
 
 
 def table(results: list, modes: list) -> str:
@@ -309,7 +310,7 @@ def main() -> int:
     drawn = [result for result in results if any(mode.get("draws") for mode in result["modes"].values())]
     print(f"strangers: {summary(drawn)}")
     if arguments.write:
-        write_table(f"{summary(drawn)}\n\n{table(drawn, arguments.modes)}")
+        write_table("\n".join(textwrap.wrap(summary(drawn), 120)) + "\n\n" + table(drawn, arguments.modes))
     return 1 if any(is_broken(result) for result in drawn) else 0
 
 
