@@ -162,7 +162,6 @@ QUADS = "quads with four corner colours are cut along the other diagonal"
 ADDRESSES = "client arrays: the replay moves them, so smooth waits"
 REMARKS = {
     "cultivation": QUADS, "mu-cade": QUADS,
-    "juggler3d": "`glMaterial` between the vertices of `glBegin`",
     "lavalite": "a highlight appears on the metal cone, as it should",
     "torcs": ADDRESSES, "Perl planets": ADDRESSES, "V_Sim": ADDRESSES,
     "OpenArena GL2": "a bright line beside a column in the pit, and a highlight on the gun",
