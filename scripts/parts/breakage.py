@@ -195,6 +195,7 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     lone_plain, lone_refined = lone_steps(plain, refined, allowance), lone_steps(refined, plain, allowance)
     near = dataclasses.replace(allowance, reach=min(2, allowance.reach))
     stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near)) & lone_refined
+    stripes &= stripes.sum() >= SMALLEST
     strays = outliers(refined, new & ~stripes)
     around = max(allowance.reach, 3)
     strays &= ~grown(outliers(plain, grown(strays, around)), around)  # the plain picture sparkles, too

@@ -26,16 +26,15 @@ class Stranger:
     frames: int = 150       # the recording is cut after so many frames; four of the second half are compared
     keys: tuple = ()        # (seconds to wait, what xdotool does then), one after the other
     environment: dict = dataclasses.field(default_factory=dict)
-    remark: str = ""
 
 
-def saver(name: str, *options: str, remark: str = "") -> Stranger:
+def saver(name: str, *options: str) -> Stranger:
     return Stranger(name, "screen saver", ("xscreensaver-gl", "xscreensaver-gl-extra"),
-                    [HACKS + name, "--window", "--geometry", "400x300", *options], egl=True, seconds=5, frames=60, remark=remark)
+                    [HACKS + name, "--window", "--geometry", "400x300", *options], egl=True, seconds=5, frames=60)
 
 
 def shooter(name: str, *options: str, keys: tuple = ((4, "keydown z"), (2, "keydown Left"))) -> Stranger:
-    return Stranger(name, "game, in play", (name,), ["/usr/games/" + name, *options], seconds=10, frames=240, keys=keys)
+    return Stranger(name, "game, demo", (name,), ["/usr/games/" + name, *options], seconds=10, frames=240, keys=keys)
 
 
 def qt(path: str, **more) -> Stranger:
@@ -51,7 +50,8 @@ def perl(name: str) -> Stranger:
 
 
 def pyqtgraph(name: str) -> Stranger:
-    return Stranger(f"pyqtgraph {name}", "toolkit", ("python3-pyqtgraph", "python3-pyqt5", "python3-opengl", "python3-pyqt5.qtopengl"),
+    return Stranger(f"pyqtgraph {name}", "toolkit", ("python3-pyqtgraph", "python3-pyqt5", "python3-opengl",
+                                                   "python3-pyqt5.qtopengl"),
                     [PYTHON, f"{PYQTGRAPH}{name}.py"], frames=40, seconds=13, keys=DRAG)
 
 
@@ -65,7 +65,8 @@ def arena(name: str, renderer: str) -> Stranger:
                 "r_customwidth": "320", "r_customheight": "240", "com_maxfps": "8", "s_initsound": "0", "sv_pure": "0",
                 "g_spSkill": "1", "r_swapInterval": "0"}
     words = [word for key, value in settings.items() for word in ("+set", key, value)]
-    return Stranger(name, "game, in play", ("openarena",), ["/usr/games/openarena", *words, "+devmap", "oa_dm1", "+addbot", "gargoyle"],
+    return Stranger(name, "game, in play", ("openarena",),
+                    ["/usr/games/openarena", *words, "+devmap", "oa_dm1", "+addbot", "gargoyle"],
                     seconds=25, frames=400)
 
 
@@ -123,7 +124,8 @@ TOOLKITS = [
 ]
 
 DESKTOP = [
-    Stranger("OpenSCAD", "modeller", ("openscad",), ["/usr/bin/openscad", "/usr/share/openscad/examples/Basics/CSG.scad"], seconds=14, keys=DRAG),
+    Stranger("OpenSCAD", "modeller", ("openscad",), ["/usr/bin/openscad", "/usr/share/openscad/examples/Basics/CSG.scad"],
+             seconds=14, keys=DRAG),
     Stranger("OpenSCAD logo", "modeller", ("openscad",), ["/usr/bin/openscad", "/usr/share/openscad/examples/Basics/logo.scad"],
              seconds=14, keys=DRAG),
     Stranger("fstl", "modeller", ("fstl",), ["/usr/bin/fstl", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
@@ -132,9 +134,11 @@ DESKTOP = [
     Stranger("SolveSpace", "modeller", ("solvespace",), ["/usr/bin/solvespace"], seconds=14, keys=DRAG),
     Stranger("Wings 3D", "modeller", ("wings3d",), ["/usr/bin/wings"], seconds=14, keys=DRAG),
     Stranger("Avogadro", "molecules", ("avogadro",), ["/usr/bin/avogadro2", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
-    Stranger("PyMOL sticks", "molecules", ("pymol",), ["/usr/bin/pymol", "-q", "-x", f"{MODELS}/molecule.xyz", "-d", "show sticks"],
+    Stranger("PyMOL sticks", "molecules", ("pymol",),
+             ["/usr/bin/pymol", "-q", "-x", f"{MODELS}/molecule.xyz", "-d", "show sticks"],
              seconds=14, keys=DRAG),
-    Stranger("PyMOL spheres", "molecules", ("pymol",), ["/usr/bin/pymol", "-q", "-x", f"{MODELS}/molecule.xyz", "-d", "show spheres"],
+    Stranger("PyMOL spheres", "molecules", ("pymol",),
+             ["/usr/bin/pymol", "-q", "-x", f"{MODELS}/molecule.xyz", "-d", "show spheres"],
              seconds=14, keys=DRAG),
     Stranger("QuteMol", "molecules", ("qutemol",), ["/usr/bin/qutemol", f"{MODELS}/molecule.pdb"], seconds=14, keys=DRAG),
     Stranger("GDIS", "molecules", ("gdis",), ["/usr/bin/gdis", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
@@ -142,7 +146,8 @@ DESKTOP = [
     Stranger("kitty", "desktop", ("kitty",), ["/usr/bin/kitty", "ls", "-l", "/usr/share"]),
     Stranger("gource", "desktop", ("gource",), ["/usr/bin/gource", "-320x240", "--log-format", "custom", f"{MODELS}/history.log"]),
     Stranger("Chromium WebGL", "browser", ("chromium",),
-             ["/usr/bin/chromium", "--no-sandbox", "--in-process-gpu", "--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist",
+             ["/usr/bin/chromium", "--no-sandbox", "--in-process-gpu", "--use-gl=angle", "--use-angle=gl",
+              "--ignore-gpu-blocklist",
               "--window-size=400,300", "--user-data-dir=MODELS/chromium", str(SCENES / "webgl.html")], seconds=25),
     Stranger("openMSX", "emulator", ("openmsx",), ["/usr/bin/openmsx", "-machine", "C-BIOS_MSX2"], seconds=10, frames=60),
     Stranger("Inventor noodle", "demo", ("inventor-demo",), ["/usr/lib/inventor/noodle"], seconds=14, frames=40, keys=DRAG),
@@ -151,3 +156,15 @@ DESKTOP = [
 ]
 
 PROGRAMS = [*TOOLKITS, *DESKTOP, *GAMES, *SAVERS, *SHOOTERS]
+
+# What was seen on the contact sheets, for the table.
+QUADS = "quads with four corner colours are cut along the other diagonal"
+ADDRESSES = "client arrays: the replay moves them, so smooth waits"
+REMARKS = {
+    "cultivation": QUADS, "mu-cade": QUADS,
+    "lavalite": "a highlight appears on the metal cone, as it should",
+    "torcs": ADDRESSES, "Perl planets": ADDRESSES, "V_Sim": ADDRESSES,
+    "OpenArena GL2": "a bright line beside a column in the pit, and a highlight on the gun",
+    "zaz": "its menu", "dreamchess": "its title", "supertux": "its title", "armagetronad": "between two rounds",
+    "Gmsh": "draws lines", "fstl": "makes its normals from screen derivatives",
+}

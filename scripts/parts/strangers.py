@@ -14,6 +14,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import textwrap
 import time
 
 import numpy
@@ -22,7 +23,7 @@ import breakage
 import contact_sheet
 from models import write_models
 from recording import Failure, on_display, read_frames, run
-from stranger_programs import MODELS, PROGRAMS, Stranger
+from stranger_programs import MODELS, PROGRAMS, REMARKS, Stranger
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LEVEL = 2
@@ -188,14 +189,13 @@ def row_of(result: dict) -> list:
 
 
 def results_of(folder: pathlib.Path) -> list:
-    files = [file_of(program, folder, ".result") for program in PROGRAMS]
-    return [json.loads(file.read_text()) for file in files if file.exists()]
+    files = [(program, file_of(program, folder, ".result")) for program in PROGRAMS]
+    return [{**json.loads(file.read_text()), "kind": program.kind} for program, file in files if file.exists()]
 
 
 def table(results: list, modes: list) -> str:
     head = ["program", "kind", "off: pixels", *modes, "draws", "of objects", "refined", "left alone", "remark"]
-    remarks = {program.name: program.remark for program in PROGRAMS}
-    rows = [row_of(result) + [remarks.get(result["name"], "") or "-"] for result in results]
+    rows = [row_of(result) + [REMARKS.get(result["name"], "-")] for result in results]
     lines = ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     return "\n".join(["| " + " | ".join(head) + " |", "|" + "---|" * len(head), *lines])
 
@@ -310,7 +310,7 @@ def main() -> int:
     drawn = [result for result in results if any(mode.get("draws") for mode in result["modes"].values())]
     print(f"strangers: {summary(drawn)}")
     if arguments.write:
-        write_table(f"{summary(drawn)}\n\n{table(drawn, arguments.modes)}")
+        write_table("\n".join(textwrap.wrap(summary(drawn), 120)) + "\n\n" + table(drawn, arguments.modes))
     return 1 if any(is_broken(result) for result in drawn) else 0
 
 
