@@ -46,6 +46,9 @@ void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
   if (pass.curves) {
     return;
   }
+  if (pass.lacks_normal && !loose && mesh.frames <= 1) {
+    return;
+  }
   mesh.flat = mesh.flat || pass.must_meet() || (pass.uses_depth && !loose);
   if (pass.prepares() && loose) {
     doubt();  // for any mesh

@@ -156,9 +156,8 @@ class Collector {
 
   // A structure is interpolated as a whole.
   bool is_unsound(const std::string& path) const {
-    return std::any_of(rules_.unsound.begin(), rules_.unsound.end(), [&](const std::string& unsound) {
-      return unsound == path || unsound.starts_with(path + ".");
-    });
+    return std::any_of(rules_.unsound.begin(), rules_.unsound.end(),
+                       [&](const std::string& unsound) { return unsound == path || unsound.starts_with(path + "."); });
   }
 
   const std::vector<VertexUnit>& units_;
