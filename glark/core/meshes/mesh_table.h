@@ -57,11 +57,12 @@ class MeshTable {
   static constexpr std::uint64_t never = 0;
 
   struct Mesh {
-    std::uint64_t frame = never;     // the last frame that drew it
-    std::uint64_t written = never;   // the last frame in which it wrote depth
-    std::uint64_t shown = never;     // the last frame in which it wrote colours
-    std::uint64_t prepared = never;  // the last frame in which a flat pass prepared for others
-    unsigned frames = 0;             // that drew it, up to frames_to_watch + 1
+    std::uint64_t frame = never;         // the last frame that drew it
+    std::uint64_t written = never;       // the last frame in which it wrote depth
+    std::uint64_t written_flat = never;  // the last frame in which a flat pass wrote depth
+    std::uint64_t shown = never;         // the last frame in which it wrote colours
+    std::uint64_t prepared = never;      // the last frame in which a flat pass prepared for others
+    unsigned frames = 0;                 // that drew it, up to frames_to_watch + 1
     bool flat = false;
     NormalSource normals;
   };

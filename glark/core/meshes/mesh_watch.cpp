@@ -78,7 +78,8 @@ std::optional<Cause> MeshWatch::ask(const MeshKey& key, const MeshPass& pass, st
 namespace {
 
 NormalSource normals_of(const AttributeSource& source) {
-  return {mesh_of(source, packed_stride(source.size, source.type)), source.type, source.normalized};
+  const GLint size = source.size != 0 ? source.size : 3;  // GL gives no size for glNormalPointer
+  return {mesh_of(source, packed_stride(size, source.type)), source.type, source.normalized};
 }
 
 bool reads(const std::vector<capture::Field>& fields, int location) {

@@ -84,6 +84,10 @@ TEST_F(MeshTables, UnrelatedLooseDrawsStayApart) {
   EXPECT_EQ(settled({{loose_mesh, flat_colors}, {loose_mesh, colors}}), MeshVerdict::curved);
 }
 
+TEST_F(MeshTables, ALooseEqualPassMayMeetAFlatDraw) {
+  EXPECT_EQ(settled({{loose_mesh, flat_colors}, {loose_mesh, equal_colors}}), MeshVerdict::flat);
+}
+
 TEST_F(MeshTables, LooseDrawsThatMustMeetStayFlat) {
   constexpr MeshPass flat_equal{.uses_depth = true, .equal = true};
   EXPECT_EQ(settled({{loose_mesh, colors}, {loose_mesh, flat_equal}}), MeshVerdict::flat);

@@ -80,12 +80,12 @@ TEST_P(OneShape, APrepassFollowsByNormalsThatItDoesNotRead) {
         glDepthFunc(function);
       });
     });
-    for (const Picture& frame : frames) EXPECT_EQ(red_pixels(frame), 0) << function;
-    if (GetParam() == Source::immediate) {
-      EXPECT_TRUE(function != GL_EQUAL || frames[4] == frames[0]);
-    } else {
-      EXPECT_GT(covered_pixels(frames[4]), round_pixels) << function;
+    if (GetParam() == Source::immediate) {  // without identity, glark cannot tell that both passes have one mesh
+      EXPECT_TRUE(frames[4] == frames[0]);
+      continue;
     }
+    for (const Picture& frame : frames) EXPECT_EQ(red_pixels(frame), 0) << function;
+    EXPECT_GT(covered_pixels(frames[4]), round_pixels) << function;
   }
 }
 
