@@ -140,7 +140,8 @@ def per_frame(statistics: dict, key: str) -> str:
 
 
 def frame_time(statistics: dict) -> str:
-    median = (statistics.get("frame_ms") or {}).get("median")
+    """The first frames compile shaders, so a program of few frames has no time."""
+    median = (statistics.get("frame_ms") or {}).get("median") if statistics["frames"] > 4 else None
     return f"{median:.2f} ms" if median else "-"
 
 
