@@ -40,10 +40,16 @@ void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
   if (pass.equal && mesh.written != frame_) {
     doubt();
   }
+  // One of the loose draws is flat, perhaps the very one that the pass must meet.
+  mesh.flat = mesh.flat || (pass.equal && mesh.written_flat == frame_ && loose);
   if (pass.writes_depth) {
     mesh.written = frame_;
+    mesh.written_flat = pass.curves ? mesh.written_flat : frame_;
   }
   if (pass.curves) {
+    return;
+  }
+  if (pass.lacks_normal && !loose && mesh.frames <= 1) {
     return;
   }
   mesh.flat = mesh.flat || pass.must_meet() || (pass.uses_depth && !loose);

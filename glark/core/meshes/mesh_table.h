@@ -8,7 +8,8 @@
 //
 // - A mesh is curved from the third frame on that draws it, if every pass of the frames before could be curved. Its
 //   other passes show themselves in the first frame.
-// - A pass that cannot be curved makes its mesh flat at once, and for good, so that nothing flickers.
+// - A pass that cannot be curved makes its mesh flat at once, and for good, so that nothing flickers. In the first frame,
+//   a pass without normals is excused: the normals may come from a later pass over the mesh.
 // - A mesh without identity (glBegin) holds unrelated things: only passes that must meet others make it flat.
 // - A pass whose partner is unknown makes all meshes of the context flat for some time. It must meet another draw in
 //   depth, and no draw with the same positions is there.
@@ -30,13 +31,22 @@ enum class MeshVerdict {
   unknown_partner,  // a pass that cannot be curved must meet an unknown mesh
 };
 
+// The array with the normals of a mesh.
+struct NormalSource {
+  MeshKey key;
+  GLenum type = 0;
+  bool normalized = false;
+  bool operator==(const NormalSource&) const = default;
+};
+
 class MeshTable {
  public:
   // Notes a pass over the mesh and returns what holds for it. If the pass cannot be curved itself, the verdict is
   // flat or tells about the other passes.
   MeshVerdict draw(const MeshKey& key, const MeshPass& pass);
-  // A draw that was to be curved failed.
-  void make_flat(const MeshKey& key) { find(key).flat = true; }
+  // The normals that a pass over the mesh reads. Other passes may use them, too.
+  void set_normals(const MeshKey& key, const NormalSource& normals) { find(key).normals = normals; }
+  const NormalSource& normals(const MeshKey& key) { return find(key).normals; }  // of no key: not known
   // A frame without draws is not counted.
   void frame_finished();
 
@@ -47,12 +57,14 @@ class MeshTable {
   static constexpr std::uint64_t never = 0;
 
   struct Mesh {
-    std::uint64_t frame = never;     // the last frame that drew it
-    std::uint64_t written = never;   // the last frame in which it wrote depth
-    std::uint64_t shown = never;     // the last frame in which it wrote colours
-    std::uint64_t prepared = never;  // the last frame in which a flat pass prepared for others
-    unsigned frames = 0;             // that drew it, up to frames_to_watch + 1
+    std::uint64_t frame = never;         // the last frame that drew it
+    std::uint64_t written = never;       // the last frame in which it wrote depth
+    std::uint64_t written_flat = never;  // the last frame in which a flat pass wrote depth
+    std::uint64_t shown = never;         // the last frame in which it wrote colours
+    std::uint64_t prepared = never;      // the last frame in which a flat pass prepared for others
+    unsigned frames = 0;                 // that drew it, up to frames_to_watch + 1
     bool flat = false;
+    NormalSource normals;
   };
 
   Mesh& find(const MeshKey& key);

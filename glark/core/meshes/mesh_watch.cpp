@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/meshes/mesh_watch.h"
 
+#include <algorithm>
+
 #include "glark/core/capture/layout.h"
 #include "glark/core/state/lists/display_list.h"
+#include "glark/core/state/programs/derived_program.h"
 
 namespace glark::core {
 namespace {
@@ -35,10 +38,10 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const std::vector<ca
     cause = Cause::no_surface;
   }
   Framebuffers& framebuffers = env_.state.framebuffers();
-  const std::optional<MeshPass> pass = mesh_pass({.bindings = env_.bindings(),
-                                                  .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
-                                                  .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors)},
-                                                 cause);
+  std::optional<MeshPass> pass = mesh_pass({.bindings = env_.bindings(),
+                                            .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
+                                            .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors)},
+                                           cause);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {
     return cause;
@@ -52,7 +55,12 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const std::vector<ca
   fields = fields != nullptr ? fields : known_fields();
   const capture::Field* position = fields != nullptr ? capture::find_role(*fields, capture::Role::position) : nullptr;
   if (position != nullptr || fields == nullptr) {
-    return ask(key_of(position != nullptr ? slot_of(*position) : vertex_slot_in_use()), *pass, cause);
+    const MeshKey mesh = key_of(position != nullptr ? slot_of(*position) : vertex_slot_in_use());
+    if (pass->curves) {
+      note_normals(mesh, *fields);
+    }
+    pass->lacks_normal = cause == Cause::no_surface;
+    return ask(mesh, *pass, cause);
   }
   for (const capture::Field& field : *fields) {
     if (is_float_vector(field)) {
@@ -65,6 +73,62 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const std::vector<ca
 std::optional<Cause> MeshWatch::ask(const MeshKey& key, const MeshPass& pass, std::optional<Cause> cause) {
   const MeshVerdict verdict = table_.draw(key, pass);
   return cause || verdict == MeshVerdict::curved ? cause : cause_of(verdict);
+}
+
+namespace {
+
+NormalSource normals_of(const AttributeSource& source) {
+  const GLint size = source.size != 0 ? source.size : 3;  // GL gives no size for glNormalPointer
+  return {mesh_of(source, packed_stride(size, source.type)), source.type, source.normalized};
+}
+
+bool reads(const std::vector<capture::Field>& fields, int location) {
+  return std::any_of(fields.begin(), fields.end(), [location](const capture::Field& field) {
+    return field.location >= 0 && location >= field.location &&
+           location < field.location + capture::columns_of(field.type) * field.array_size;
+  });
+}
+
+}  // namespace
+
+void MeshWatch::note_normals(const MeshKey& mesh, const std::vector<capture::Field>& fields) {
+  const capture::Field* normal = capture::find_role(fields, capture::Role::normal);
+  table_.set_normals(mesh, normals_of(env_.state.arrays().attribute_source(slot_of(*normal))));
+}
+
+int MeshWatch::unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  const capture::Field* position = capture::find_role(fields, capture::Role::position);
+  const bool is_vector = position != nullptr && !position->is_array &&
+                         (position->type == GL_FLOAT_VEC3 || position->type == GL_FLOAT_VEC4);
+  if (!is_vector || capture::find_role(fields, capture::Role::normal) != nullptr) {
+    return own_normal;
+  }
+  const bool conventional = position->name == "gl_Vertex";
+  if (call.segment != nullptr) {
+    return conventional && (call.segment->effects.set & slot_bit(normal_slot)) != 0 ? conventional_normal : own_normal;
+  }
+  if (!call.from_arrays) {
+    return own_normal;
+  }
+  const NormalSource& wanted = table_.normals(key_of(slot_of(*position)));
+  return wanted.type != 0 ? find_array(wanted, fields) : own_normal;
+}
+
+int MeshWatch::find_array(const NormalSource& wanted, const std::vector<capture::Field>& fields) const {
+  const auto matches = [&](int slot) {
+    const AttributeSource& source = env_.state.arrays().attribute_source(slot);
+    return source.enabled && normals_of(source) == wanted;
+  };
+  if (env_.capabilities.is_compatibility() && matches(normal_slot)) {
+    return conventional_normal;
+  }
+  const int count = std::min(env_.capabilities.max_vertex_attributes, generic_slots);
+  for (int location = 0; location < count; ++location) {
+    if (!reads(fields, location) && matches(location)) {
+      return location;
+    }
+  }
+  return own_normal;
 }
 
 // The same normal at every vertex tells nothing about a surface: the array is off, or the list sets no normals.

@@ -23,9 +23,14 @@ class MeshWatch {
   // known. Returns why it stays unrefined; nothing if it is curved.
   std::optional<Cause> judge(const DrawCall& call, const std::vector<capture::Field>* fields,
                              std::optional<Cause> cause);
+  // A draw by the vertex stage with these inputs, which reads no normal: returns the location of an array that holds the
+  // normals of its mesh, conventional_normal, or own_normal if there is none.
+  int unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
   void frame_finished() { table_.frame_finished(); }
 
  private:
+  int find_array(const NormalSource& wanted, const std::vector<capture::Field>& fields) const;
+  void note_normals(const MeshKey& mesh, const std::vector<capture::Field>& fields);
   bool has_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const;
   MeshKey key_of(int position_slot) const;
   std::optional<Cause> ask(const MeshKey& key, const MeshPass& pass, std::optional<Cause> cause);
@@ -33,7 +38,7 @@ class MeshWatch {
   const std::vector<capture::Field>* known_fields() const;
 
   const Environment& env_;
-  MeshTable table_;
+  mutable MeshTable table_;
 };
 
 }  // namespace glark::core

@@ -38,18 +38,19 @@ KeyState key_state(const Environment& environment) {
   return {environment.options, environment.ark, environment.bindings(), environment.capabilities};
 }
 
-RefinementChoice refinement_choice(const Environment& environment, const Program& program) {
+RefinementChoice refinement_choice(const Environment& environment, const Program& program, int normal = own_normal) {
   RefinementFacts facts{.wanted = wanted_refinement(environment.options, environment.ark),
                         .transparent = environment.options.transparent,
                         .stage = program.traits,
                         .inputs = program.input_traits};
   // The record of a displaced fixed-function draw has a normal, even if the state does not make the stage read it.
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
+  facts.inputs.can_curve |= normal != own_normal;
   return choose_refinement(facts);
 }
 
 // Logs each reason once for each program.
-void log_fallback(Program& program, const RefinementChoice& choice) {
+void log_fallback(Program& program, const RefinementChoice& choice, bool smooth) {
   const unsigned bit = choice.fallback ? 1U << static_cast<unsigned>(*choice.fallback) : 0;
   if ((bit & ~program.logged_fallbacks) == 0) {
     return;
@@ -60,12 +61,16 @@ void log_fallback(Program& program, const RefinementChoice& choice) {
   const std::string construct = choice.fallback == RefinementFallback::unsound_stage && position != nullptr
                                     ? fmt::format(" ({})", position->reason)
                                     : std::string();
-  log(LogLevel::info, fmt::format("{} is refined by {}: {}{}; {}", refine::label(program),
-                                  traits_of(choice.refinement).word, text.explanation, construct, text.remedy));
+  const std::string outcome = smooth ? "not curved" : fmt::format("refined by {}", traits_of(choice.refinement).word);
+  log(LogLevel::info,
+      fmt::format("{} is {}: {}{}; {}", refine::label(program), outcome, text.explanation, construct, text.remedy));
 }
 
 // Null: the vertex stage is not known.
 const std::vector<capture::Field>* inputs_of(const DrawPlan& plan) {
+  if (plan.derived != nullptr) {
+    return &plan.derived->layout.fields;  // with a normal that the stage does not read
+  }
   return plan.program != nullptr && plan.program->prepared && !plan.program->fields.empty() ? &plan.program->fields
                                                                                             : nullptr;
 }
@@ -223,8 +228,9 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
 
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
-  const RefinementChoice choice = refinement_choice(env_, *plan.program);
-  log_fallback(*plan.program, choice);
+  const int normal = smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : own_normal;
+  const RefinementChoice choice = refinement_choice(env_, *plan.program, normal);
+  log_fallback(*plan.program, choice, smooth());
   plan.fallback = choice.fallback;
   if (smooth() && choice.fallback) {
     return Cause::no_surface;
@@ -235,6 +241,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .tagged = depth.adaptive && !depth.measured,
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
+  key.normal_attribute = normal;
   add_welded_words(key, depth.measured && depth.measure.degrees > 0);
   plan.derived = derived(plan, key);
   choose_weld(plan, key, call.triangles);

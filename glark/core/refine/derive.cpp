@@ -61,7 +61,8 @@ class Deriver {
     for (const Token& token : refinement_tokens_) {  // macros may use inputs that nothing else mentions
       if (token.kind == TokenKind::directive) collect_identifiers(tokenize(token.text.substr(1)), all_identifiers_);
     }
-    if (request_.coordinate_field >= 0) {  // displacement reads what the stage need not
+    // Displacement and curves read a normal, even if the stage does not.
+    if (request_.coordinate_field >= 0 || core::traits_of(request_.refinement).curves_positions) {
       for (const capture::Field& field : request_.layout.fields) {
         if (field.role == capture::Role::normal) all_identifiers_.insert(field.name);
       }

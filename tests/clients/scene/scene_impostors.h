@@ -90,9 +90,14 @@ static void scene_setup(void) {
   for (int i = 0; i < 4 * ball_count; ++i) {
     const int ball = i / 4;
     const int number = i % 4;
-    const GLfloat corner[corner_floats] = {-0.6f + 0.5f * (GLfloat)(ball % 3), -0.4f + 0.5f * (GLfloat)(ball / 3),
-                                           0.04f * (GLfloat)ball, (GLfloat)(4 * (12 + 2 * ball) + number),
-                                           0.3f + 0.08f * (GLfloat)ball, 0.9f - 0.09f * (GLfloat)ball, 0.5f, 0};
+    const GLfloat corner[corner_floats] = {-0.6f + 0.5f * (GLfloat)(ball % 3),
+                                           -0.4f + 0.5f * (GLfloat)(ball / 3),
+                                           0.04f * (GLfloat)ball,
+                                           (GLfloat)(4 * (12 + 2 * ball) + number),
+                                           0.3f + 0.08f * (GLfloat)ball,
+                                           0.9f - 0.09f * (GLfloat)ball,
+                                           0.5f,
+                                           0};
     for (int k = 0; k < corner_floats; ++k) corners[i][k] = corner[k];
   }
   for (int ball = 0; ball < ball_count; ++ball) {

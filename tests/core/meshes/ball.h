@@ -56,7 +56,11 @@ class Ball {
     if (source == Source::list) {
       list_ = glGenLists(1);
       glNewList(list_, GL_COMPILE);
-      give_vertices();
+      give_vertices(true);
+      glEndList();
+      bare_list_ = glGenLists(1);
+      glNewList(bare_list_, GL_COMPILE);
+      give_vertices(false);
       glEndList();
     }
   }
@@ -65,19 +69,28 @@ class Ball {
     if (source_ == Source::list) {
       glCallList(list_);
     } else if (source_ == Source::immediate) {
-      give_vertices();
+      give_vertices(true);
     } else {
       draw_arrays(true);
     }
   }
-  void draw_positions() const { draw_arrays(false); }
+  // Neither arrays nor lists offer normals.
+  void draw_positions() const {
+    if (source_ == Source::list) {
+      glCallList(bare_list_);
+    } else if (source_ == Source::immediate) {
+      give_vertices(false);
+    } else {
+      draw_arrays(false);
+    }
+  }
 
  private:
   // The position, divided by the radius, is the normal.
-  void give_vertices() const {
+  void give_vertices(bool normals) const {
     glBegin(GL_TRIANGLES);
     for (const auto& corner : corners_) {
-      glNormal3fv(corner.data());
+      if (normals) glNormal3fv(corner.data());
       glVertex3fv(corner.data());
     }
     glEnd();
@@ -99,6 +112,7 @@ class Ball {
   std::vector<std::array<GLfloat, 3>> corners_;
   GLuint buffer_ = 0;
   GLuint list_ = 0;
+  GLuint bare_list_ = 0;
 };
 
 // A framebuffer with nothing but depth.

@@ -54,6 +54,18 @@ TEST_F(MeshTables, OneFlatPassKeepsTheMeshFlat) {
   EXPECT_EQ(settled({{copy_of_ball, colors}}), MeshVerdict::curved) << "another mesh";
 }
 
+// The colour pass, which has the normals, comes after the pre-pass.
+TEST_F(MeshTables, APassThatLacksOnlyNormalsIsExcusedInTheFirstFrame) {
+  constexpr MeshPass lacking{.lacks_normal = true, .uses_depth = true, .writes_depth = true, .shows = false};
+  EXPECT_EQ(table_.draw(ball, lacking), MeshVerdict::waits);
+  table_.draw(ball, colors);
+  table_.set_normals(ball, {copy_of_ball, GL_FLOAT});
+  table_.frame_finished();
+  EXPECT_EQ(table_.normals(ball).key, copy_of_ball);
+  EXPECT_EQ(settled({{ball, curved_depth}, {ball, equal_colors}}), MeshVerdict::curved);
+  EXPECT_EQ(table_.draw(ball, lacking), MeshVerdict::flat) << "it must have found them";
+}
+
 TEST_F(MeshTables, AMeshThatWasFlatOnceStaysFlat) {
   EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::curved);
   EXPECT_EQ(table_.draw(ball, flat_colors), MeshVerdict::flat);
@@ -70,6 +82,10 @@ TEST_F(MeshTables, APassWithoutDepthMeetsNothing) {
 
 TEST_F(MeshTables, UnrelatedLooseDrawsStayApart) {
   EXPECT_EQ(settled({{loose_mesh, flat_colors}, {loose_mesh, colors}}), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, ALooseEqualPassMayMeetAFlatDraw) {
+  EXPECT_EQ(settled({{loose_mesh, flat_colors}, {loose_mesh, equal_colors}}), MeshVerdict::flat);
 }
 
 TEST_F(MeshTables, LooseDrawsThatMustMeetStayFlat) {

@@ -43,6 +43,17 @@ void add_conventional_inputs(std::vector<capture::Field>& fields) {
   }
 }
 
+// The normals of the mesh, which another pass over it reads.
+void add_normal(std::vector<capture::Field>& fields, const core::DerivedKey& key) {
+  if (key.normal_attribute == core::own_normal || key.at_corner) return;
+  capture::Field normal{.name = "gl_Normal", .type = GL_FLOAT_VEC3, .role = capture::Role::normal};
+  if (key.normal_attribute != core::conventional_normal) {
+    normal.name = "glark_normal";
+    normal.location = key.normal_attribute;
+  }
+  fields.push_back(normal);
+}
+
 int coordinate_field(std::vector<capture::Field>& fields, const core::DerivedKey& key) {
   if (!key.displaced || key.at_corner) return -1;
   if (key.coordinate_attribute >= 0) {
@@ -59,6 +70,7 @@ int coordinate_field(std::vector<capture::Field>& fields, const core::DerivedKey
 void add_shape_fields(std::vector<capture::Field>& fields, const core::DerivedKey& key, bool fixed_function,
                       DeriveRequest& request) {
   if (key.displaced && fixed_function) add_conventional_inputs(fields);
+  add_normal(fields, key);
   request.discontinuity_field = field_at(fields, key.discontinuity_attribute, GL_FLOAT_VEC4, "glark_discontinuity");
   request.scalar_tag_field = field_at(fields, key.scalar_tag_attribute, GL_FLOAT_VEC3, "glark_scalar_tags");
   request.coordinate_field = coordinate_field(fields, key);

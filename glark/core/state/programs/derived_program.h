@@ -18,6 +18,10 @@ namespace glark::core {
 // declares.
 inline constexpr GLint virtual_location_base = 0x40000000;
 
+// Values of DerivedKey::normal_attribute besides locations.
+inline constexpr int own_normal = -1;           // the input with that role
+inline constexpr int conventional_normal = -2;  // glNormal and glNormalPointer, which the stage does not read
+
 // Selects one of the programs that are derived from a program of the application.
 struct DerivedKey {
   Refinement refinement = Refinement::linear_inputs;
@@ -25,9 +29,10 @@ struct DerivedKey {
   bool flat_colors = false;
   bool clamp_colors = false;
   bool tagged = false;
-  bool at_corner = false;            // no refinement: gives the position of each captured corner, for measured depths
-  int discontinuity_attribute = -1;  // location of the tags; -1: vertices carry none
-  int scalar_tag_attribute = -1;     // location of the tags; -1: vertices carry none
+  bool at_corner = false;             // no refinement: gives the position of each captured corner, for measured depths
+  int discontinuity_attribute = -1;   // location of the tags; -1: vertices carry none
+  int scalar_tag_attribute = -1;      // location of the tags; -1: vertices carry none
+  int normal_attribute = own_normal;  // location of normals that the stage does not read
   bool displaced = false;
   int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
   bool morphing = false;          // vertices move between levels
