@@ -33,6 +33,7 @@ void Stages::frame_finished() {
   read_counts();
   passes_.sorter().frame_finished();
   kept_.frame_finished();
+  draw_.frame_finished();
 }
 
 void Stages::release() {

@@ -37,7 +37,7 @@ TOUCH_CALLS = {
     "external_target": ("writes().never_trust_target", ["target"]),
     "external_buffer": ("writes().never_trust_buffer", ["buffer"]),
     "touch_vertex_array": ("state().arrays().vertex_arrays().forget_current", []),
-    "touch_framebuffer": ("state().depth_buffers().forget_attachments", []),
+    "touch_framebuffer": ("state().framebuffers().forget_attachments", []),
     "touch_fixed_function": ("changes().touch_fixed_function", []),
     "opaque": ("changes().forget_in_list", []),
     "touch_matrices": ("changes().touch_matrices", []),

@@ -65,9 +65,9 @@ void find_unknown_variables(const char* const* environment, std::vector<std::str
     const std::string_view name = entry.substr(0, entry.find('='));
     if (!name.starts_with("GLARK_") || std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string_view nearest = nearest_name(name, known);
-    problems.push_back(nearest.empty()
-                           ? fmt::format("{} is not a variable of glark and has no effect; man glark lists them", name)
-                           : fmt::format("{} is not a variable of glark and has no effect; is {} meant?", name, nearest));
+    problems.push_back(
+        nearest.empty() ? fmt::format("{} is not a variable of glark and has no effect; man glark lists them", name)
+                        : fmt::format("{} is not a variable of glark and has no effect; is {} meant?", name, nearest));
   }
 }
 
@@ -123,6 +123,7 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
   if (settings.everything) {
     settings.context.left_draws = 0;
     settings.context.left_shaders.clear();
+    std::erase_if(settings.context.rules, [](const core::DrawRule& rule) { return !rule.refinement; });
   }
   return parsed;
 }

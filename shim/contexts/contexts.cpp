@@ -167,7 +167,7 @@ void make_current_done(Provider provider, void* native, const Surface& surface) 
     if (current.record != nullptr) leave_current();
     enter(provider, native);
   }
-  if (thread().context != nullptr) thread().context->state().depth_buffers().forget_default();
+  if (thread().context != nullptr) thread().context->state().framebuffers().forget_default();
   current.surface = surface;
 }
 

@@ -111,7 +111,8 @@ TEST(Settings, ALimitThatIsSetHoldsTheLevelBack) {
 }
 
 TEST(Settings, Measures) {
-  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_EDGE_PIXELS=7.5", "GLARK_CURVATURE=12", "GLARK_BUDGET=50000"});
+  const Parsed parsed =
+      parse_all({"GLARK_ENABLE=1", "GLARK_EDGE_PIXELS=7.5", "GLARK_CURVATURE=12", "GLARK_BUDGET=50000"});
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_EQ(parsed.settings.context.measure, (core::EdgeMeasure{7.5F, 12, 50000}));
   EXPECT_FALSE(parse_all({}).settings.context.measure.on());
@@ -135,8 +136,7 @@ TEST(Settings, Tension) {
 }
 
 TEST(Settings, GeomorphingNeedsAMeasure) {
-  EXPECT_EQ(only_problem("GLARK_GEOMORPH=1"),
-            "--geomorph has no effect without --edge-pixels or --curvature");
+  EXPECT_EQ(only_problem("GLARK_GEOMORPH=1"), "--geomorph has no effect without --edge-pixels or --curvature");
   const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_GEOMORPH=1", "GLARK_CURVATURE=5"});
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_TRUE(parsed.settings.context.geomorph);
@@ -161,7 +161,8 @@ TEST(Settings, AnUnknownVariableIsToldWithTheNearestName) {
 
 TEST(Settings, SettingsThatChangeNothingAreTold) {
   EXPECT_EQ(only_problem("GLARK_LEVEL=0"), "--level 0 refines nothing; give a level of 1 or more");
-  EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=3"), "--max-level has no effect without --level, --edge-pixels or --curvature");
+  EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=3"),
+            "--max-level has no effect without --level, --edge-pixels or --curvature");
   const auto problems = [](std::vector<const char*> environment) {
     environment.push_back("GLARK_ENABLE=1");
     return parse_all(std::move(environment)).problems;

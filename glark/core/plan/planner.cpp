@@ -9,6 +9,8 @@
 
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
+#include "glark/core/plan/draw_notes.h"
+#include "glark/core/plan/draw_rules.h"
 #include "glark/core/plan/exemptions.h"
 #include "glark/core/plan/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
@@ -17,6 +19,7 @@
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
 #include "glark/core/shape.h"
+#include "glark/core/state/draw_state.h"
 
 namespace glark::core {
 namespace {
@@ -38,26 +41,14 @@ KeyState key_state(const Environment& environment) {
   return {environment.options, environment.ark, environment.bindings(), environment.capabilities};
 }
 
-RefinementChoice refinement_choice(const Environment& environment, const Program& program) {
-  RefinementFacts facts{.wanted = wanted_refinement(environment.options, environment.ark),
+RefinementChoice refinement_choice(const Environment& environment, const Program& program, Refinement wanted) {
+  RefinementFacts facts{.wanted = wanted,
                         .transparent = environment.options.transparent,
                         .stage = program.traits,
                         .inputs = program.input_traits};
   // The record of a displaced fixed-function draw has a normal, even if the state does not make the stage read it.
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
   return choose_refinement(facts);
-}
-
-// Logs each reason once for each program.
-void log_fallback(Program& program, const RefinementChoice& choice) {
-  const unsigned bit = choice.fallback ? 1U << static_cast<unsigned>(*choice.fallback) : 0;
-  if ((bit & ~program.logged_fallbacks) == 0) {
-    return;
-  }
-  program.logged_fallbacks |= bit;
-  const FallbackText& text = text_of(*choice.fallback);
-  log(LogLevel::info, fmt::format("{} is refined by {}: {}; {}", refine::label(program),
-                                  traits_of(choice.refinement).word, text.explanation, text.remedy));
 }
 
 }  // namespace
@@ -88,6 +79,9 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
     return cause;
   }
   if (const std::optional<Cause> cause = exempt(*plan.program, call.triangles)) {
+    return cause;
+  }
+  if (const std::optional<Cause> cause = choose_wanted(plan)) {
     return cause;
   }
   parts_.programs.in_use().read_subroutines(plan.owner, plan.pipeline);
@@ -144,7 +138,7 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
   }
   ExemptionFacts facts{.rules = options.left_draws,
                        .bindings = env_.bindings(),
-                       .depth_buffer = env_.state.depth_buffers().bound_has_one(env_.gl, env_.errors),
+                       .depth_buffer = env_.state.framebuffers().bound_has_depth(env_.gl, env_.errors),
                        .left_alone = program.left_alone,
                        .conventional = program.conventional_projection && env_.capabilities.is_compatibility(),
                        .triangles = triangles};
@@ -152,6 +146,20 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
     facts.matrices = env_.state.fixed_function().matrices().traits(env_.gl);
   }
   return exemption(facts);
+}
+
+// The user's rules choose the refinement of draws by their state.
+std::optional<Cause> Planner::choose_wanted(DrawPlan& plan) const {
+  plan.wanted = wanted_refinement(env_.options, env_.ark);
+  if (!env_.options.transparent || env_.ark.enabled || env_.options.rules.empty()) {
+    return std::nullopt;
+  }
+  const DrawRule* rule = find_rule(env_.options.rules, read_draw_state(env_, plan.program));
+  if (rule != nullptr && !rule->refinement) {
+    return Cause::rule;
+  }
+  plan.wanted = rule != nullptr ? *rule->refinement : plan.wanted;
+  return std::nullopt;
 }
 
 bool Planner::can_measure(const Program& program) const {
@@ -197,8 +205,7 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
 
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
-  const RefinementChoice choice = refinement_choice(env_, *plan.program);
-  log_fallback(*plan.program, choice);
+  const RefinementChoice choice = refinement_choice(env_, *plan.program, plan.wanted);
   plan.fallback = choice.fallback;
   // The outputs of split polygons do not depend on the provoking vertex.
   DerivedKey key = derived_key(key_state(env_), {.refinement = choice.refinement,
@@ -212,6 +219,12 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
+  tell_notes(*plan.program,
+             {.refinement = choice.refinement,
+              .fallback = choice.fallback,
+              .transparent = env_.options.transparent,
+              .ignores_shader = plan.program->traits.reads_vertex_id && !plan.program->refinement_source.empty(),
+              .undisplaced = key.displaced && plan.derived->height_map < 0});
   if (parts_.feedback.captures(env_.bindings()) && plan.derived != parts_.feedback.program) {
     return Cause::transform_feedback;
   }
@@ -226,6 +239,21 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   plan.capture.program = capture.name;
   plan.capture.inputs = &capture.inputs;
   return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
+}
+
+// Tells each note once for each program.
+void Planner::tell_notes(Program& program, const DrawNoteFacts& facts) const {
+  const unsigned bits = note_bits(facts) & ~program.told_notes;
+  if (bits == 0) {
+    return;
+  }
+  program.told_notes |= bits;
+  const DebugOutput application{env_.gl, !facts.transparent && env_.bindings().debug_output, true};
+  for (const DrawNote& note : draw_notes(facts, bits)) {
+    const std::string text = fmt::format("{} {}", refine::label(program), note.text);
+    log(facts.transparent ? LogLevel::info : LogLevel::warning, text);
+    application.send(note.id, text);
+  }
 }
 
 // A draw stays unwelded if its tables would be too large, or if its record with welded words would have to be stored
@@ -286,9 +314,10 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
   }
   const bool tagged = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
   const bool placed = tagged || can_measure(program);
+  const Refinement wanted = wanted_refinement(env_.options, env_.ark);
   return parts_.programs.derived().find(
       program, owner,
-      derived_key(key_state(env_), {.refinement = refinement_choice(env_, program).refinement,
+      derived_key(key_state(env_), {.refinement = refinement_choice(env_, program, wanted).refinement,
                                     .mode = GL_TRIANGLES,
                                     .tagged = tagged,
                                     .placed = placed,

@@ -45,6 +45,9 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
   b.debug_output = gl.IsEnabled(GL_DEBUG_OUTPUT) != GL_FALSE;
   b.blend = gl.IsEnabled(GL_BLEND) != GL_FALSE;
   b.depth_test = gl.IsEnabled(GL_DEPTH_TEST) != GL_FALSE;
+  GLboolean mask[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
+  gl.GetBooleanv(GL_COLOR_WRITEMASK, mask);
+  b.color_writes = mask[0] != GL_FALSE || mask[1] != GL_FALSE || mask[2] != GL_FALSE || mask[3] != GL_FALSE;
   b.depth_writes = get(gl, GL_DEPTH_WRITEMASK) != 0;
   b.depth_function = static_cast<GLenum>(get(gl, GL_DEPTH_FUNC));
   b.cull_face = gl.IsEnabled(GL_CULL_FACE) != GL_FALSE;

@@ -35,7 +35,8 @@ struct Bindings {
   GLuint storage_buffer = 0;
   std::array<IndexedBuffer, tracked_storage_bindings> storage{};
   bool rasterizer_discard = false;
-  bool blend = false;  // of draw buffer 0
+  bool blend = false;        // of draw buffer 0
+  bool color_writes = true;  // glColorMask lets a component of draw buffer 0 through
   bool depth_test = false;
   bool depth_writes = true;
   GLenum depth_function = GL_LESS;

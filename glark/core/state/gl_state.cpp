@@ -17,7 +17,7 @@ GlState::GlState(const gl::Dispatch& gl, const Capabilities& capabilities, Share
 void GlState::forget() {
   forget_bindings();
   arrays_.vertex_arrays().forget_current();
-  depth_buffers_ = {};
+  framebuffers_ = {};
   fixed_function_.touch();
   lists_.note_state_change();
 }

@@ -11,8 +11,8 @@
 #include "glark/core/state/arrays/current_values.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
-#include "glark/core/state/depth_buffers.h"
 #include "glark/core/state/fixed_function_changes.h"
+#include "glark/core/state/framebuffers.h"
 #include "glark/core/state/immediate_mode.h"
 #include "glark/core/state/lists/list_compilation.h"
 #include "glark/core/state/programs/programs.h"
@@ -52,7 +52,7 @@ class GlState {
   const CurrentValues& current_values() const { return current_values_; }
   // Something may have changed all current values.
   void forget_current_values() { current_values_.forget(stamps_.next()); }
-  DepthBuffers& depth_buffers() { return depth_buffers_; }
+  Framebuffers& framebuffers() { return framebuffers_; }
   FixedFunctionChanges& fixed_function() { return fixed_function_; }
   Programs& programs() { return programs_; }
   const Programs& programs() const { return programs_; }
@@ -76,7 +76,7 @@ class GlState {
   ImmediateMode immediate_;
   ArrayState arrays_;
   CurrentValues current_values_;
-  DepthBuffers depth_buffers_;
+  Framebuffers framebuffers_;
   FixedFunctionChanges fixed_function_;
   Programs programs_;
   ListCompilation lists_;

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks of glEnable and of modes.
+#include "glark/core/track/complain.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
 namespace {
 
 void set_ark_enabled(Context& c, bool enabled) {
-  if (track::inside_begin(c)) {
+  if (track::inside_begin(c, enabled ? "glEnable(GL_ARK)" : "glDisable(GL_ARK)")) {
     return;
   }
   if (enabled && c.ark().pool_level < 0) {
-    c.raise(GL_INVALID_OPERATION);
+    track::complain(c, GL_INVALID_OPERATION, "glEnable(GL_ARK)", "there are no patterns yet; call glARKinit first");
     return;
   }
   c.ark().enabled = enabled;
@@ -56,7 +57,7 @@ void client_state_replaced(Context& c) {
 }
 
 void set_tag_array(Context& c, bool enabled) {
-  if (track::inside_begin(c)) {
+  if (track::inside_begin(c, "glEnable(GL_DEPTH_TAG_ARRAY_ARK)")) {
     return;
   }
   c.state().arrays().vertex_arrays().forget_current();
@@ -140,7 +141,7 @@ void Disablei(Context& c, GLenum capability, GLuint index) {
 
 GLboolean IsEnabled(Context& c, GLenum capability) {
   if (c.capabilities().refinable && capability == GL_ARK) {
-    return track::inside_begin(c) || !c.ark().enabled ? GL_FALSE : GL_TRUE;
+    return track::inside_begin(c, "glIsEnabled(GL_ARK)") || !c.ark().enabled ? GL_FALSE : GL_TRUE;
   }
   if (c.capabilities().refinable && capability == GL_DEPTH_TAG_ARRAY_ARK) {
     GLint enabled = 0;
@@ -178,6 +179,20 @@ void DepthFunc(Context& c, GLenum function) {
   c.gl().DepthFunc(function);
   if (track::executes(c) && function >= GL_NEVER && function <= GL_ALWAYS) {
     c.state().bindings().depth_function = function;
+  }
+}
+
+void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+  c.gl().ColorMask(red, green, blue, alpha);
+  if (track::executes(c)) {
+    c.state().bindings().color_writes = red != GL_FALSE || green != GL_FALSE || blue != GL_FALSE || alpha != GL_FALSE;
+  }
+}
+
+void ColorMaski(Context& c, GLuint index, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+  c.gl().ColorMaski(index, red, green, blue, alpha);
+  if (track::executes(c) && index == 0) {
+    c.state().bindings().color_writes = red != GL_FALSE || green != GL_FALSE || blue != GL_FALSE || alpha != GL_FALSE;
   }
 }
 
@@ -229,9 +244,8 @@ void PolygonMode(Context& c, GLenum face, GLenum mode) {
   if (!track::executes(c)) {
     return;
   }
-  const bool one_face = c.is_compatibility() && (face == GL_FRONT || face == GL_BACK);
-  if ((!one_face && face != GL_FRONT_AND_BACK) || mode < GL_POINT || mode > GL_FILL ||
-      c.state().immediate().open()) {
+  const bool one_face = c.capabilities().is_compatibility() && (face == GL_FRONT || face == GL_BACK);
+  if ((!one_face && face != GL_FRONT_AND_BACK) || mode < GL_POINT || mode > GL_FILL || c.state().immediate().open()) {
     c.state().forget_bindings();  // GL may have refused
     return;
   }
