@@ -50,6 +50,7 @@ struct ContextOptions {
   unsigned level = 2;        // uniform level of transparent refinement
   unsigned max_level = 6;    // level of the pool built for transparent refinement
   Refinement refinement = Refinement::linear_inputs;
+  bool smooth = false;  // only meshes are refined that have one shape in all passes (meshes/mesh_table.h)
   ShapeNumbers shape_numbers = initial_shape_numbers();
   bool weld = true;          // weld curved triangles by position, if the program has split its vertices
   EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level

@@ -14,12 +14,16 @@ KeyFacts key_facts(const DrawPlan& plan, const pattern::PoolInUse& pool) {
   return {plan.capture, plan.depth, plan.polygons.has_value(), plan.weld.on, pool.number()};
 }
 
-void count_refined(const DrawPlan& plan) {
-  ++statistics().draws_refined;
-  ++plan.program->counters->draws_refined;
+void count_fallback(const DrawPlan& plan) {
   if (plan.fallback) {
     ++statistics().fallen_back[static_cast<std::size_t>(*plan.fallback)];
   }
+}
+
+void count_refined(const DrawPlan& plan) {
+  ++statistics().draws_refined;
+  ++plan.program->counters->draws_refined;
+  count_fallback(plan);
 }
 
 }  // namespace
@@ -39,6 +43,7 @@ void RefinedDraw::run(const DrawCall& call) {
   }
   const DrawPlan& plan = decision.plan;
   if (const std::optional<Cause> cause = parts_.passes.ensure_room(plan, call.triangles)) {
+    parts_.meshes.judge(call, &plan.program->fields, cause);
     draw_as_asked(call, plan, *cause, quiet);
     return;
   }
@@ -54,6 +59,12 @@ void RefinedDraw::run(const DrawCall& call) {
   count_refined(plan);
   count_class(plan, std::nullopt, triangles.count);
   parts_.capture.count_drawn(triangles, plan.depth.adaptive ? 0 : plan.depth.level);
+}
+
+void RefinedDraw::leave(const DrawCall& call, Cause cause) {
+  env_.state.refresh();
+  parts_.meshes.judge(call, nullptr, cause);
+  pass(cause);
 }
 
 void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet) {
@@ -73,6 +84,7 @@ void RefinedDraw::pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t 
   if (cause != Cause::not_triangles && cause != Cause::invalid_draw) {
     parts_.feedback.hand_back();
   }
+  count_fallback(plan);
   const std::string message = passed_.count(cause);
   if (!message.empty() && env_.ark.enabled && !env_.options.transparent) {
     const std::string reason = plan.program != nullptr ? plan.program->refinement_log : std::string();
@@ -89,9 +101,9 @@ void RefinedDraw::count_class(const DrawPlan& plan, std::optional<Cause> cause, 
   }
   DrawClassKey key{.state = read_draw_state(env_, plan.program)};
   key.verdict.cause = cause;
+  key.verdict.fallback = plan.fallback;
   if (!cause) {
     key.verdict.refinement = plan.derived->refinement;
-    key.verdict.fallback = plan.fallback;
     key.verdict.measured = plan.depth.measured;
     key.verdict.level = plan.depth.adaptive ? 0 : plan.depth.level;
   }

@@ -13,6 +13,7 @@
 #include "glark/core/feedback/refined_feedback.h"
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
+#include "glark/core/meshes/mesh_watch.h"
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
@@ -35,6 +36,7 @@ class RefinedDraw {
     submit::Submission& submission;
     RefinedFeedback& feedback;
     ImmediateCapture& immediate;
+    MeshWatch& meshes;
   };
   RefinedDraw(const Environment& environment, const Parts& parts) : env_(environment), parts_(parts) {}
 
@@ -43,11 +45,12 @@ class RefinedDraw {
   // glBegin in a triangle mode. Returns how many triangles fit until glEnd; 0 means that the caller begins unrefined.
   std::uint64_t begin_immediate(GLenum mode);
   void end_immediate(std::uint64_t triangles);
-  // Counts a draw that the caller makes unrefined.
-  void pass(Cause cause);
+  // Notes a draw that the caller makes unrefined.
+  void leave(const DrawCall& call, Cause cause);
   void frame_finished() { classes_.frame_finished(); }
 
  private:
+  void pass(Cause cause);
   void draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet);
   void pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t triangles);
   void count_class(const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles);

@@ -11,11 +11,12 @@ Stages::Stages(const Environment& environment)
       programs_(env_, capture_.stage()),
       passes_(env_, pool_, capture_),
       kept_(env_),
-      planner_(env_, {pool_, capture_, programs_, passes_.weld_stage(), feedback_in_use_}),
+      meshes_(env_),
+      planner_(env_, {pool_, capture_, programs_, passes_.weld_stage(), feedback_in_use_, meshes_}),
       feedback_(env_, feedback_in_use_, planner_, programs_.in_use()),
       immediate_(env_, planner_, passes_, capture_),
       submission_(env_, {pool_, programs_, capture_.stage(), feedback_in_use_}),
-      draw_(env_, {pool_, planner_, capture_, kept_, passes_, submission_, feedback_, immediate_}) {}
+      draw_(env_, {pool_, planner_, capture_, kept_, passes_, submission_, feedback_, immediate_, meshes_}) {}
 
 // Adds the counts that only the GPU knows to the statistics.
 void Stages::read_counts() {
@@ -34,6 +35,14 @@ void Stages::frame_finished() {
   passes_.sorter().frame_finished();
   kept_.frame_finished();
   draw_.frame_finished();
+  meshes_.frame_finished();
+  ends_frames_ = true;
+}
+
+void Stages::pixels_read() {
+  if (!ends_frames_) {
+    meshes_.frame_finished();
+  }
 }
 
 void Stages::release() {

@@ -10,6 +10,7 @@
 #include "glark/core/feedback/refined_feedback.h"
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
+#include "glark/core/meshes/mesh_watch.h"
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
@@ -34,6 +35,8 @@ class Stages {
   pattern::PoolInUse& pool() { return pool_; }
 
   void frame_finished();
+  // The application reads pixels. In a program that neither swaps buffers nor waits for GL, that ends a frame.
+  void pixels_read();
   // Deletes all GL objects; only while the context is current.
   void release();
   // Returns the names of the buffers that hold kept draws; the caller has them deleted. Nothing is kept any more.
@@ -49,11 +52,13 @@ class Stages {
   TrianglePasses passes_;
   KeptDraws kept_;
   FeedbackInUse feedback_in_use_;
+  MeshWatch meshes_;
   Planner planner_;
   RefinedFeedback feedback_;
   ImmediateCapture immediate_;
   submit::Submission submission_;
   RefinedDraw draw_;
+  bool ends_frames_ = false;  // frame_finished() was called
 };
 
 }  // namespace glark::core

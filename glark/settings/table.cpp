@@ -15,6 +15,8 @@ namespace {
 
 static_assert(core::max_supported_level == 11, "the texts below name the limit");
 
+constexpr std::string_view smooth_word = "smooth";
+
 template <class T, class U>
 bool assign(std::optional<T> value, U& setting) {
   if (!value) return false;
@@ -24,6 +26,13 @@ bool assign(std::optional<T> value, U& setting) {
 
 std::optional<std::string> parse_file(std::string_view text) {
   return text.empty() || text.find('\0') != std::string_view::npos ? std::nullopt : std::optional(std::string(text));
+}
+
+bool read_refinement(Settings& s, std::string_view text) {
+  const bool smooth = text == smooth_word;
+  const bool valid = assign(smooth ? core::Refinement::pn : parse_refinement(text), s.context.refinement);
+  if (valid) s.context.smooth = smooth;
+  return valid;
 }
 
 bool read_no_weld(Settings& s, std::string_view text) {
@@ -54,14 +63,27 @@ struct Text {
 
 enum class RefinementText { words, help, details };
 
+// `smooth` is no refinement of its own: it chooses between pn and none, mesh by mesh.
+constexpr std::string_view smooth_help = "curved where all passes over a mesh can be";
+constexpr std::string_view smooth_details =
+    "smooth curves meshes as pn does, if they have normals and every pass over them can be curved. Everything else "
+    "stays "
+    "as the program draws it. A mesh is curved from the third frame on that draws it. ";
+
 // Calls `add` with the parts of "a, b or c", or with the sentences.
 constexpr void list_refinements(RefinementText wanted, auto&& add) {
+  add(wanted == RefinementText::details ? smooth_details : smooth_word);
+  if (wanted == RefinementText::help) {
+    add(" (");
+    add(smooth_help);
+    add(")");
+  }
   for (std::size_t i = 0; i < core::refinements.size(); ++i) {
     if (wanted == RefinementText::details) {
       add(core::refinements[i].details);
       continue;
     }
-    add(i == 0 ? "" : i + 1 < core::refinements.size() ? ", " : " or ");
+    add(i + 1 < core::refinements.size() ? ", " : " or ");
     add(core::refinements[i].word);
     if (wanted == RefinementText::words) continue;
     add(" (");
@@ -145,9 +167,8 @@ constexpr std::array first_settings{
             "With a --budget, depths change slowly, so that some frames may exceed the budget.",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.geomorph); }},
 
-    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words.view(), "linear", "",
-            refinement_help.view(), refinement_details.view(),
-            [](Settings& s, std::string_view text) { return assign(parse_refinement(text), s.context.refinement); }},
+    Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words.view(), smooth_word, "",
+            refinement_help.view(), refinement_details.view(), read_refinement},
 };
 
 constexpr std::array other_settings{

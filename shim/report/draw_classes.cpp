@@ -27,12 +27,12 @@ nlohmann::json state_of(const core::DrawState& state) {
 // "refined" as a verdict has a refinement, "left" has a cause.
 void add_verdict(const core::DrawVerdict& verdict, nlohmann::json& entry) {
   entry["verdict"] = verdict.cause ? "left" : "refined";
+  if (verdict.fallback) entry["fallback"] = core::text_of(*verdict.fallback).key;
   if (verdict.cause) {
     entry["cause"] = core::text_of(*verdict.cause).key;
     return;
   }
   entry["refinement"] = core::traits_of(verdict.refinement).word;
-  if (verdict.fallback) entry["fallback"] = core::text_of(*verdict.fallback).key;
   if (verdict.measured)
     entry["level"] = "measured";
   else

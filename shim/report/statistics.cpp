@@ -136,11 +136,11 @@ nlohmann::json last_frames(const Times& all) {
   nlohmann::json records = nlohmann::json::array();
   for (const FrameRecord& frame : all.last_frames)
     records.push_back({{"frame", frame.number},
-                      {"ms", frame.ms},
-                      {"seen", frame.counts.seen},
-                      {"refined", frame.counts.refined},
-                      {"coarse_triangles", frame.counts.coarse_triangles},
-                      {"refined_triangles", frame.counts.refined_triangles}});
+                       {"ms", frame.ms},
+                       {"seen", frame.counts.seen},
+                       {"refined", frame.counts.refined},
+                       {"coarse_triangles", frame.counts.coarse_triangles},
+                       {"refined_triangles", frame.counts.refined_triangles}});
   return records;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/bench/cases/case.h"
+#include "tests/bench/gl.h"
 #include "tests/bench/offscreen.h"
 #include "tests/bench/subject/model.h"
 
@@ -95,6 +96,21 @@ void keep_freed_memory() {
   mallopt(M_TOP_PAD, 64 << 20);
 }
 
+// Every case begins with an empty vertex array and no program, so that it does not read arrays of an earlier case.
+void run_case(const glark::bench::Case& one, glark::bench::Report& report, const glark::bench::Effort& effort) {
+  GLuint array = 0;
+  glGenVertexArrays(1, &array);
+  glBindVertexArray(array);
+  glUseProgram(0);
+  glDisable(GL_ARK);
+  try {
+    one.run(report, effort);
+  } catch (const std::exception& exception) {
+    report.add_error(exception.what());
+  }
+  glDeleteVertexArrays(1, &array);
+}
+
 int measure(const std::vector<glark::bench::Case>& cases, const Options& options) {
   const glark::bench::Offscreen offscreen;
   if (!offscreen.ready()) {
@@ -103,11 +119,7 @@ int measure(const std::vector<glark::bench::Case>& cases, const Options& options
   }
   glark::bench::Report report;
   for (const auto& one : cases) {
-    try {
-      one.run(report, options.effort);
-    } catch (const std::exception& exception) {
-      report.add_error(exception.what());
-    }
+    run_case(one, report, options.effort);
   }
   std::cout << glark::bench::machine() << "\n\n" << report.table() << std::flush;
   if (!options.json.empty() && !report.write_json(options.json)) {

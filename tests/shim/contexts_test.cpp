@@ -37,8 +37,9 @@ TEST_P(Contexts, TheProgramSeesTheSame) {
 
   const std::string file =
       testing::TempDir() + "contexts" + std::to_string(getpid()) + GetParam().name + std::string(".json");
-  const Outcome refined = run_preloaded(program(GetParam().name),
-                                        "GLARK_ENABLE=1 GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_STATS=" + file);
+  const Outcome refined =
+      run_preloaded(program(GetParam().name),
+                    "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_STATS=" + file);
   EXPECT_EQ(refined.status, 0);
   EXPECT_EQ(refined.output, without.output);
   const nlohmann::json statistics = nlohmann::json::parse(read_file(file));

@@ -72,7 +72,7 @@ TEST(Launcher, ALevelBeyondTheLimitIs2) {
   expect_refused("run --level 12 true", 2, "\"12\" is not valid; an integer from 0 to 11 is needed");
 }
 TEST(Launcher, AnUnknownRefinementIs2) {
-  expect_refused("run --refine cubic true", 2, "linear, outputs, pn, stpn or phong");
+  expect_refused("run --refine cubic true", 2, "smooth, linear, outputs, pn, stpn or phong");
 }
 TEST(Launcher, ACaptureWithoutAFrameIs2) { expect_refused("run --capture a.png true", 2, "FRAME:FILE.png"); }
 TEST(Launcher, ACaptureFolderThatIsMissingIs2) {

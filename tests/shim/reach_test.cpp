@@ -32,6 +32,9 @@ TEST(Reach, ByLinking) {
 }
 
 TEST(Reach, ALibraryThatIsLinkedBehindGlIsTold) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the run time of a sanitizer must be the first library of the process";
+#endif
   const Outcome wrong = run(program("shim_wrong_order"));
   EXPECT_TRUE(wrong.output.starts_with("glark: this program was linked with libGLARK.so behind ")) << wrong.output;
   EXPECT_NE(wrong.output.find("name -lGLARK before the GL library"), std::string::npos) << wrong.output;
@@ -84,8 +87,9 @@ TEST(Dump, OriginalAndDerivedShadersLieSideBySideUnderTheHashOfTheStatistics) {
   const std::string statistics = PROGRAM_FOLDER "/dump.json";
   std::filesystem::remove_all(PROGRAM_FOLDER "/shaders");
   const Outcome outcome = run_preloaded(
-      program("shim_linked"), "GLARK_ENABLE=1 GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_STATS=" + statistics +
-                                  " GLARK_DUMP_SHADERS='" + folder + "'");
+      program("shim_linked"),
+      "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_STATS=" + statistics +
+          " GLARK_DUMP_SHADERS='" + folder + "'");
   EXPECT_EQ(outcome.output, drawn);
   const auto shaders = nlohmann::json::parse(read_file(statistics))["shaders"];
   ASSERT_EQ(shaders.size(), 1u) << shaders;
@@ -96,9 +100,9 @@ TEST(Dump, OriginalAndDerivedShadersLieSideBySideUnderTheHashOfTheStatistics) {
 }
 
 TEST(Dump, AFolderThatCannotBeMadeIsToldOnceAndThePictureStays) {
-  const Outcome outcome =
-      run_preloaded(program("shim_linked"),
-                    "GLARK_ENABLE=1 GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_DUMP_SHADERS=/dev/null/x");
+  const Outcome outcome = run_preloaded(
+      program("shim_linked"),
+      "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_EVERYTHING=1 GLARK_CONFIG=/dev/null GLARK_DUMP_SHADERS=/dev/null/x");
   EXPECT_TRUE(outcome.output.ends_with(drawn)) << outcome.output;
   EXPECT_TRUE(outcome.output.starts_with("glark: error: shaders cannot be written to /dev/null/x")) << outcome.output;
   EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 4) << outcome.output;
@@ -120,8 +124,8 @@ TEST(Statistics, ClassesHaveStateAndVerdict) {
   run("rm -f " PROGRAM_FOLDER "/classes-*.json");
   const auto classes = [&](const std::string& rule) {
     std::ofstream(file) << "[[rule]]\nfixed-function = true\n" + rule;
-    run_preloaded(program("shim_linked"),
-                  "GLARK_ENABLE=1 GLARK_EVERYTHING=1 GLARK_CONFIG=" + file + " GLARK_STATS=" + statistics);
+    run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_EVERYTHING=1 GLARK_CONFIG=" + file +
+                                              " GLARK_STATS=" + statistics);
     const auto json = nlohmann::json::parse(run("cat " PROGRAM_FOLDER "/classes-*.json").output, nullptr, false);
     run("rm -f " PROGRAM_FOLDER "/classes-*.json");
     return json;
@@ -171,7 +175,7 @@ TEST(Linker, AProgramWithoutGlIsLeftAlone) {
 
 TEST(Statistics, ADrawIsCounted) {
   const std::string file = testing::TempDir() + "draw" + std::to_string(getpid()) + ".json";
-  run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_LEVEL=1 GLARK_STATS=" + file);
+  run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_LEVEL=1 GLARK_STATS=" + file);
   const nlohmann::json statistics = nlohmann::json::parse(read_file(file));
   EXPECT_EQ(statistics["draws"]["seen"], 1);
   EXPECT_EQ(statistics["frames"], 1);

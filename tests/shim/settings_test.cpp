@@ -36,11 +36,22 @@ TEST(Settings, AnEmptyEnvironmentGivesTheDefaults) {
   EXPECT_TRUE(parsed.settings.captures.empty());
 }
 
+TEST(Settings, SmoothIsTheDefault) {
+  for (const core::ContextOptions& context :
+       {parse(nullptr).settings.context, parse_all({"GLARK_REFINE=smooth"}).settings.context}) {
+    EXPECT_TRUE(context.smooth);
+    EXPECT_EQ(context.refinement, core::Refinement::pn);
+  }
+  const core::ContextOptions pn = parse_all({"GLARK_REFINE=pn"}).settings.context;
+  EXPECT_FALSE(pn.smooth);
+  EXPECT_EQ(pn.refinement, core::Refinement::pn);
+  EXPECT_TRUE(parse_all({"GLARK_REFINE=cubic"}).settings.context.smooth) << "a wrong word changes nothing";
+}
+
 TEST(Settings, DefaultsOfTheTableAreThoseOfTheCore) {
   const Settings parsed = parse(nullptr).settings;
   const Settings constructed;
   EXPECT_EQ(parsed.context.max_level, constructed.context.max_level);
-  EXPECT_EQ(parsed.context.refinement, constructed.context.refinement);
   EXPECT_EQ(parsed.context.left_draws, constructed.context.left_draws);
   EXPECT_EQ(parsed.context.weld, constructed.context.weld);
   EXPECT_EQ(parsed.context.measure.on(), constructed.context.measure.on());
@@ -86,7 +97,7 @@ TEST(Settings, AProblemNamesVariableValueAndLimit) {
   EXPECT_EQ(only_problem("GLARK_LEVEL=x"), "GLARK_LEVEL is \"x\"; an integer from 0 to 11 is needed");
   EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=12"), "GLARK_MAX_LEVEL is \"12\"; an integer from 0 to 11 is needed");
   EXPECT_EQ(only_problem("GLARK_REFINE=cubic"),
-            "GLARK_REFINE is \"cubic\"; linear, outputs, pn, stpn or phong is needed");
+            "GLARK_REFINE is \"cubic\"; smooth, linear, outputs, pn, stpn or phong is needed");
   EXPECT_EQ(parse_all({"GLARK_ENABLE=maybe"}).problems,
             (std::vector<std::string>{"GLARK_ENABLE is \"maybe\"; 0 or 1 is needed"}));
   EXPECT_EQ(only_problem("GLARK_LOG=loud"), "GLARK_LOG is \"loud\"; error, warning, info or debug is needed");

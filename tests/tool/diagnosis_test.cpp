@@ -46,7 +46,7 @@ TEST(Diagnosis, SaysWhatWasRefinedAndWhatWasNot) {
 TEST(Diagnosis, AFallbackIsExplained) {
   Observation o = game();
   o.reports[0].fallbacks = {{"no_normal", 20}};
-  EXPECT_TRUE(says(o, "20 draws got another refinement than the wanted one (no_normal): ")) << text_of(o);
+  EXPECT_TRUE(says(o, "  Not as wanted: 20 draws (no_normal): ")) << text_of(o);
   EXPECT_TRUE(says(o, "Try (no_normal): ")) << text_of(o);
 }
 

@@ -25,7 +25,10 @@ void expect(const Outcome& outcome, int status, const std::string& part) {
 }  // namespace
 
 TEST(Doctor, AProgramThatIsRefined) {
-  const Outcome outcome = doctor("--everything --seconds 20 -- " + drawing_program);
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the run time of a sanitizer must be the first library of the process";
+#endif
+  const Outcome outcome = doctor("--everything --refine linear --seconds 20 -- " + drawing_program);
   expect(outcome, 0, "shim_linked ended by itself after");
   expect(outcome, 0, "  Refined: ");
 }
@@ -36,7 +39,11 @@ TEST(Doctor, AProgramThatIsLeftAlone) {
 }
 
 TEST(Doctor, AChildThatDraws) {
-  expect(doctor("--everything --seconds 20 sh -c '" + drawing_program + " & wait'"), 0, "shim_linked (process ");
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the run time of a sanitizer must be the first library of the process";
+#endif
+  expect(doctor("--everything --refine linear --seconds 20 sh -c '" + drawing_program + " & wait'"), 0,
+         "shim_linked (process ");
 }
 
 TEST(Doctor, AProgramThatDrawsNothing) {

@@ -130,9 +130,15 @@ TEST_F(Files, AWindowsProgram) {
 }
 
 TEST_F(Files, BrokenFilesAreNoPrograms) {
-  for (const std::string& text : {std::string("\x7f" "ELF"), std::string("\x7f" "ELF\x02\x01") + std::string(20, '\xff'),
-                                 std::string("\x7f" "ELF\x02\x01") + std::string(200, '\xff'), std::string("#!"),
-                                 std::string("#!\n"), std::string()}) {
+  for (const std::string& text : {std::string("\x7f"
+                                              "ELF"),
+                                  std::string("\x7f"
+                                              "ELF\x02\x01") +
+                                      std::string(20, '\xff'),
+                                  std::string("\x7f"
+                                              "ELF\x02\x01") +
+                                      std::string(200, '\xff'),
+                                  std::string("#!"), std::string("#!\n"), std::string()}) {
     const std::vector<ProgramFile> files = read_command(write("broken", text));
     EXPECT_EQ(files.size(), 1u);
     start_notices(files, library);

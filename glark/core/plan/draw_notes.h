@@ -19,6 +19,8 @@ struct DrawNoteFacts {
   Refinement refinement = Refinement::linear_inputs;  // the chosen one
   std::optional<RefinementFallback> fallback = std::nullopt;
   bool transparent = false;
+  bool left = false;            // the draw stays unrefined for this reason
+  std::string construct = {};   // of the vertex stage, that is the reason
   bool ignores_shader = false;  // the refinement shader does not run
   bool undisplaced = false;     // GL_DISPLACEMENT_ARK has no effect
 };

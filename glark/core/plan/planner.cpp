@@ -51,6 +51,12 @@ RefinementChoice refinement_choice(const Environment& environment, const Program
   return choose_refinement(facts);
 }
 
+// Null: the vertex stage is not known.
+const std::vector<capture::Field>* inputs_of(const DrawPlan& plan) {
+  return plan.program != nullptr && plan.program->prepared && !plan.program->fields.empty() ? &plan.program->fields
+                                                                                            : nullptr;
+}
+
 }  // namespace
 
 Planner::Planner(const Environment& environment, const Parts& parts)
@@ -58,10 +64,19 @@ Planner::Planner(const Environment& environment, const Parts& parts)
 
 Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   env_.state.refresh();
+  const std::shared_ptr<Program> current = env_.state.programs().current();
+  const std::unique_lock lock =
+      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
+  if (smooth() && purpose == Purpose::draw) {
+    decision.cause = parts_.meshes.judge(call, inputs_of(decision.plan), decision.cause);
+  }
   return decision;
 }
+
+// A program that calls the extension says itself what is a surface.
+bool Planner::smooth() const { return env_.options.transparent && env_.options.smooth && !env_.ark.enabled; }
 
 std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, DrawPlan& plan) {
   const DrawConditions conditions{.bindings = env_.bindings(),
@@ -72,9 +87,6 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
   if (const std::optional<Cause> cause = check_state(call, conditions)) {
     return cause;
   }
-  const std::shared_ptr<Program> current = env_.state.programs().current();
-  const std::unique_lock lock =
-      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   if (const std::optional<Cause> cause = find_program(plan)) {
     return cause;
   }
@@ -155,7 +167,8 @@ std::optional<Cause> Planner::choose_wanted(DrawPlan& plan) const {
     return std::nullopt;
   }
   const DrawRule* rule = find_rule(env_.options.rules, read_draw_state(env_, plan.program));
-  if (rule != nullptr && !rule->refinement) {
+  // Smooth refinement needs to know that a pass does not curve its mesh.
+  if (rule != nullptr && (!rule->refinement || (smooth() && !traits_of(*rule->refinement).curves_positions))) {
     return Cause::rule;
   }
   plan.wanted = rule != nullptr ? *rule->refinement : plan.wanted;
@@ -207,6 +220,10 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   const depth::DepthPlan& depth = plan.depth;
   const RefinementChoice choice = refinement_choice(env_, *plan.program, plan.wanted);
   plan.fallback = choice.fallback;
+  if (smooth() && choice.fallback) {
+    tell_notes(*plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
+    return Cause::no_surface;
+  }
   // The outputs of split polygons do not depend on the provoking vertex.
   DerivedKey key = derived_key(key_state(env_), {.refinement = choice.refinement,
                                                  .mode = plan.polygons ? GL_TRIANGLES : call.mode,
@@ -225,6 +242,9 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
               .transparent = env_.options.transparent,
               .ignores_shader = plan.program->traits.reads_vertex_id && !plan.program->refinement_source.empty(),
               .undisplaced = key.displaced && plan.derived->height_map < 0});
+  if (smooth() && key.welded && !plan.weld.on) {
+    return Cause::too_many_attributes;  // another pass over the mesh may be welded: its shape would differ
+  }
   if (parts_.feedback.captures(env_.bindings()) && plan.derived != parts_.feedback.program) {
     return Cause::transform_feedback;
   }
@@ -242,12 +262,14 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
 }
 
 // Tells each note once for each program.
-void Planner::tell_notes(Program& program, const DrawNoteFacts& facts) const {
+void Planner::tell_notes(Program& program, DrawNoteFacts facts) const {
   const unsigned bits = note_bits(facts) & ~program.told_notes;
   if (bits == 0) {
     return;
   }
   program.told_notes |= bits;
+  const refine::OutputVariation* const position = program.traits.variation.position();
+  facts.construct = facts.fallback == RefinementFallback::unsound_stage && position != nullptr ? position->reason : "";
   const DebugOutput application{env_.gl, !facts.transparent && env_.bindings().debug_output, true};
   for (const DrawNote& note : draw_notes(facts, bits)) {
     const std::string text = fmt::format("{} {}", refine::label(program), note.text);

@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "glark/core/meshes/mesh_watch.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/draw_notes.h"
 #include "glark/core/plan/draw_plan.h"
@@ -26,6 +27,7 @@ class Planner {
     DrawPrograms& programs;
     weld::WeldStage& weld;
     const FeedbackInUse& feedback;
+    MeshWatch& meshes;
   };
   Planner(const Environment& environment, const Parts& parts);
 
@@ -42,7 +44,7 @@ class Planner {
   std::optional<Cause> find_program(DrawPlan& plan);
   std::optional<Cause> find_pipeline_programs(DrawPlan& plan);
   std::optional<Cause> choose_wanted(DrawPlan& plan) const;
-  void tell_notes(Program& program, const DrawNoteFacts& facts) const;
+  void tell_notes(Program& program, DrawNoteFacts facts) const;
   void choose_depths(const DrawCall& call, DrawPlan& plan) const;
   void choose_polygons(const DrawCall& call, DrawPlan& plan);
   bool changes_nothing(const DrawPlan& plan, Purpose purpose) const;
@@ -50,6 +52,7 @@ class Planner {
   void choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangles);
   std::optional<Cause> find_corner_program(DrawPlan& plan);
   bool can_measure(const Program& program) const;
+  bool smooth() const;
   std::shared_ptr<DerivedProgram> derived(const DrawPlan& plan, const DerivedKey& key);
 
   const Environment& env_;

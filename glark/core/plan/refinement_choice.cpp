@@ -5,26 +5,37 @@
 namespace glark::core {
 namespace {
 
-// Returns the reason why the vertex stage may not run between the corners, if there is one.
-std::optional<RefinementFallback> needs_outputs(const RefinementFacts& facts) {
-  if (facts.stage.reads_vertex_id) {
-    return RefinementFallback::vertex_id;
+// Returns the reason why positions may not be computed from interpolated inputs, if there is one.
+std::optional<RefinementFallback> unsound_position(const RefinementFacts& facts) {
+  const refine::OutputVariation* const position = facts.stage.variation.position();
+  const refine::Variation variation = position != nullptr ? position->variation : refine::Variation::constant;
+  if (variation >= refine::Variation::switched) {
+    return RefinementFallback::unsound_stage;
   }
+  if (variation == refine::Variation::continuous && !facts.inputs.can_curve) {
+    return RefinementFallback::bent_unknowing;
+  }
+  return std::nullopt;
+}
+
+// Returns the reason why the vertex stage may not run between the corners, if there is one. A program that uses the
+// extension gets what the extension's text says: it has said itself what is a surface.
+std::optional<RefinementFallback> needs_outputs(const RefinementFacts& facts) {
   if (facts.stage.writes_cull_distance) {
     return RefinementFallback::cull_distance;
   }
-  // Integers are names (bones, layers). If the corners of a triangle name different things, the stage cannot run
-  // between them. A program that uses the extension is told so and gets the provoking corner's integers.
-  if (facts.transparent && facts.inputs.has_integers) {
-    return RefinementFallback::integer_input;
+  if (facts.transparent) {
+    return unsound_position(facts);
   }
-  return std::nullopt;
+  return facts.stage.reads_vertex_id ? std::optional(RefinementFallback::vertex_id) : std::nullopt;
 }
 
 }  // namespace
 
 Refinement wanted_refinement(const ContextOptions& options, const ArkState& ark) {
-  return options.transparent ? options.refinement : ark.refinement;
+  // A program that calls the extension has said what it wants; smooth does not overrule it.
+  const bool asks_itself = !options.transparent || (options.smooth && ark.enabled);
+  return asks_itself ? ark.refinement : options.refinement;
 }
 
 RefinementChoice choose_refinement(const RefinementFacts& facts) {

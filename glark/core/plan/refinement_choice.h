@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Chooses the refinement of a draw. It may differ from the wanted one: the vertex stage must bear to run between the
+// Chooses the refinement of a draw. It may differ from the wanted one: the vertex stage must have a meaning between the
 // corners, and a curved surface needs a normal. No GL.
+//
+// Transparent refinement runs a stage on interpolated inputs only if this is sound for its position: the position is
+// affine in the attributes, or it is continuous and a normal says that the mesh is a surface. Other outputs are decided
+// one by one (refine/program/unsound_outputs.h), so that all passes over a mesh have the same positions.
 #pragma once
 
 #include <optional>

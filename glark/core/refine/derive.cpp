@@ -132,12 +132,14 @@ class Deriver {
     plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.outputs);
     plan_morphing();
     if (!plan_.interpolates_outputs()) {
-      std::erase_if(plan_.outputs, [&](const OutputVariable& output) { return !is_flat(output, plan_.structures); });
+      std::erase_if(plan_.outputs, [&](const OutputVariable& output) {
+        return !output.unsound && !is_flat(output, plan_.structures);
+      });
     }
     int indexed_words = 0;
     for (const OutputVariable& output : plan_.outputs) {
       indexed_words += output.indexed_words;
-      if (plan_.interpolates_outputs() && indexed_words > most_indexed_words) {
+      if (plan_.runs_at_corners() && indexed_words > most_indexed_words) {
         error_ =
             fmt::format("output array '{}' is too large to be interpolated: its index is not constant", output.path);
         return false;
@@ -164,7 +166,8 @@ class Deriver {
     if (!plan_.morphing || plan_.interpolates_outputs()) return;
     plan_.morphed = plan_.outputs;
     std::erase_if(plan_.morphed, [&](const OutputVariable& output) {
-      return is_flat(output, plan_.structures) || !output.problem.empty() || output.indexed_words > most_indexed_words;
+      return output.unsound || is_flat(output, plan_.structures) || !output.problem.empty() ||
+             output.indexed_words > most_indexed_words;
     });
   }
 

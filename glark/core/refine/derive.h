@@ -46,6 +46,9 @@ struct OutputRules {
   // Outputs from which a geometry shader computes positions. It reads the value of every vertex, even if they are
   // `flat`.
   std::set<std::string> positions = {};
+  // Outputs that are interpolated between the corners, even if the refinement runs the stage on interpolated inputs:
+  // "color", "block.color".
+  std::set<std::string> unsound = {};
 };
 
 struct DeriveRequest {

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <exception>
+#include <set>
+#include <utility>
 
 #include "glark/core/refine/derive.h"
 #include "glark/core/refine/epilogue/epilogue.h"
 #include "glark/core/refine/glsl/frontend.h"
 #include "glark/core/refine/glsl/rewrite.h"
+#include "glark/core/refine/soundness/soundness.h"
 
 namespace glark::refine {
 namespace {
@@ -31,13 +34,31 @@ bool uses_unknown_extension(const Tokens& tokens) {
   return false;
 }
 
-void note_system_values(const Tokens& tokens, VertexStageTraits& traits) {
-  for (const Token& token : tokens) {
-    const BuiltInInput* const input = built_in_input(token.text);
+void note_system_values(const std::set<std::string>& names, VertexStageTraits& traits) {
+  for (const std::string& name : names) {
+    const BuiltInInput* const input = built_in_input(name);
     if (input == nullptr || !input->system_value) continue;
     traits.system_values.insert(std::string(input->field));
     traits.reads_vertex_id = traits.reads_vertex_id || input->field == "gl_VertexID";
   }
+}
+
+// Notes which system values are read, and how the outputs depend on the attributes.
+void note_data_flow(const std::vector<VertexUnit>& units, const std::vector<Parsed>& parsed,
+                    VertexStageTraits& traits) {
+  constexpr const char* unknown = "the vertex stage could not be analysed";
+  if (!std::all_of(parsed.begin(), parsed.end(), [](const Parsed& unit) { return unit.ok; })) {
+    IdentifierSet mentioned;
+    for (const VertexUnit& unit : units) collect_identifiers(unit.tokens, mentioned);
+    note_system_values({mentioned.begin(), mentioned.end()}, traits);
+    traits.variation.outputs = {{"gl_Position", Variation::undefined, unknown}};
+    return;
+  }
+  std::vector<TIntermNode*> roots;
+  for (const Parsed& unit : parsed) roots.push_back(unit.tree->root());
+  note_system_values(reached_names(roots), traits);
+  const StageVariation too_large{{{"gl_Position", Variation::undefined, unknown}}};
+  traits.variation = find_variation(roots).value_or(too_large);
 }
 
 Inspection inspect(const std::vector<std::string>& sources, bool es, const std::vector<std::string>& extensions) {
@@ -50,9 +71,10 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
     return result;
   }
   std::vector<Structure> structures;
+  std::vector<Parsed> all_parsed;
   for (std::size_t i = 0; i < units.size(); ++i) {
     const Tokens& tokens = units[i].tokens;
-    const Parsed parsed = parse_vertex_shader(to_text(tokens), es);
+    Parsed parsed = parse_vertex_shader(to_text(tokens), es);
     const bool unknown = !parsed.ok && (parsed.limited || uses_unknown_extension(tokens));
     if (!parsed.ok && !unknown) {
       result.error =
@@ -60,9 +82,10 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
       return result;
     }
     if (unknown ? writes_memory_by_name(tokens) : parsed.writes_memory) result.traits.has_side_effects = true;
-    note_system_values(tokens, result.traits);
     structures.insert(structures.end(), units[i].interface.structures.begin(), units[i].interface.structures.end());
+    all_parsed.push_back(std::move(parsed));
   }
+  note_data_flow(units, all_parsed, result.traits);
   const std::vector<OutputVariable> outputs = collect_outputs(units, main_unit, {});
   result.traits.writes_cull_distance = std::any_of(
       outputs.begin(), outputs.end(), [](const OutputVariable& output) { return output.path == "gl_CullDistance"; });

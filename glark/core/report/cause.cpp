@@ -57,6 +57,17 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
      "take no-depth-test out of leave-draws"},
     {"no_depth_writes", "the user wants draws that write no depth to be left alone",
      "take no-depth-writes out of leave-draws"},
+    {"no_surface",
+     "smooth curves only what is known to be a surface: the vertices have no normals of their own, or the vertex stage "
+     "cannot run between them",
+     "--normal if the normal was not found; --refine pn, linear or outputs refines such draws, too"},
+    {"mesh_waits", "smooth curves a mesh when two frames have shown all passes over it",
+     "nothing to do; --refine pn curves at once"},
+    {"mesh_flat", "another pass over the same mesh cannot be curved, and a mesh has one shape",
+     "--refine pn curves every pass by itself"},
+    {"unknown_partner",
+     "a pass that cannot be curved must meet another mesh in depth, and glark does not know which one",
+     "--refine pn curves every pass by itself"},
 }};
 
 }  // namespace

@@ -38,8 +38,12 @@ enum class Cause {
   blended,  // the user asked for these three
   no_depth_test,
   no_depth_writes,
+  no_surface,       // smooth: nothing says how the mesh curves
+  mesh_waits,       // smooth curves a mesh from its third frame on: meshes/mesh_table.h
+  mesh_flat,        // smooth: another pass over the mesh cannot be curved
+  unknown_partner,  // smooth: a pass that cannot be curved must meet an unknown mesh
 };
-inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::no_depth_writes) + 1;
+inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::unknown_partner) + 1;
 
 // `key` names the cause in the statistics file; `remedy` completes the log line.
 struct CauseText {

@@ -13,8 +13,9 @@ constexpr std::array<FallbackText, refinement_fallback_count> fallback_texts{{
      "give it a vertex attribute instead"},
     {"cull_distance", "the vertex stage writes gl_CullDistance, which culls whole triangles of the application",
      "use gl_ClipDistance"},
-    {"integer_input", "the vertex stage has an integer attribute, and corners may have different integers",
-     "nothing to do"},
+    {"unsound_stage", "its position has no meaning between vertices", "nothing to do: this keeps the picture"},
+    {"bent_unknowing", "its position is not linear in the attributes, and no normal tells that it is a surface",
+     "name the position and the normal with --position and --normal"},
     {"no_normal", "no attribute is known to be the position or the normal, so the triangles stay flat",
      "name them with --position and --normal"},
 }};

@@ -9,10 +9,11 @@
 namespace glark::core {
 
 enum class RefinementFallback {
-  vertex_id,      // the vertex stage reads a number that has no value between vertices
-  cull_distance,  // culling needs all corners of the coarse triangle
-  integer_input,  // integers are names, and corners may name different things
-  no_normal,      // a curved refinement, but no position or no normal is known
+  vertex_id,       // the program uses the extension and reads a number that has no value between vertices
+  cull_distance,   // culling needs all corners of the coarse triangle
+  unsound_stage,   // the position jumps between vertices, or has no meaning there
+  bent_unknowing,  // the position is not affine in the attributes, and no normal is known
+  no_normal,       // a curved refinement, but no position or no normal is known
 };
 inline constexpr unsigned refinement_fallback_count = static_cast<unsigned>(RefinementFallback::no_normal) + 1;
 

@@ -45,11 +45,13 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
   b.debug_output = gl.IsEnabled(GL_DEBUG_OUTPUT) != GL_FALSE;
   b.blend = gl.IsEnabled(GL_BLEND) != GL_FALSE;
   b.depth_test = gl.IsEnabled(GL_DEPTH_TEST) != GL_FALSE;
-  GLboolean mask[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
-  gl.GetBooleanv(GL_COLOR_WRITEMASK, mask);
-  b.color_writes = mask[0] != GL_FALSE || mask[1] != GL_FALSE || mask[2] != GL_FALSE || mask[3] != GL_FALSE;
   b.depth_writes = get(gl, GL_DEPTH_WRITEMASK) != 0;
   b.depth_function = static_cast<GLenum>(get(gl, GL_DEPTH_FUNC));
+  b.stencil_test = gl.IsEnabled(GL_STENCIL_TEST) != GL_FALSE;
+  GLboolean channels[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
+  gl.GetBooleanv(GL_COLOR_WRITEMASK, channels);
+  b.color_writes =
+      channels[0] != GL_FALSE || channels[1] != GL_FALSE || channels[2] != GL_FALSE || channels[3] != GL_FALSE;
   b.cull_face = gl.IsEnabled(GL_CULL_FACE) != GL_FALSE;
   b.culled_face = static_cast<GLenum>(get(gl, GL_CULL_FACE_MODE));
   GLfloat viewport[4] = {0, 0, 0, 0};

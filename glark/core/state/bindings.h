@@ -36,10 +36,11 @@ struct Bindings {
   std::array<IndexedBuffer, tracked_storage_bindings> storage{};
   bool rasterizer_discard = false;
   bool blend = false;        // of draw buffer 0
-  bool color_writes = true;  // glColorMask lets a component of draw buffer 0 through
   bool depth_test = false;
   bool depth_writes = true;
   GLenum depth_function = GL_LESS;
+  bool stencil_test = false;
+  bool color_writes = true;  // of draw buffer 0, of any channel
   GLenum matrix_mode = GL_MODELVIEW;
   bool primitive_restart = false;
   bool primitive_restart_fixed = false;

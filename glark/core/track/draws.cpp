@@ -16,9 +16,10 @@ void refine(Context& context, const DrawCall& call) {
   context.update_refining();
 }
 
-void pass(Context& context, Cause cause) {
-  context.stages()->draw().pass(cause);
+void leave(Context& context, const DrawCall& call, Cause cause) {
+  context.stages()->draw().leave(call, cause);
   context.update_refining();
+  call.issue();
 }
 
 void hand_back_feedback(Context& context) {
@@ -103,6 +104,7 @@ void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
                  .triangles = triangles,
                  .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
                  .polygon_sides = polygons.sides(),
+                 .from_arrays = true,
                  .arrays = &draw_of,
                  .issue = issue});
 }
@@ -122,6 +124,7 @@ void draw_elements(Context& context, const ArrayDraw& draw_of, Issue issue) {
                  .exact = exact,
                  .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
                  .polygon_sides = polygons.sides(),
+                 .from_arrays = true,
                  .arrays = &draw_of,
                  .issue = issue});
 }
@@ -141,14 +144,14 @@ std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws)
 void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, Issue issue) {
   const std::optional<std::uint64_t> vertices = context.stages()->feedback().room().vertices(id);
   if (!vertices || instances < 0) {
-    pass(context, Cause::indirect_unbounded);
-    issue();
+    leave(context, {.mode = mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
     return;
   }
   draw(context, {.mode = mode,
                  .triangles = triangles_of(mode, *vertices) * static_cast<std::uint64_t>(instances),
                  .exact = false,
                  .whole_polygons = mode != GL_POLYGON,
+                 .from_arrays = true,
                  .issue = issue});
 }
 
@@ -273,6 +276,7 @@ void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei*
                   .exact = !joins_strips(c, mode, draws),
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
+                  .from_arrays = true,
                   .issue = [&] { c.gl().MultiDrawArrays(mode, first, count, draws); }});
 }
 
@@ -286,6 +290,7 @@ void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
                   .exact = exact,
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
+                  .from_arrays = true,
                   .issue = [&] { c.gl().MultiDrawElements(mode, count, type, indices, draws); }});
 }
 
@@ -300,6 +305,7 @@ void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, 
                .exact = exact,
                .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                .polygon_sides = polygons.sides(),
+               .from_arrays = true,
                .issue = [&] { c.gl().MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); }});
 }
 

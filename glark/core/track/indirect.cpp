@@ -86,8 +86,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     }
   }
   if (commands.empty()) {
-    track::pass(c, Cause::indirect_unbounded);
-    issue();
+    track::leave(c, {.mode = call.mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
     return;
   }
   c.state().refresh();
@@ -98,6 +97,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
                   .exact = call.exact && !may_restart,
                   .whole_polygons = tells_polygons_apart(call.mode, primitives),
                   .polygon_sides = may_restart || sides.empty() ? nullptr : &sides,
+                  .from_arrays = true,
                   .issue = issue});
 }
 

@@ -80,10 +80,10 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_VERTEX_PROGRAM_TWO_SIDE: b.two_side = enabled; break;
     case GL_BLEND: b.blend = enabled; break;
     case GL_DEPTH_TEST: b.depth_test = enabled; break;
+    case GL_STENCIL_TEST: b.stencil_test = enabled; break;
     case GL_CULL_FACE: b.cull_face = enabled; break;
     // The most frequent enables that the vertex stage does not depend on.
     case GL_SCISSOR_TEST:
-    case GL_STENCIL_TEST:
     case GL_ALPHA_TEST:
     case GL_DITHER: break;
     // EXT_vertex_array enabled arrays by glEnable, and drivers still accept it.
@@ -182,24 +182,25 @@ void DepthFunc(Context& c, GLenum function) {
   }
 }
 
-void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
-  c.gl().ColorMask(red, green, blue, alpha);
-  if (track::executes(c)) {
-    c.state().bindings().color_writes = red != GL_FALSE || green != GL_FALSE || blue != GL_FALSE || alpha != GL_FALSE;
-  }
-}
-
-void ColorMaski(Context& c, GLuint index, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
-  c.gl().ColorMaski(index, red, green, blue, alpha);
-  if (track::executes(c) && index == 0) {
-    c.state().bindings().color_writes = red != GL_FALSE || green != GL_FALSE || blue != GL_FALSE || alpha != GL_FALSE;
-  }
-}
-
 void DepthMask(Context& c, GLboolean writes) {
   c.gl().DepthMask(writes);
   if (track::executes(c)) {
     c.state().bindings().depth_writes = writes != GL_FALSE;
+  }
+}
+
+void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+  c.gl().ColorMask(red, green, blue, alpha);
+  if (track::executes(c)) {
+    c.state().bindings().color_writes = (red | green | blue | alpha) != GL_FALSE;
+  }
+}
+
+// Draw buffer 0 stands for all of them: a prepared depth has no colours at all.
+void ColorMaski(Context& c, GLuint buffer, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+  c.gl().ColorMaski(buffer, red, green, blue, alpha);
+  if (track::executes(c) && buffer == 0) {
+    c.state().bindings().color_writes = (red | green | blue | alpha) != GL_FALSE;
   }
 }
 

@@ -14,10 +14,10 @@ namespace glark::core::track {
 
 // Records the application's draw in the display list that is being cut, or gives it to the stages.
 void draw(Context& context, const DrawCall& call);
-// refine() gives a draw to the stages; pass() leaves it unrefined. Either may give the application's transform feedback
+// refine() gives a draw to the stages; leave() issues it unrefined. Either may give the application's transform feedback
 // back to GL.
 void refine(Context& context, const DrawCall& call);
-void pass(Context& context, Cause cause);
+void leave(Context& context, const DrawCall& call, Cause cause);
 void hand_back_feedback(Context& context);
 
 // Returns false while a display list is compiled and not executed: the call then changes no state. Hooks of calls that

@@ -79,16 +79,15 @@ void add_refined(const ProcessReport& report, Lines& lines) {
   lines.push_back(fmt::format("  Refined: {} ({}){}{}. {} triangles became {}.", counted(report.refined, "draw"),
                               share_of(report.refined, report.seen), kinds.empty() ? "" : ": ", kinds,
                               report.coarse_triangles, report.refined_triangles));
-  for (const Count& fallback : report.fallbacks)
-    lines.push_back(fmt::format("  {} got another refinement than the wanted one ({}): {}.",
-                                counted(fallback.second, "draw"), fallback.first,
-                                words_of(fallback.first).explanation));
 }
 
 void add_left(const ProcessReport& report, Lines& lines) {
   for (const Count& cause : report.left)
     lines.push_back(fmt::format("  Left alone: {} ({}; {}): {}.", counted(cause.second, "draw"),
                                 share_of(cause.second, report.seen), cause.first, words_of(cause.first).explanation));
+  for (const Count& fallback : report.fallbacks)
+    lines.push_back(fmt::format("  Not as wanted: {} ({}): {}.", counted(fallback.second, "draw"), fallback.first,
+                                words_of(fallback.first).explanation));
   for (std::size_t i = 0; i < std::min(report.problems.size(), most_problems); ++i)
     lines.push_back("  Shader program " + report.problems[i]);
 }

@@ -82,7 +82,6 @@ int start(const std::vector<std::string>& command) {
   const int child = fork();
   if (child == 0) {
     setsid();  // a program in the background must not stop because it reads from the terminal
-    signal(SIGINT, SIG_DFL);
     _exit(become_program(command));
   }
   return child;
@@ -123,7 +122,7 @@ Observation watch(const std::vector<std::string>& command, double seconds) {
   observation.program = command.front();
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   interrupted = 0;
-  signal(SIGINT, note_interrupt);
+  for (const int how : {SIGINT, SIGTERM, SIGHUP}) signal(how, note_interrupt);
   std::map<int, SeenProcess> seen;
   const Clock::time_point began = Clock::now();
   const int program = start(command);
@@ -141,7 +140,7 @@ Observation watch(const std::vector<std::string>& command, double seconds) {
   }
   if (!ended) observation.ending.seconds = seconds_since(began);
   stop_all();
-  signal(SIGINT, SIG_DFL);
+  for (const int how : {SIGINT, SIGTERM, SIGHUP}) signal(how, SIG_DFL);
   for (const auto& [number, process] : seen) observation.processes.push_back(process);
   return observation;
 }

@@ -17,7 +17,9 @@ class RefinementChoices : public testing::Test {
 
   bool transparent = true;
   refine::VertexStageTraits stage;
-  refine::VertexInputTraits inputs{.can_curve = true, .has_integers = false};
+  void vary(refine::Variation variation) { stage.variation.outputs = {{"gl_Position", variation, {}}}; }
+
+  refine::VertexInputTraits inputs{.can_curve = true};
 };
 
 TEST_F(RefinementChoices, TheUserChoosesInTransparentRefinementElseTheApplication) {
@@ -30,17 +32,29 @@ TEST_F(RefinementChoices, TheUserChoosesInTransparentRefinementElseTheApplicatio
   EXPECT_EQ(wanted_refinement(options, ark), Refinement::pn);
 }
 
+TEST_F(RefinementChoices, SmoothDoesNotOverruleAnApplicationThatAsksItself) {
+  ContextOptions options{.transparent = true, .refinement = Refinement::pn, .smooth = true};
+  ArkState ark;
+  ark.refinement = Refinement::linear_inputs;
+  EXPECT_EQ(wanted_refinement(options, ark), Refinement::pn);
+  ark.enabled = true;
+  EXPECT_EQ(wanted_refinement(options, ark), Refinement::linear_inputs);
+  options.smooth = false;
+  EXPECT_EQ(wanted_refinement(options, ark), Refinement::pn);
+}
+
 TEST_F(RefinementChoices, APlainStageGetsEveryRefinement) {
   for (const RefinementTraits& row : refinements) {
     expect(row.refinement, row.refinement, std::nullopt);
   }
 }
 
-TEST_F(RefinementChoices, AVertexNumberNeedsOutputs) {
+TEST_F(RefinementChoices, AVertexNumberNeedsOutputsIfTheProgramUsesTheExtension) {
   stage.reads_vertex_id = true;
+  expect(Refinement::linear_inputs, Refinement::linear_inputs, std::nullopt);  // it does not reach the position
+  transparent = false;
   expect(Refinement::linear_inputs, Refinement::linear_outputs, RefinementFallback::vertex_id);
   expect(Refinement::linear_outputs, Refinement::linear_outputs, std::nullopt);
-  transparent = false;
   expect(Refinement::pn, Refinement::linear_outputs, RefinementFallback::vertex_id);
 }
 
@@ -49,11 +63,31 @@ TEST_F(RefinementChoices, ACullDistanceNeedsOutputs) {
   expect(Refinement::phong, Refinement::linear_outputs, RefinementFallback::cull_distance);
 }
 
-TEST_F(RefinementChoices, IntegersNeedOutputsUnlessTheProgramUsesTheExtension) {
-  inputs.has_integers = true;
-  expect(Refinement::linear_inputs, Refinement::linear_outputs, RefinementFallback::integer_input);
-  transparent = false;
+TEST_F(RefinementChoices, AnUnsoundPositionNeedsOutputsUnlessTheProgramUsesTheExtension) {
+  for (const refine::Variation variation : {refine::Variation::switched, refine::Variation::undefined}) {
+    vary(variation);
+    transparent = true;
+    expect(Refinement::linear_inputs, Refinement::linear_outputs, RefinementFallback::unsound_stage);
+    expect(Refinement::pn, Refinement::linear_outputs, RefinementFallback::unsound_stage);
+    transparent = false;
+    expect(Refinement::pn, Refinement::pn, std::nullopt);
+  }
+}
+
+TEST_F(RefinementChoices, ABentPositionNeedsANormal) {
+  vary(refine::Variation::continuous);
   expect(Refinement::linear_inputs, Refinement::linear_inputs, std::nullopt);
+  expect(Refinement::phong, Refinement::phong, std::nullopt);
+  inputs.can_curve = false;
+  expect(Refinement::linear_inputs, Refinement::linear_outputs, RefinementFallback::bent_unknowing);
+  expect(Refinement::phong, Refinement::linear_outputs, RefinementFallback::bent_unknowing);
+  vary(refine::Variation::affine);
+  expect(Refinement::linear_inputs, Refinement::linear_inputs, std::nullopt);
+}
+
+TEST_F(RefinementChoices, OtherOutputsDoNotDecide) {
+  stage.variation.outputs = {{"uv", refine::Variation::undefined, {}}, {"gl_Position", refine::Variation::affine, {}}};
+  expect(Refinement::pn, Refinement::pn, std::nullopt);
 }
 
 TEST_F(RefinementChoices, ACurveNeedsANormal) {

@@ -32,7 +32,8 @@ Totals totals() {
 
 TEST(DrawClasses, DrawsTrianglesAndFramesAreCounted) {
   DrawClasses classes;
-  const DrawClassKey key{.verdict = {.cause = Cause::blended}};
+  DrawClassKey key;
+  key.verdict.cause = Cause::blended;
   classes.count(key, 10);
   classes.count(key, 5);
   classes.frame_finished();
@@ -50,7 +51,9 @@ TEST(DrawClasses, AnotherStateOrVerdictIsAnotherClass) {
   DrawClasses classes;
   classes.count({}, 1);
   classes.count({.state = {.depth_only = true}}, 1);
-  classes.count({.verdict = {.fallback = RefinementFallback::no_normal}}, 1);
+  DrawClassKey fallen;
+  fallen.verdict.fallback = RefinementFallback::no_normal;
+  classes.count(fallen, 1);
   EXPECT_EQ(totals().classes, 3u);
 }
 

@@ -16,26 +16,36 @@ class MainText {
     if (plan_.at_corner) return "void main() {\n" + fill_from_corner(plan_, 0) + run() + "}\n";
     std::string main = "void main() {\n  @place();\n";
     if (plan_.stored) main += "  @find_record();\n";
-    if (plan_.interpolates_outputs()) {
-      for (int corner = 0; corner < 3; ++corner) {
-        main += fill_from_corner(plan_, corner) + run() + for_output_units("save" + std::to_string(corner));
-        if (plan_.has_screen_outputs()) main += "  @corner_w[" + std::to_string(corner) + "] = gl_Position.w;\n";
-      }
-      main += for_output_units("finish");
-      if (plan_.has_screen_outputs()) main += "  @weigh_by_w();\n" + finish_screen_outputs();
-      return main + "}\n";
-    }
-    const bool flat = !plan_.outputs.empty();
-    if (flat) main += fill_from_corner(plan_, plan_.provoking_corner) + run() + for_output_units("save0");
+    main += run_at_corners();
+    const std::string end = finish() + "}\n";
+    if (plan_.interpolates_outputs()) return main + end;
     std::string evaluate = "  @interpolate();\n";
     if (!plan_.refinement_source.empty()) evaluate += "  @fill_corners();\n  @refine();\n";
     evaluate += run();
-    const std::string end = (flat ? for_output_units("finish") : "") + "}\n";
     if (!plan_.morphing) return main + evaluate + end;
     return "void @evaluate() {\n" + evaluate + "}\n" + main + run_between_parents(plan_) + end;
   }
 
  private:
+  // Saves the outputs that are interpolated or flat.
+  std::string run_at_corners() const {
+    if (plan_.outputs.empty()) return {};
+    if (!plan_.runs_at_corners()) {
+      return fill_from_corner(plan_, plan_.provoking_corner) + run() + for_output_units("save0");
+    }
+    std::string text;
+    for (int corner = 0; corner < 3; ++corner) {
+      text += fill_from_corner(plan_, corner) + run() + for_output_units("save" + std::to_string(corner));
+      if (plan_.has_screen_outputs()) text += "  @corner_w[" + std::to_string(corner) + "] = gl_Position.w;\n";
+    }
+    return text;
+  }
+
+  std::string finish() const {
+    const std::string text = for_output_units("finish");
+    return plan_.has_screen_outputs() ? text + "  @weigh_by_w();\n" + finish_screen_outputs() : text;
+  }
+
   std::string run() const {
     std::string text;
     for (std::size_t unit = 0; unit < plan_.resets.size(); ++unit) {
@@ -71,7 +81,7 @@ std::string prototypes_of_other_units(const EpiloguePlan& plan) {
     if (plan.resets[unit]) text += "void @reset" + suffix;
     text += prototypes_of_morphed_unit(plan, unit);
     if (!unit_has_outputs(plan, unit)) continue;
-    const int slots = plan.interpolates_outputs() ? 3 : 1;
+    const int slots = plan.runs_at_corners() ? 3 : 1;
     for (int slot = 0; slot < slots; ++slot) text += "void @save" + std::to_string(slot) + suffix;
     text += "void @finish" + suffix;
     if (unit_has_screen_outputs(plan, unit)) text += "void @finish_screen" + suffix;

@@ -35,6 +35,7 @@ struct OutputVariable {
   bool noperspective = false;
   int indexed_words = 0;  // size of an array whose indices are not all constants
   bool clamped = false;   // to 0 .. 1
+  bool unsound = false;   // interpolated between the corners in every refinement
   std::string problem;    // why it cannot be saved; empty if it can
 };
 
@@ -54,7 +55,7 @@ struct EpiloguePlan {
   std::optional<InputVariable> scalar_tags;
   core::ScalarTags constant_tags;
   std::optional<InputVariable> coordinate;  // for displacement
-  std::vector<OutputVariable> outputs;      // all outputs if they are interpolated, otherwise the flat ones
+  std::vector<OutputVariable> outputs;      // all outputs if they are interpolated, otherwise the flat and unsound ones
   bool morphing = false;                    // the placement holds edge depths; vertices move between levels
   std::vector<OutputVariable> morphed;      // outputs that are mixed with those at the neighbours of the level below
   std::vector<Structure> structures;
@@ -65,6 +66,8 @@ struct EpiloguePlan {
 
   const core::RefinementTraits& traits() const { return core::traits_of(refinement); }
   bool interpolates_outputs() const { return traits().interpolates_outputs; }
+  // The stage runs at all corners, because some outputs are interpolated.
+  bool runs_at_corners() const;
   bool curved() const { return traits().curves_positions; }
   bool displaced() const { return coordinate.has_value(); }
   // Some outputs vary linearly on the screen.

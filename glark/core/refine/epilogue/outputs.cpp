@@ -62,6 +62,13 @@ int implied_size(const std::vector<VertexUnit>& units, std::string_view name) {
   return size;
 }
 
+// "blocks[1].color" -> "blocks.color"
+std::string without_indices(std::string path) {
+  const std::size_t begin = path.find('[');
+  if (begin != std::string::npos) path.erase(begin, path.find(']') - begin + 1);
+  return path;
+}
+
 class Collector {
  public:
   Collector(const std::vector<VertexUnit>& units, const OutputRules& rules) : units_(units), rules_(rules) {
@@ -125,6 +132,7 @@ class Collector {
     output.sizes = variable.sizes;
     output.flat = variable.flat && !rules_.positions.contains(variable.name);
     output.noperspective = variable.noperspective;
+    output.unsound = is_unsound(without_indices(output.path));
     const BuiltInOutput* const built_in = built_in_output(variable.name);
     if (built_in != nullptr && built_in->color) {
       const bool by_shade_model = rules_.flat_colors && !variable.smooth && !variable.noperspective;
@@ -144,6 +152,12 @@ class Collector {
       for (const std::string& size : output.sizes) output.indexed_words *= std::max(literal(size), 1);
     }
     outputs_.push_back(std::move(output));
+  }
+
+  // A structure is interpolated as a whole.
+  bool is_unsound(const std::string& path) const {
+    return std::any_of(rules_.unsound.begin(), rules_.unsound.end(),
+                       [&](const std::string& unsound) { return unsound == path || unsound.starts_with(path + "."); });
   }
 
   const std::vector<VertexUnit>& units_;
@@ -292,10 +306,15 @@ bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit) {
 }
 
 bool unit_has_screen_outputs(const EpiloguePlan& plan, std::size_t unit) {
-  return plan.interpolates_outputs() &&
+  return plan.runs_at_corners() &&
          std::any_of(plan.outputs.begin(), plan.outputs.end(), [&](const OutputVariable& output) {
            return output.unit == unit && output.noperspective && !is_flat(output, plan.structures);
          });
+}
+
+bool EpiloguePlan::runs_at_corners() const {
+  return interpolates_outputs() ||
+         std::any_of(outputs.begin(), outputs.end(), [](const OutputVariable& output) { return output.unsound; });
 }
 
 bool EpiloguePlan::has_screen_outputs() const {
@@ -328,11 +347,11 @@ std::string morph_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet&
          gather + "}\nvoid @settle" + suffix + "() {\n" + settle + "}\n";
 }
 
-// With linear_outputs there are three slots, one per corner. Otherwise slot 0 holds the flat outputs of the provoking
-// corner.
+// If some outputs are interpolated, there are three slots, one per corner. Otherwise slot 0 holds the flat outputs of
+// the provoking corner.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types) {
   if (!unit_has_outputs(plan, unit)) return {};
-  const bool interpolated = plan.interpolates_outputs();
+  const bool interpolated = plan.runs_at_corners();
   Statements statements(plan, mixed_types);
   std::string variables;
   std::string saves[3];

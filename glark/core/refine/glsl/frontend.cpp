@@ -11,6 +11,7 @@
 #include <cctype>
 #include <mutex>
 #include <unordered_set>
+#include <utility>
 
 #include "glark/core/refine/glsl/interface.h"
 
@@ -190,6 +191,10 @@ class FindMemoryWrites : public glslang::TIntermTraverser {
 
 }  // namespace
 
+SyntaxTree::SyntaxTree(std::unique_ptr<glslang::TShader> shader) : shader_(std::move(shader)) {}
+SyntaxTree::~SyntaxTree() = default;
+TIntermNode* SyntaxTree::root() const { return shader_->getIntermediate()->getTreeRoot(); }
+
 Preprocessed preprocess(const std::string& source, bool es, const std::vector<std::string>& extensions) {
   initialize();
   std::string preamble;
@@ -214,16 +219,17 @@ Parsed parse_vertex_shader(const std::string& preprocessed, bool es) {
   initialize();
   const char* const text = preprocessed.c_str();
   const int length = static_cast<int>(preprocessed.size());
-  glslang::TShader shader(EShLangVertex);
-  shader.setStringsWithLengths(&text, &length, 1);
+  auto shader = std::make_unique<glslang::TShader>(EShLangVertex);
+  shader->setStringsWithLengths(&text, &length, 1);
   Parsed result;
-  result.ok = shader.parse(&resources(), default_version(es), ENoProfile, false, false, messages);
+  result.ok = shader->parse(&resources(), default_version(es), ENoProfile, false, false, messages);
   if (!result.ok) {
-    result.error = first_error(shader.getInfoLog());
+    result.error = first_error(shader->getInfoLog());
     result.limited = is_limitation(result.error);
     return result;
   }
-  if (TIntermNode* const root = shader.getIntermediate()->getTreeRoot()) {
+  result.tree = std::make_unique<const SyntaxTree>(std::move(shader));
+  if (TIntermNode* const root = result.tree->root()) {
     FindMemoryWrites find;
     root->traverse(&find);
     result.writes_memory = find.found;

@@ -4,8 +4,11 @@
 // glslang: preprocesses shaders, and parses them to find mistakes and writes to memory.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "glark/core/refine/glsl/syntax_tree.h"
 
 namespace glark::refine {
 
@@ -20,9 +23,10 @@ Preprocessed preprocess(const std::string& source, bool es, const std::vector<st
 
 struct Parsed {
   bool ok = false;
-  bool limited = false;        // not ok because glslang lacks a feature; the shader may be correct
-  bool writes_memory = false;  // image stores and atomics, atomic counters, writes to buffer blocks
-  std::string error;           // the first line of the compiler's log
+  bool limited = false;                    // not ok because glslang lacks a feature; the shader may be correct
+  bool writes_memory = false;              // image stores and atomics, atomic counters, writes to buffer blocks
+  std::string error;                       // the first line of the compiler's log
+  std::unique_ptr<const SyntaxTree> tree;  // null unless ok
 };
 
 // Parses preprocessed text as a vertex shader.

@@ -13,6 +13,7 @@
 #include "glark/core/refine/program/shape_fields.h"
 #include "glark/core/refine/program/subroutines.h"
 #include "glark/core/refine/program/uniform_copy.h"
+#include "glark/core/refine/program/unsound_outputs.h"
 #include "glark/core/refine/program/vertex_inputs.h"
 #include "glark/core/refine/refinement_log.h"
 #include "glark/core/report/cause.h"
@@ -62,6 +63,15 @@ std::optional<core::Cause> cause_of(const core::Program& program, const VertexSt
   return std::nullopt;
 }
 
+void log_unsound_outputs(const core::Program& program) {
+  for (const OutputVariation& output : unsound_outputs(program.traits.variation, program.input_traits.can_curve)) {
+    const std::string_view reason =
+        output.reason.empty() ? std::string_view("not linear, and no normal is known") : output.reason;
+    core::log(core::LogLevel::info, fmt::format("{}: output {} is interpolated between the corners ({})",
+                                                label(program), output.path, reason));
+  }
+}
+
 void leave(core::Program& program, const std::string& reason) {
   program.cause = core::Cause::program_not_derived;
   core::note_program_problem(program.hash, reason);
@@ -103,16 +113,26 @@ void ProgramBuilder::prepare(core::Program& program) const {
     leave(program, inspection.error);
     return;
   }
+  if (program.fixed_function) {
+    program.traits.variation = {};  // glark's own shader is sound
+  }
   program.cause = cause_of(program, inspection.traits, traits_.transparent);
   if (program.cause) {
     return;
   }
   read_vertex_inputs(gl_, traits_.roles, program);
+  if (!program.cause) {
+    check_inputs(program);
+  }
+}
+
+// Decides whether the inputs fit into a record.
+void ProgramBuilder::check_inputs(core::Program& program) const {
+  if (traits_.transparent) {
+    log_unsound_outputs(program);
+  }
   const capture::Layout layout = capture::make_layout(program.fields, false);
   const int free_locations = most_chunks(false);
-  if (program.cause) {
-    return;
-  }
   if (layout.fields.empty()) {
     leave(program, "its vertex stage has no inputs");
   } else if ((layout.chunk_count() > free_locations && !can_store_records(program)) ||
@@ -219,6 +239,11 @@ DeriveRequest ProgramBuilder::request_for(const core::Program& program, const co
   // gl_VertexID has no value between corners. So the stage runs on the corners, and the refinement shader is ignored.
   if (!key.at_corner && !program.traits.reads_vertex_id) {
     request.refinement_source = program.refinement_source;
+  }
+  if (traits_.transparent && request.refinement_source.empty()) {
+    for (const OutputVariation& output : unsound_outputs(program.traits.variation, program.input_traits.can_curve)) {
+      request.outputs.unsound.insert(output.path);
+    }
   }
   request.extensions = traits_.extensions;
   request.stored = !key.at_corner && request.layout.chunk_count() > most_chunks(key.placed);

@@ -74,15 +74,6 @@ bool locations_are_separate(core::Program& program) {
   return true;
 }
 
-VertexInputTraits traits_of(const std::vector<capture::Field>& fields) {
-  VertexInputTraits traits;
-  traits.can_curve = capture::can_curve(fields);
-  traits.has_integers = std::any_of(fields.begin(), fields.end(), [](const capture::Field& field) {
-    return field.location >= 0 && capture::is_integer(field.type);
-  });
-  return traits;
-}
-
 }  // namespace
 
 void read_vertex_inputs(const gl::Dispatch& gl, const core::AttributeRoles& roles, core::Program& program) {
@@ -101,7 +92,7 @@ void read_vertex_inputs(const gl::Dispatch& gl, const core::AttributeRoles& role
     program.fields.push_back({.name = name, .type = GL_INT});
   }
   capture::assign_roles(program.fields, roles);
-  program.input_traits = traits_of(program.fields);
+  program.input_traits = {.can_curve = capture::can_curve(program.fields)};
   core::log(core::LogLevel::info, fmt::format("{}: {}", label(program), capture::roles_text(program.fields)));
 }
 

@@ -5,22 +5,24 @@
 #include <set>
 #include <string>
 
+#include "glark/core/state/programs/variation.h"
+
 namespace glark::refine {
 
 // Traits of the vertex stage that decide whether and how it can be refined.
 struct VertexStageTraits {
-  bool reads_vertex_id = false;         // then outputs must be interpolated
+  bool reads_vertex_id = false;         // in main or in a function that it calls
   bool writes_cull_distance = false;    // the same: culling needs all corners of the triangle
   std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
   bool has_side_effects = false;        // image stores, buffer writes, atomics
   bool writes_flat_outputs = false;
+  StageVariation variation;      // of the outputs
   bool writes_integers = false;  // in outputs that are not flat; a geometry shader reads those of every vertex
 };
 
 // Traits of the active inputs of the vertex stage.
 struct VertexInputTraits {
-  bool can_curve = false;     // a position and a normal are known
-  bool has_integers = false;  // among the vertex attributes
+  bool can_curve = false;  // a position and a normal are known
 };
 
 }  // namespace glark::refine

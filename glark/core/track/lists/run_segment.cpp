@@ -49,6 +49,7 @@ void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
              .tags_vary = segment.sets_tags,
              .whole_polygons = segment.whole_polygons,
              .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
+             .list_segment = segment.identity,
              .segment = watched ? &segment : nullptr,
              .issue = [&] {
                c.gl().CallList(segment.list);

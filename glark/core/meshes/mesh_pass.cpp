@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/meshes/mesh_pass.h"
+
+namespace glark::core {
+namespace {
+
+// The draw reaches no framebuffer, or would look the same curved.
+bool draws_no_surface(Cause cause) {
+  return cause == Cause::render_mode || cause == Cause::rasterizer_discard || cause == Cause::invalid_draw ||
+         cause == Cause::level_zero;
+}
+
+bool is_user_interface(Cause cause) {
+  return cause == Cause::screen_quad || cause == Cause::overlay || cause == Cause::orthographic;
+}
+
+}  // namespace
+
+std::optional<MeshPass> mesh_pass(const Bindings& b, std::optional<Cause> cause) {
+  if (cause && (draws_no_surface(*cause) || is_user_interface(*cause))) {
+    return std::nullopt;
+  }
+  MeshPass pass;
+  pass.curves = !cause;
+  pass.uses_depth = b.depth_test && (b.depth_function != GL_ALWAYS || b.depth_writes);
+  pass.writes_depth = b.depth_test && b.depth_writes;
+  pass.equal = b.depth_test && b.depth_function == GL_EQUAL;
+  pass.shows = b.color_writes;
+  pass.marks = b.stencil_test;
+  // Lines and points are drawn near a surface, not on it to the bit.
+  if (cause == Cause::not_triangles) {
+    pass.equal = pass.marks = false;
+  }
+  return pass;
+}
+
+}  // namespace glark::core

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/meshes/mesh_table.h"
+
+namespace glark::core {
+namespace {
+
+constexpr std::size_t many_meshes = 8192;
+constexpr std::uint64_t frames_to_keep = 1200;  // of meshes that are no longer drawn
+
+}  // namespace
+
+MeshVerdict MeshTable::draw(const MeshKey& key, const MeshPass& pass) {
+  Mesh& mesh = find(key);
+  drawn_ = true;
+  if (mesh.frame != frame_) {
+    mesh.frame = frame_;
+    mesh.frames += mesh.frames <= frames_to_watch ? 1 : 0;
+  }
+  note(mesh, key == loose_mesh, pass);
+  return mesh.flat                        ? MeshVerdict::flat
+         : frame_ < doubted_until_        ? MeshVerdict::unknown_partner
+         : mesh.frames <= frames_to_watch ? MeshVerdict::waits
+                                          : MeshVerdict::curved;
+}
+
+MeshTable::Mesh& MeshTable::find(const MeshKey& key) {
+  if (last_ == nullptr || !(last_key_ == key)) {
+    last_ = &meshes_[key];
+    last_key_ = key;
+  }
+  return *last_;
+}
+
+void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
+  if (pass.shows) {
+    mesh.shown = frame_;
+  }
+  // Nothing in this frame has left the depth that the pass must meet.
+  if (pass.equal && mesh.written != frame_) {
+    doubt();
+  }
+  if (pass.writes_depth) {
+    mesh.written = frame_;
+  }
+  if (pass.curves) {
+    return;
+  }
+  mesh.flat = mesh.flat || pass.must_meet() || (pass.uses_depth && !loose);
+  if (pass.prepares() && loose) {
+    doubt();  // for any mesh
+  } else if (pass.prepares() && mesh.prepared != frame_) {
+    mesh.prepared = frame_;
+    preparing_.push_back(&mesh);
+  }
+}
+
+void MeshTable::frame_finished() {
+  if (!drawn_) {
+    return;
+  }
+  drawn_ = false;
+  for (const Mesh* mesh : preparing_) {
+    if (mesh->shown != frame_) {  // its triangles show elsewhere, from positions of another source
+      doubt();
+    }
+  }
+  preparing_.clear();
+  ++frame_;
+  if (meshes_.size() > many_meshes) {
+    drop_old();
+  }
+}
+
+void MeshTable::drop_old() {
+  last_ = nullptr;
+  std::erase_if(meshes_, [this](const auto& entry) { return entry.second.frame + frames_to_keep < frame_; });
+}
+
+}  // namespace glark::core

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/meshes/mesh_pass.h"
+
+#include <gtest/gtest.h>
+
+namespace glark::core {
+namespace {
+
+class MeshPasses : public testing::Test {
+ protected:
+  MeshPasses() { bindings_.depth_test = true; }
+  MeshPass pass(std::optional<Cause> cause = std::nullopt) const { return mesh_pass(bindings_, cause).value(); }
+  Bindings bindings_;
+};
+
+TEST_F(MeshPasses, ADrawWithoutCauseCurves) {
+  EXPECT_TRUE(pass().curves);
+  EXPECT_FALSE(pass(Cause::side_effects).curves);
+}
+
+TEST_F(MeshPasses, DepthIsUsedWhereItIsTestedOrWritten) {
+  EXPECT_TRUE(pass().uses_depth && pass().writes_depth);
+  bindings_.depth_writes = false;
+  EXPECT_TRUE(pass().uses_depth);
+  EXPECT_FALSE(pass().writes_depth);
+  bindings_.depth_function = GL_ALWAYS;
+  EXPECT_FALSE(pass().uses_depth);
+  bindings_ = {};
+  EXPECT_FALSE(pass().uses_depth || pass().writes_depth) << "without the test, GL writes no depth either";
+}
+
+TEST_F(MeshPasses, APreparationHasNoColors) {
+  EXPECT_FALSE(pass().prepares());
+  bindings_.color_writes = false;
+  EXPECT_TRUE(pass().prepares());
+  bindings_.depth_writes = false;  // the box of an occlusion query
+  EXPECT_FALSE(pass().prepares());
+  bindings_.stencil_test = true;  // a shadow volume
+  EXPECT_TRUE(pass().prepares());
+}
+
+TEST_F(MeshPasses, EqualMustMeet) {
+  bindings_.depth_function = GL_EQUAL;
+  EXPECT_TRUE(pass().must_meet());
+  bindings_.depth_test = false;
+  EXPECT_FALSE(pass().must_meet());
+}
+
+TEST_F(MeshPasses, LinesNeedNotMeetToTheBit) {
+  bindings_.depth_function = GL_EQUAL;
+  EXPECT_FALSE(pass(Cause::not_triangles).must_meet());
+  EXPECT_TRUE(pass(Cause::not_triangles).uses_depth);
+}
+
+TEST_F(MeshPasses, NoPictureSaysNothing) {
+  for (const Cause cause : {Cause::render_mode, Cause::rasterizer_discard, Cause::invalid_draw, Cause::level_zero,
+                            Cause::screen_quad, Cause::overlay, Cause::orthographic}) {
+    EXPECT_FALSE(mesh_pass(bindings_, cause).has_value()) << text_of(cause).key;
+  }
+}
+
+}  // namespace
+}  // namespace glark::core

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/meshes/mesh_table.h"
+
+#include <gtest/gtest.h>
+
+namespace glark::core {
+namespace {
+
+constexpr MeshKey ball{{7, 1, 0}};
+constexpr MeshKey copy_of_ball{{8, 1, 0}};
+
+constexpr MeshPass colors{.curves = true, .uses_depth = true, .writes_depth = true};
+constexpr MeshPass flat_colors{.uses_depth = true, .writes_depth = true};
+constexpr MeshPass flat_depth{.uses_depth = true, .writes_depth = true, .shows = false};
+constexpr MeshPass curved_depth{.curves = true, .uses_depth = true, .writes_depth = true, .shows = false};
+constexpr MeshPass equal_colors{.curves = true, .uses_depth = true, .equal = true};
+constexpr MeshPass overlay{};
+
+class MeshTables : public testing::Test {
+ protected:
+  // Draws the passes for three frames, and returns the verdict on the last pass of the fourth.
+  MeshVerdict settled(const std::vector<std::pair<MeshKey, MeshPass>>& passes) {
+    MeshVerdict last = MeshVerdict::waits;
+    for (int frame = 0; frame < 4; ++frame) {
+      for (const auto& [key, pass] : passes) last = table_.draw(key, pass);
+      table_.frame_finished();
+    }
+    return last;
+  }
+  MeshTable table_;
+};
+
+TEST_F(MeshTables, AMeshIsCurvedFromTheThirdFrameOn) {
+  for (int frame = 1; frame <= 5; ++frame) {
+    EXPECT_EQ(table_.draw(ball, colors), frame <= 2 ? MeshVerdict::waits : MeshVerdict::curved) << frame;
+    table_.frame_finished();
+  }
+}
+
+TEST_F(MeshTables, AllDrawsOfAFrameGetTheSameVerdict) {
+  for (int draw = 0; draw < 9; ++draw) EXPECT_EQ(table_.draw(ball, colors), MeshVerdict::waits);
+}
+
+TEST_F(MeshTables, AFrameWithoutDrawsIsNone) {
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(table_.draw(ball, colors), i < 2 ? MeshVerdict::waits : MeshVerdict::curved);
+    for (int again = 0; again < 3; ++again) table_.frame_finished();
+  }
+}
+
+TEST_F(MeshTables, OneFlatPassKeepsTheMeshFlat) {
+  EXPECT_EQ(settled({{ball, flat_depth}, {ball, colors}}), MeshVerdict::flat);
+  EXPECT_EQ(settled({{copy_of_ball, colors}}), MeshVerdict::curved) << "another mesh";
+}
+
+TEST_F(MeshTables, AMeshThatWasFlatOnceStaysFlat) {
+  EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::curved);
+  EXPECT_EQ(table_.draw(ball, flat_colors), MeshVerdict::flat);
+  EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::flat);
+}
+
+TEST_F(MeshTables, PassesThatCanAllBeCurvedAre) {
+  EXPECT_EQ(settled({{ball, curved_depth}, {ball, equal_colors}}), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, APassWithoutDepthMeetsNothing) {
+  EXPECT_EQ(settled({{ball, overlay}, {ball, colors}}), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, UnrelatedLooseDrawsStayApart) {
+  EXPECT_EQ(settled({{loose_mesh, flat_colors}, {loose_mesh, colors}}), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, LooseDrawsThatMustMeetStayFlat) {
+  constexpr MeshPass flat_equal{.uses_depth = true, .equal = true};
+  EXPECT_EQ(settled({{loose_mesh, colors}, {loose_mesh, flat_equal}}), MeshVerdict::flat);
+}
+
+// Shadow volumes of a mesh in a buffer, made by glBegin.
+TEST_F(MeshTables, APreparationWithoutIdentityMayMeetAnyMesh) {
+  constexpr MeshPass volume{.uses_depth = true, .shows = false, .marks = true};
+  EXPECT_EQ(settled({{ball, colors}, {loose_mesh, volume}, {ball, colors}}), MeshVerdict::unknown_partner);
+}
+
+// A depth pre-pass that reads its positions from a buffer of their own.
+TEST_F(MeshTables, APreparationThatShowsNowhereMayMeetAnyMesh) {
+  EXPECT_EQ(settled({{copy_of_ball, flat_depth}, {ball, colors}}), MeshVerdict::unknown_partner);
+  EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::unknown_partner) << "for some time";
+  for (unsigned i = 0; i < MeshTable::frames_of_doubt; ++i) settled({{ball, colors}});
+  EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, APreparationThatShowsLaterMeetsItself) {
+  EXPECT_EQ(settled({{copy_of_ball, flat_depth}, {copy_of_ball, flat_colors}, {ball, colors}}), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, AnEqualPassNeedsAnEarlierPassOfItsFrame) {
+  EXPECT_EQ(settled({{copy_of_ball, curved_depth}, {ball, equal_colors}}), MeshVerdict::unknown_partner);
+}
+
+TEST_F(MeshTables, AFailedDrawMakesItsMeshFlat) {
+  EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::curved);
+  table_.draw(ball, flat_colors);
+  EXPECT_EQ(table_.draw(ball, colors), MeshVerdict::flat) << "in the same frame";
+}
+
+TEST(MeshKeys, AreTheSourceOfThePositions) {
+  const AttributeSource source{.buffer = 3, .generation = 2, .offset = 24, .stride = 24};
+  AttributeSource other = source;
+  other.offset = 240;
+  EXPECT_EQ(mesh_of(source, 12), mesh_of(other, 12)) << "another range of the same vertices";
+  other.offset = 12;
+  EXPECT_NE(mesh_of(source, 12), mesh_of(other, 12)) << "another attribute of the vertex";
+  other = source;
+  other.generation = 3;
+  EXPECT_NE(mesh_of(source, 12), mesh_of(other, 12)) << "another buffer of the same name";
+  other = source;
+  other.relative_offset = 8;
+  EXPECT_NE(mesh_of(source, 12), mesh_of(other, 12));
+  EXPECT_NE(mesh_of(source, 12), mesh_of_list(3));
+}
+
+TEST(MeshKeys, ClientMemoryIsItsAddress) {
+  const AttributeSource source{.offset = 4096};
+  AttributeSource other = source;
+  other.offset = 4108;
+  EXPECT_EQ(mesh_of(source, 12), mesh_of(source, 12));
+  EXPECT_NE(mesh_of(source, 12), mesh_of(other, 12));
+  EXPECT_NE(mesh_of(source, 12), loose_mesh);
+}
+
+}  // namespace
+}  // namespace glark::core
