@@ -53,6 +53,7 @@ struct ContextOptions {
   bool smooth = false;  // only meshes are refined that have one shape in all passes (meshes/mesh_table.h)
   ShapeNumbers shape_numbers = initial_shape_numbers();
   bool weld = true;          // weld curved triangles by position, if the program has split its vertices
+  float crease = 80;         // degrees; edges stay straight whose faces meet at more although they share their normals
   EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
   bool geomorph = false;     // refined vertices move between the levels of measured depths
   bool centroids = false;    // quads and polygons become fans about their centroids

@@ -11,7 +11,8 @@ namespace glark::core {
 namespace {
 
 KeyFacts key_facts(const DrawPlan& plan, const pattern::PoolInUse& pool) {
-  return {plan.capture, plan.depth, plan.polygons.has_value(), plan.weld.on, pool.number()};
+  return {plan.capture, plan.depth, plan.polygons.has_value(), plan.weld.on, plan.weld.crease < weld::no_crease,
+          pool.number()};
 }
 
 void count_fallback(const DrawPlan& plan) {

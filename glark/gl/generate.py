@@ -25,7 +25,8 @@ DRAW_PATTERNS = ["glDraw*", "glMultiDraw*", "glMultiMode*", "glBegin", "glEnd", 
 
 CLASSES = {"draw", "track", "uniform", "count", "count_unseen", "attribute", "opaque", "write_target", "write_buffer", "write_pack",
            "write_gpu", "gpu_may_write", "external_target", "external_buffer", "array", "touch_vertex_array",
-           "touch_framebuffer", "touch_fixed_function", "touch_matrices", "touch_any_matrix", "hand", "pass", "extra"}
+           "touch_framebuffer", "touch_fixed_function", "touch_matrices", "touch_any_matrix",
+           "touch_assembly", "hand", "pass", "extra"}
 HOOKED = {"draw", "track", "array", "api"}
 # Class -> the call on the context after the real function, with the first of these parameters that the function has.
 TOUCH_CALLS = {
@@ -37,11 +38,12 @@ TOUCH_CALLS = {
     "external_target": ("writes().never_trust_target", ["target"]),
     "external_buffer": ("writes().never_trust_buffer", ["buffer"]),
     "touch_vertex_array": ("state().arrays().vertex_arrays().forget_current", []),
-    "touch_framebuffer": ("state().framebuffers().forget_attachments", []),
+    "touch_framebuffer": ("state().attachments_changed", []),
     "touch_fixed_function": ("changes().touch_fixed_function", []),
     "opaque": ("changes().forget_in_list", []),
     "touch_matrices": ("changes().touch_matrices", []),
     "touch_any_matrix": ("changes().touch_any_matrix", []),
+    "touch_assembly": ("changes().touch_assembly", []),
 }
 # The current value that a function sets, by the start of the function's name.
 ATTRIBUTE_SLOTS = [

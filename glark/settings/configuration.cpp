@@ -135,8 +135,8 @@ void Reader::parse(std::string_view text) {
     parts_.push_back({std::move(whole).table(), 0});
     return;
   }
-  // The file has an error: parse it table by table, so that the other tables count. This also cuts lists of lists and
-  // texts of several lines, so a correct file is never parsed this way.
+  // The file has an error: parse it table by table, so that the tables without errors are still used. This way also
+  // cuts lists of lists and texts of several lines, so correct files are parsed as a whole.
   const std::vector<std::string_view> lines = lines_of(text);
   for (std::size_t first = 0; first < lines.size();) {
     std::size_t end = first + 1;

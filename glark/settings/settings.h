@@ -20,8 +20,8 @@
 namespace glark::settings {
 
 namespace variable {
-inline constexpr char enable[] = "GLARK_ENABLE";  // 1: refine a program that does not call the extension
-inline constexpr char config[] = "GLARK_CONFIG";  // FILE: replaces the configuration file of the XDG folders
+inline constexpr char enable[] = "GLARK_ENABLE";    // 1: refine a program that does not call the extension
+inline constexpr char config[] = "GLARK_CONFIG";    // FILE: replaces the configuration file of the XDG folders
 inline constexpr char library[] = "GLARK_LIBRARY";  // FILE: the library that the launcher preloads
 }  // namespace variable
 
@@ -35,10 +35,10 @@ struct Settings {
   core::ContextOptions context;  // `transparent` needs GLARK_ENABLE
   core::LogLevel log_level = core::LogLevel::warning;
   std::vector<CaptureRequest> captures;
-  std::string statistics_file;  // empty: none
-  std::string dump_folder;      // for the sources of shaders; empty: none
-  bool everything = false;      // refine every draw and shader
-  bool leave_alone = false;     // refine nothing in this program
+  std::string statistics_file;            // empty: none
+  std::string dump_folder;                // for the sources of shaders; empty: none
+  bool everything = false;                // refine every draw and shader
+  bool leave_alone = false;               // refine nothing in this program
   std::set<std::string_view> given = {};  // keys that the user set, from the table
 
   bool is_given(std::string_view key) const { return given.contains(key); }
@@ -51,7 +51,7 @@ struct Parsed {
 };
 
 // Reads the configuration file, then the environment, which wins. `environment` is like `environ`: "NAME=value" strings
-// up to a null pointer; it may be null. In the file, only the tables of the programs `names` count.
+// up to a null pointer; it may be null. Of the file's tables, only those of the programs in `names` are read.
 Parsed parse(const char* const* environment, std::span<const std::string> names = {});
 
 // Returns the value of a variable, or nothing if the variable is unset.
@@ -63,6 +63,7 @@ std::optional<core::Refinement> parse_refinement(std::string_view text);
 std::optional<float> parse_shape_number(const core::ShapeNumber& number, std::string_view text);
 std::optional<float> parse_edge_pixels(std::string_view text);
 std::optional<float> parse_curvature(std::string_view text);
+std::optional<float> parse_crease(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);
 std::optional<bool> parse_polygons(std::string_view text);  // true: at their centroids
 std::optional<core::LogLevel> parse_log_level(std::string_view text);

@@ -169,6 +169,10 @@ constexpr std::array first_settings{
 
     Setting{shape, "refine", "GLARK_REFINE", Kind::value, "KIND", refinement_words.view(), smooth_word, "",
             refinement_help.view(), refinement_details.view(), read_refinement},
+    Setting{shape, "crease", "GLARK_CREASE", Kind::value, "DEGREES", "degrees from 0 to 180", "80", "",
+            "Keep edges straight whose faces share their normals but meet at more than DEGREES",
+            "Curved triangles then stay within half of their least height. 180 curves every edge as its normals say.",
+            [](Settings& s, std::string_view text) { return assign(parse_crease(text), s.context.crease); }},
 };
 
 constexpr std::array other_settings{

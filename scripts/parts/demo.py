@@ -11,9 +11,12 @@ import shutil
 import subprocess
 import sys
 
+import picture_row
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LEVEL = 3      # every triangle becomes 64
 SECONDS = 20   # the longest run of a program that waits for its user
+FRAMES = 12    # of a program that ends by itself; the first ones compile shaders, so there must be more for a median
 LIMIT = 120    # seconds after which a program counts as hanging
 
 
@@ -29,8 +32,8 @@ class Program:
     knows_glark: bool = False  # calls the API, writes its picture itself
 
 
-def write_knot(path: pathlib.Path, along: int = 30, around: int = 6, thickness: float = 0.8) -> None:
-    """Writes a trefoil knot of 360 triangles with smooth normals; curved refinement makes it round."""
+def write_knot(path: pathlib.Path, along: int = 24, around: int = 6, thickness: float = 0.8) -> None:
+    """Writes a trefoil knot of 288 triangles with smooth normals; curved refinement makes it round."""
     def centre(t: float) -> tuple:
         return math.sin(t) + 2 * math.sin(2 * t), math.cos(t) - 2 * math.cos(2 * t), -math.sin(3 * t)
 
@@ -57,7 +60,7 @@ def write_knot(path: pathlib.Path, along: int = 30, around: int = 6, thickness: 
     for i in range(along):
         for j in range(around):
             a, b, c, d = corner[i][j], corner[i][j + 1], corner[i + 1][j + 1], corner[i + 1][j]
-            lines += [f"f {a}//{a} {b}//{b} {c}//{c}", f"f {a}//{a} {c}//{c} {d}//{d}"]
+            lines += [f"f {a}//{a} {c}//{c} {b}//{b}", f"f {a}//{a} {d}//{d} {c}//{c}"]  # seen from outside: counterclockwise
     path.write_text("\n".join(lines) + "\n")
     path.with_suffix(".mtl").write_text("newmtl knot\nKa 0.2 0.15 0.1\nKd 0.9 0.6 0.3\nKs 0.5 0.5 0.5\nNs 30\n")
 
@@ -78,11 +81,13 @@ def write_models(out: pathlib.Path) -> None:
 def programs(build: pathlib.Path, out: pathlib.Path) -> list:
     """Returns the programs to show. OpenSceneGraph needs a hundred packages, so its programs are shown only if it is installed."""
     osg = {"OSG_WINDOW": "0 0 640 480", "OSG_THREADING": "SingleThreaded", "OSG_NOTIFY_LEVEL": "ALWAYS"}
-    glmark2 = ["glmark2", "--data-path", str(out / "glmark2"), "--size", "640x480", "--benchmark"]
+    glmark2 = ["glmark2", "--data-path", str(out / "glmark2"), "--visual-config", "samples=4", "--size", "520x520", "--benchmark"]
+    ending = f"duration={LIMIT}:nframes={FRAMES}"
     found = [
         Program("glxgears", ["glxgears"], {"vblank_mode": "0"}),
-        Program("horse", [*glmark2, "build:model=horse:duration=2"], {"vblank_mode": "0"}, frame=1, ends=True),
-        Program("knot", [*glmark2, "build:model=knot:duration=2"], {"vblank_mode": "0"}, refine="pn", frame=1, ends=True),
+        Program("horse", [*glmark2, f"build:model=horse:{ending}"], {"vblank_mode": "0"}, frame=1, ends=True),
+        Program("knot", [*glmark2, f"shading:shading=phong:num-lights=8:model=knot:{ending}"], {"vblank_mode": "0"}, refine="pn",
+                frame=1, ends=True),
         Program("osgshape", ["osgshape"], osg),
         Program("osgviewer", ["osgviewer", str(out / "knot.obj")], osg, refine="pn"),
         Program("ten_lines", [str(build / "bin" / "ten_lines")], needs_display=False, knows_glark=True),
@@ -135,7 +140,8 @@ def per_frame(statistics: dict, key: str) -> str:
 
 
 def frame_time(statistics: dict) -> str:
-    median = (statistics.get("frame_ms") or {}).get("median")
+    """The first frames compile shaders, so a program of few frames has no time."""
+    median = (statistics.get("frame_ms") or {}).get("median") if statistics["frames"] > 4 else None
     return f"{median:.2f} ms" if median else "-"
 
 
@@ -157,10 +163,13 @@ def main() -> None:
         for statistics in (refined, wireframe):
             if statistics["refined_triangles"] == 0:
                 sys.exit(f"demo: {program.name} was not refined: {json.dumps(statistics['draws'])}")
+        picture_row.join([out / f"{program.name}-{variant}.png" for variant in ("off", "refined", "wireframe")],
+                         out / f"{program.name}.png")
         rows.append((program.name, per_frame(refined, "coarse_triangles"), per_frame(refined, "refined_triangles"),
                      frame_time(off), frame_time(refined)))
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    print(f"\nLevel {LEVEL}, triangles per frame, median frame times; pictures and statistics in {arguments.out}/")
+    print(f"\nLevel {LEVEL}, triangles per frame, median frame times. Pictures and statistics are in {arguments.out}/: NAME.png shows\n"
+          "a program unrefined, refined and as wireframe.\n")
     for row in rows:
         print("  " + "  ".join(cell.ljust(width) if i == 0 else cell.rjust(width)
                                for i, (cell, width) in enumerate(zip(row, widths))))

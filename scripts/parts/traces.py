@@ -8,7 +8,6 @@ than one of 255 levels, and draws must have been refined. GL errors must be the 
 import argparse
 import dataclasses
 import json
-import os
 import pathlib
 import re
 import shutil
@@ -17,9 +16,9 @@ import sys
 
 import numpy
 
+from recording import ROOT, Failure, on_display, read_frames, run
 from trace_programs import PROGRAMS, Program
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 FRAMES = 30
 LEVEL = 2
 LIMIT = 300             # seconds for one replay
@@ -29,31 +28,8 @@ CURVED = {"GLARK_ENABLE": "1", "GLARK_LEVEL": "3", "GLARK_REFINE": "pn"}
 MARKS = ("<!-- {}: written by scripts/traces --write -->", "<!-- end of {} -->")
 
 
-class Failure(Exception):
-    pass
-
-
-def environment(more: dict) -> dict:
-    """Our environment without settings of glark: Mesa's software renderer, full speed, OpenSceneGraph in one small window.
-
-    glretrace shows what no call has drawn yet in its first frame: memory is filled, so that it is the same in all replays.
-    """
-    kept = {key: value for key, value in os.environ.items() if not key.startswith("GLARK_") and key != "LD_PRELOAD"}
-    return dict(kept, LIBGL_ALWAYS_SOFTWARE="1", vblank_mode="0", OSG_WINDOW="0 0 400 300", OSG_THREADING="SingleThreaded",
-                SDL_AUDIODRIVER="dummy", MALLOC_PERTURB_="85", **more)
-
-
-def on_display(command: list, *options: str) -> list:
-    return [str(ROOT / "scripts" / "with_display"), "--screen", "640x480x24", *options, "--", *command]
-
-
 def file_of(program: Program, folder: pathlib.Path, suffix: str) -> pathlib.Path:
     return folder / (re.sub(r"[^\w-]", "_", program.name) + suffix)
-
-
-def run(command: list, more: dict, log: pathlib.Path, **options) -> subprocess.CompletedProcess:
-    with open(log, "wb") as sink:
-        return subprocess.run(command, env=environment(more), stdin=subprocess.DEVNULL, stderr=sink, timeout=LIMIT, **options)
 
 
 def record(program: Program, folder: pathlib.Path) -> None:
@@ -65,13 +41,13 @@ def record(program: Program, folder: pathlib.Path) -> None:
     home = folder / "home"
     home.mkdir(exist_ok=True)
     log = file_of(program, folder, ".record.log")
-    run(on_display(command, "--seconds", str(program.seconds)), {"HOME": str(home), **program.environment}, log,
+    run(on_display(command, "--seconds", str(program.seconds)), {"HOME": str(home), **program.environment}, log, LIMIT,
         stdout=subprocess.DEVNULL)
     if not whole.exists():
         raise Failure(f"nothing was recorded; see {log}")
     last = program.first + FRAMES - 1
     aside = trace.with_suffix(".trimmed")
-    trimmed = run(["apitrace", "trim", f"--frames=0-{last}", "-o", str(aside), str(whole)], {}, log, stdout=subprocess.DEVNULL)
+    trimmed = run(["apitrace", "trim", f"--frames=0-{last}", "-o", str(aside), str(whole)], {}, log, LIMIT, stdout=subprocess.DEVNULL)
     whole.unlink()
     if trimmed.returncode != 0:
         raise Failure(f"the recording cannot be trimmed; see {log}")
@@ -85,20 +61,6 @@ class Replay:
     statistics: dict
 
 
-def read_frames(stream) -> list:
-    """Reads the PNM pictures of glretrace -s -."""
-    frames = []
-    while magic := stream.readline():
-        size = stream.readline()
-        while size.startswith(b"#"):
-            size = stream.readline()
-        width, height = (int(word) for word in size.split())
-        stream.readline()
-        channels = {b"P5\n": 1, b"P6\n": 3}[magic]
-        frames.append(numpy.frombuffer(stream.read(width * height * channels), numpy.uint8).reshape(height, width, channels))
-    return frames
-
-
 def replay(program: Program, folder: pathlib.Path, variant: str, library: dict) -> Replay:
     statistics = file_of(program, folder, f".{variant}.json")
     statistics.unlink(missing_ok=True)
@@ -108,7 +70,7 @@ def replay(program: Program, folder: pathlib.Path, variant: str, library: dict) 
                "--snapshot-format=PNM", str(file_of(program, folder, ".trace"))]
     try:
         with open(pictures, "wb") as sink:
-            result = run(on_display(command), {}, log, stdout=sink)
+            result = run(on_display(command), {}, log, LIMIT, stdout=sink)
         with open(pictures, "rb") as stream:
             frames = read_frames(stream)[program.first:]
     finally:
@@ -204,7 +166,7 @@ def validate_glmark2(folder: pathlib.Path, library: pathlib.Path) -> tuple:
     variants = {"plain": {}, "off": {"LD_PRELOAD": str(library)}, "refined": {"LD_PRELOAD": str(library), **REFINED}}
     for name, settings in variants.items():
         command = ["env", *(f"{key}={value}" for key, value in settings.items()), f"GLARK_STATS={statistics}", "glmark2", "--validate"]
-        said = run(on_display(command), {}, folder / f"glmark2.{name}.log", stdout=subprocess.PIPE).stdout.decode()
+        said = run(on_display(command), {}, folder / f"glmark2.{name}.log", LIMIT, stdout=subprocess.PIPE).stdout.decode()
         results[name] = re.findall(r"\[(\w+)\] (\S+): *Validation: (\w+)", said)
     rows, complaints = [], []
     for i, (scene, options, verdict) in enumerate(results["plain"]):

@@ -120,7 +120,8 @@ void context_created(Provider provider, void* native, void* share) {
   Registry& all = registry();
   std::unique_ptr<Record> stale;
   const std::lock_guard lock(all.mutex);
-  // The address is known: the old context vanished unseen (eglTerminate), or while a thread used it (OSMesa).
+  // The driver reuses the address of an old context. The shim did not see that one's end (eglTerminate), or a thread
+  // still used it then (OSMesa).
   if (const auto found = all.records.find({provider, native}); found != all.records.end()) {
     found->second->destroyed = true;
     stale = std::move(found->second);

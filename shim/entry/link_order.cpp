@@ -20,10 +20,11 @@ __attribute__((constructor)) void check_link_order() {
   const std::string before = gl_library_before_us(names);
   if (before.empty()) return;
   options();  // installs the log
-  core::log(core::LogLevel::warning,
-            fmt::format("this program was linked with libGLARK.so behind {}, whose functions it calls instead, so nothing "
-                        "is refined; name -lGLARK before the GL library when you link it, or start it by glark run",
-                        before));
+  core::log(
+      core::LogLevel::warning,
+      fmt::format("this program was linked with libGLARK.so behind {}, whose functions it calls instead, so nothing "
+                  "is refined; name -lGLARK before the GL library when you link it, or start it by glark run",
+                  before));
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ Table stripping_table(const Settings& settings) {
   in.close();
   fs::remove(file);
   if (report.is_discarded()) throw std::runtime_error(command + " gave no report but status " + std::to_string(status));
-  Table table{"Surfel strips, of one core", {"", "measured", "unit", "target", "thesis"}, {}};
+  Table table{"Surfel strips, on one core", {"", "measured", "unit", "target", "thesis"}, {}};
   for (const nlohmann::json& row : report.at("rows")) {
     table.rows.push_back(
         {row.at("measure").get<std::string>(), Number{row.at("measured").get<double>(), 2},

@@ -4,6 +4,8 @@
 
   passthrough  without the library, and with it but off: the pictures have the same bytes
   refined      without the library, and refined to level 2 by linear outputs: triangles were refined, the picture stays
+  linear       the same, refined by linear inputs
+  curved       the same, refined by curved PN triangles: for programs without a surface
   alive        refined only, for programs whose picture moves: triangles were refined, a frame of the screen was captured
   plain        without the library only: the picture is not empty
 
@@ -26,6 +28,7 @@ CAPTURED_FRAME = 10
 LEVEL = 2
 SECONDS = 60  # the longest run of a program that does not end by itself
 LIMIT = 120
+REFINEMENTS = {"linear": "linear", "curved": "pn"}  # other modes refine by outputs
 SKIPPED = 77
 
 
@@ -106,15 +109,15 @@ def complaints_about(mode: str, runner: Runner) -> list:
         settings = {"GLARK_ENABLE": "1", "GLARK_EDGE_PIXELS": "8", "GLARK_REFINE": "outputs"}
         refined, statistics = runner.picture("measured", settings)
         complaints += judge.likeness_complaints(plain, refined) + judge.measured_complaints(statistics)
-    elif mode == "refined":
-        refined, statistics = runner.picture("refined", refinement)
+    elif mode in ["refined", *REFINEMENTS]:
+        refined, statistics = runner.picture("refined", dict(refinement, GLARK_REFINE=REFINEMENTS.get(mode, "outputs")))
         complaints += judge.likeness_complaints(plain, refined) + judge.life_complaints(statistics, LEVEL)
     return complaints
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--mode", choices=["passthrough", "refined", "measured", "alive", "plain"], required=True)
+    parser.add_argument("--mode", choices=["passthrough", "refined", *REFINEMENTS, "measured", "alive", "plain"], required=True)
     parser.add_argument("--library", type=pathlib.Path, help="libGLARK.so")
     parser.add_argument("--runtime", action="append", default=[], help="library to preload before it, of a sanitizer")
     parser.add_argument("--display", action="store_true", help="the program needs an X server, and ends by itself")

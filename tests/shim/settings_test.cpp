@@ -54,6 +54,7 @@ TEST(Settings, DefaultsOfTheTableAreThoseOfTheCore) {
   EXPECT_EQ(parsed.context.max_level, constructed.context.max_level);
   EXPECT_EQ(parsed.context.left_draws, constructed.context.left_draws);
   EXPECT_EQ(parsed.context.weld, constructed.context.weld);
+  EXPECT_EQ(parsed.context.crease, constructed.context.crease);
   EXPECT_EQ(parsed.context.measure.on(), constructed.context.measure.on());
   EXPECT_TRUE(parsed.given.empty());
 }
@@ -153,6 +154,12 @@ TEST(Settings, GeomorphingNeedsAMeasure) {
   EXPECT_TRUE(parsed.settings.context.geomorph);
 }
 
+TEST(Settings, CreasesAreAngles) {
+  EXPECT_EQ(parse_all({"GLARK_CREASE=0"}).settings.context.crease, 0);
+  EXPECT_EQ(parse_all({"GLARK_CREASE=62.5"}).settings.context.crease, 62.5F);
+  EXPECT_EQ(only_problem("GLARK_CREASE=sharp"), "GLARK_CREASE is \"sharp\"; degrees from 0 to 180 is needed");
+}
+
 TEST(Settings, PolygonsAreSplitInOneOfTwoWays) {
   EXPECT_TRUE(parse_all({"GLARK_POLYGONS=centroid"}).settings.context.centroids);
   EXPECT_FALSE(parse_all({"GLARK_POLYGONS=triangles"}).settings.context.centroids);
@@ -214,6 +221,7 @@ TEST(ParseMeasures, RejectWhatIsNoMeasure) {
   for (const char* text : {"", "-1", "0.1", "10001", "1e2", "8px", "nan", "inf", " 8", "0x8", "8,5"})
     EXPECT_FALSE(parse_edge_pixels(text)) << text;
   for (const char* text : {"", "181", "-5", "0.4", "nan"}) EXPECT_FALSE(parse_curvature(text)) << text;
+  for (const char* text : {"", "181", "-1", "nan", "80deg"}) EXPECT_FALSE(parse_crease(text)) << text;
   for (const char* text : {"", "-1", "1.5", "1000000001", "1e6"}) EXPECT_FALSE(parse_budget(text)) << text;
 }
 

@@ -155,7 +155,7 @@ void check_unchanged(Test& t) {
     t.expect(after[i] == before[was[i]], "the triangles of a pattern, and their corners, keep their order");
 }
 
-// Each weight is a multiple of the greatest depth's step.
+// Each weight is a multiple of 1 / 2^d, where d is the greatest depth of the edges.
 void check_multiples(Test& t) {
   refine_by_tags(5);
   const std::vector<Tags> triples = triples_to(5);

@@ -6,6 +6,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -57,6 +58,8 @@ struct DrawCall {
   std::uint64_t list_segment = 0;     // or from this ListSegment::identity; 0: from neither
   const ArrayDraw* arrays = nullptr;  // set, or a segment is, if the capture may be kept
   const ListSegment* segment = nullptr;
+  std::span<const std::uint32_t> commands =
+      {};       // words of the indirect commands; `arrays` has only mode and index type
   Issue issue;  // makes the application's own call
 };
 

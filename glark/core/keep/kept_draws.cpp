@@ -31,9 +31,11 @@ bool watched(const gl::Dispatch& gl, const BufferStamps& stamps, GLuint buffer) 
 
 // False: the draw reads an attribute that cannot be watched.
 bool KeptDraws::add_arrays(const std::vector<int>& inputs, const ArrayDraw& draw) {
-  if (env_.bindings().primitive_restart || env_.bindings().primitive_restart_fixed) {
-    return false;
+  const bool fixed = env_.bindings().primitive_restart_fixed;
+  if (env_.bindings().primitive_restart && !fixed && draw.index_type != 0) {
+    return false;  // the index is not followed
   }
+  key_.add(fixed ? 1 : 0);
   key_.add(draw.mode, draw.index_type);
   key_.add(static_cast<std::uint32_t>(draw.first), static_cast<std::uint32_t>(draw.count));
   key_.add(static_cast<std::uint32_t>(draw.instances), draw.base_instance);
@@ -94,21 +96,28 @@ void KeptDraws::add_welded_words(const capture::Layout& layout) {
 // The key holds everything that determines the capture and, if instances are kept, their order. False: nothing of this
 // draw can be kept.
 bool KeptDraws::make_key(const DrawCall& call, const KeyFacts& facts) {
-  if ((!call.exact || call.arrays == nullptr) && call.segment == nullptr) {
+  if (call.arrays == nullptr && call.segment == nullptr) {
     return false;
   }
   const capture::CapturePlan& capture = facts.capture;
   key_.clear();
   key_.add(capture.program,
            capture.last_vertex_convention ? GL_LAST_VERTEX_CONVENTION : env_.bindings().provoking_vertex);
-  key_.add(facts.depth.keeps_instances() ? 1 : 0,
-           static_cast<unsigned>(facts.depth.interior) | (facts.split ? 4U : 0U) | (facts.welded ? 8U : 0U));
+  key_.add(facts.depth.keeps_instances() ? 1 : 0, static_cast<unsigned>(facts.depth.interior) |
+                                                      (facts.split ? 4U : 0U) | (facts.welded ? 8U : 0U) |
+                                                      (facts.creased ? 16U : 0U));
   key_.add(facts.depth.keeps_instances() ? facts.pool : 0);
   if (facts.welded) {
     add_welded_words(*capture.layout);
   }
-  return call.segment != nullptr ? add_segment(*capture.inputs, *call.segment)
-                                 : add_arrays(*capture.inputs, *call.arrays);
+  if (call.segment != nullptr) {
+    return add_segment(*capture.inputs, *call.segment);
+  }
+  key_.add(call.commands.size());
+  for (const std::uint32_t word : call.commands) {
+    key_.add(word);
+  }
+  return add_arrays(*capture.inputs, *call.arrays);
 }
 
 bool KeptDraws::all_watched() const {

@@ -24,6 +24,7 @@ struct KeyFacts {
   const depth::DepthPlan& depth;
   bool split = false;  // polygons, at their centroids
   bool welded = false;
+  bool creased = false;    // curved triangles stay near their coarse ones
   std::uint64_t pool = 0;  // number of the pattern pool
 };
 

@@ -17,16 +17,18 @@ bool is_user_interface(Cause cause) {
 
 }  // namespace
 
-std::optional<MeshPass> mesh_pass(const Bindings& b, std::optional<Cause> cause) {
+std::optional<MeshPass> mesh_pass(const MeshPassFacts& facts, std::optional<Cause> cause) {
+  const Bindings& b = facts.bindings;
+  const bool tests = b.depth_test && facts.depth_buffer;
   if (cause && (draws_no_surface(*cause) || is_user_interface(*cause))) {
     return std::nullopt;
   }
   MeshPass pass;
   pass.curves = !cause;
-  pass.uses_depth = b.depth_test && (b.depth_function != GL_ALWAYS || b.depth_writes);
-  pass.writes_depth = b.depth_test && b.depth_writes;
-  pass.equal = b.depth_test && b.depth_function == GL_EQUAL;
-  pass.shows = b.color_writes;
+  pass.uses_depth = tests && (b.depth_function != GL_ALWAYS || b.depth_writes);
+  pass.writes_depth = tests && b.depth_writes;
+  pass.equal = tests && b.depth_function == GL_EQUAL;
+  pass.shows = b.color_writes && facts.color_buffer;
   pass.marks = b.stencil_test;
   // Lines and points are drawn near a surface, not on it to the bit.
   if (cause == Cause::not_triangles) {

@@ -24,8 +24,14 @@ struct MeshPass {
   bool must_meet() const { return equal || prepares(); }
 };
 
+struct MeshPassFacts {
+  const Bindings& bindings;
+  bool depth_buffer = true;  // the framebuffer has one
+  bool color_buffer = true;  // the framebuffer has one that is drawn to
+};
+
 // `cause`: why the draw cannot be curved; empty if it can. Returns nothing if the draw says nothing about its mesh: it
 // draws no picture (selection), or it lies in a user interface.
-std::optional<MeshPass> mesh_pass(const Bindings& bindings, std::optional<Cause> cause);
+std::optional<MeshPass> mesh_pass(const MeshPassFacts& facts, std::optional<Cause> cause);
 
 }  // namespace glark::core

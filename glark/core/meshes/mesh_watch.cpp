@@ -34,7 +34,11 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const std::vector<ca
   if (!cause && !has_normals(call, *fields)) {
     cause = Cause::no_surface;
   }
-  const std::optional<MeshPass> pass = mesh_pass(env_.bindings(), cause);
+  Framebuffers& framebuffers = env_.state.framebuffers();
+  const std::optional<MeshPass> pass = mesh_pass({.bindings = env_.bindings(),
+                                                  .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
+                                                  .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors)},
+                                                 cause);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {
     return cause;

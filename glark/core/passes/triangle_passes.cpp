@@ -25,12 +25,12 @@ TrianglePasses::TrianglePasses(const Environment& environment, const pattern::Po
       sorter_(environment, pool, capture::language_of(environment.capabilities)) {}
 
 bool TrianglePasses::has_room(const DrawPlan& plan, std::uint32_t triangles) const {
-  return (!plan.weld.on || weld_.stage().has_room(*plan.capture.layout, triangles)) &&
+  return (!plan.weld.on || weld_.stage().has_room(plan.weld, *plan.capture.layout, triangles)) &&
          (!plan.depth.adaptive || sorter_.has_room(sort_room(plan, triangles)));
 }
 
 bool TrianglePasses::reserve(const DrawPlan& plan, std::uint32_t triangles) {
-  if (plan.weld.on && !weld_.stage().reserve(*plan.capture.layout, triangles)) {
+  if (plan.weld.on && !weld_.stage().reserve(plan.weld, *plan.capture.layout, triangles)) {
     return false;
   }
   if (!plan.depth.adaptive) {

@@ -3,6 +3,7 @@
 #include "glark/core/plan/derived_key.h"
 
 #include "glark/core/shape.h"
+#include "glark/core/weld/weld.h"
 
 namespace glark::core {
 
@@ -29,6 +30,8 @@ DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
   add_shape(state.options, state.ark, key);
   return key;
 }
+
+float crease_of(const ContextOptions& options) { return options.transparent ? options.crease : weld::no_crease; }
 
 void add_welded_words(DerivedKey& key, bool turns) {
   key.turns = key.welded && turns;

@@ -31,6 +31,9 @@ struct KeyRequest {
   bool morphing = false;  // vertices move between levels
 };
 DerivedKey derived_key(const KeyState& state, const KeyRequest& request);
+// The angle beyond which shared normals do not curve an edge, in degrees. A program that calls the API gets what its
+// normals say.
+float crease_of(const ContextOptions& options);
 // Adds the words that welding writes to the records, if there is room. `turns`: normals are measured.
 void add_welded_words(DerivedKey& key, bool turns);
 

@@ -19,9 +19,12 @@
 
 namespace glark::core {
 
+struct AssemblyStage;
+
 struct DrawPlan {
   Program* program = nullptr;                     // its vertex stage is refined
   Program* owner = nullptr;                       // the derived program follows its uniforms; null: fixed function
+  const AssemblyStage* assembly = nullptr;        // set if `program` is a translated assembly program
   const PipelineObject* pipeline = nullptr;       // the application's, if its stages are separate programs
   std::shared_ptr<DerivedProgram> derived;        // shared: another context may discard it during the draw
   Refinement wanted = Refinement::linear_inputs;  // of the user, of a rule, or of the application

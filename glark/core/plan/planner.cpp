@@ -110,7 +110,9 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
 
 std::optional<Cause> Planner::find_program(DrawPlan& plan) {
   Program* const current = env_.state.programs().current().get();
-  const ProgramChoice choice = choose_program(env_.bindings(), current, env_.capabilities.is_compatibility());
+  const ProgramChoice choice = choose_program(
+      env_.bindings(), current,
+      {.is_compatibility = env_.capabilities.is_compatibility(), .transparent = env_.options.transparent});
   if (choice.cause) {
     return choice.cause;
   }
@@ -118,7 +120,15 @@ std::optional<Cause> Planner::find_program(DrawPlan& plan) {
     return find_pipeline_programs(plan);
   }
   plan.owner = current;
-  plan.program = choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
+  if (choice.stage == VertexStage::assembly) {
+    plan.assembly = &parts_.programs.assembly().find(current);
+    plan.program = plan.assembly->program.get();
+  } else {
+    plan.program = choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
+  }
+  if (plan.program == nullptr) {
+    return Cause::assembly_program;
+  }
   parts_.programs.derived().prepare(*plan.program);
   ++plan.program->counters->draws_seen;
   return plan.program->cause;
@@ -285,7 +295,9 @@ void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangle
     return;
   }
   plan.weld.edges_later = plan.polygons.has_value();
-  bool fits = parts_.weld.can_hold(plan.derived->layout, triangles);
+  plan.weld.crease = crease_of(env_.options);
+  const auto can_hold = [&] { return parts_.weld.can_hold(plan.weld, plan.derived->layout, triangles); };
+  bool fits = can_hold();
   const auto has_no_place = [&] { return !fits || (plan.derived->stored() && plan.pipeline != nullptr); };
   if (plan.derived->layout.displaced() && has_no_place()) {
     key.border = false;
@@ -293,7 +305,7 @@ void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangle
     if (plan.derived == nullptr) {
       return;
     }
-    fits = parts_.weld.can_hold(plan.derived->layout, triangles);
+    fits = can_hold();
   }
   if (plan.derived->layout.joins_edges() && has_no_place()) {
     key.welded = false;

@@ -4,7 +4,7 @@
 
 namespace glark::core {
 
-ProgramChoice choose_program(const Bindings& bindings, const Program* current, bool is_compatibility) {
+ProgramChoice choose_program(const Bindings& bindings, const Program* current, const ChoiceConditions& conditions) {
   const Bindings& b = bindings;
   if (b.program != 0 && current == nullptr) {
     return {Cause::no_program};
@@ -18,11 +18,13 @@ ProgramChoice choose_program(const Bindings& bindings, const Program* current, b
   if (current != nullptr && (current->stages.empty() || current->has_stage(GL_VERTEX_SHADER))) {
     return {std::nullopt, VertexStage::program};
   }
-  if (!is_compatibility) {
+  if (!conditions.is_compatibility) {
     return {Cause::no_program};
   }
   if (b.vertex_program) {
-    return {Cause::assembly_program};
+    // The extension's text: a program that uses the extension gets such draws unrefined.
+    return conditions.transparent ? ProgramChoice{std::nullopt, VertexStage::assembly}
+                                  : ProgramChoice{Cause::assembly_program};
   }
   return {std::nullopt, VertexStage::fixed_function};
 }

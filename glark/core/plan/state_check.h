@@ -21,8 +21,7 @@ struct DrawConditions {
   bool plans_feedback = false;    // nothing is drawn yet: glBeginTransformFeedback asks for the program
 };
 
-// Returns the cause why the state of the context forbids refinement, if there is one. It does not look at the program.
-// No GL.
+// Returns why the state forbids refinement, or nothing if it allows it. No GL.
 std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& conditions);
 
 }  // namespace glark::core

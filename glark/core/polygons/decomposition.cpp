@@ -21,8 +21,7 @@ QuadCorners quad_corners(GLenum mode, std::size_t quad, std::span<const float> n
   return result;
 }
 
-// Returns the vertex of the quad that is not in the triangle; -1 if the triangle does not run around the boundary as
-// the quad does.
+// Returns the vertex of the quad that is not in the triangle; -1 if the triangle and the quad differ in orientation.
 int vertex_left_out(const int* triangle) {
   for (int out = 0; out < 4; ++out) {
     for (int first = 0; first < 3; ++first) {

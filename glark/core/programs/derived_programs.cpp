@@ -65,6 +65,13 @@ std::shared_ptr<Program> DerivedPrograms::fixed_function(const refine::FixedFunc
   return builder_.fixed_function(state, fragment);
 }
 
+std::shared_ptr<Program> DerivedPrograms::assembly(const std::string& source, const Program* fragment) const {
+  ErrorScope errors(env_.errors);
+  std::shared_ptr<Program> program = builder_.generated(source, "the GLSL of an assembly program", fragment);
+  program->assembly = true;
+  return program->name != 0 ? program : nullptr;
+}
+
 void DerivedPrograms::copy_stale_uniforms(Program& owner) const {
   const std::lock_guard lock(owner.mutex);
   if (!owner.uniforms_stale) {
@@ -80,6 +87,20 @@ void DerivedPrograms::copy_stale_uniforms(Program& owner) const {
 void DerivedPrograms::discard(Program& program) {
   env_.share.program_epoch.fetch_add(1, std::memory_order_relaxed);
   builder_.discard(program);
+}
+
+// Another context may still use the fragment program. Its uniforms must no longer be mirrored to deleted derived
+// programs.
+void DerivedPrograms::remove_generated(GLuint fragment, Program& program) {
+  if (const std::shared_ptr<Program> owner = env_.state.programs().find(fragment)) {
+    const std::lock_guard lock(owner->mutex);
+    std::erase_if(owner->mirrors, [&](const UniformMirror& mirror) {
+      return std::any_of(program.derived.begin(), program.derived.end(),
+                         [&](const auto& entry) { return entry.second.get() == mirror.derived; });
+    });
+  }
+  builder_.discard(program);
+  env_.gl.DeleteProgram(program.name);
 }
 
 }  // namespace glark::core

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "glark/core/capture/capture.h"
 #include "glark/core/refine/program/program_builder.h"
@@ -24,12 +25,14 @@ class DerivedPrograms {
   std::shared_ptr<DerivedProgram> find(Program& program, Program* owner, const DerivedKey& key) const;
   // A program that holds the generated vertex stage of `state` beside the fragment stages of `fragment` (may be null).
   std::shared_ptr<Program> fixed_function(const refine::FixedFunctionState& state, const Program* fragment) const;
+  // The same with the GLSL of an assembly program. Null: GL refuses it.
+  std::shared_ptr<Program> assembly(const std::string& source, const Program* fragment) const;
   // Takes over the uniform values of the owner that a display list has set.
   void copy_stale_uniforms(Program& owner) const;
   // Drops the programs derived from this program.
   void discard(Program& program);
-  // Does the same without a notice to those that refer to programs by name.
-  void discard_quietly(Program& program) { builder_.discard(program); }
+  // Deletes a program of ours that was made with the fragment stages of the application's program `fragment`.
+  void remove_generated(GLuint fragment, Program& program);
 
  private:
   const Environment& env_;

@@ -11,6 +11,7 @@ DrawPrograms::DrawPrograms(const Environment& environment, capture::CaptureStage
     : env_(environment),
       derived_(environment, stage),
       fixed_function_(environment, derived_),
+      assembly_(environment, derived_, fixed_function_),
       capture_(environment, stage),
       in_use_(environment) {}
 
@@ -24,10 +25,12 @@ Program* DrawPrograms::named(GLuint name) {
 void DrawPrograms::changed(Program& program, GLuint name) {
   derived_.discard(program);
   fixed_function_.forget_fragment(name);
+  assembly_.forget_fragment(name);
 }
 
 void DrawPrograms::tag_attribute_changed() {
   fixed_function_.discard_derived();
+  assembly_.discard_derived();
   std::vector<std::shared_ptr<Program>> programs;
   {
     const std::lock_guard lock(env_.share.mutex);
@@ -42,6 +45,7 @@ void DrawPrograms::tag_attribute_changed() {
 
 void DrawPrograms::release() {
   fixed_function_.release();
+  assembly_.release();
   capture_.clear();
 }
 

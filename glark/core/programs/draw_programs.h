@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "glark/core/programs/assembly_stages.h"
 #include "glark/core/programs/capture_programs.h"
 #include "glark/core/programs/derived_programs.h"
 #include "glark/core/programs/fixed_function_programs.h"
@@ -20,6 +21,8 @@ class DrawPrograms {
   DerivedPrograms& derived() { return derived_; }
   FixedFunctionPrograms& fixed_function() { return fixed_function_; }
   const FixedFunctionPrograms& fixed_function() const { return fixed_function_; }
+  AssemblyStages& assembly() { return assembly_; }
+  const AssemblyStages& assembly() const { return assembly_; }
   CapturePrograms& capture() { return capture_; }
   const ProgramSwitch& in_use() const { return in_use_; }
 
@@ -35,6 +38,7 @@ class DrawPrograms {
   const Environment& env_;
   DerivedPrograms derived_;
   FixedFunctionPrograms fixed_function_;
+  AssemblyStages assembly_;
   CapturePrograms capture_;
   ProgramSwitch in_use_;
 };

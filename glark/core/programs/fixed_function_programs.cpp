@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/programs/fixed_function_programs.h"
 
-#include <algorithm>
-
 namespace glark::core {
 
 refine::FragmentReads FixedFunctionPrograms::fragment_reads(const Program* fragment) const {
@@ -18,20 +16,27 @@ refine::FragmentReads FixedFunctionPrograms::fragment_reads(const Program* fragm
     gl.GetProgramivARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_LENGTH_ARB, &length);
     text.resize(static_cast<std::size_t>(length));
     gl.GetProgramStringARB(GL_FRAGMENT_PROGRAM_ARB, GL_PROGRAM_STRING_ARB, text.data());
+  } else if (env_.capabilities.ati_fragment_shader && gl.IsEnabled(GL_FRAGMENT_SHADER_ATI) != GL_FALSE) {
+    return {.own_fragment_stage = true, .texture_units = ~0U};  // GL does not say which ones it reads
   } else {
     return {};
   }
   return refine::fragment_reads(text);
 }
 
-Program* FixedFunctionPrograms::find(Program* fragment) {
+const refine::FixedFunctionState& FixedFunctionPrograms::read_state(const Program* fragment) {
   const GLuint fragment_name = fragment != nullptr ? fragment->name : 0;
   if (env_.state.fixed_function().stale() || fragment_ != fragment_name) {
     env_.state.fixed_function().mark_read();
     fragment_ = fragment_name;
     state_ = refine::read_fixed_function_state(env_.gl, fragment_reads(fragment), env_.capabilities.fog_distance);
   }
-  std::shared_ptr<Program>& slot = programs_[{state_, fragment_name}];
+  return state_;
+}
+
+Program* FixedFunctionPrograms::find(Program* fragment) {
+  read_state(fragment);
+  std::shared_ptr<Program>& slot = programs_[{state_, fragment_}];
   if (slot == nullptr) {
     slot = derived_.fixed_function(state_, fragment);
     slot->refinement_source = refinement_source_;
@@ -53,24 +58,10 @@ void FixedFunctionPrograms::discard_derived() {
   }
 }
 
-// Another context may still use the fragment program. Its uniforms must no longer be mirrored to deleted derived
-// programs.
-void FixedFunctionPrograms::remove(GLuint fragment, Program& program) {
-  if (const std::shared_ptr<Program> owner = env_.state.programs().find(fragment)) {
-    const std::lock_guard lock(owner->mutex);
-    std::erase_if(owner->mirrors, [&](const UniformMirror& mirror) {
-      return std::any_of(program.derived.begin(), program.derived.end(),
-                         [&](const auto& entry) { return entry.second.get() == mirror.derived; });
-    });
-  }
-  derived_.discard_quietly(program);
-  env_.gl.DeleteProgram(program.name);
-}
-
 void FixedFunctionPrograms::forget_fragment(GLuint name) {
   for (auto entry = programs_.begin(); entry != programs_.end();) {
     if (entry->first.second == name && name != 0) {
-      remove(name, *entry->second);
+      derived_.remove_generated(name, *entry->second);
       entry = programs_.erase(entry);
     } else {
       ++entry;
@@ -80,7 +71,7 @@ void FixedFunctionPrograms::forget_fragment(GLuint name) {
 
 void FixedFunctionPrograms::release() {
   for (auto& [key, program] : programs_) {
-    remove(key.second, *program);
+    derived_.remove_generated(key.second, *program);
   }
   programs_.clear();
 }

@@ -22,7 +22,9 @@ class FixedFunctionPrograms {
 
   // The program for the current state. `fragment` is the application's program with only fragment stages, or null.
   Program* find(Program* fragment);
-  // The state that find() has last read.
+  // Reads the current state, if it may have changed.
+  const refine::FixedFunctionState& read_state(const Program* fragment);
+  // The state that was last read.
   const refine::FixedFunctionState& state() const { return state_; }
 
   // The application's refinement shader for the fixed-function stage.
@@ -35,7 +37,6 @@ class FixedFunctionPrograms {
 
  private:
   refine::FragmentReads fragment_reads(const Program* fragment) const;
-  void remove(GLuint fragment, Program& program);
 
   const Environment& env_;
   DerivedPrograms& derived_;

@@ -160,7 +160,8 @@ class Deriver {
     return names;
   }
 
-  // Outputs that vary linearly do not move. Outputs that cannot be saved keep their own values.
+  // Geomorphing leaves outputs that vary linearly as they are, because it would not change them. It also leaves
+  // outputs that cannot be saved.
   void plan_morphing() {
     plan_.morphing = request_.morphing;
     if (!plan_.morphing || plan_.interpolates_outputs()) return;

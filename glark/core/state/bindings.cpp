@@ -70,12 +70,29 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
   set_polygon_modes(b, b.front_polygon_mode, b.back_polygon_mode);
 }
 
+// Returns whether the first draw buffer has floating-point colours.
+bool draws_floats(const gl::Dispatch& gl) {
+  const auto buffer = static_cast<GLenum>(get(gl, GL_DRAW_BUFFER));
+  if (get(gl, GL_DRAW_FRAMEBUFFER_BINDING) == 0 || buffer == GL_NONE) {
+    return false;
+  }
+  const auto attachment = [&](GLenum name) {
+    GLint value = GL_NONE;
+    gl.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, buffer, name, &value);
+    return value;
+  };
+  return attachment(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE &&
+         attachment(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+}
+
 void read_compatibility_modes(const gl::Dispatch& gl, Bindings& b) {
   b.vertex_program = gl.IsEnabled(GL_VERTEX_PROGRAM_ARB) != GL_FALSE;
   b.two_side = gl.IsEnabled(GL_VERTEX_PROGRAM_TWO_SIDE) != GL_FALSE;
   b.matrix_mode = static_cast<GLenum>(get(gl, GL_MATRIX_MODE));
   b.shade_model = static_cast<GLenum>(get(gl, GL_SHADE_MODEL));
-  b.clamp_vertex_color = get(gl, GL_CLAMP_VERTEX_COLOR) != GL_FALSE;
+  const GLint clamp = get(gl, GL_CLAMP_VERTEX_COLOR);
+  b.clamps_by_framebuffer = clamp == GL_FIXED_ONLY;
+  b.clamp_vertex_color = clamp != GL_FALSE && !(b.clamps_by_framebuffer && draws_floats(gl));
   b.render_mode = static_cast<GLenum>(get(gl, GL_RENDER_MODE));
   b.list_base = get_name(gl, GL_LIST_BASE);
 }

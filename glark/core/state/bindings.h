@@ -52,7 +52,8 @@ struct Bindings {
   bool cull_face = false;
   GLenum culled_face = GL_BACK;  // glCullFace
   GLenum shade_model = GL_SMOOTH;
-  bool clamp_vertex_color = true;  // compatibility only
+  bool clamp_vertex_color = true;      // compatibility only
+  bool clamps_by_framebuffer = false;  // GL_FIXED_ONLY: not if the framebuffer has floating-point colours
   GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
   GLenum render_mode = GL_RENDER;
   std::array<float, 2> viewport{};  // width and height

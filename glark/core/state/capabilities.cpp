@@ -98,6 +98,7 @@ Capabilities read_capabilities(const gl::Dispatch& gl) {
       !es || (has_extension("GL_EXT_multi_draw_indirect") && has_extension("GL_EXT_base_instance"));
   capabilities.parameter_buffer = !es && (capabilities.version >= 46 || has_extension("GL_ARB_indirect_parameters"));
   capabilities.fog_distance = has_extension("GL_NV_fog_distance");
+  capabilities.ati_fragment_shader = has_extension("GL_ATI_fragment_shader");
   read_limits(gl, capabilities);
   return capabilities;
 }

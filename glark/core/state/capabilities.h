@@ -30,6 +30,7 @@ struct Capabilities {
   std::vector<std::string> extensions;
   std::string extension_string;  // what glGetString(GL_EXTENSIONS) returns to the application; empty in core contexts
   bool fog_distance = false;     // GL_NV_fog_distance
+  bool ati_fragment_shader = false;
   GLint max_vertex_attributes = 16;
   GLint max_vertex_attribute_stride = 0;  // 0: there is no limit
   GLint max_texture_units = 0;

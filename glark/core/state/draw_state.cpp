@@ -6,7 +6,7 @@ namespace glark::core {
 
 DrawState read_draw_state(const Environment& environment, const Program* program) {
   const Bindings& b = environment.bindings();
-  const bool color = environment.state.framebuffers().bound_has_color(environment.gl, environment.errors);
+  const bool color = environment.state.framebuffers().bound_has_colors(environment.gl, environment.errors);
   DrawState state;
   state.program = program != nullptr ? program->hash : 0;
   state.fixed_function = program != nullptr && program->fixed_function;

@@ -5,41 +5,35 @@
 namespace glark::core {
 namespace {
 
-constexpr GLenum draw_buffers = 8;  // the minimum of GL_MAX_DRAW_BUFFERS
-
-bool has_attachment(const gl::Dispatch& gl, GLenum attachment) {
+// The type of an attachment of the bound framebuffer; GL_NONE: there is none.
+GLint attachment_type(const gl::Dispatch& gl, GLenum attachment) {
   GLint type = GL_NONE;
   gl.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-  return type != GL_NONE;
+  return type;
 }
 
-bool has_color(const gl::Dispatch& gl, GLint framebuffer) {
-  for (GLenum i = 0; i < draw_buffers; ++i) {
-    GLint buffer = GL_NONE;
-    gl.GetIntegerv(GL_DRAW_BUFFER0 + i, &buffer);
-    if (buffer != GL_NONE && (framebuffer == 0 || has_attachment(gl, static_cast<GLenum>(buffer)))) {
-      return true;
-    }
-  }
-  return false;
+// Draw buffer 0 stands for all of them. Window systems' framebuffers have colours.
+bool draws_colors(const gl::Dispatch& gl, GLint framebuffer) {
+  GLint buffer = GL_NONE;
+  gl.GetIntegerv(GL_DRAW_BUFFER0, &buffer);
+  return buffer != GL_NONE && (framebuffer == 0 || attachment_type(gl, static_cast<GLenum>(buffer)) != GL_NONE);
 }
 
 }  // namespace
 
 void Framebuffers::look_up(const gl::Dispatch& gl, PendingError& errors) {
   if (const auto found = answers_.find(bound_); found != answers_.end()) {
-    answer_ = found->second;
+    answer_ = &found->second;
     return;
   }
   ErrorScope scope(errors);
   GLint bound = 0;
   gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  const bool depth = has_attachment(gl, bound == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT);
-  const bool color = has_color(gl, bound);
-  const bool answered = scope.take() == GL_NO_ERROR;
+  const bool depth = attachment_type(gl, bound == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT) != GL_NONE;
+  const bool colors = draws_colors(gl, bound);
+  const bool unknown = scope.take() != GL_NO_ERROR;
   bound_ = static_cast<GLuint>(bound);
-  answer_ = {true, depth || !answered, color || !answered};
-  answers_[bound_] = answer_;
+  answer_ = &(answers_[bound_] = {depth || unknown, colors || unknown});
 }
 
 }  // namespace glark::core

@@ -10,7 +10,8 @@ GlState::GlState(const gl::Dispatch& gl, const Capabilities& capabilities, Share
       capabilities_(capabilities),
       stamps_(share.contexts_made),
       arrays_({gl, capabilities, bindings_, immediate_, share.buffers, stamps_}),
-      programs_(gl, capabilities, share, pending, watcher) {
+      programs_(gl, capabilities, share, pending, watcher),
+      assembly_(gl, share) {
   forget_current_values();
 }
 
@@ -34,6 +35,7 @@ void GlState::read() {
   arrays_.vertex_arrays().bind(bindings_.vertex_array);
   if (capabilities_.is_compatibility()) {
     fixed_function_.matrices().touch_all();
+    assembly_.forget();
     lists_.note_state_change();
   }
   if (programs_.current() == nullptr ? bindings_.program != 0 : programs_.current()->name != bindings_.program) {

@@ -9,6 +9,7 @@
 #include "glark/core/objects/quiet.h"
 #include "glark/core/state/arrays/array_state.h"
 #include "glark/core/state/arrays/current_values.h"
+#include "glark/core/state/assembly/assembly_state.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/fixed_function_changes.h"
@@ -52,9 +53,19 @@ class GlState {
   const CurrentValues& current_values() const { return current_values_; }
   // Something may have changed all current values.
   void forget_current_values() { current_values_.forget(stamps_.next()); }
+  // Another framebuffer is bound, or attachments of framebuffers have changed.
+  void framebuffer_bound(GLuint framebuffer) {
+    framebuffers_.bind(framebuffer);
+    bindings_stale_ |= bindings_.clamps_by_framebuffer;
+  }
+  void attachments_changed() {
+    framebuffers_.forget_attachments();
+    bindings_stale_ |= bindings_.clamps_by_framebuffer;
+  }
   Framebuffers& framebuffers() { return framebuffers_; }
   FixedFunctionChanges& fixed_function() { return fixed_function_; }
   Programs& programs() { return programs_; }
+  AssemblyState& assembly() { return assembly_; }
   const Programs& programs() const { return programs_; }
 
   // Calls that a display list may take instead of the context.
@@ -79,6 +90,7 @@ class GlState {
   Framebuffers framebuffers_;
   FixedFunctionChanges fixed_function_;
   Programs programs_;
+  AssemblyState assembly_;
   ListCompilation lists_;
   QuerySurplus query_surplus_;
 };

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "glark/core/state/arrays/buffer_stamps.h"
+#include "glark/core/state/assembly/assembly_program.h"
 #include "glark/core/state/lists/display_list.h"
 #include "glark/core/state/programs/program.h"
 #include "glark/core/state/programs/program_binaries.h"
@@ -28,6 +29,7 @@ struct ShareGroup {
   std::unordered_map<GLuint, std::shared_ptr<Program>> programs;
   std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
   ProgramBinaries binaries;
+  AssemblyPrograms assembly;
   std::vector<Programs*> contexts;     // one for each context that lives
   GLuint next_list_name = 0x60000000;  // for our list segments: far from the names that applications use
   BufferStamps buffers;

@@ -23,6 +23,12 @@ void Submission::begin(const core::DrawPlan& plan, bool indirect) const {
   if (plan.owner != nullptr) {
     parts_.programs.derived().copy_stale_uniforms(*plan.owner);
   }
+  if (plan.assembly != nullptr) {
+    parts_.programs.assembly().upload(*plan.assembly, *plan.derived);
+    if (plan.corners != nullptr) {
+      parts_.programs.assembly().upload(*plan.assembly, *plan.corners);
+    }
+  }
   if (b.primitive_restart) {
     env_.gl.Disable(GL_PRIMITIVE_RESTART);  // must not apply to our own index buffers, nor to those of the passes
   }

@@ -9,7 +9,7 @@ namespace {
 
 void follow_framebuffer(Context& c, GLenum target, GLuint framebuffer) {
   if (target == GL_FRAMEBUFFER || target == GL_DRAW_FRAMEBUFFER) {
-    c.state().framebuffers().bind(framebuffer);
+    c.state().framebuffer_bound(framebuffer);
   }
 }
 

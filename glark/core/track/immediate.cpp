@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks of glBegin and glEnd. The vertices go straight to GL; they are only counted.
+#include "glark/core/plan/program_choice.h"
 #include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
 
@@ -26,10 +27,27 @@ void begin_capture(Context& c, GLenum mode) {
   c.state().immediate().capture(room > 0 ? fitting : 0);
 }
 
+// Returns whether vertices of different materials look different.
+bool materials_count(Context& c) {
+  c.state().refresh();
+  return track::replaces_fixed_function(c) && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE;
+}
+
 void end_capture(Context& c) {
   const ImmediateMode& immediate = c.state().immediate();
   c.stages()->draw().end_immediate(immediate.triangles_before() + triangles_of(immediate.mode(), immediate.vertices()));
   c.update_refining();
+}
+
+// The material is the same for all vertices of a refined draw: those so far are drawn before it changes.
+void restart_capture(Context& c, const DeferredMaterial& change) {
+  ImmediateMode& immediate = c.state().immediate();
+  c.gl().End();
+  end_capture(c);
+  change.call(c.gl(), change);
+  immediate.restart_counts();
+  begin_capture(c, immediate.mode());
+  c.gl().Begin(immediate.mode());
 }
 
 }  // namespace
@@ -45,6 +63,46 @@ void immediate_full(Context& c) {
   c.gl().Begin(immediate.mode());
 }
 
+void primitive_ended(Context& c) {
+  ImmediateMode& immediate = c.state().immediate();
+  if (immediate.end()) {
+    end_capture(c);
+  }
+  for (const DeferredMaterial& late : immediate.take_materials()) {
+    late.call(c.gl(), late);
+  }
+}
+
+void change_material(Context& c, const DeferredMaterial& change) {
+  ListCompilation& lists = c.state().lists();
+  ImmediateMode& immediate = c.state().immediate();
+  c.changes().forget_in_list();
+  if (lists.compiling()) {
+    lists.note_material(immediate.before_vertices());
+  } else if (immediate.capturing()) {
+    if (!replaces_fixed_function(c)) {
+      immediate.defer(change);
+      return;
+    }
+    const std::uint64_t step = vertices_of_primitive(immediate.mode());
+    const bool between_primitives =
+        immediate.vertices() == 0 || (step > 0 && immediate.vertices() % step == 0 && !immediate.restarted());
+    if (between_primitives) {
+      restart_capture(c, change);
+      return;
+    }
+    immediate.note_materials();
+  }
+  change.call(c.gl(), change);
+}
+
+bool replaces_fixed_function(Context& c) {
+  const ProgramChoice choice =
+      choose_program(c.state().bindings(), c.state().programs().current().get(),
+                     {.is_compatibility = c.capabilities().is_compatibility(), .transparent = c.options().transparent});
+  return choice.stage == VertexStage::fixed_function;
+}
+
 }  // namespace track
 
 namespace hook {
@@ -55,13 +113,19 @@ void Begin(Context& c, GLenum mode) {
     c.state().lists().add_loose_vertices(immediate.vertices());
     immediate.restart_counts();
     if (!track::list_begin(c, mode)) {
+      c.state().lists().note_begin();
       c.gl().Begin(mode);
     }
     return;
   }
   immediate.restart_counts();
   if (immediate.begin(mode) && c.refining()) {
-    begin_capture(c, mode);
+    const bool joined = is_triangle_mode(mode) && vertices_of_primitive(mode) == 0;
+    if (joined && immediate.materials_vary() && materials_count(c)) {
+      track::leave(c, {.mode = mode, .issue = [] {}}, Cause::materials_vary);
+    } else {
+      begin_capture(c, mode);
+    }
   }
   c.gl().Begin(mode);
 }
@@ -70,15 +134,14 @@ void End(Context& c) {
   ImmediateMode& immediate = c.state().immediate();
   if (c.state().lists().compiling()) {
     if (!track::list_end(c)) {
+      c.state().lists().note_end();
       c.gl().End();
     }
     immediate.restart_counts();
     return;
   }
   c.gl().End();
-  if (immediate.end()) {
-    end_capture(c);
-  }
+  track::primitive_ended(c);
 }
 
 // Ends the primitive of the open glBegin and begins one of the same mode.

@@ -4,6 +4,7 @@
 // Hooks of the indirect draws. They read the counts back: these are the only draws for which the CPU waits for the GPU.
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "glark/core/track/track.h"
@@ -13,50 +14,27 @@ namespace {
 
 constexpr GLsizei arrays_command_bytes = 16;
 constexpr GLsizei elements_command_bytes = 20;
+constexpr std::size_t most_kept_words = 320;  // of the key of a kept draw
 
-// The first two words of every command: vertices (or indices) and instances.
-struct Counts {
-  std::uint32_t vertices = 0;
-  std::uint32_t instances = 0;
+// The words of the commands of one call. The first two of each command: vertices (or indices) and instances.
+struct Commands {
+  std::size_t words_each = 0;
+  std::vector<std::uint32_t> words;
 };
 
-bool read_counts(Context& c, GLintptr offset, Counts& counts) {
+bool read_command(Context& c, GLintptr offset, std::span<std::uint32_t> words) {
   if (c.capabilities().api != Capabilities::Api::es) {
-    c.gl().GetBufferSubData(GL_DRAW_INDIRECT_BUFFER, offset, sizeof counts, &counts);
+    c.gl().GetBufferSubData(GL_DRAW_INDIRECT_BUFFER, offset, static_cast<GLsizeiptr>(words.size_bytes()), words.data());
     return true;
   }
-  const void* mapped = c.gl().MapBufferRange(GL_DRAW_INDIRECT_BUFFER, offset, sizeof counts, GL_MAP_READ_BIT);
+  const void* mapped = c.gl().MapBufferRange(GL_DRAW_INDIRECT_BUFFER, offset,
+                                             static_cast<GLsizeiptr>(words.size_bytes()), GL_MAP_READ_BIT);
   if (mapped == nullptr) {
     return false;
   }
-  std::memcpy(&counts, mapped, sizeof counts);
+  std::memcpy(words.data(), mapped, words.size_bytes());
   c.gl().UnmapBuffer(GL_DRAW_INDIRECT_BUFFER);
   return true;
-}
-
-std::vector<Counts> read_commands(Context& c, const void* indirect, GLsizei draws, GLsizei stride) {
-  c.state().refresh();
-  std::vector<Counts> result(static_cast<std::size_t>(std::max(draws, 0)));
-  if (c.state().bindings().draw_indirect_buffer == 0) {
-    if (!c.capabilities().is_compatibility() || indirect == nullptr) {
-      return {};
-    }
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      std::memcpy(&result[i], static_cast<const char*>(indirect) + i * static_cast<std::size_t>(stride),
-                  sizeof(Counts));
-    }
-    return result;
-  }
-  GLint size = 0;
-  c.gl().GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_SIZE, &size);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const GLintptr offset = reinterpret_cast<GLintptr>(indirect) + static_cast<GLintptr>(i) * stride;
-    if (offset < 0 || offset % 4 != 0 || offset + static_cast<GLintptr>(sizeof(Counts)) > size ||
-        !read_counts(c, offset, result[i])) {
-      return {};
-    }
-  }
-  return result;
 }
 
 struct IndirectDraw {
@@ -66,38 +44,73 @@ struct IndirectDraw {
   GLsizei stride = 0;  // 0: tightly packed
   GLsizei command_bytes;
   bool exact;
+  GLenum index_type = 0;
 };
+
+// No words: GL will refuse the call, or the commands cannot be read.
+Commands read_commands(Context& c, const IndirectDraw& call) {
+  c.state().refresh();
+  Commands commands{.words_each = static_cast<std::size_t>(call.command_bytes) / 4, .words = {}};
+  const auto draws = static_cast<std::size_t>(call.draws);
+  const GLintptr stride = call.stride != 0 ? call.stride : call.command_bytes;
+  const bool in_memory = c.state().bindings().draw_indirect_buffer == 0;
+  if (in_memory && (!c.capabilities().is_compatibility() || call.indirect == nullptr)) {
+    return commands;
+  }
+  GLint size = 0;
+  if (!in_memory) {
+    c.gl().GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_SIZE, &size);
+  }
+  commands.words.resize(draws * commands.words_each);
+  for (std::size_t i = 0; i < draws; ++i) {
+    const std::span<std::uint32_t> words(&commands.words[i * commands.words_each], commands.words_each);
+    const GLintptr offset = reinterpret_cast<GLintptr>(call.indirect) + static_cast<GLintptr>(i) * stride;
+    if (in_memory) {
+      std::memcpy(words.data(), reinterpret_cast<const void*>(offset), words.size_bytes());
+    } else if (offset < 0 || offset % 4 != 0 || offset + static_cast<GLintptr>(words.size_bytes()) > size ||
+               !read_command(c, offset, words)) {
+      commands.words.clear();
+      return commands;
+    }
+  }
+  return commands;
+}
 
 void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
   if (call.draws < 0 || call.stride % 4 != 0 || !is_triangle_mode(call.mode)) {
     track::draw(c, {.mode = GL_POINTS, .issue = issue});
     return;
   }
-  const std::vector<Counts> commands =
-      read_commands(c, call.indirect, call.draws, call.stride != 0 ? call.stride : call.command_bytes);
+  const Commands commands = read_commands(c, call);
   std::uint64_t triangles = 0;
   std::uint64_t primitives = 0;
   PolygonSides sides;
-  for (const Counts& command : commands) {
-    triangles += triangles_of(call.mode, command.vertices) * command.instances;
-    primitives += command.instances;
-    if (call.mode == GL_POLYGON && splits_polygons(c.options(), c.ark()) && command.vertices >= 3) {
-      sides.insert(sides.end(), command.instances, command.vertices);
+  for (std::size_t i = 0; i < commands.words.size(); i += commands.words_each) {
+    const std::uint32_t vertices = commands.words[i];
+    const std::uint32_t instances = commands.words[i + 1];
+    triangles += triangles_of(call.mode, vertices) * instances;
+    primitives += instances;
+    if (call.mode == GL_POLYGON && splits_polygons(c.options(), c.ark()) && vertices >= 3) {
+      sides.insert(sides.end(), instances, vertices);
     }
   }
-  if (commands.empty()) {
+  if (commands.words.empty()) {
     track::leave(c, {.mode = call.mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
     return;
   }
   c.state().refresh();
   const bool restarts = c.state().bindings().primitive_restart || c.state().bindings().primitive_restart_fixed;
   const bool may_restart = restarts && call.command_bytes != arrays_command_bytes;
+  const ArrayDraw arrays{.mode = call.mode, .index_type = call.index_type};
+  const bool keeps = call.exact && commands.words.size() <= most_kept_words;
   track::draw(c, {.mode = call.mode,
                   .triangles = triangles,
                   .exact = call.exact && !may_restart,
                   .whole_polygons = tells_polygons_apart(call.mode, primitives),
                   .polygon_sides = may_restart || sides.empty() ? nullptr : &sides,
                   .from_arrays = true,
+                  .arrays = keeps ? &arrays : nullptr,
+                  .commands = commands.words,
                   .issue = issue});
 }
 
@@ -111,8 +124,10 @@ void DrawArraysIndirect(Context& c, GLenum mode, const void* indirect) {
 }
 
 void DrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect) {
-  draw_indirect(c, {.mode = mode, .indirect = indirect, .command_bytes = elements_command_bytes, .exact = true},
-                [&] { c.gl().DrawElementsIndirect(mode, type, indirect); });
+  draw_indirect(
+      c,
+      {.mode = mode, .indirect = indirect, .command_bytes = elements_command_bytes, .exact = true, .index_type = type},
+      [&] { c.gl().DrawElementsIndirect(mode, type, indirect); });
 }
 
 void MultiDrawArraysIndirect(Context& c, GLenum mode, const void* indirect, GLsizei draws, GLsizei stride) {
@@ -134,7 +149,8 @@ void MultiDrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void*
                  .draws = draws,
                  .stride = stride,
                  .command_bytes = elements_command_bytes,
-                 .exact = true},
+                 .exact = true,
+                 .index_type = type},
                 [&] { c.gl().MultiDrawElementsIndirect(mode, type, indirect, draws, stride); });
 }
 

@@ -16,6 +16,22 @@ void leave_program(Context& c) {
   }
 }
 
+// Updates the state when another program or program pipeline is bound. Returns false while a display list is compiled
+// without execution: then nothing is bound.
+bool follow_change(Context& c) {
+  leave_program(c);
+  if (!track::executes(c)) {
+    return false;
+  }
+  c.state().programs().forget_subroutines();
+  c.state().programs().refresh_mirroring();
+  if (c.state().bindings().transform_feedback_active && c.state().bindings_stale()) {
+    // Feedback may have ended. Then GL accepts the program, and later uniform calls set its values.
+    c.state().refresh();
+  }
+  return true;
+}
+
 // Returns false if GL may have refused the program.
 bool use_known(Context& c, GLuint program) {
   if (c.state().bindings().transform_feedback_active) {
@@ -32,15 +48,8 @@ namespace hook {
 
 void UseProgram(Context& c, GLuint program) {
   c.gl().UseProgram(program);
-  leave_program(c);
-  if (!track::executes(c)) {
+  if (!follow_change(c)) {
     return;
-  }
-  c.state().programs().forget_subroutines();
-  c.state().programs().refresh_mirroring();
-  if (c.state().bindings().transform_feedback_active && c.state().bindings_stale()) {
-    // Feedback may have ended. Then GL accepts the program, and later uniform calls set its values.
-    c.state().refresh();
   }
   if (program != 0 && !use_known(c, program)) {
     c.state().forget_bindings();  // GL may have refused
@@ -62,14 +71,8 @@ void UniformSubroutinesuiv(Context& c, GLenum type, GLsizei count, const GLuint*
 
 void BindProgramPipeline(Context& c, GLuint pipeline) {
   c.gl().BindProgramPipeline(pipeline);
-  leave_program(c);
-  if (!track::executes(c)) {
+  if (!follow_change(c)) {
     return;
-  }
-  c.state().programs().forget_subroutines();
-  c.state().programs().refresh_mirroring();
-  if (c.state().bindings().transform_feedback_active && c.state().bindings_stale()) {
-    c.state().refresh();
   }
   if (pipeline != 0 &&
       (c.state().bindings().transform_feedback_active || c.gl().IsProgramPipeline(pipeline) == GL_FALSE)) {

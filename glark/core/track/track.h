@@ -20,6 +20,13 @@ void refine(Context& context, const DrawCall& call);
 void leave(Context& context, const DrawCall& call, Cause cause);
 void hand_back_feedback(Context& context);
 
+// GL has executed a glEnd.
+void primitive_ended(Context& context);
+// glMaterial, perhaps between glBegin and glEnd.
+void change_material(Context& context, const DeferredMaterial& change);
+// Refined draws replace the fixed-function vertex stage, not a program.
+bool replaces_fixed_function(Context& context);
+
 // Returns false while a display list is compiled and not executed: the call then changes no state. Hooks of calls that
 // change the state of refined draws must ask this.
 inline bool executes(Context& context) {

@@ -32,8 +32,8 @@ std::vector<GLint> instance_words(const core::Environment& environment, const ca
 
 }  // namespace
 
-bool DrawWeld::run(const WeldPlan& plan, WeldRequest request, const core::GpuBuffer& captured_count) {
-  if (!plan.on || !(request.edges || request.tags)) {
+bool DrawWeld::run(WeldRequest request, const core::GpuBuffer& captured_count) {
+  if (!request.plan->on || !(request.edges || request.tags)) {
     return false;
   }
   const std::vector<GLint> keys = instance_words(env_, *request.layout);

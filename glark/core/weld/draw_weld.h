@@ -9,11 +9,6 @@
 
 namespace glark::weld {
 
-struct WeldPlan {
-  bool on = false;           // welds edges if the layout has room for them, and tags if it has any
-  bool edges_later = false;  // welds the edges of the triangles that polygons are split into
-};
-
 class DrawWeld {
  public:
   DrawWeld(const core::Environment& environment, capture::Language language)
@@ -25,17 +20,17 @@ class DrawWeld {
   // `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
   bool weld_captured(const WeldPlan& plan, const capture::Layout& layout, const capture::CoarseTriangles& triangles,
                      const core::GpuBuffer& captured_count) {
-    return run(plan, {&layout, triangles, {}, layout.joins_edges() && !plan.edges_later, layout.tagged},
+    return run({&plan, &layout, triangles, {}, layout.joins_edges() && !plan.edges_later, layout.tagged},
                captured_count);
   }
   bool weld_split(const WeldPlan& plan, const capture::Layout& layout, const capture::CoarseTriangles& triangles,
                   const core::GpuBuffer& captured_count) {
-    return run(plan, {&layout, triangles, {}, layout.joins_edges(), false}, captured_count);
+    return run({&plan, &layout, triangles, {}, layout.joins_edges(), false}, captured_count);
   }
   void release() { stage_.release(); }
 
  private:
-  bool run(const WeldPlan& plan, WeldRequest request, const core::GpuBuffer& captured_count);
+  bool run(WeldRequest request, const core::GpuBuffer& captured_count);
 
   const core::Environment& env_;
   WeldStage stage_;

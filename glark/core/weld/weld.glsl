@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Joins coarse triangles by position. Hash tables find what the sides of an edge and the triangles about a vertex must
-// share; the results go into the coarse records. GLARK_PASS: 0 clear the tables, 1 insert, 2 write, 3 all in one work
-// group. The includer supplies #version, GLARK_PASS, GLARK_GROUP (size of a work group) and GLARK_KEY_WORDS (most words
-// of a key besides the position).
+// share; the results go into the coarse records. The includer supplies #version and:
+//   GLARK_PASS       0 clear the tables, 1 insert, 2 mark creases, 3 write, 4 all in one work group
+//   GLARK_GROUP      size of a work group
+//   GLARK_KEY_WORDS  most words of a key besides the position
+//   GLARK_DISPLACED  1 if records have border words. Where it is 0, the pass compiles faster
+//   GLARK_CREASED    1 if curved triangles stay near their coarse ones
 //
 // The results do not depend on the order, to the bit. A slot keeps the least and the greatest of its sides by content,
 // the greatest tag, and sums of whole numbers. Neither the order of insertion nor duplicates change these.
@@ -13,103 +16,12 @@
 // them. Across an angle, the paper takes the mean of the control points; here the edge follows the line in which the
 // tangent planes meet.
 #define glark_precise precise
+#include "glark/core/weld/tables.glsl"
 #include "glark/core/weld/tangent.glsl"
 
 layout(local_size_x = GLARK_GROUP) in;
 
-layout(std430, binding = 0) buffer Records { uint records[]; };
-// Slots of edges (2 words: least and greatest side; 0: empty). Slots of vertices (2 words: a corner from 1, the bits of
-// the greatest tag). The edge slot of each half-edge. The vertex slot of each corner. Parts of edges and of vertices
-// exist only if these are welded.
-// Then, if asked for: for each slot of edges, the side that turns most. For each slot of vertices, 5 words for
-// displacement: the corner, from 1, with the least texture coordinate; 1 if the normals differ; their sum in fixed
-// point.
-layout(std430, binding = 1) coherent buffer Tables { uint tables[]; };
-layout(std430, binding = 2) readonly buffer Count { uint count_command[]; };
-
-uniform int record_offset;  // in words
-uniform int corner_words;
-uniform int triangle_bound;
-uniform int count_on_gpu;
-uniform int position_offset;
-uniform int position_words;
-uniform int normal_offset;
-uniform int control_offset;  // in a corner; < 0: the edges have no control points
-uniform int turn_offset;     // in a corner; < 0: the turns of the sides are not measured
-uniform int border_offset;   // in a corner; < 0: nothing is displaced
-uniform int coordinate_offset;
-uniform int tag_offset;      // in a corner; < 0: the tags are not welded
-uniform int slot_count;      // of either table
-uniform int key_count;
-uniform int key_words[GLARK_KEY_WORDS];  // vertices with different values here are never welded
-
 int bound;  // of triangles
-
-uint word_of(int corner, int word) {
-  uint value = records[record_offset + corner * corner_words + word];
-  return value == 0x80000000u ? 0u : value;  // zero has one sign
-}
-
-uvec4 position_of(int corner) {
-  uint w = position_words > 3 ? word_of(corner, position_offset + 3) : floatBitsToUint(1.0);
-  return uvec4(word_of(corner, position_offset), word_of(corner, position_offset + 1), word_of(corner, position_offset + 2), w);
-}
-
-bool same_key(int a, int b) {
-  for (int i = 0; i < key_count; ++i) {
-    if (word_of(a, key_words[i]) != word_of(b, key_words[i])) {
-      return false;
-    }
-  }
-  return true;
-}
-
-uint hashed(uint hash, uint word) {
-  word *= 0xcc9e2d51u;
-  word = (word << 15) | (word >> 17);
-  hash ^= word * 0x1b873593u;
-  hash = (hash << 13) | (hash >> 19);
-  return hash * 5u + 0xe6546b64u;
-}
-
-uint hashed(uint hash, uvec4 words) { return hashed(hashed(hashed(hashed(hash, words.x), words.y), words.z), words.w); }
-
-int first_slot(uint hash, int corner) {
-  for (int i = 0; i < key_count; ++i) {
-    hash = hashed(hash, word_of(corner, key_words[i]));
-  }
-  hash = (hash ^ (hash >> 16)) * 0x85ebca6bu;
-  hash = (hash ^ (hash >> 13)) * 0xc2b2ae35u;
-  uint slot;
-  uint rest;
-  umulExtended(hash ^ (hash >> 16), uint(slot_count), slot, rest);
-  return int(slot);
-}
-
-int next_slot(int slot) { return slot + 1 < slot_count ? slot + 1 : 0; }
-
-// Lexicographic order.
-bool before(uvec4 a, uvec4 b) {
-  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;
-}
-
-bool joins_edges() { return control_offset >= 0 || turn_offset >= 0 || border_offset >= 0; }
-bool joins_vertices() { return tag_offset >= 0 || border_offset >= 0; }
-int vertex_table() { return joins_edges() ? 2 * slot_count : 0; }
-int edge_slots() { return vertex_table() + (joins_vertices() ? 2 * slot_count : 0); }
-int vertex_slots() { return edge_slots() + (joins_edges() ? 3 * triangle_bound : 0); }
-int turn_table() { return vertex_slots() + (joins_vertices() ? 3 * triangle_bound : 0); }
-int border_table() { return turn_table() + (turn_offset >= 0 ? slot_count : 0); }
-
-// A side of an edge is named by its half-edge (the number of the corner where it begins), and by whether this corner is
-// the higher end. All sides have the lower end first.
-int next_corner(int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-uint side_name(int half_edge, bool falling) { return uint(2 * half_edge) + (falling ? 2u : 1u); }
-int end_of_side(uint side, bool high) {
-  int half_edge = int(side - 1u) >> 1;
-  bool begin = ((side - 1u) & 1u) == (high ? 1u : 0u);
-  return begin ? half_edge : next_corner(half_edge);
-}
 
 // The tangent plane of the normal. Of the two opposite directions, it is the one whose first nonzero component is
 // positive. Zero if the normal is zero or not finite.
@@ -216,6 +128,10 @@ bool is_side(int half_edge) {
   return from != to && to != third && third != from;
 }
 
+#if GLARK_CREASED
+void insert_limits(int half_edge, int slot, uint side);
+#endif
+
 void insert_edge(int half_edge) {
   if (!is_side(half_edge)) {
     return;
@@ -241,6 +157,9 @@ void insert_edge(int half_edge) {
     rank_turn(turn_table() + slot, edge);
   }
   tables[edge_slots() + half_edge] = uint(slot);
+#if GLARK_CREASED
+  insert_limits(half_edge, slot, edge.side);
+#endif
 }
 
 // -1: no triangle with an area has this edge, so nothing is known of it. Call it after all insertions.
@@ -285,7 +204,12 @@ void insert_vertex(int corner) {
 
 int slot_of_place(int corner) { return int(tables[vertex_slots() + corner]); }
 
+#if GLARK_DISPLACED
 #include "glark/core/weld/border.glsl"
+#endif
+#if GLARK_CREASED
+#include "glark/core/weld/creases.glsl"
+#endif
 
 vec3 unit_of(uvec4 plane) { return glark_pn_unit(uintBitsToFloat(plane.xyz)); }
 
@@ -348,8 +272,19 @@ void write_edge(int half_edge) {
     vec4 far = uintBitsToFloat(high == falling ? to : from);
     uvec4 least_plane = slot < 0 ? uvec4(0u) : plane_of(end_of_side(least, high));  // straight
     uvec4 greatest_plane = slot < 0 ? uvec4(0u) : plane_of(end_of_side(greatest, high));
+    int corner = high == falling ? half_edge : next;
+#if GLARK_CREASED
+    if (is_straight_at(corner)) {
+      least_plane = greatest_plane = uvec4(0u);
+    }
+#endif
     vec3 control = tangent(near, least_plane, greatest_plane, far);
-    write_control(high == falling ? half_edge : next, high == falling ? 0 : 3, control);
+#if GLARK_CREASED
+    if (slot >= 0) {
+      control = limited(control, near, far, slot);
+    }
+#endif
+    write_control(corner, high == falling ? 0 : 3, control);
   }
 }
 
@@ -369,9 +304,14 @@ void clear(int slot) {
     tables[vertex_table() + 2 * slot] = 0u;
     tables[vertex_table() + 2 * slot + 1] = 0u;
   }
+#if GLARK_DISPLACED
   for (int i = 0; border_offset >= 0 && i < 5; ++i) {
     tables[border_table() + 5 * slot + i] = 0u;
   }
+#endif
+#if GLARK_CREASED
+  clear_limits(slot);
+#endif
 }
 
 void insert(int corner) {
@@ -381,9 +321,11 @@ void insert(int corner) {
   if (joins_vertices()) {
     insert_vertex(corner);
   }
+#if GLARK_DISPLACED
   if (border_offset >= 0) {
     insert_border(corner);
   }
+#endif
 }
 
 void write(int corner) {
@@ -393,9 +335,11 @@ void write(int corner) {
   if (turn_offset >= 0) {
     write_turn(corner);
   }
+#if GLARK_DISPLACED
   if (border_offset >= 0) {
     write_border(corner);
   }
+#endif
   if (tag_offset >= 0) {
     write_tag(corner);
   }
@@ -403,7 +347,7 @@ void write(int corner) {
 
 void main() {
   bound = count_on_gpu != 0 ? min(triangle_bound, int(count_command[1])) : triangle_bound;
-#if GLARK_PASS == 3
+#if GLARK_PASS == 4
   for (int i = int(gl_LocalInvocationID.x); i < slot_count; i += GLARK_GROUP) {
     clear(i);
   }
@@ -414,6 +358,13 @@ void main() {
   }
   memoryBarrierBuffer();
   barrier();
+#if GLARK_CREASED
+  for (int i = int(gl_LocalInvocationID.x); i < 3 * bound; i += GLARK_GROUP) {
+    mark(i);
+  }
+  memoryBarrierBuffer();
+  barrier();
+#endif
   for (int i = int(gl_LocalInvocationID.x); i < 3 * bound; i += GLARK_GROUP) {
     write(i);
   }
@@ -426,6 +377,10 @@ void main() {
 #elif GLARK_PASS == 1
   if (i < 3 * bound) {
     insert(i);
+  }
+#elif GLARK_PASS == 2
+  if (i < 3 * bound) {
+    mark(i);
   }
 #else
   if (i < 3 * bound) {

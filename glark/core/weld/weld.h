@@ -5,7 +5,8 @@
 // coordinates jump. The values that two triangles share there must be computed from data that both have. Positions are
 // equal if their bits are (-0 is 0).
 // - Edges: the control points of curved PN triangles, from the normals of all sides (weld.glsl), at
-//   Layout::control_offset. If normals are measured, the side that turns most, at Layout::turn_offset.
+//   Layout::control_offset. They stay near the edge if the plan limits them (creases.glsl). If normals are measured,
+//   the side that turns most, at Layout::turn_offset.
 // - Vertices: the greatest of the depth tags at a position.
 // - Displacement: the texture coordinates of one side of each edge, and a normal and a texture coordinate of each
 //   position, at Layout::border_offset.
@@ -23,7 +24,19 @@
 
 namespace glark::weld {
 
+inline constexpr float no_crease = 180;  // degrees: curved triangles follow the normals without limits
+
+struct WeldPlan {
+  bool on = false;           // welds edges if the layout has room for them, and tags if it has any
+  bool edges_later = false;  // welds the edges of the triangles that polygons are split into
+  float crease = no_crease;  // degrees; edges stay straight whose faces meet at more although they share their normals
+
+  // Returns whether curved triangles stay near their coarse ones. Tags need the words of the tables for themselves.
+  bool creased(const capture::Layout& layout) const { return crease < no_crease && layout.welded() && !layout.tagged; }
+};
+
 struct WeldRequest {
+  const WeldPlan* plan = nullptr;
   const capture::Layout* layout = nullptr;
   capture::CoarseTriangles triangles;
   // Words of a corner besides the position that keep vertices apart: the values that differ between instances.
@@ -39,22 +52,28 @@ class WeldStage {
   WeldStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
 
   // Returns whether the tables for `triangles` triangles fit into a storage block.
-  bool can_hold(const capture::Layout& layout, std::uint64_t triangles);
-  bool has_room(const capture::Layout& layout, std::uint32_t triangles) const;
-  // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
-  bool reserve(const capture::Layout& layout, std::uint32_t triangles);
+  bool can_hold(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles);
+  bool has_room(const WeldPlan& plan, const capture::Layout& layout, std::uint32_t triangles) const;
+  // Compiles the passes when they are first needed; false without memory. Rare path: wrap in an ErrorScope.
+  bool reserve(const WeldPlan& plan, const capture::Layout& layout, std::uint32_t triangles);
   // Writes into the records themselves. Changes the program and the storage buffer bindings 0 to 2, which the caller
   // restores. `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
   void run(const WeldRequest& request, GLuint captured_count);
   void release();
 
  private:
-  bool build(std::size_t pass);
-  void dispatch(std::size_t pass, const WeldRequest& request, std::uint32_t invocations) const;
+  enum class Pass { clear, insert, mark, write, all };
+  // What the passes can do. A pass that can do less compiles faster.
+  enum class Ability { plain, displaced, creased };
+  static Ability ability(const WeldPlan& plan, const capture::Layout& layout);
+  core::ComputePass& pass(Ability ability, Pass pass);
+  const core::ComputePass& pass(Ability ability, Pass pass) const;
+  bool build(Ability ability, Pass pass);
+  void dispatch(Pass pass, const WeldRequest& request, std::uint32_t invocations) const;
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::array<core::ComputePass, 4> passes_;
+  std::array<std::array<core::ComputePass, 5>, 3> passes_;  // by ability
   core::GpuBuffer tables_;
   GLint64 largest_block_ = 0;
 };

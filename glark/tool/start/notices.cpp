@@ -25,8 +25,10 @@ struct Starter {
   std::string_view remedy;
 };
 constexpr std::array starters{
-    Starter{"sudo", "drops the preload, so the program that it starts stays unrefined", "write: sudo glark run PROGRAM"},
-    Starter{"doas", "drops the preload, so the program that it starts stays unrefined", "write: doas glark run PROGRAM"},
+    Starter{"sudo", "drops the preload, so the program that it starts stays unrefined",
+            "write: sudo glark run PROGRAM"},
+    Starter{"doas", "drops the preload, so the program that it starts stays unrefined",
+            "write: doas glark run PROGRAM"},
     Starter{"pkexec", "drops the preload, so the program that it starts stays unrefined",
             "write: pkexec glark run PROGRAM"},
     Starter{"su", "drops the preload, so the program that it starts stays unrefined",
@@ -39,8 +41,7 @@ constexpr std::array starters{
 
 std::optional<std::string> about_starter(const std::string& path) {
   for (const Starter& starter : starters)
-    if (name_of(path) == starter.name)
-      return fmt::format("{} {}; {}", starter.name, starter.why, starter.remedy);
+    if (name_of(path) == starter.name) return fmt::format("{} {}; {}", starter.name, starter.why, starter.remedy);
   return std::nullopt;
 }
 
@@ -50,8 +51,9 @@ std::optional<std::string> about_privileges(const ProgramFile& program) {
                      : program.capabilities ? "has file capabilities"
                                             : nullptr;
   if (what == nullptr) return std::nullopt;
-  return fmt::format("{} {}: the dynamic linker ignores the preload for it, so it stays unrefined; run a copy of the file",
-                     program.path, what);
+  return fmt::format(
+      "{} {}: the dynamic linker ignores the preload for it, so it stays unrefined; run a copy of the file",
+      program.path, what);
 }
 
 std::optional<std::string> about_elf(const ProgramFile& program, const ElfFile& library) {
@@ -63,7 +65,8 @@ std::optional<std::string> about_elf(const ProgramFile& program, const ElfFile& 
         program.path, machine_name(elf), machine_name(library), machine_name(library), machine_name(elf));
   if (elf.interpreter.empty() && !elf.is_loader)
     return fmt::format(
-        "{} is linked statically: nothing can be preloaded into it, so it stays unrefined; only programs that it starts "
+        "{} is linked statically: nothing can be preloaded into it, so it stays unrefined; only programs that it "
+        "starts "
         "are refined; use a dynamically linked build",
         program.path);
   if (name_of(elf.interpreter).starts_with("ld-musl"))
@@ -106,8 +109,9 @@ std::optional<std::string> cannot_run(std::span<const ProgramFile> files) {
   for (const ProgramFile& program : files) {
     if (program.kind == Kind::folder) return fmt::format("{} is a folder; name a program in it", program.path);
     if (program.kind == Kind::script && !program.interpreter_found)
-      return fmt::format("{} is a script for {}, which is not installed; install it, or correct the script's first line",
-                         program.path, program.interpreter);
+      return fmt::format(
+          "{} is a script for {}, which is not installed; install it, or correct the script's first line", program.path,
+          program.interpreter);
     if (program.kind == Kind::elf && !program.elf->interpreter.empty() &&
         access(program.elf->interpreter.c_str(), F_OK) != 0)
       return fmt::format("{} is for {} and needs {}, which is not installed; install the package {}", program.path,

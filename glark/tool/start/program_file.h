@@ -14,20 +14,20 @@ namespace glark::tool {
 struct ElfFile {
   unsigned machine = 0;
   bool is_64 = false;
-  bool is_loader = false;    // the dynamic linker itself, as a program
+  bool is_loader = false;        // the dynamic linker itself, as a program
   std::string interpreter = {};  // the dynamic linker that the file names; empty: the program is static
 };
 
 struct ProgramFile {
   enum class Kind { missing, folder, elf, script, windows, other };
   Kind kind = Kind::missing;
-  std::string path = {};          // with symbolic links resolved
+  std::string path = {};            // with symbolic links resolved
   std::optional<ElfFile> elf = {};  // kind == elf
-  std::string interpreter = {};   // kind == script: the program that runs it; empty if the first line names none
+  std::string interpreter = {};     // kind == script: the program that runs it; empty if the first line names none
   bool interpreter_found = true;
-  bool set_user = false;          // the kernel would change the user ...
-  bool set_group = false;         // ... or the group
-  bool capabilities = false;      // or give it capabilities
+  bool set_user = false;      // the kernel would change the user ...
+  bool set_group = false;     // ... or the group
+  bool capabilities = false;  // or give it capabilities
 };
 
 // Looks for the command as execvp does; empty if there is none.

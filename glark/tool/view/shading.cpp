@@ -62,7 +62,7 @@ float estimated_spacing(std::span<const float> positions, const glm::vec3& low, 
     count += taken[cube] ? 0 : 1;
     taken[cube] = true;
   }
-  // For each face-sized area, a surface crosses about one and a half cubes.
+  // A surface crosses about 1.5 cubes for each piece that has the area of a cube's face.
   const double area = static_cast<double>(count) * side * side / 1.5;
   return static_cast<float>(std::sqrt(area / (static_cast<double>(positions.size()) / 3)));
 }

@@ -3,10 +3,10 @@
 //
 // Compares a refined draw with the same triangles refined beforehand, and with tessellation shaders.
 #include <memory>
-#include <stdexcept>
 
 #include "tests/bench/cases/case.h"
 #include "tests/bench/offscreen.h"
+#include "tests/bench/same_picture.h"
 #include "tests/bench/subject/subject.h"
 
 namespace glark::bench {
@@ -35,22 +35,6 @@ Mesh coarse_mesh(int triangles) {
   return triangles >= smallest_sphere
              ? make_sphere(triangles)
              : first_triangles(make_sphere(smallest_sphere), static_cast<std::size_t>(triangles));
-}
-
-Picture picture_of(const Competitor& competitor) {
-  competitor.prepare();
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  competitor.draw();
-  return read_picture();
-}
-
-// The cache, which the second picture of a refined draw filled, provides the third picture.
-void expect_same(const std::string& name, const Competitor& refined, const Competitor& other) {
-  const Picture expected = picture_of(other);
-  for (int i = 0; i < 3; ++i) {
-    const std::string wrong = difference(picture_of(refined), expected);
-    if (!wrong.empty()) throw std::runtime_error(name + ": " + wrong);
-  }
 }
 
 void add_ratio(Report& report, Row row, const std::vector<Times>& times) {

@@ -10,6 +10,7 @@
 #include "tests/bench/cases/case.h"
 #include "tests/bench/gl.h"
 #include "tests/bench/offscreen.h"
+#include "tests/bench/same_picture.h"
 #include "tests/bench/subject/mesh.h"
 #include "tests/qas/meshes.h"
 
@@ -171,13 +172,6 @@ class Frames {
   GLuint arrays_[2] = {}, buffers_[3] = {};
   GLsizei index_count_ = 0;
 };
-
-Picture picture_of(const Competitor& competitor) {
-  competitor.prepare();
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  competitor.draw();
-  return read_picture();
-}
 
 void run(const std::string& name, const ControlMesh& mesh, unsigned level, Report& report, const Effort& effort) {
   glARKinit(6);

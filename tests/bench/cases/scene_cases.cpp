@@ -4,10 +4,10 @@
 // Frames of many draws that do not change. Compares a scene with the same scene refined beforehand. Measures what
 // refinement adds to each of many small draws, for all ways in which programs repeat draws.
 #include <memory>
-#include <stdexcept>
 
 #include "tests/bench/cases/case.h"
 #include "tests/bench/offscreen.h"
+#include "tests/bench/same_picture.h"
 #include "tests/bench/subject/subject.h"
 
 namespace glark::bench {
@@ -104,21 +104,6 @@ class Scene {
   std::vector<std::unique_ptr<Subject>> subjects_;
   std::vector<GLuint> lists_;
 };
-
-Picture picture_of(const Competitor& competitor) {
-  competitor.prepare();
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  competitor.draw();
-  return read_picture();
-}
-
-void expect_same(const std::string& name, const Competitor& refined, const Competitor& other) {
-  const Picture expected = picture_of(other);
-  for (int i = 0; i < 3; ++i) {
-    const std::string wrong = difference(picture_of(refined), expected);
-    if (!wrong.empty()) throw std::runtime_error(name + ": " + wrong);
-  }
-}
 
 std::string name_of(Shading shading, Way way) {
   constexpr const char* ways[] = {"arrays", "pointers", "lists"};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A core profile context by EGL without a surface. It draws to a framebuffer object, and is linked to libOpenGL,
-// without libGL.
+// without libGL. Built twice, for two scenes.
 #define GL_GLEXT_PROTOTYPES 1
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -10,11 +10,15 @@
 #include <GL/glext.h>
 
 #define GL(name) gl##name
+#if SCENE_IS_IMPOSTORS
+#include "tests/clients/scene/scene_impostors.h"
+#else
 #define SCENE_GLSL_VERTEX SCENE_GLSL_450_VERTEX
 #define SCENE_GLSL_FRAGMENT SCENE_GLSL_450_FRAGMENT
 #define SCENE_HAS_VAO 1
 
 #include "tests/clients/scene/scene_shader.h"
+#endif
 
 static void make_framebuffer(void) {
   GLuint framebuffer;

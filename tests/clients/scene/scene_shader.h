@@ -7,6 +7,7 @@
 // - SCENE_GLSL_VERTEX and SCENE_GLSL_FRAGMENT, the head of each shader: #version, and the keywords of this version for
 //   INPUT, OUTPUT, VARYING and COLOR;
 // - SCENE_HAS_VAO, 0 or 1.
+// SCENE_LINK(program) may replace glLinkProgram.
 #pragma once
 
 #include "tests/clients/scene/picture.h"
@@ -35,6 +36,10 @@ static const char scene_fragment_source[] = SCENE_GLSL_FRAGMENT
     "VARYING vec3 shade;\n"
     "void main() { COLOR = vec4(shade, 1.0); }\n";
 
+#ifndef SCENE_LINK
+#define SCENE_LINK GL(LinkProgram)
+#endif
+
 static GLint scene_centre, scene_base;
 
 static inline GLuint scene_shader(GLenum kind, const char* source) {
@@ -52,7 +57,7 @@ static void scene_setup(void) {
   GL(AttachShader)(program, scene_shader(GL_VERTEX_SHADER, scene_vertex_source));
   GL(AttachShader)(program, scene_shader(GL_FRAGMENT_SHADER, scene_fragment_source));
   GL(BindAttribLocation)(program, 0, "position");
-  GL(LinkProgram)(program);
+  SCENE_LINK(program);
   GLint linked = 0;
   GL(GetProgramiv)(program, GL_LINK_STATUS, &linked);
   require(linked, "the program did not link");

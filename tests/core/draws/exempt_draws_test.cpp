@@ -179,7 +179,7 @@ TEST_F(ExemptDraws, AFramebufferWithoutDepthTestsNone) {
   hook::BindFramebuffer(*context_, GL_DRAW_FRAMEBUFFER, framebuffer);
   EXPECT_EQ(draw(2), "screen_quad");
   real.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, targets[1]);
-  context_->state().framebuffers().forget_attachments();
+  context_->state().attachments_changed();
   EXPECT_EQ(draw(2), "refined");
   hook::BindFramebuffer(*context_, GL_READ_FRAMEBUFFER, 0);
   EXPECT_EQ(draw(2), "refined");
@@ -235,6 +235,22 @@ TEST_F(ExemptDraws, ACulledFaceMayHaveLines) {
   hook::PolygonMode(*context_, GL_FRONT_AND_BACK, GL_FILL);
   EXPECT_EQ(draw(8), "refined");
   EXPECT_EQ(real.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+// Interpolated values of the whole triangle and values that cull the whole triangle cannot be had at once.
+TEST_F(ExemptDraws, CullDistancesThatAreReadAreLeft) {
+  const std::string extension = "#version 430\n#extension GL_ARB_cull_distance : require\n";
+  const std::string vertex = extension +
+                             "layout(location = 0) in vec4 p; out float gl_CullDistance[1];\n"
+                             "void main() { gl_Position = p; gl_CullDistance[0] = p.x; }\n";
+  const std::string fragment = extension +
+                               "in float gl_CullDistance[1]; out vec4 color;\n"
+                               "void main() { color = vec4(gl_CullDistance[0]); }\n";
+  test_depth();
+  use(vertex.c_str(), fragment.c_str());
+  EXPECT_EQ(draw(8), "cull_distance");
+  use(vertex.c_str(), modern_fragment);
+  EXPECT_EQ(draw(8), "refined");
 }
 
 TEST_F(ExemptDraws, OverlaysAreLeft) {

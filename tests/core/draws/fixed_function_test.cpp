@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The fixed function, and programs that have only one of its stages. The picture must not change.
+#include <array>
+
 #include "tests/core/support/modes.h"
 #include "tests/core/support/programs.h"
 #include "tests/core/support/scene.h"
@@ -116,6 +118,46 @@ TEST_F(FixedFunction, FragmentShaderAlone) {
     draw_immediate(strip());
     glScalef(2, 2, 1);
   });
+}
+
+// GL_ATI_fragment_shader reads the texture coordinates without any texture.
+TEST_F(FixedFunction, AtiFragmentShader) {
+  const auto bind = proc<PFNGLBINDFRAGMENTSHADERATIPROC>("glBindFragmentShaderATI");
+  if (bind == nullptr) GTEST_SKIP() << "this GL has no ATI_fragment_shader";
+  bind(1);
+  proc<PFNGLBEGINFRAGMENTSHADERATIPROC>("glBeginFragmentShaderATI")();
+  proc<PFNGLPASSTEXCOORDATIPROC>("glPassTexCoordATI")(GL_REG_1_ATI, GL_TEXTURE0, GL_SWIZZLE_STR_ATI);
+  proc<PFNGLCOLORFRAGMENTOP1ATIPROC>("glColorFragmentOp1ATI")(GL_MOV_ATI, GL_REG_0_ATI, GL_NONE, GL_NONE, GL_REG_1_ATI,
+                                                              GL_NONE, GL_NONE);
+  proc<PFNGLENDFRAGMENTSHADERATIPROC>("glEndFragmentShaderATI")();
+  glEnable(GL_FRAGMENT_SHADER_ATI);
+  glTexCoord3f(0.25F, 0.75F, 0.5F);
+  expect_same_scene({4}, [] { draw_immediate(strip()); });
+}
+
+// GL_FIXED_ONLY: a framebuffer of floating-point colours gets them unclamped.
+TEST_F(FixedFunction, UnclampedColours) {
+  GLuint framebuffer = 0;
+  GLuint target = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glGenRenderbuffers(1, &target);
+  glBindRenderbuffer(GL_RENDERBUFFER, target);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, picture_size, picture_size);
+  glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FIXED_ONLY);
+  glClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FALSE);
+  refine_uniformly(2);
+  glColor4f(7, -2, 0.5F, 0.25F);
+  glRectf(-1, -1, 1, 1);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target);
+  glBegin(GL_TRIANGLES);
+  glVertex2f(-1, -1);
+  glVertex2f(3, -1);
+  glVertex2f(-1, 3);
+  glEnd();
+  std::array<GLfloat, 4> color{};
+  glReadPixels(picture_size / 2, picture_size / 2, 1, 1, GL_RGBA, GL_FLOAT, color.data());
+  EXPECT_EQ(color, (std::array<GLfloat, 4>{7, -2, 0.5F, 0.25F}));
 }
 
 TEST_F(FixedFunction, ClipPlaneFogAndStateChangesBetweenDraws) {

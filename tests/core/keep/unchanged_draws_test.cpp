@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Unchanged draws are not captured again, no matter what else the program does: arrays, current values, bins.
+#include <array>
+
 #include "tests/core/support/kept_scene.h"
 
 namespace glark::core::test {
@@ -29,6 +31,30 @@ TEST_P(UnchangedDraws, WritesOfOtherBuffers) {
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glDeleteBuffers(1, &fresh);
   });
+}
+
+// WebGL 2 has this restart in every draw.
+TEST_P(UnchangedDraws, FixedIndexRestart) {
+  glEnable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+  expect_kept(draw_arrays, [] {});
+  const std::vector<GLushort> restarted{0, 1, 2, 0xFFFF, 2, 1, 3, 0xFFFF, 4};
+  expect_captured_again(draw_elements, [&] {
+    glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(2 * restarted.size()), restarted.data());
+  });
+  expect_same_scene({2}, draw_elements);
+}
+
+// The commands are read anyway: they are part of the key.
+TEST_P(UnchangedDraws, IndirectDraws) {
+  std::array<GLuint, 10> commands{3, 1, 0, 0, 0, 6, 1, 3, 0, 0};
+  make_buffer(GL_DRAW_INDIRECT_BUFFER, std::vector<GLuint>(commands.begin(), commands.end()));
+  const auto draw = [] { glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, 2, 0); };
+  const auto write = [&] { glBufferSubData(GL_DRAW_INDIRECT_BUFFER, 0, sizeof(commands), commands.data()); };
+  expect_kept(draw, write);
+  commands[5] = 3;
+  expect_captured_again(draw, write);
+  expect_same_scene({2}, draw);
+  expect_kept([] { glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr); }, write);
 }
 
 TEST_P(UnchangedDraws, GpuWritesOfOtherBuffers) {
@@ -216,8 +242,8 @@ void expect_rejected(const std::string& errors, const std::function<void()>& dra
   }
 }
 
-// A negative number is known before the draw. Other rejections are known only by GL's error, after the capture of as
-// many triangles as the draws ask for.
+// glark itself rejects a negative count, before the draw. For other mistakes, GL's error comes after the capture, which
+// has room for all triangles of the call.
 TEST_P(UnchangedDraws, RejectedDrawsDrawNothing) {
   const Picture drawn = picture_of(draw_arrays);
   expect_rejected("0x0501 ", [] {

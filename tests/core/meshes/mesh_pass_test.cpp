@@ -10,8 +10,12 @@ namespace {
 class MeshPasses : public testing::Test {
  protected:
   MeshPasses() { bindings_.depth_test = true; }
-  MeshPass pass(std::optional<Cause> cause = std::nullopt) const { return mesh_pass(bindings_, cause).value(); }
+  MeshPass pass(std::optional<Cause> cause = std::nullopt) const {
+    return mesh_pass({bindings_, depth_buffer_, color_buffer_}, cause).value();
+  }
   Bindings bindings_;
+  bool depth_buffer_ = true;
+  bool color_buffer_ = true;
 };
 
 TEST_F(MeshPasses, ADrawWithoutCauseCurves) {
@@ -40,6 +44,17 @@ TEST_F(MeshPasses, APreparationHasNoColors) {
   EXPECT_TRUE(pass().prepares());
 }
 
+TEST_F(MeshPasses, AShadowMapHasNoColors) {
+  color_buffer_ = false;
+  EXPECT_TRUE(pass().prepares());
+}
+
+TEST_F(MeshPasses, AFramebufferWithoutDepthUsesNone) {
+  depth_buffer_ = false;
+  bindings_.depth_function = GL_EQUAL;
+  EXPECT_FALSE(pass().uses_depth || pass().writes_depth || pass().must_meet());
+}
+
 TEST_F(MeshPasses, EqualMustMeet) {
   bindings_.depth_function = GL_EQUAL;
   EXPECT_TRUE(pass().must_meet());
@@ -56,7 +71,7 @@ TEST_F(MeshPasses, LinesNeedNotMeetToTheBit) {
 TEST_F(MeshPasses, NoPictureSaysNothing) {
   for (const Cause cause : {Cause::render_mode, Cause::rasterizer_discard, Cause::invalid_draw, Cause::level_zero,
                             Cause::screen_quad, Cause::overlay, Cause::orthographic}) {
-    EXPECT_FALSE(mesh_pass(bindings_, cause).has_value()) << text_of(cause).key;
+    EXPECT_FALSE(mesh_pass({bindings_, depth_buffer_, color_buffer_}, cause).has_value()) << text_of(cause).key;
   }
 }
 

@@ -226,6 +226,21 @@ TEST_F(OneShapeOf, AMeshAndItsShadowMap) {
   EXPECT_TRUE(frames[3] == frames[0]);
 }
 
+TEST_F(OneShapeOf, AShadowMapFromAnotherBufferKeepsEverythingFlat) {
+  const Ball positions(Source::buffer);
+  const Ball ball(Source::buffer);
+  const DepthFramebuffer shadow_map;
+  const std::vector<Picture> frames = draw_frames(4, [&] {
+    shadow_map.bind();
+    glDisable(GL_LIGHTING);
+    positions.draw();
+    DepthFramebuffer::unbind();
+    glEnable(GL_LIGHTING);
+    ball.draw();
+  });
+  EXPECT_TRUE(frames[3] == frames[0]);
+}
+
 // The same normal everywhere says nothing about a surface.
 TEST_F(OneShapeOf, ADrawWithoutNormalArrayStaysFlat) {
   const Ball ball(Source::buffer);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "glark/core/weld/weld.h"
+
 namespace glark::core {
 namespace {
 
@@ -59,6 +61,13 @@ TEST_F(DerivedKeys, WeldedWordsNeedWelding) {
   DerivedKey welded = key();
   add_welded_words(welded, true);
   EXPECT_TRUE(welded.turns && welded.border);
+}
+
+TEST_F(DerivedKeys, CreasesLimitTransparentRefinementOnly) {
+  options.crease = 30;
+  EXPECT_EQ(crease_of(options), weld::no_crease);
+  options.transparent = true;
+  EXPECT_EQ(crease_of(options), 30);
 }
 
 TEST_F(DerivedKeys, WhatTheDrawAsksForIsInTheKey) {

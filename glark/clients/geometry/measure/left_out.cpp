@@ -23,7 +23,7 @@ Place place_of(const Geometry& geometry, std::size_t point) {
   return {position[0], position[1], position[2]};
 }
 
-// Cubes near the surface of a mesh. A sparse mesh has few and large triangles, so samples on a triangle mark them.
+// Cubes near the surface of a mesh. Triangles may be larger than cubes, so points all over each triangle mark cubes.
 class CellsNearMesh {
  public:
   CellsNearMesh(const Geometry& mesh, const Place& low, double side) : low_(low), side_(side) {

@@ -12,7 +12,7 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr std::size_t grain = 1024;
-// The number of coarse triangles that share a search for samples. Most pairs are the halves of a quadrilateral.
+// This many consecutive triangles share one search for samples. Most pairs are the two halves of a quadrilateral.
 constexpr std::uint32_t group = 2;
 constexpr float edges_to_noise = 6;  // relative to the noise; shorter edges are not divided
 

@@ -139,7 +139,7 @@ struct MainEpilogue {
   std::string main;
 };
 MainEpilogue main_epilogue(const EpiloguePlan& plan, const std::string& declarations_of_inputs);
-// Text at the end of another unit.
+// Text at the end of a unit that does not define main.
 std::string unit_epilogue(const EpiloguePlan& plan, std::size_t unit);
 
 }  // namespace glark::refine

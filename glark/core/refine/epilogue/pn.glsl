@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Curved PN triangles, in the words of GLSL 1.10. The unit that includes this defines the macro glark_precise.
+// Curved PN triangles. This text is valid from GLSL 1.10 on. The unit that includes this defines the macro glark_precise.
 // Based on: A. Vlachos, J. Peters, C. Boyd, J. L. Mitchell, Curved PN Triangles, I3D 2001, section 3.
 //
 // A refinement with the word W that curves positions defines two functions, with a number before p0 if its row has one:

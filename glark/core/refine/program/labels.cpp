@@ -47,7 +47,9 @@ std::string kind_of(const core::DerivedKey& key) {
 }  // namespace
 
 std::string label(const core::Program& program) {
-  const std::string name = program.fixed_function ? "fixed function" : fmt::format("program {}", program.name);
+  const std::string name = program.fixed_function ? "fixed function"
+                           : program.assembly     ? "assembly program"
+                                                  : fmt::format("program {}", program.name);
   return fmt::format("{} [{}]", name, core::hash_text(program.hash));
 }
 

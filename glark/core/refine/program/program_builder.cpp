@@ -56,6 +56,10 @@ std::optional<core::Cause> cause_of(const core::Program& program, const VertexSt
                           : reads(program, GL_FRAGMENT_SHADER, "gl_PrimitiveID")) {
     return core::Cause::primitive_id;
   }
+  if (traits.writes_cull_distance && (reads(program, GL_FRAGMENT_SHADER, "gl_CullDistance") ||
+                                      reads(program, GL_GEOMETRY_SHADER, "gl_CullDistance"))) {
+    return core::Cause::cull_distance;
+  }
   if (has_geometry_shader &&
       (traits.writes_integers || makes_its_own_positions(sources_of(program, GL_GEOMETRY_SHADER)))) {
     return core::Cause::geometry_shader;
@@ -327,23 +331,29 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   return slot;
 }
 
-std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctionState& state,
-                                                              const core::Program* fragment) const {
+std::shared_ptr<core::Program> ProgramBuilder::generated(const std::string& source, std::string_view what,
+                                                         const core::Program* fragment) const {
   auto program = std::make_shared<core::Program>();
-  program->fixed_function = true;
-  const std::string source = fixed_function_vertex_shader(state);
   program->stages.push_back({GL_VERTEX_SHADER, std::make_shared<const std::string>(source)});
   // A program with only the vertex stage shows which attributes this stage reads.
   std::string error;
   program->name = compile_and_link(*program, {source}, 0, core::DerivedKey{.placed = false}, error);
   if (program->name == 0) {
-    core::log(core::LogLevel::error, fmt::format("the fixed-function vertex stage cannot be built: {}", error));
+    core::log(core::LogLevel::error, fmt::format("{} cannot be built: {}", what, error));
   }
   if (fragment != nullptr) {
     for (const core::StageSource& stage : fragment->stages) {
       program->stages.push_back(stage);
     }
   }
+  return program;
+}
+
+std::shared_ptr<core::Program> ProgramBuilder::fixed_function(const FixedFunctionState& state,
+                                                              const core::Program* fragment) const {
+  std::shared_ptr<core::Program> program =
+      generated(fixed_function_vertex_shader(state), "the fixed-function vertex stage", fragment);
+  program->fixed_function = true;
   return program;
 }
 

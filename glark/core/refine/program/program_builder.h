@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glark/core/capture/layout.h"
@@ -43,6 +44,10 @@ class ProgramBuilder {
   std::shared_ptr<core::DerivedProgram> derive(core::Program& program, core::Program* owner,
                                                const core::DerivedKey& key) const;
 
+  // A Program that holds a vertex stage of ours beside the fragment stages of `fragment` (may be null). Its name is 0 if
+  // GL refuses the source; the log then says what `what` is.
+  std::shared_ptr<core::Program> generated(const std::string& source, std::string_view what,
+                                           const core::Program* fragment) const;
   // A Program that holds the generated vertex stage of `state` beside the fragment stages of `fragment` (may be null).
   std::shared_ptr<core::Program> fixed_function(const FixedFunctionState& state, const core::Program* fragment) const;
 

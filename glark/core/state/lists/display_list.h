@@ -36,6 +36,8 @@ struct SegmentEffects {
   bool touches_state = false;  // it sets state that refined draws depend on
   bool draws_shapes = false;   // it draws rectangles or evaluator meshes that are not refined
   bool changes_uniforms = false;
+  bool sets_materials = false;  // between glBegin and glEnd
+  bool materials_vary = false;  // after the first vertex
 
   void record(int slot, const CurrentValue& value, bool before_vertices) {
     if (slot < 0) {
@@ -88,6 +90,8 @@ struct DisplayList {
   bool refinable = false;  // false: call the application's list as it is
   bool changes_uniforms = false;
   bool calls_lists = false;
+  bool ends_primitive = false;       // it has a glEnd whose glBegin lies outside
+  bool leaves_open = false;          // it has a glBegin whose glEnd lies outside
   std::uint64_t loose_vertices = 0;  // outside glBegin and glEnd, without those of lists that it calls
 };
 

@@ -18,6 +18,7 @@ void ListCompilation::begin(GLuint name, GLenum mode, bool cutting) {
 std::shared_ptr<DisplayList> ListCompilation::end() {
   list_->changes_uniforms |= changes_uniforms_;
   list_->refinable = cutting_ && !in_primitive_;  // a glBegin left open reaches into the next list
+  list_->leaves_open = in_primitive_ || uncut_begins_ > 0;
   compiling_ = cutting_ = false;
   return std::exchange(list_, nullptr);
 }

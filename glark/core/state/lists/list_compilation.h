@@ -40,6 +40,10 @@ class ListCompilation {
     effects_.opaque = true;
     effects_.late |= !before_vertices;
   }
+  void note_material(bool before_vertices) {
+    effects_.sets_materials |= in_primitive_;
+    effects_.materials_vary |= in_primitive_ && !before_vertices;
+  }
   // A vertex after the first sets more attributes or components than those before.
   bool vertices_differ() const { return effects_.late; }
 
@@ -61,6 +65,12 @@ class ListCompilation {
   void begin_primitive(GLenum mode, bool draws);
   // True: a draw segment ends.
   bool end_primitive();
+  // glBegin and glEnd of a list, or part of a list, that is not cut.
+  void note_begin() { ++uncut_begins_; }
+  void note_end() {
+    list_->ends_primitive |= uncut_begins_ == 0;
+    uncut_begins_ -= uncut_begins_ > 0 ? 1 : 0;
+  }
   bool in_primitive() const { return in_primitive_; }
   GLenum primitive_mode() const { return primitive_mode_; }
   // Lists called since glBegin.
@@ -76,6 +86,7 @@ class ListCompilation {
   SegmentEffects effects_;  // of the open segment
   bool changes_uniforms_ = false;
   bool in_primitive_ = false;
+  int uncut_begins_ = 0;
   bool in_draw_ = false;
   GLenum primitive_mode_ = 0;
   std::vector<VertexList> vertex_lists_;

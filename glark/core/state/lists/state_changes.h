@@ -44,6 +44,10 @@ class StateChanges {
     state_.fixed_function().matrices().touch(state_.bindings().matrix_mode);
     state_.lists().note_state_change();
   }
+  void touch_assembly() {
+    state_.assembly().forget();
+    state_.lists().note_state_change();
+  }
   void touch_any_matrix() {
     state_.fixed_function().matrices().touch_all();
     state_.lists().note_state_change();

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <vector>
 
 #include "glark/core/capture/record.h"
@@ -52,6 +53,17 @@ struct SubroutineTable {
   std::vector<GLuint> index_to;      // by the application's index: our index
 };
 
+// Where the parameters of an assembly program are in a derived program, and which of their values it has.
+struct AssemblyUniforms {
+  bool found = false;  // the locations are valid
+  GLint environment = -1;
+  GLint local = -1;
+  std::vector<GLint> matrices;
+  std::uint64_t environment_stamp = 0;
+  std::uint64_t local_stamp = 0;
+  std::uint64_t matrix_stamp = 0;
+};
+
 struct DerivedProgram {
   GLuint name = 0;
   Refinement refinement = Refinement::linear_inputs;
@@ -65,6 +77,7 @@ struct DerivedProgram {
   std::vector<GLint> location_of;  // by the application's location: ours, or -1
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
   std::vector<SubroutineTable> subroutines;
+  AssemblyUniforms assembly;
 
   bool stored() const { return first_word >= 0; }
 };

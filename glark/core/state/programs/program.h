@@ -40,6 +40,7 @@ struct Program {
   mutable std::recursive_mutex mutex;
   GLuint name = 0;  // the application's program; for the fixed function, a program of ours with the generated shader
   bool fixed_function = false;
+  bool assembly = false;  // of ours: the GLSL of an assembly program
   std::vector<StageSource> stages;
   bool from_binary = false;
   bool linked = true;          // false: GL runs the executable from before the last link, and cannot return to it

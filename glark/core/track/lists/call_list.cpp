@@ -39,6 +39,18 @@ std::uint64_t triangles_of_segment(Context& c, const ListSegment& segment) {
   return triangles_of(segment.mode, vertices);
 }
 
+// The list was executed as a whole. It may have ended a primitive, or begun one.
+void follow_primitive(Context& c, const DisplayList* list) {
+  ImmediateMode& immediate = c.state().immediate();
+  if (list != nullptr && list->ends_primitive && immediate.open()) {
+    track::primitive_ended(c);
+  }
+  if (list != nullptr && list->leaves_open && !immediate.open()) {
+    immediate.restart_counts();
+    immediate.begin(GL_POINTS);
+  }
+}
+
 void call_list(Context& c, GLuint name, int depth) {
   if (depth >= track::deepest_nesting) {
     return;  // OpenGL 4.6 compatibility, 21.4.2: deeper calls are ignored
@@ -54,6 +66,7 @@ void call_list(Context& c, GLuint name, int depth) {
     }
     c.gl().CallList(name);
     track::forget_state(c, list != nullptr && !list->calls_lists ? list.get() : nullptr);
+    follow_primitive(c, list.get());
     return;
   }
   for (const ListSegment& segment : list->segments) {
@@ -132,6 +145,9 @@ void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
     }
     c.gl().CallLists(n, type, lists);
     track::forget_state(c, nullptr);
+    for (GLsizei i = 0; i < n; ++i) {
+      follow_primitive(c, track::find_list(c, track::list_base(c) + track::name_at(type, lists, i)).get());
+    }
     track::follow_stacks(c, n, type, lists);
     return;
   }

@@ -120,6 +120,7 @@ namespace track {
 
 void record_draw(Context& c, const DrawCall& call) {
   if (c.state().lists().in_primitive() || !is_triangle_mode(call.mode)) {
+    c.changes().forget_in_list();  // it leaves the values of its last vertex
     call.issue();
     return;
   }

@@ -6,6 +6,18 @@
 #include "glark/core/track/track.h"
 
 namespace glark::core::track {
+namespace {
+
+// The vertices of the segment have several materials, or a material that the vertex program does not see yet.
+bool materials_differ(Context& c, const SegmentEffects& effects) {
+  if (!effects.sets_materials) {
+    return false;
+  }
+  c.state().refresh();
+  return replaces_fixed_function(c) ? effects.materials_vary && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE : true;
+}
+
+}  // namespace
 
 void apply_effects(Context& c, const SegmentEffects& effects) {
   if (effects.opaque) {
@@ -43,18 +55,20 @@ void run_state(Context& c, const ListSegment& segment) {
 void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
   bool issued = false;
   const bool watched = !segment.effects.opaque && segment.vertex_lists.empty();
-  refine(c, {.mode = segment.mode,
-             .triangles = triangles,
-             .exact = segment.exact,
-             .tags_vary = segment.sets_tags,
-             .whole_polygons = segment.whole_polygons,
-             .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
-             .list_segment = segment.identity,
-             .segment = watched ? &segment : nullptr,
-             .issue = [&] {
-               c.gl().CallList(segment.list);
-               issued = true;
-             }});
+  const auto issue = [&] {
+    c.gl().CallList(segment.list);
+    issued = true;
+  };
+  const DrawCall call{.mode = segment.mode,
+                      .triangles = triangles,
+                      .exact = segment.exact,
+                      .tags_vary = segment.sets_tags,
+                      .whole_polygons = segment.whole_polygons,
+                      .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
+                      .list_segment = segment.identity,
+                      .segment = watched ? &segment : nullptr,
+                      .issue = issue};
+  materials_differ(c, segment.effects) ? leave(c, call, Cause::materials_vary) : refine(c, call);
   if (!watched) {
     c.state().forget_current_values();
   }

@@ -130,5 +130,45 @@ TEST(DeriveOutputs, AnUnsizedArrayWithUnknownIndexIsRefusedByName) {
   EXPECT_EQ(run(e).error, "");
 }
 
+// a = 0, 8, 4 gives a = 5 in the middle, where the stage runs: 25. Outputs that are unsound there are interpolated.
+TEST(DeriveOutputs, UnsoundOutputsAreInterpolatedBesideOthers) {
+  ASSERT_TRUE(make_current(Api::core));
+  Experiment e = experiment(
+      "#version 330 core\nin float a; out float square; out vec2 wrong; flat out float f; out Block { float b; } block;"
+      "\nvoid main() { square = a * a; wrong = vec2(a * a, gl_VertexID); f = a; block.b = a * a; gl_Position = vec4(a "
+      "* a); }",
+      {"square", "wrong", "f", "Block.b", "gl_Position"}, 9);
+  e.request.refinement = core::Refinement::linear_inputs;
+  e.request.outputs.unsound = {"wrong"};
+  EXPECT_EQ(middle(e), (std::vector<float>{25, 36, 20, 4, 25, 25, 25, 25, 25}));
+  e.request.outputs.unsound = {"block.b"};
+  EXPECT_EQ(middle(e).at(4), 36);
+}
+
+TEST(DeriveOutputs, UnsoundOutputsThatAreLinearOnTheScreen) {
+  ASSERT_TRUE(make_current(Api::core));
+  Experiment e = experiment(
+      "#version 330 core\nin float a; noperspective out float wrong; struct S { float x; }; out S s;\n"
+      "void main() { wrong = a * a; s.x = a * a; gl_Position = vec4(vec3(a), a == 8.0 ? 3.0 : 1.0); }",
+      {"wrong", "s.x"}, 2);
+  e.request.refinement = core::Refinement::linear_inputs;
+  e.request.outputs.unsound = {"wrong", "s.x"};
+  // The weights 1/4, 1/2, 1/4 become 1/8, 6/8, 1/8 on the screen: 6/8 64 + 1/8 16 = 50.
+  EXPECT_EQ(middle(e), (std::vector<float>{50, 36}));
+}
+
+TEST(DeriveOutputs, UnsoundOutputsOfOtherCompilationUnits) {
+  ASSERT_TRUE(make_current(Api::compatibility));
+  Experiment e = experiment("", {"s", "t"}, 2);
+  e.request.vertex_sources = {
+      "#version 150\nin float a; out float t; float sum = 1.0; void side() { sum += a; t = sum * sum; }",
+      "#version 150\nin float a; out float s; void side(); void main() { side(); s = a * a; gl_Position = vec4(1.0); "
+      "}"};
+  e.request.refinement = core::Refinement::linear_inputs;
+  e.request.outputs.unsound = {"t"};
+  // (1 + a)^2 = 1, 81, 25 at the corners.
+  EXPECT_EQ(middle(e), (std::vector<float>{25, 47}));
+}
+
 }  // namespace
 }  // namespace glark::refine::test

@@ -246,6 +246,23 @@ TEST_F(RefinedLists, InsideBeginTheListGivesVertices) {
   });
 }
 
+// OpenGL 4.6 compatibility, 21.4: a list may end the primitive that the application has begun.
+TEST_F(RefinedLists, AListEndsThePrimitive) {
+  const GLuint vertices = compile([] {
+    for (const ColoredVertex& vertex : strip().vertices) emit(vertex);
+  });
+  const GLuint end = compile([] { glEnd(); });
+  expect_same_scene({4}, [=] {
+    glBegin(GL_TRIANGLE_STRIP);
+    glCallList(vertices);
+    glCallList(end);
+  });
+  const GLuint begin = compile([] { glBegin(GL_TRIANGLES); });
+  glCallList(begin);
+  glCallList(end);
+  EXPECT_EQ(pending_errors(), "");
+}
+
 TEST_F(RefinedLists, VerticesFromListsInABeginOfAList) {
   const GLuint base = glGenLists(2);
   glListBase(base);

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Keeps curved triangles near their coarse ones. weld.glsl includes this file, declares the tables, and finds positions
+// and edges.
+// - A crease is an edge whose faces meet at more than a given angle although they share its normals. Such a normal is a
+//   mean of faces, not the normal of a surface. So every edge is straight at a position where a crease ends. A normal
+//   that is too steep on one of its faces has the same effect.
+// - The control points of an edge stay within half the least height of all triangles at this edge.
+//
+// Angles come from the positions alone: a triangle lies on one side of its edge, in a direction that its winding does
+// not change. Two triangles in one plane have opposite directions, folded triangles have the same.
+
+uniform float crease_cosine;    // of two directions: more is a crease
+uniform float steepest_cosine;  // of a normal and the normal of its face: less is too steep
+
+int crease_table() { return border_table() + (border_offset >= 0 ? 5 * slot_count : 0); }
+int first_side(int slot) { return crease_table() + 2 * slot; }
+int height_of(int slot) { return crease_table() + 2 * slot + 1; }
+int next_side(int half_edge) { return crease_table() + 2 * slot_count + half_edge; }
+int steepness(int corner) { return vertex_table() + 2 * slot_of_place(corner) + 1; }
+
+vec3 place_of(int corner) { return uintBitsToFloat(position_of(corner).xyz); }
+float largest(vec3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
+
+// The direction in which a triangle lies, seen from its edge: a unit vector across the edge. Zero if the corners are
+// almost in one line.
+vec3 across(uint side) {
+  int low = end_of_side(side, false);
+  int high = end_of_side(side, true);
+  int half_edge = int(side - 1u) >> 1;
+  vec3 from = place_of(low);
+  vec3 edge = place_of(high) - from;
+  vec3 to_third = place_of(next_corner(next_corner(half_edge))) - from;
+  vec3 along = glark_pn_unit(edge);
+  precise vec3 apart = to_third - dot(to_third, along) * along;
+  bool has_area = largest(apart) > 1.0e-4 * max(largest(to_third), largest(edge));
+  return has_area ? glark_pn_unit(apart) : vec3(0.0);
+}
+
+// The least height of the triangle at this half-edge. It has the same bits whichever corner comes first: the sums begin
+// at the least corner.
+float least_height(int half_edge) {
+  uvec4 a = position_of(half_edge);
+  uvec4 b = position_of(next_corner(half_edge));
+  uvec4 c = position_of(next_corner(next_corner(half_edge)));
+  bool b_first = before(b, a);
+  uvec4 least = b_first ? b : a;
+  uvec4 other = b_first ? a : b;
+  bool c_first = before(c, least);
+  vec3 from = uintBitsToFloat((c_first ? c : least).xyz);
+  precise vec3 first = uintBitsToFloat((c_first ? least : c).xyz) - from;
+  precise vec3 second = uintBitsToFloat(other.xyz) - from;
+  float scale = max(largest(first), largest(second));
+  if (!(scale > 0.0)) {
+    return 0.0;
+  }
+  first /= scale;
+  second /= scale;
+  precise vec3 third = second - first;
+  float longest = max(max(dot(first, first), dot(second, second)), dot(third, third));
+  vec3 twice_area = cross(first, second);
+  precise float height = scale * sqrt(dot(twice_area, twice_area) / longest);
+  return height;
+}
+
+// Adds a side to the list of its edge, and its height to the least one. Bits of positive numbers are in the order of
+// the numbers. They are stored inverted, because the tables begin with 0.
+void insert_limits(int half_edge, int slot, uint side) {
+  tables[next_side(half_edge)] = atomicExchange(tables[first_side(slot)], side);
+  atomicMax(tables[height_of(slot)], ~floatBitsToUint(least_height(half_edge)));
+}
+
+// Two faces share their normals at a corner if these differ by less than half of the angle of the faces. Opposite
+// normals are the same.
+bool share_normals(int corner, int other, float cosine_of_faces) {
+  vec3 a = glark_pn_unit(normal_of(corner));
+  vec3 b = glark_pn_unit(normal_of(other));
+  float cosine = dot(a, b);
+  return a == vec3(0.0) || b == vec3(0.0) || cosine * cosine > 0.5 + 0.5 * abs(cosine_of_faces);
+}
+
+// The face beyond a boundary belongs to another draw. If its angle to this face is that of a crease, then a normal of
+// both lies half of this angle away from this face.
+bool is_mean_of_crease(int corner, vec3 along, vec3 direction) {
+  vec3 normal = glark_pn_unit(normal_of(corner));
+  float out_of_face = dot(normal, cross(along, direction));
+  float in_face = dot(normal, direction);
+  float square = out_of_face * out_of_face;
+  float size = square + in_face * in_face;
+  return size > 0.0 && 1.0 - 2.0 * square / size > crease_cosine;
+}
+
+// Finds the side that continues this one with the least angle. Sides that lie upon this one, as in sheets with two
+// faces, do not count. Without another side, the edge is a boundary.
+void mark_crease(uint own, vec3 direction) {
+  const int most_sides = 32;
+  const float same = 0.999999;
+  const float none = 2.0;
+  float straightest = none;
+  bool shared_low = false;
+  bool shared_high = false;
+  int count = 0;
+  int low = end_of_side(own, false);
+  int high = end_of_side(own, true);
+  uint side = tables[first_side(int(tables[edge_slots() + (int(own - 1u) >> 1)]))];
+  for (; side != 0u && count < most_sides; ++count) {
+    vec3 other = across(side);
+    float cosine = dot(direction, other);
+    if (other != vec3(0.0) && cosine < same && cosine <= straightest) {
+      bool equal = cosine == straightest;
+      shared_low = (equal && shared_low) || share_normals(low, end_of_side(side, false), cosine);
+      shared_high = (equal && shared_high) || share_normals(high, end_of_side(side, true), cosine);
+      straightest = cosine;
+    }
+    side = tables[next_side(int(side - 1u) >> 1)];
+  }
+  if (straightest == none) {
+    vec3 along = glark_pn_unit(place_of(high) - place_of(low));
+    shared_low = is_mean_of_crease(low, along, direction);
+    shared_high = is_mean_of_crease(high, along, direction);
+  }
+  if (side != 0u || (straightest > crease_cosine && shared_low)) {
+    tables[steepness(low)] = 1u;
+  }
+  if (side != 0u || (straightest > crease_cosine && shared_high)) {
+    tables[steepness(high)] = 1u;
+  }
+}
+
+void mark(int half_edge) {
+  if (!is_side(half_edge)) {
+    return;
+  }
+  uint side = side_name(half_edge, before(position_of(next_corner(half_edge)), position_of(half_edge)));
+  vec3 direction = across(side);
+  if (direction == vec3(0.0)) {
+    return;
+  }
+  vec3 normal = glark_pn_unit(normal_of(half_edge));
+  vec3 along = glark_pn_unit(place_of(next_corner(half_edge)) - place_of(half_edge));
+  if (plane_of(half_edge) != uvec4(0u) && abs(dot(normal, cross(along, direction))) < steepest_cosine) {
+    tables[steepness(half_edge)] = 1u;
+  }
+  mark_crease(side, direction);
+}
+
+bool is_straight_at(int corner) { return tables[steepness(corner)] != 0u; }
+
+// Control points are kept multiplied by 3. The edge then stays within 3/8 of the height, the triangle within half of it.
+vec3 limited(vec3 control, vec4 near, vec4 far, int slot) {
+  precise vec3 straight = 2.0 * near.xyz + far.xyz;
+  precise vec3 offset = control - straight;
+  precise float most = 1.5 * uintBitsToFloat(~tables[height_of(slot)]);
+  float scale = largest(offset);
+  precise float size = scale * length(offset / scale);  // no square under- or overflows
+  if (!(size > most)) {
+    return control;
+  }
+  precise vec3 shortened = straight + (most / size) * offset;
+  return shortened;
+}
+
+void clear_limits(int slot) {
+  tables[first_side(slot)] = 0u;
+  tables[height_of(slot)] = 0u;
+}

@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""The programs of scripts/strangers: programs and demos of Debian 12 that glark was not made for, each in use."""
+import dataclasses
+import pathlib
+
+SCENES = pathlib.Path(__file__).resolve().parent / "scenes"
+HACKS = "/usr/libexec/xscreensaver/"
+QT = "/usr/lib/x86_64-linux-gnu/qt5/examples/"
+PERL = "/usr/share/doc/libopengl-perl/examples/"
+PYQTGRAPH = "/usr/lib/python3/dist-packages/pyqtgraph/examples/"
+PYTHON = "/usr/bin/python3"
+DRAG = ((7, "mousemove 200 220 mousedown 1 sleep .4 mousemove 215 225 sleep .4 mousemove 230 230 sleep .4 mousemove 245 235 "
+         "sleep .4 mousemove 260 240 sleep .4 mousemove 275 245 sleep .4 mouseup 1"),)
+MODELS = "MODELS"  # stands for the folder with the models that models.py writes
+
+
+@dataclasses.dataclass
+class Stranger:
+    name: str
+    kind: str
+    packages: tuple
+    command: list
+    egl: bool = False       # reaches OpenGL by EGL
+    seconds: float = 8      # length of the recording
+    frames: int = 150       # the recording is cut after so many frames; four of the second half are compared
+    keys: tuple = ()        # (seconds to wait, what xdotool does then), one after the other
+    environment: dict = dataclasses.field(default_factory=dict)
+    remark: str = ""
+
+
+def saver(name: str, *options: str, remark: str = "") -> Stranger:
+    return Stranger(name, "screen saver", ("xscreensaver-gl", "xscreensaver-gl-extra"),
+                    [HACKS + name, "--window", "--geometry", "400x300", *options], egl=True, seconds=5, frames=60, remark=remark)
+
+
+def shooter(name: str, *options: str, keys: tuple = ((4, "keydown z"), (2, "keydown Left"))) -> Stranger:
+    return Stranger(name, "game, in play", (name,), ["/usr/games/" + name, *options], seconds=10, frames=240, keys=keys)
+
+
+def qt(path: str, **more) -> Stranger:
+    package = "qtdatavisualization5-examples" if path.startswith("datavis") else "qtbase5-examples"
+    name = path.split("/")[-1]
+    if path.startswith("datavis"):  # glretrace cannot destroy their GLX pixel buffers
+        more |= {"seconds": 12, "keys": DRAG, "egl": True, "environment": {"QT_XCB_GL_INTEGRATION": "xcb_egl"}}
+    return Stranger(f"Qt {name}", "toolkit", (package,), [f"{QT}{path}/{name}"], frames=60, **more)
+
+
+def perl(name: str) -> Stranger:
+    return Stranger(f"Perl {name}", "language", ("libopengl-perl", "libglut3.12"), ["/usr/bin/perl", f"{PERL}{name}.pl"], frames=60)
+
+
+def pyqtgraph(name: str) -> Stranger:
+    return Stranger(f"pyqtgraph {name}", "toolkit", ("python3-pyqtgraph", "python3-pyqt5", "python3-opengl", "python3-pyqt5.qtopengl"),
+                    [PYTHON, f"{PYQTGRAPH}{name}.py"], frames=40, seconds=13, keys=DRAG)
+
+
+def scene(toolkit: str, package: str, **more) -> Stranger:
+    """A small program of ours for a toolkit whose package ships none."""
+    return Stranger(toolkit, "toolkit", (package,), [PYTHON, str(SCENES / f"{toolkit}_scene.py")], frames=40, seconds=10, **more)
+
+
+def arena(name: str, renderer: str) -> Stranger:
+    settings = {"cl_renderer": renderer, "r_fullscreen": "0", "r_mode": "-1",
+                "r_customwidth": "320", "r_customheight": "240", "com_maxfps": "8", "s_initsound": "0", "sv_pure": "0",
+                "g_spSkill": "1", "r_swapInterval": "0"}
+    words = [word for key, value in settings.items() for word in ("+set", key, value)]
+    return Stranger(name, "game, in play", ("openarena",), ["/usr/games/openarena", *words, "+devmap", "oa_dm1", "+addbot", "gargoyle"],
+                    seconds=25, frames=400)
+
+
+SHOOTERS = [
+    shooter("torus-trooper", "-window", "-res", "320", "240"),
+    shooter("tumiki-fighters", "-window", "-res", "320", "240"), shooter("gunroar", "-window", "-res", "320", "240"),
+    shooter("titanion", "-window", "-res", "320", "240"), shooter("mu-cade", "-window", "-res", "320", "240"),
+    shooter("parsec47", "-window", "-lowres"), shooter("rrootage", "-window", "-lowres"),
+    shooter("a7xpg", "-window", "-lowres"), shooter("val-and-rick", "-window", "-res", "320", "240"),
+    shooter("ii-esu", "-window"), shooter("projectl", "-window", "-res", "320", "240"),
+]
+
+GAMES = [
+    arena("OpenArena", "opengl1"), arena("OpenArena GL2", "opengl2"),
+    Stranger("armagetronad", "game, in play", ("armagetronad",), ["/usr/games/armagetronad"], seconds=14, frames=400,
+             keys=((3, "key Return"), (1, "key Return"), (1, "key Return"), (1, "key Return"))),
+    Stranger("zaz", "game, menu", ("zaz",), ["/usr/games/zaz"], seconds=12, keys=((4, "key Return"), (2, "key Return"))),
+    Stranger("brutalchess", "game, in play", ("brutalchess",), ["/usr/games/brutalchess"], seconds=10,
+             keys=((3, "key Return"), (2, "key Return"))),
+    Stranger("dreamchess", "game, menu", ("dreamchess",), ["/usr/games/dreamchess", "--width", "640", "--height", "480"],
+             seconds=10, keys=((4, "key Return"), (1, "key Return"))),
+    Stranger("Freedoom in dsda-doom", "game, in play", ("dsda-doom", "freedoom"),
+             ["/usr/games/dsda-doom", "-iwad", "/usr/share/games/doom/freedoom1.wad", "-vidmode", "gl", "-geom", "320x240w",
+              "-nosound", "-warp", "1", "-skill", "3"], frames=300),
+    Stranger("supertux", "game, menu", ("supertux",), ["/usr/games/supertux2", "--geometry", "320x240", "--window",
+             "/usr/share/games/supertux2/levels/world1/welcome_antarctica.stl"], seconds=10),
+    Stranger("minetest", "game, in play", ("minetest", "minetest-data"),
+             ["/usr/games/minetest", "--world", f"{MODELS}/world", "--go"], seconds=25, frames=200),
+    Stranger("crrcsim", "game, in play", ("crrcsim",), ["/usr/games/crrcsim"], seconds=12, frames=120),
+    Stranger("transcend", "game, in play", ("transcend",), ["/usr/games/Transcend"], seconds=8),
+    Stranger("cultivation", "game, in play", ("cultivation",), ["/usr/games/Cultivation"], seconds=8),
+    Stranger("extremetuxracer in play", "game, in play", ("extremetuxracer",), ["/usr/games/etr"], seconds=20, frames=400,
+             keys=((4, "key Return"), (2, "key Return"), (2, "key Return"), (2, "key Return"), (2, "key Return"))),
+    Stranger("torcs", "game, in play", ("torcs",), ["/usr/games/torcs"], seconds=40, frames=300,
+             keys=((6, "key Return"), (3, "key Return"), (3, "key Return"), (3, "key Return"))),
+    Stranger("kubrick", "game", ("kubrick",), ["/usr/games/kubrick"], seconds=10, frames=60),
+]
+
+SAVERS = [saver(name) for name in (
+    "endgame", "jigglypuff", "lament", "sballs", "pinion", "engine", "cube21", "peepers", "headroom", "handsy",
+    "lavalite", "juggler3d", "glschool", "glsnake", "moebiusgears", "splodesic", "topblock", "winduprobot", "rubik",
+    "companioncube", "skytentacles", "hydrostat", "geodesicgears", "glhanoi",
+    "queens", "sphereeversion", "vigilance")]
+GLX = {"GDK_DEBUG": "gl-glx"}  # GTK 4 then does without EGL
+
+TOOLKITS = [
+    Stranger("GTK 4 widgets", "toolkit", ("gtk-4-examples",), ["/usr/bin/gtk4-widget-factory"], frames=20, environment=GLX),
+    qt("datavisualization/bars"), qt("datavisualization/scatter"), qt("datavisualization/surface"),
+    qt("datavisualization/customitems"), qt("datavisualization/volumetric"), qt("datavisualization/qmlsurface"),
+    qt("datavisualization/qmlbars"), qt("opengl/threadedqopenglwidget"), qt("opengl/hellowindow"), qt("opengl/textures"),
+    pyqtgraph("GLMeshItem"), pyqtgraph("GLSurfacePlot"), pyqtgraph("GLIsosurface"), pyqtgraph("GLVolumeItem"),
+    scene("pyglet", "python3-pyglet"), scene("kivy", "python3-kivy"),
+    scene("wx", "python3-wxgtk4.0"), scene("vtk", "python3-vtk9"),
+    perl("planets"), perl("glxgears"),
+]
+
+DESKTOP = [
+    Stranger("OpenSCAD", "modeller", ("openscad",), ["/usr/bin/openscad", "/usr/share/openscad/examples/Basics/CSG.scad"], seconds=14, keys=DRAG),
+    Stranger("OpenSCAD logo", "modeller", ("openscad",), ["/usr/bin/openscad", "/usr/share/openscad/examples/Basics/logo.scad"],
+             seconds=14, keys=DRAG),
+    Stranger("fstl", "modeller", ("fstl",), ["/usr/bin/fstl", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
+    Stranger("Gmsh", "modeller", ("gmsh",), ["/usr/bin/gmsh", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
+    Stranger("Goxel", "modeller", ("goxel",), ["/usr/bin/goxel"], seconds=14, keys=DRAG),
+    Stranger("SolveSpace", "modeller", ("solvespace",), ["/usr/bin/solvespace"], seconds=14, keys=DRAG),
+    Stranger("Wings 3D", "modeller", ("wings3d",), ["/usr/bin/wings"], seconds=14, keys=DRAG),
+    Stranger("Avogadro", "molecules", ("avogadro",), ["/usr/bin/avogadro2", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
+    Stranger("PyMOL sticks", "molecules", ("pymol",), ["/usr/bin/pymol", "-q", "-x", f"{MODELS}/molecule.xyz", "-d", "show sticks"],
+             seconds=14, keys=DRAG),
+    Stranger("PyMOL spheres", "molecules", ("pymol",), ["/usr/bin/pymol", "-q", "-x", f"{MODELS}/molecule.xyz", "-d", "show spheres"],
+             seconds=14, keys=DRAG),
+    Stranger("QuteMol", "molecules", ("qutemol",), ["/usr/bin/qutemol", f"{MODELS}/molecule.pdb"], seconds=14, keys=DRAG),
+    Stranger("GDIS", "molecules", ("gdis",), ["/usr/bin/gdis", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
+    Stranger("V_Sim", "molecules", ("v-sim",), ["/usr/bin/v_sim", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
+    Stranger("kitty", "desktop", ("kitty",), ["/usr/bin/kitty", "ls", "-l", "/usr/share"]),
+    Stranger("gource", "desktop", ("gource",), ["/usr/bin/gource", "-320x240", "--log-format", "custom", f"{MODELS}/history.log"]),
+    Stranger("Chromium WebGL", "browser", ("chromium",),
+             ["/usr/bin/chromium", "--no-sandbox", "--in-process-gpu", "--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist",
+              "--window-size=400,300", "--user-data-dir=MODELS/chromium", str(SCENES / "webgl.html")], seconds=25),
+    Stranger("openMSX", "emulator", ("openmsx",), ["/usr/bin/openmsx", "-machine", "C-BIOS_MSX2"], seconds=10, frames=60),
+    Stranger("Inventor noodle", "demo", ("inventor-demo",), ["/usr/lib/inventor/noodle"], seconds=14, frames=40, keys=DRAG),
+    Stranger("Inventor ivview", "demo", ("inventor-clients",), ["/usr/bin/ivview",
+             "/usr/share/doc/inventor-demo/src/apps/examples/data/luxo.iv"]),
+]
+
+PROGRAMS = [*TOOLKITS, *DESKTOP, *GAMES, *SAVERS, *SHOOTERS]

@@ -1,0 +1,317 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""The work of scripts/strangers: records programs in use, replays them plain, off and refined, and counts what looks broken.
+
+A program that is installed is recorded once, by apitrace and without glark. Four frames of the second half are compared.
+A program that was judged is skipped until its results are older than the library, or --only or --again names it.
+"""
+import argparse
+import dataclasses
+import json
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+
+import numpy
+
+import breakage
+import contact_sheet
+from models import write_models
+from recording import Failure, on_display, read_frames, run
+from stranger_programs import MODELS, PROGRAMS, Stranger
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+LEVEL = 2
+NUMBERS = ("vanished", "appeared", "stripes", "strays")
+MARKS = ("<!-- programs: written by scripts/strangers --write -->", "<!-- end of programs -->")
+# Causes of draws that smooth cannot refine: points and lines, user interfaces, what draws nothing, no normals.
+NO_OBJECTS = {"not_triangles", "screen_quad", "overlay", "orthographic", "render_mode", "rasterizer_discard", "invalid_draw",
+              "left_shader", "blended", "no_depth_test", "no_depth_writes", "no_surface"}
+
+
+def file_of(program: Stranger, folder: pathlib.Path, suffix: str) -> pathlib.Path:
+    return folder / (re.sub(r"[^\w-]", "_", program.name) + suffix)
+
+
+def with_keys(program: Stranger, command: list) -> list:
+    """A shell command that runs the program, and beside it presses keys after so many seconds each."""
+    presses = "; ".join(f"sleep {seconds}; xdotool {action}" for seconds, action in program.keys)
+    return ["sh", "-c", f"({presses}) >/dev/null 2>&1 & exec {shlex.join(command)}"] if presses else command
+
+
+def frame_calls(trace: pathlib.Path) -> list:
+    """The numbers of the calls that end a frame."""
+    dump = subprocess.run(["apitrace", "dump", "--color=never", "--calls=*/frame", str(trace)], stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, check=False).stdout.decode(errors="replace")
+    return [int(line.split()[0]) for line in dump.splitlines() if re.match(r"\d+ \w+Swap\w*Buffers\w*\(", line)]
+
+
+def compared(program: Stranger, calls: list) -> list:
+    """Four frames of the second half; the last one may be cut short by the end of the recording."""
+    kept = calls[:program.frames][:-1] or calls
+    return sorted({kept[int(share * (len(kept) - 1))] for share in (0.55, 0.7, 0.85, 1)})
+
+
+def record(program: Stranger, folder: pathlib.Path, slow: float) -> list:
+    """Writes NAME.trace, unless it exists, and returns the calls of the compared frames."""
+    trace, whole, calls = (file_of(program, folder, suffix) for suffix in (".trace", ".whole", ".calls"))
+    if not trace.exists():
+        home = folder / "home"
+        home.mkdir(exist_ok=True)
+        command = ["apitrace", "trace", "--api", "egl" if program.egl else "gl", "-o", str(whole),
+                   *(word.replace(MODELS, str(folder / "models")) for word in program.command)]
+        log = file_of(program, folder, ".record.log")
+        run(on_display(with_keys(program, command), "--seconds", str(program.seconds * slow), "--screenshot",
+                       str(file_of(program, folder, ".ppm"))),
+            {"HOME": str(home), "PATH": "/usr/games:/usr/bin:/bin", **program.environment}, log, 300, cwd=home, stdout=subprocess.DEVNULL)
+        if not whole.exists():
+            raise Failure(f"nothing was recorded; see {log}")
+        found = frame_calls(whole)
+        if not found:
+            whole.unlink()
+            raise Failure(f"the recording has no frame; see {log}")
+        chosen = compared(program, found)
+        trimmed = subprocess.run(["apitrace", "trim", f"--calls=0-{chosen[-1]}", "-o", str(trace.with_suffix(".new")), str(whole)],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        whole.unlink()
+        if trimmed.returncode != 0:
+            raise Failure("the recording cannot be trimmed")
+        calls.write_text(json.dumps(chosen))
+        trace.with_suffix(".new").rename(trace)
+    return json.loads(calls.read_text())
+
+
+@dataclasses.dataclass
+class Replay:
+    frames: list
+    statistics: dict
+
+
+def replay(program: Stranger, folder: pathlib.Path, variant: str, library: dict, limit: float) -> Replay:
+    calls = json.loads(file_of(program, folder, ".calls").read_text())
+    statistics, log, pictures = (file_of(program, folder, f".{variant}{suffix}") for suffix in (".json", ".log", ".pnm"))
+    statistics.unlink(missing_ok=True)
+    settings = [f"{key}={value}" for key, value in library.items()] + ([f"GLARK_STATS={statistics}"] if library else [])
+    command = ["env", *settings, "eglretrace" if program.egl else "glretrace", "--headless", "--singlethread", "-s", "-",
+               "--snapshot-format=PNM", "-S", ",".join(map(str, calls)), str(file_of(program, folder, ".trace"))]
+    try:
+        with open(pictures, "wb") as sink:
+            result = run(on_display(command), {}, log, limit, stdout=sink)
+        with open(pictures, "rb") as stream:
+            frames = read_frames(stream)
+    except subprocess.TimeoutExpired:
+        raise Failure(f"{variant}: not done after {limit:.0f} seconds") from None
+    finally:
+        pictures.unlink(missing_ok=True)
+    if result.returncode != 0:
+        raise Failure(f"{variant}: status {result.returncode}; see {log}")
+    if library and not statistics.exists():
+        raise Failure(f"{variant}: no statistics: the library saw no context")
+    return Replay([numpy.repeat(frame, 3, axis=2) if frame.shape[2] == 1 else frame for frame in frames],
+                  json.loads(statistics.read_text()) if library else {})
+
+
+def is_blank(frame: numpy.ndarray) -> bool:
+    """Whether nearly every pixel has the same colour."""
+    _, counts = numpy.unique(frame.reshape(-1, 3), axis=0, return_counts=True)
+    return counts.max() > 0.997 * counts.sum()
+
+
+def off_pixels(plain: list, off: list) -> int:
+    return sum(int((first != second).any(axis=2).sum()) for first, second in zip(plain, off))
+
+
+def judge(plain: list, refined: list, allowance) -> tuple:
+    """The four numbers, each of its worst frame, the share of changed pixels, and the masks of the worst frame."""
+    found = [breakage.breakage(first, second, allowance(*first.shape[1::-1])) for first, second in zip(plain, refined)]
+    counts = [one.counts() for one in found]
+    worst = max(range(len(found)), key=lambda i: (sum(counts[i]), i))
+    changed = max(float((breakage.difference(a, b) > 8).mean()) for a, b in zip(plain, refined))
+    return [max(column) for column in zip(*counts)], changed, worst, found[worst]
+
+
+def life(statistics: dict) -> dict:
+    draws = statistics["draws"]
+    causes = draws["passed_through"]
+    objects = draws["seen"] - sum(count for cause, count in causes.items() if cause in NO_OBJECTS)
+    return {"draws": draws["seen"], "objects": objects, "refined": draws["refined"], "causes": causes}
+
+
+def settings_of(mode: str, library: pathlib.Path) -> dict:
+    return {"LD_PRELOAD": str(library), "GLARK_ENABLE": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": mode}
+
+
+def examine(program: Stranger, folder: pathlib.Path, arguments: argparse.Namespace) -> dict:
+    """Records and replays one program, and returns what the table needs. Writes its row of the contact sheet."""
+    record(program, folder, arguments.slow)
+    library = arguments.library
+    plain = replay(program, folder, "plain", {}, arguments.limit)
+    if not plain.frames:
+        raise Failure("the recording has no frame")
+    if all(is_blank(frame) for frame in plain.frames):
+        raise Failure("the recording shows nothing")
+    off = replay(program, folder, "off", {"LD_PRELOAD": str(library)}, arguments.limit)
+    result = {"name": program.name, "kind": program.kind, "frames": len(plain.frames),
+              "off": off_pixels(plain.frames, off.frames), "modes": {}}
+    shown = [("plain", plain.frames[-1], None), ("off", off.frames[-1], None)]
+    for mode in arguments.modes:
+        allowance = breakage.exact if mode in ("linear", "outputs") else breakage.curved
+        try:
+            refined = replay(program, folder, mode, settings_of(mode, library), arguments.limit)
+            numbers, changed, worst, masks = judge(plain.frames, refined.frames, allowance)
+        except Failure as failure:
+            result["modes"][mode] = {"failure": str(failure)}
+            continue
+        result["modes"][mode] = {"numbers": numbers, "changed": changed, **life(refined.statistics)}
+        if sum(numbers):
+            shown.append((f"plain {worst}", plain.frames[worst], None))
+        shown.append((f"{mode} {numbers}", refined.frames[worst if sum(numbers) else -1], masks))
+    contact_sheet.write_row(file_of(program, folder, ".png"), program.name, shown)
+    return result
+
+
+def row_of(result: dict) -> list:
+    """A row of the table: one program."""
+    cells = [result["name"], result["kind"], result.get("off", "-")]
+    for mode in result.get("modes", {}).values():
+        cells += [mode["failure"]] if "failure" in mode else [" ".join(map(str, mode["numbers"]))]
+    lives = [mode for mode in result.get("modes", {}).values() if "draws" in mode]
+    if not lives:
+        return cells + [result.get("failure", "-")]
+    last = lives[-1]
+    left = ", ".join(f"{count} `{cause}`" for cause, count in last["causes"].items()) or "-"
+    return cells + [last["draws"], last["objects"], last["refined"], left]
+
+
+def results_of(folder: pathlib.Path) -> list:
+    files = [file_of(program, folder, ".result") for program in PROGRAMS]
+    return [json.loads(file.read_text()) for file in files if file.exists()]
+
+
+def table(results: list, modes: list) -> str:
+    head = ["program", "kind", "off: pixels", *modes, "draws", "of objects", "refined", "left alone", "remark"]
+    remarks = {program.name: program.remark for program in PROGRAMS}
+    rows = [row_of(result) + [remarks.get(result["name"], "") or "-"] for result in results]
+    lines = ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
+    return "\n".join(["| " + " | ".join(head) + " |", "|" + "---|" * len(head), *lines])
+
+
+def summary(results: list) -> str:
+    """How many were judged and are healthy, and the share of draws of objects that the last mode refined."""
+    broken = [result["name"] for result in results if is_broken(result)]
+    lives = [mode for result in results for mode in list(result["modes"].values())[-1:] if mode.get("objects")]
+    refined, objects = (sum(life[key] for life in lives) for key in ("refined", "objects"))
+    share = f"{100 * refined / objects:.1f} %" if objects else "none"
+    return (f"{len(results)} programs judged, {len(broken)} look broken: {', '.join(broken) or '-'}. "
+            f"Of {objects} draws of objects, {share} were refined.")
+
+
+def write_table(text: str) -> None:
+    page = ROOT / "docs" / "reference" / "strangers.md"
+    before, _, rest = page.read_text().partition(MARKS[0])
+    after = rest.partition(MARKS[1])[2]
+    page.write_text(f"{before}{MARKS[0]}\n{text}\n{MARKS[1]}{after}")
+
+
+def install(programs: list) -> None:
+    """Installs each program by itself: a package that cannot be had must not keep the others away."""
+    for program in programs:
+        if not installed(program):
+            subprocess.run([str(ROOT / "scripts" / "install_packages"), "--these", *program.packages], check=False)
+
+
+def installed(program: Stranger) -> bool:
+    return all(shutil.which(tool) for tool in (program.command[0], "apitrace", "glretrace")) and all(
+        pathlib.Path(word).exists() for word in program.command if word.startswith("/"))
+
+
+def arguments_of() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="scripts/strangers", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--library", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--folder", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--install", action="store_true", help="install the programs first")
+    parser.add_argument("--only", action="append", default=[], metavar="NAME", help="this program (may be given several times)")
+    parser.add_argument("--modes", default="outputs,smooth", help="refinements, separated by commas (outputs,smooth)")
+    parser.add_argument("--record", action="store_true", help="make the missing recordings, replay nothing")
+    parser.add_argument("--recorded", action="store_true", help="judge only programs that are recorded")
+    parser.add_argument("--fresh", action="store_true", help="record again")
+    parser.add_argument("--again", action="store_true", help="judge programs again that were judged")
+    parser.add_argument("--broken", action="store_true", help="judge those again whose numbers are not all 0")
+    parser.add_argument("--slow", type=float, default=1, help="record for so many times as long, on a busy machine (1)")
+    parser.add_argument("--limit", type=float, default=120, help="seconds for one replay (120)")
+    parser.add_argument("--sheet", action="store_true", help="only join the rows of the contact sheet")
+    parser.add_argument("--list", action="store_true", help="list the programs, their packages, and whether they are installed")
+    parser.add_argument("--write", action="store_true", help="put the table into docs/reference/strangers.md")
+    arguments = parser.parse_args()
+    arguments.modes = arguments.modes.split(",")
+    arguments.folder, arguments.library = arguments.folder.resolve(), arguments.library.resolve()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    unknown = set(arguments.only) - {program.name for program in PROGRAMS}
+    if unknown:
+        parser.error(f"no program {sorted(unknown)}; --list names them")
+    return arguments
+
+
+def is_broken(result: dict) -> bool:
+    return bool(result.get("failure") or result.get("off")) or any(
+        "failure" in mode or sum(mode["numbers"]) for mode in result["modes"].values())
+
+
+def is_due(program: Stranger, arguments: argparse.Namespace) -> bool:
+    if arguments.only:
+        return program.name in arguments.only
+    if arguments.recorded and not file_of(program, arguments.folder, ".trace").exists():
+        return False
+    file = file_of(program, arguments.folder, ".result")
+    if not file.exists() or arguments.again:
+        return True
+    return arguments.broken and is_broken(json.loads(file.read_text()))
+
+
+def work_on(program: Stranger, arguments: argparse.Namespace) -> None:
+    started = time.monotonic()
+    if arguments.fresh:
+        file_of(program, arguments.folder, ".trace").unlink(missing_ok=True)
+    try:
+        if arguments.record:
+            calls = record(program, arguments.folder, arguments.slow)
+            print(f"{program.name}: frames end at the calls {calls}", flush=True)
+            return
+        result = examine(program, arguments.folder, arguments)
+    except (Failure, subprocess.TimeoutExpired) as failure:
+        result = {"name": program.name, "kind": program.kind, "failure": str(failure), "modes": {}}
+        print(f"  {program.name}: {failure}", flush=True)
+    if not arguments.record:
+        file_of(program, arguments.folder, ".result").write_text(json.dumps(result))
+        print(*row_of(result), f"{time.monotonic() - started:.0f} s", sep=" | ", flush=True)
+
+
+def main() -> int:
+    arguments = arguments_of()
+    if arguments.list:
+        for program in PROGRAMS:
+            print(program.name, " ".join(program.packages), "installed" if installed(program) else "absent", sep=" | ")
+        return 0
+    write_models(arguments.folder / "models")
+    if arguments.install:
+        install([program for program in PROGRAMS if not arguments.only or program.name in arguments.only])
+    if not arguments.sheet:
+        for program in PROGRAMS:
+            if installed(program) and is_due(program, arguments):
+                work_on(program, arguments)
+    results = results_of(arguments.folder)
+    rows = [file_of(program, arguments.folder, ".png") for program in PROGRAMS]
+    contact_sheet.join([row for row in rows if row.exists()], arguments.folder)
+    drawn = [result for result in results if any(mode.get("draws") for mode in result["modes"].values())]
+    print(f"strangers: {summary(drawn)}")
+    if arguments.write:
+        write_table(f"{summary(drawn)}\n\n{table(drawn, arguments.modes)}")
+    return 1 if any(is_broken(result) for result in drawn) else 0
+
+
+sys.exit(main())

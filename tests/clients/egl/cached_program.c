@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The core profile client with its program in a cache.
+static void link_from_cache(unsigned program);
+#define SCENE_LINK link_from_cache
+#include "egl_surfaceless.c"
+
+#define BINARY(name) gl##name
+#include "program_cache.h"
