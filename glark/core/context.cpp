@@ -5,6 +5,7 @@
 #include <string>
 
 #include "glark/core/report/log.h"
+#include "glark/core/report/statistics.h"
 #include "glark/core/stages.h"
 
 namespace glark::core {
@@ -42,6 +43,7 @@ void Context::start() {
   if (version.empty()) {
     return;
   }
+  note_context(version, capabilities_.refinable);
   if (capabilities_.api == Capabilities::Api::es && options_.wireframe) {  // it has no glPolygonMode
     log(LogLevel::warning, "OpenGL ES draws no wireframes: refined triangles are filled in context " + version);
     options_.wireframe = false;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "glark/core/draw_rule.h"
 #include "glark/core/refinement.h"
 
 namespace glark::core {
@@ -59,6 +60,7 @@ struct ContextOptions {
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources
+  std::vector<DrawRule> rules = {};              // of transparent refinement; the first one that matches applies
   AttributeRoles roles = {};
   bool read_counts = false;  // once a frame, reads back the counts that only the GPU knows, for the statistics
 };

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refined_draw.h"
 
+#include <string>
+
+#include "glark/core/objects/application_message.h"
+#include "glark/core/state/draw_state.h"
+
 namespace glark::core {
 namespace {
 
@@ -10,9 +15,16 @@ KeyFacts key_facts(const DrawPlan& plan, const pattern::PoolInUse& pool) {
           pool.number()};
 }
 
+void count_fallback(const DrawPlan& plan) {
+  if (plan.fallback) {
+    ++statistics().fallen_back[static_cast<std::size_t>(*plan.fallback)];
+  }
+}
+
 void count_refined(const DrawPlan& plan) {
   ++statistics().draws_refined;
   ++plan.program->counters->draws_refined;
+  count_fallback(plan);
 }
 
 }  // namespace
@@ -27,13 +39,13 @@ void RefinedDraw::run(const DrawCall& call) {
     return;
   }
   if (decision.cause || call.triangles == 0) {
-    draw_as_asked(call, decision.cause.value_or(Cause::not_triangles), quiet);
+    draw_as_asked(call, decision.plan, decision.cause.value_or(Cause::not_triangles), quiet);
     return;
   }
   const DrawPlan& plan = decision.plan;
   if (const std::optional<Cause> cause = parts_.passes.ensure_room(plan, call.triangles)) {
     parts_.meshes.judge(call, &plan.program->fields, cause);
-    draw_as_asked(call, *cause, quiet);
+    draw_as_asked(call, plan, *cause, quiet);
     return;
   }
   const KeyFacts facts = key_facts(plan, parts_.pool);
@@ -46,6 +58,7 @@ void RefinedDraw::run(const DrawCall& call) {
   const bool welded = !kept.filled && parts_.passes.weld(plan, triangles);
   refine(plan, triangles, kept, welded);
   count_refined(plan);
+  count_class(plan, std::nullopt, triangles.count);
   parts_.capture.count_drawn(triangles, plan.depth.adaptive ? 0 : plan.depth.level);
 }
 
@@ -55,18 +68,47 @@ void RefinedDraw::leave(const DrawCall& call, Cause cause) {
   pass(cause);
 }
 
-void RefinedDraw::draw_as_asked(const DrawCall& call, Cause cause, const Quiet& quiet) {
-  pass(cause);
+void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet) {
+  pass_planned(plan, cause, call.triangles);
   quiet.interrupt();
   call.issue();
   quiet.hush();
 }
 
 void RefinedDraw::pass(Cause cause) {
+  const Quiet quiet = env_.state.quiet();
+  pass_planned({}, cause, 0);
+}
+
+// Debug output is switched off.
+void RefinedDraw::pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t triangles) {
   if (cause != Cause::not_triangles && cause != Cause::invalid_draw) {
     parts_.feedback.hand_back();
   }
-  passed_.count(cause);
+  count_fallback(plan);
+  const std::string message = passed_.count(cause);
+  if (!message.empty() && env_.ark.enabled && !env_.options.transparent) {
+    const std::string reason = plan.program != nullptr ? plan.program->refinement_log : std::string();
+    const DebugOutput application{env_.gl, env_.bindings().debug_output, true};
+    application.send(MessageId::passed_draw, reason.empty() ? message : message + "\n" + reason);
+  }
+  count_class(plan, cause, triangles);
+}
+
+// For the statistics file only.
+void RefinedDraw::count_class(const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles) {
+  if (!env_.options.read_counts) {
+    return;
+  }
+  DrawClassKey key{.state = read_draw_state(env_, plan.program)};
+  key.verdict.cause = cause;
+  key.verdict.fallback = plan.fallback;
+  if (!cause) {
+    key.verdict.refinement = plan.derived->refinement;
+    key.verdict.measured = plan.depth.measured;
+    key.verdict.level = plan.depth.adaptive ? 0 : plan.depth.level;
+  }
+  classes_.count(key, triangles);
 }
 
 capture::CoarseTriangles RefinedDraw::capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept,
@@ -132,7 +174,7 @@ std::uint64_t RefinedDraw::begin_immediate(GLenum mode) {
   std::optional<Cause> cause;
   const std::uint64_t room = parts_.immediate.begin(mode, cause);
   if (cause) {
-    pass(*cause);
+    pass_planned({}, *cause, 0);
   }
   return room;
 }
@@ -147,9 +189,10 @@ void RefinedDraw::end_immediate(std::uint64_t triangles) {
   }
   const bool welded = parts_.passes.weld(captured.plan, captured.triangles);
   if (captured.cause) {
-    pass(*captured.cause);
+    pass_planned(captured.plan, *captured.cause, captured.triangles.count);
   } else {
     count_refined(captured.plan);
+    count_class(captured.plan, std::nullopt, captured.triangles.count);
   }
   refine(captured.plan, captured.triangles, {}, welded);
   statistics().coarse_triangles += captured.triangles.count;

@@ -18,6 +18,7 @@
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
 #include "glark/core/report/cause.h"
+#include "glark/core/report/draw_classes.h"
 #include "glark/core/report/passed_draws.h"
 #include "glark/core/state/environment.h"
 #include "glark/core/submit/submission.h"
@@ -46,10 +47,13 @@ class RefinedDraw {
   void end_immediate(std::uint64_t triangles);
   // Notes a draw that the caller makes unrefined.
   void leave(const DrawCall& call, Cause cause);
+  void frame_finished() { classes_.frame_finished(); }
 
  private:
   void pass(Cause cause);
-  void draw_as_asked(const DrawCall& call, Cause cause, const Quiet& quiet);
+  void draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet);
+  void pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t triangles);
+  void count_class(const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles);
   capture::CoarseTriangles capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept, const Quiet& quiet);
   void refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept, bool welded);
   depth::BinnedInstances sort(const DrawPlan& plan, const Records& records, const KeptDraw& kept);
@@ -57,6 +61,7 @@ class RefinedDraw {
   const Environment& env_;
   Parts parts_;
   PassedDraws passed_;
+  DrawClasses classes_;
 };
 
 }  // namespace glark::core

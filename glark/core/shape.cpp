@@ -7,8 +7,8 @@
 namespace glark::core {
 namespace {
 
-float shape_number(const ContextOptions& options, const ArkState& ark) {
-  const Refinement refinement = options.transparent ? options.refinement : ark.refinement;
+// The number is that of the program's refinement, which a rule of the user may have chosen.
+float shape_number(const ContextOptions& options, const ArkState& ark, Refinement refinement) {
   return (options.transparent ? options.shape_numbers : ark.shape_numbers)[static_cast<std::size_t>(refinement)];
 }
 
@@ -37,7 +37,7 @@ void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& k
 void set_shape(const gl::Dispatch& gl, const ContextOptions& options, const ArkState& ark,
                const DerivedProgram& derived) {
   if (derived.shape_number >= 0) {
-    gl.ProgramUniform1f(derived.name, derived.shape_number, shape_number(options, ark));
+    gl.ProgramUniform1f(derived.name, derived.shape_number, shape_number(options, ark, derived.refinement));
   }
   if (derived.height_map >= 0) {
     set_displacement(gl, ark.displacement, derived);

@@ -34,6 +34,7 @@ void Stages::frame_finished() {
   read_counts();
   passes_.sorter().frame_finished();
   kept_.frame_finished();
+  draw_.frame_finished();
   meshes_.frame_finished();
   ends_frames_ = true;
 }

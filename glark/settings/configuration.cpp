@@ -22,6 +22,7 @@
 #pragma pop_macro("TOML_UNREACHABLE")
 #include <toml++/toml.h>
 
+#include "glark/settings/rules.h"
 #include "glark/settings/table.h"
 
 namespace glark::settings {
@@ -58,6 +59,8 @@ class Reader {
   void parse_lines(std::vector<std::string_view> lines, std::size_t first_line);
   void apply_table(const Part& part, const toml::table& table, bool all_programs);
   void apply_value(const Part& part, const Setting& setting, const toml::node& node);
+  void apply_rules(const Part& part, const toml::node& node);
+  void apply_rule(const Part& part, const toml::table& table);
 
   const std::string& file_;
   Settings& settings_;
@@ -105,6 +108,12 @@ std::string known_keys() {
   std::string names;
   for (const Setting& setting : table())
     if (setting.in_file) names += (names.empty() ? "" : ", ") + std::string(setting.key);
+  return names;
+}
+
+std::string keys_of_rules() {
+  std::string names;
+  for (const RuleKey& row : rule_keys()) names += (names.empty() ? "" : ", ") + std::string(row.key);
   return names;
 }
 
@@ -175,6 +184,10 @@ void Reader::apply_table(const Part& part, const toml::table& table, bool all_pr
       if (!node.is_table()) complain(part, node, "program is not a table; write [program.NAME] before the keys of one");
       continue;
     }
+    if (name == "rule") {
+      apply_rules(part, node);
+      continue;
+    }
     const Setting* setting = find_setting(name);
     if (setting == nullptr || !setting->in_file) {
       const std::string_view nearest = nearest_key(name);
@@ -184,6 +197,37 @@ void Reader::apply_table(const Part& part, const toml::table& table, bool all_pr
     }
     apply_value(part, *setting, node);
   }
+}
+
+void Reader::apply_rules(const Part& part, const toml::node& node) {
+  const toml::array* rules = node.as_array();
+  if (rules == nullptr || rules->empty() || !rules->is_homogeneous<toml::table>()) {
+    complain(part, node, "rule is not a list of tables; write [[rule]] before the keys of each");
+    return;
+  }
+  // Rules of a program come before those for all programs, because the first that matches applies.
+  const std::size_t before = settings_.context.rules.size();
+  for (const toml::node& rule : *rules) apply_rule(part, *rule.as_table());
+  auto& all = settings_.context.rules;
+  std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
+}
+
+void Reader::apply_rule(const Part& part, const toml::table& table) {
+  core::DrawRule rule;
+  const std::size_t problems = problems_.size();
+  for (const auto& [key, node] : table) {
+    const RuleKey* row = find_rule_key(key.str());
+    const std::optional<std::string> text = text_of(node);
+    if (row == nullptr)
+      complain(part, node,
+               fmt::format("there is no key \"{}\" in a rule; the keys are {}", key.str(), keys_of_rules()));
+    else if (!text || !row->read(rule, *text))
+      complain(part, node, fmt::format("{} is not valid; {} is needed", row->key, row->needed));
+  }
+  if (!table.contains("refine")) complain(part, table, "the rule has no refine; none or a refinement is needed");
+  if (table.size() == 1 && table.contains("refine"))
+    complain(part, table, "the rule has no condition; without a rule, refine is the key for all draws");
+  if (problems_.size() == problems) settings_.context.rules.push_back(rule);
 }
 
 void Reader::apply_value(const Part& part, const Setting& setting, const toml::node& node) {

@@ -123,6 +123,7 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
   if (settings.everything) {
     settings.context.left_draws = 0;
     settings.context.left_shaders.clear();
+    std::erase_if(settings.context.rules, [](const core::DrawRule& rule) { return !rule.refinement; });
   }
   return parsed;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // glark run [OPTIONS] [--] PROGRAM [ARGUMENTS]: runs an unmodified program with refinement.
+// glark doctor [OPTIONS] [--seconds N] [--] PROGRAM [ARGUMENTS]: runs it for a while and says what was refined and why.
 // glark info: describes the OpenGL of this machine.
 // The commands for files are separate programs.
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "glark/tool/doctor/doctor.h"
 #include "glark/tool/exec.h"
 #include "glark/tool/info/info.h"
 #include "glark/tool/run.h"
@@ -58,7 +60,7 @@ void describe_run(CLI::App& run, glark::tool::RunOptions& options) {
 // Takes the program and its arguments off the end of `words` and returns them. The program begins after "--", or at the
 // first word that is neither an option nor the value of one.
 std::vector<std::string> take_program(const CLI::App& run, std::vector<std::string>& words) {
-  auto word = words.begin() + 1;  // past "run"
+  auto word = words.begin() + 1;  // past the command
   for (; word != words.end() && word->starts_with("-") && *word != "--"; ++word) {
     const CLI::Option* option = run.get_option_no_throw(word->substr(0, word->find('=')));
     const bool value_follows =
@@ -75,7 +77,7 @@ std::vector<std::string> take_program(const CLI::App& run, std::vector<std::stri
 std::string with_nearest_option(const std::string& problem, const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     const std::string key = word.starts_with("--") ? word.substr(2, word.find('=') - 2) : std::string();
-    if (key.empty() || glark::settings::find_setting(key) != nullptr) continue;
+    if (key.empty() || key == "seconds" || key == "help" || glark::settings::find_setting(key) != nullptr) continue;
     const std::string_view nearest = glark::settings::nearest_key(key);
     if (!nearest.empty()) return fmt::format("there is no option --{}; is --{} meant?", key, nearest);
   }
@@ -90,9 +92,11 @@ int complain(const std::string& problem) {
 struct Commands {
   CLI::App app{"glark refines the triangles of unmodified OpenGL programs.", "glark"};
   CLI::App* run = nullptr;
+  CLI::App* doctor = nullptr;
   CLI::App* info = nullptr;
   CLI::App* settings = nullptr;
   glark::tool::RunOptions options;
+  double seconds = 10;  // of the doctor
   std::string page;
 };
 
@@ -102,18 +106,31 @@ void describe(Commands& commands) {
   commands.run =
       app.add_subcommand("run", "Run a program with refinement: glark run [OPTIONS] [--] PROGRAM [ARGUMENTS]");
   describe_run(*commands.run, commands.options);
+  commands.doctor = app.add_subcommand(
+      "doctor",
+      "Run a program for a while and say what was refined and why: glark doctor [OPTIONS] [--] PROGRAM [ARGUMENTS]");
+  describe_run(*commands.doctor, commands.options);
+  commands.doctor->add_option("--seconds", commands.seconds, "Stop the program after so many seconds (default: 10)")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->type_name("N");
   commands.info = app.add_subcommand(
       "info",
       "Describe the OpenGL of this machine and whether glark can refine with it; with a FILE, describe the file");
   commands.settings = app.add_subcommand("settings", "Print the table of settings")->group("");
-  commands.settings->add_option("--as", commands.page)->required()->check(CLI::IsMember({"markdown", "man"}));
+  commands.settings->add_option("--as", commands.page)
+      ->required()
+      ->check(CLI::IsMember({"markdown", "man", "rules", "causes"}));
   for (const glark::tool::OtherCommand& command : glark::tool::other_commands())
     if (glark::tool::find_program(command.program)) app.add_subcommand(command.name, command.help);
 }
 
 int print_settings(const std::string& page) {
   using namespace glark::tool;
-  std::fputs((page == "man" ? settings_as_manual() : settings_as_markdown()).c_str(), stdout);
+  const std::string text = page == "man"      ? settings_as_manual()
+                           : page == "rules"  ? rules_as_markdown()
+                           : page == "causes" ? causes_as_markdown()
+                                              : settings_as_markdown();
+  std::fputs(text.c_str(), stdout);
   return 0;
 }
 
@@ -127,6 +144,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   std::vector<std::string> program;
   if (!words.empty() && words.front() == "run") program = take_program(*commands.run, words);
+  if (!words.empty() && words.front() == "doctor") program = take_program(*commands.doctor, words);
   try {
     commands.app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::Success& wanted) {  // --help, --version
@@ -136,7 +154,9 @@ int main(int argc, char** argv) {
   }
   if (commands.info->parsed()) return glark::tool::info();
   if (commands.settings->parsed()) return print_settings(commands.page);
-  if (!commands.run->parsed()) return complain("no command is given");
-  if (program.empty()) return complain("no program to run is given; write: glark run [OPTIONS] PROGRAM [ARGUMENTS]");
+  if (!commands.run->parsed() && !commands.doctor->parsed()) return complain("no command is given");
+  if (program.empty())
+    return complain(fmt::format("no program to run is given; write: glark {} [OPTIONS] PROGRAM [ARGUMENTS]", words[0]));
+  if (commands.doctor->parsed()) return glark::tool::doctor(commands.options, program, commands.seconds);
   return glark::tool::run(commands.options, program);
 }

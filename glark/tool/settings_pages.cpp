@@ -6,6 +6,9 @@
 
 #include <string_view>
 
+#include "glark/core/report/cause.h"
+#include "glark/core/report/refinement_fallback.h"
+#include "glark/settings/rules.h"
 #include "glark/settings/table.h"
 
 namespace glark::tool {
@@ -59,6 +62,27 @@ std::string settings_as_manual() {
       page += fmt::format(".TP\n.BI \\-\\-{} \" {}\"\n", troff(setting.key), troff(setting.value));
     page += fmt::format("{}\nValue: {}. Default: {}.\n.RB ( {} )\n", troff(sentences_of(setting)),
                         troff(limits_of(setting)), troff(settings::shown_default(setting)), setting.variable);
+  }
+  return page;
+}
+
+std::string rules_as_markdown() {
+  std::string page = "| key | value | what it asks for |\n|---|---|---|\n";
+  for (const settings::RuleKey& row : settings::rule_keys())
+    page += fmt::format("| `{}` | {} | {}. |\n", row.key, row.needed, row.help);
+  return page;
+}
+
+std::string causes_as_markdown() {
+  std::string page = "\n### Draws that stay unrefined\n| cause | why | remedy |\n|---|---|---|\n";
+  for (unsigned i = 0; i < core::cause_count; ++i) {
+    const core::CauseText& text = core::text_of(static_cast<core::Cause>(i));
+    page += fmt::format("| `{}` | {} | {} |\n", text.key, text.explanation, text.remedy);
+  }
+  page += "\n### Draws that get another refinement\n| fallback | why | remedy |\n|---|---|---|\n";
+  for (unsigned i = 0; i < core::refinement_fallback_count; ++i) {
+    const core::FallbackText& text = core::text_of(static_cast<core::RefinementFallback>(i));
+    page += fmt::format("| `{}` | {} | {} |\n", text.key, text.explanation, text.remedy);
   }
   return page;
 }

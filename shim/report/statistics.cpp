@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <deque>
 #include <exception>
 #include <fstream>
 #include <mutex>
@@ -24,6 +25,7 @@
 #include "glark/core/report/log.h"
 #include "glark/core/report/statistics.h"
 #include "glark/core/state/programs/program.h"
+#include "shim/report/draw_classes.h"
 #include "shim/report/options.h"
 
 namespace glark::shim {
@@ -40,6 +42,27 @@ constexpr std::size_t kept_frames = 8192;
 // Counts the frames of all contexts of the process.
 std::atomic<unsigned long> frames{0};
 
+struct Totals {
+  std::uint64_t seen = 0;
+  std::uint64_t refined = 0;
+  std::uint64_t coarse_triangles = 0;
+  std::uint64_t refined_triangles = 0;
+
+  Totals since(const Totals& before) const {
+    return {seen - before.seen, refined - before.refined, coarse_triangles - before.coarse_triangles,
+            refined_triangles - before.refined_triangles};
+  }
+};
+
+struct FrameRecord {
+  unsigned long number = 0;
+  double ms = 0;
+  Totals counts;
+};
+
+// The statistics file shows this many of the latest frames.
+constexpr std::size_t shown_frames = 16;
+
 struct Times {
   std::mutex mutex;
   std::atomic<pid_t> process{0};  // the process that made a context
@@ -48,6 +71,8 @@ struct Times {
   std::vector<double> frame_ms;
   std::size_t next = 0;
   Clock::time_point last_write;
+  std::deque<FrameRecord> last_frames;
+  Totals before;  // at the end of the last frame
 };
 
 // Never destroyed, because a destructor of this library reads it.
@@ -73,13 +98,50 @@ nlohmann::json passed_through(const core::Statistics& counters) {
   return causes;
 }
 
+nlohmann::json fallbacks(const core::Statistics& counters) {
+  nlohmann::json reasons = nlohmann::json::object();
+  for (unsigned i = 0; i < core::refinement_fallback_count; ++i)
+    if (const auto count = counters.fallen_back[i].load())
+      reasons[std::string(core::text_of(static_cast<core::RefinementFallback>(i)).key)] = count;
+  return reasons;
+}
+
 // How often each shader program was used, by the hash of its sources.
 nlohmann::json shaders() {
   nlohmann::json all = nlohmann::json::object();
-  core::for_each_program([&](std::uint64_t hash, const core::ProgramCounters& counters) {
-    all[core::hash_text(hash)] = {{"seen", counters.draws_seen.load()}, {"refined", counters.draws_refined.load()}};
+  core::for_each_program([&](std::uint64_t hash, const core::ProgramCounters& counters, const std::string& problem) {
+    nlohmann::json& shader = all[core::hash_text(hash)];
+    shader = {{"seen", counters.draws_seen.load()}, {"refined", counters.draws_refined.load()}};
+    if (!problem.empty()) shader["problem"] = problem;
   });
   return all;
+}
+
+nlohmann::json contexts() {
+  nlohmann::json all = nlohmann::json::array();
+  core::for_each_context_version([&](const std::string& version, bool refinable, std::uint64_t count) {
+    all.push_back({{"version", version}, {"refinable", refinable}, {"count", count}});
+  });
+  return all;
+}
+
+// Sums of all frames so far.
+Totals totals() {
+  const core::Statistics& counters = core::statistics();
+  return {counters.draws_seen.load(), counters.draws_refined.load(), counters.coarse_triangles.load(),
+          counters.refined_triangles.load()};
+}
+
+nlohmann::json last_frames(const Times& all) {
+  nlohmann::json records = nlohmann::json::array();
+  for (const FrameRecord& frame : all.last_frames)
+    records.push_back({{"frame", frame.number},
+                       {"ms", frame.ms},
+                       {"seen", frame.counts.seen},
+                       {"refined", frame.counts.refined},
+                       {"coarse_triangles", frame.counts.coarse_triangles},
+                       {"refined_triangles", frame.counts.refined_triangles}});
+  return records;
 }
 
 nlohmann::json report(Times& all) {
@@ -90,7 +152,10 @@ nlohmann::json report(Times& all) {
       {"draws",
        {{"seen", counters.draws_seen.load()},
         {"refined", counters.draws_refined.load()},
-        {"passed_through", passed_through(counters)}}},
+        {"passed_through", passed_through(counters)},
+        {"fallbacks", fallbacks(counters)}}},
+      {"classes", draw_classes()},
+      {"contexts", contexts()},
       {"coarse_triangles", counters.coarse_triangles.load()},
       {"refined_triangles", counters.refined_triangles.load()},
       {"captures", {{"made", counters.captures_made.load()}, {"reused", counters.captures_reused.load()}}},
@@ -98,8 +163,23 @@ nlohmann::json report(Times& all) {
       {"shaders", shaders()},
       {"frames", frames.load()},
       {"frame_ms", frame_times(all.frame_ms)},
+      {"last_frames", last_frames(all)},
       {"seconds", milliseconds(Clock::now() - all.start) / 1000},
   };
+}
+
+void note_frame(Times& all, double ms) {
+  const Totals now = totals();
+  all.last_frames.push_back({frames.load(std::memory_order_relaxed), ms, now.since(all.before)});
+  if (all.last_frames.size() > shown_frames) all.last_frames.pop_front();
+  all.before = now;
+}
+
+// "%p" stands for the number of the process, so that the processes of a browser write a file each.
+std::string file_of_process(std::string file) {
+  for (std::size_t at = file.find("%p"); at != std::string::npos; at = file.find("%p", at + 1))
+    file.replace(at, 2, std::to_string(getpid()));
+  return file;
 }
 
 // Writes another file and renames it, so that a reader never sees half a file.
@@ -141,8 +221,10 @@ void frame_counted() {
     const std::lock_guard lock(all.mutex);
     const Clock::time_point now = Clock::now();
     if (all.frame_ms.size() < kept_frames) all.frame_ms.emplace_back();
-    all.frame_ms[all.next++ % kept_frames] = milliseconds(now - all.last_frame);
+    const double ms = milliseconds(now - all.last_frame);
+    all.frame_ms[all.next++ % kept_frames] = ms;
     all.last_frame = now;
+    note_frame(all, ms);
     write = now - all.last_write > write_interval;
     if (write) all.last_write = now;
   }
@@ -156,7 +238,7 @@ void write_statistics() {
   if (all.process != getpid() || options().statistics_file.empty()) return;
   try {
     const std::lock_guard lock(all.mutex);
-    write_file(options().statistics_file, report(all).dump(2));
+    write_file(file_of_process(options().statistics_file), report(all).dump(2));
   } catch (const std::exception& error) {
     core::log(core::LogLevel::error, fmt::format("the statistics cannot be written: {}", error.what()));
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -200,6 +201,45 @@ TEST(Configuration, AWrongKeyIsToldWithTheNearest) {
   EXPECT_TRUE(
       applied.problems[0].starts_with("f.toml:1:13: there is no key \"max_level\"; is \"max-level\" meant? the keys"))
       << applied.problems[0];
+}
+
+TEST(Configuration, RulesOfTheProgramComeFirst) {
+  const Applied applied = apply(
+      "[[rule]]\ndepth-only = true\nrefine = 'outputs'\n[[rule]]\nblend = false\nviewport = [64, 32]\nrefine = 'none'\n"
+      "[[program.gears.rule]]\nprogram = '00000000000000ff'\ndepth-function = 'equal'\nrefine = 'pn'\n");
+  EXPECT_EQ(applied.problems, std::vector<std::string>());
+  const std::vector<core::DrawRule> expected{
+      {.program = 255, .depth_function = GL_EQUAL, .refinement = core::Refinement::pn},
+      {.depth_only = true, .refinement = core::Refinement::linear_outputs},
+      {.blend = false, .viewport = std::array<unsigned, 2>{64, 32}, .refinement = std::nullopt}};
+  EXPECT_EQ(applied.settings.context.rules, expected);
+}
+
+TEST(Configuration, AWrongRuleIsNamedWithItsPlaceAndLeftOut) {
+  const auto problem = [](const std::string& text) {
+    const Applied applied = apply(text);
+    EXPECT_TRUE(applied.settings.context.rules.empty());
+    return applied.problems.empty() ? std::string() : applied.problems[0];
+  };
+  EXPECT_TRUE(problem("[[rule]]\ndepthonly = true\nrefine = 'pn'\n")
+                  .starts_with("f.toml:2:13: there is no key \"depthonly\" in a rule"));
+  EXPECT_EQ(problem("\n[[rule]]\nblend = 'often'\nrefine = 'pn'\n"),
+            "f.toml:3:9: blend is not valid; true or false is needed");
+  EXPECT_EQ(problem("[[rule]]\nviewport = [64]\nrefine = 'pn'\n"),
+            "f.toml:2:12: viewport is not valid; a width and a height, like [1024, 1024] is needed");
+  EXPECT_EQ(problem("[[rule]]\nblend = true\n"), "f.toml:1:1: the rule has no refine; none or a refinement is needed");
+  EXPECT_EQ(problem("[[rule]]\nrefine = 'pn'\n"),
+            "f.toml:1:1: the rule has no condition; without a rule, refine is the key for all draws");
+  EXPECT_TRUE(problem("rule = 3\n").starts_with("f.toml:1:8: rule is not a list of tables"));
+}
+
+TEST(Configuration, EverythingDropsRulesThatLeaveDraws) {
+  const Folder folder;
+  const std::string file =
+      folder.write("c.toml", "[[rule]]\nblend = true\nrefine = 'none'\n[[rule]]\nblend = true\nrefine = 'pn'\n");
+  EXPECT_EQ(parse_with({"GLARK_ENABLE=1", "GLARK_CONFIG=" + file}).settings.context.rules.size(), 2u);
+  EXPECT_EQ(parse_with({"GLARK_ENABLE=1", "GLARK_EVERYTHING=1", "GLARK_CONFIG=" + file}).settings.context.rules.size(),
+            1u);
 }
 
 TEST(Configuration, AProgramThatIsLeftAloneIsNotTransparent) {

@@ -32,6 +32,9 @@ TEST(Reach, ByLinking) {
 }
 
 TEST(Reach, ALibraryThatIsLinkedBehindGlIsTold) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the run time of a sanitizer must be the first library of the process";
+#endif
   const Outcome wrong = run(program("shim_wrong_order"));
   EXPECT_TRUE(wrong.output.starts_with("glark: this program was linked with libGLARK.so behind ")) << wrong.output;
   EXPECT_NE(wrong.output.find("name -lGLARK before the GL library"), std::string::npos) << wrong.output;
@@ -113,6 +116,42 @@ TEST(Configuration, TheTableOfTheProgramIsFoundByItsName) {
       run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_CONFIG=" + file + " GLARK_STATS=" + statistics);
   EXPECT_EQ(outcome.output, "glark: " + file + ":1:9: level is \"12\"; an integer from 0 to 11 is needed\n" + drawn);
   EXPECT_EQ(nlohmann::json::parse(read_file(statistics))["draws"]["refined"], 0);
+}
+
+TEST(Statistics, ClassesHaveStateAndVerdict) {
+  const std::string file = PROGRAM_FOLDER "/rules.toml";
+  const std::string statistics = PROGRAM_FOLDER "/classes-%p.json";
+  run("rm -f " PROGRAM_FOLDER "/classes-*.json");
+  const auto classes = [&](const std::string& rule) {
+    std::ofstream(file) << "[[rule]]\nfixed-function = true\n" + rule;
+    run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_EVERYTHING=1 GLARK_CONFIG=" + file +
+                                              " GLARK_STATS=" + statistics);
+    const auto json = nlohmann::json::parse(run("cat " PROGRAM_FOLDER "/classes-*.json").output, nullptr, false);
+    run("rm -f " PROGRAM_FOLDER "/classes-*.json");
+    return json;
+  };
+  const auto outputs = classes("refine = 'outputs'\n");
+  ASSERT_FALSE(outputs.is_discarded());
+  ASSERT_EQ(outputs["classes"].size(), 1u) << outputs;
+  const auto& entry = outputs["classes"][0];
+  EXPECT_EQ(entry["verdict"], "refined");
+  EXPECT_EQ(entry["refinement"], "outputs");
+  EXPECT_EQ(entry["fixed_function"], true);
+  EXPECT_EQ(entry["draws"], outputs["draws"]["refined"]);
+  EXPECT_EQ(entry["state"]["depth_only"], false);
+  EXPECT_EQ(outputs["contexts"][0]["refinable"], true);
+  EXPECT_EQ(outputs["last_frames"].size(), outputs["frames"]);
+}
+
+TEST(Statistics, ARuleLeavesDraws) {
+  const std::string file = PROGRAM_FOLDER "/none.toml";
+  const std::string statistics = PROGRAM_FOLDER "/none.json";
+  std::ofstream(file) << "leave-draws = 'none'\n[[rule]]\nfixed-function = true\nrefine = 'none'\n";
+  run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_CONFIG=" + file + " GLARK_STATS=" + statistics);
+  const auto json = nlohmann::json::parse(read_file(statistics));
+  EXPECT_EQ(json["draws"]["refined"], 0);
+  EXPECT_EQ(json["draws"]["passed_through"]["rule"], json["draws"]["seen"]);
+  EXPECT_EQ(json["classes"][0]["cause"], "rule");
 }
 
 TEST(Linker, ResultsAndErrorsAreThoseOfTheProgramAlone) {

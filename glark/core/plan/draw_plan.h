@@ -22,14 +22,15 @@ namespace glark::core {
 struct AssemblyStage;
 
 struct DrawPlan {
-  Program* program = nullptr;                  // its vertex stage is refined
-  Program* owner = nullptr;                    // the derived program follows its uniforms; null: fixed function
-  const AssemblyStage* assembly = nullptr;     // set if `program` is a translated assembly program
-  const PipelineObject* pipeline = nullptr;    // the application's, if its stages are separate programs
-  std::shared_ptr<DerivedProgram> derived;     // shared: another context may discard it during the draw
-  std::optional<RefinementFallback> fallback;  // why the draw does not get the wanted refinement
-  std::shared_ptr<DerivedProgram> corners;     // gives positions on the screen, where they are measured
-  bool placed = false;                         // the derived program takes a placement of the piece
+  Program* program = nullptr;                     // its vertex stage is refined
+  Program* owner = nullptr;                       // the derived program follows its uniforms; null: fixed function
+  const AssemblyStage* assembly = nullptr;        // set if `program` is a translated assembly program
+  const PipelineObject* pipeline = nullptr;       // the application's, if its stages are separate programs
+  std::shared_ptr<DerivedProgram> derived;        // shared: another context may discard it during the draw
+  Refinement wanted = Refinement::linear_inputs;  // of the user, of a rule, or of the application
+  std::optional<RefinementFallback> fallback;     // why the draw does not get the wanted refinement
+  std::shared_ptr<DerivedProgram> corners;        // gives positions on the screen, where they are measured
+  bool placed = false;                            // the derived program takes a placement of the piece
   capture::CapturePlan capture;
   std::optional<polygons::Decomposition> polygons;  // set if they are split at their centroids
   PolygonSides polygon_sides = {};                  // sizes of several GL_POLYGONs

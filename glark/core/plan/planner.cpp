@@ -9,6 +9,8 @@
 
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
+#include "glark/core/plan/draw_notes.h"
+#include "glark/core/plan/draw_rules.h"
 #include "glark/core/plan/exemptions.h"
 #include "glark/core/plan/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
@@ -17,6 +19,7 @@
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
 #include "glark/core/shape.h"
+#include "glark/core/state/draw_state.h"
 
 namespace glark::core {
 namespace {
@@ -38,8 +41,9 @@ KeyState key_state(const Environment& environment) {
   return {environment.options, environment.ark, environment.bindings(), environment.capabilities};
 }
 
-RefinementChoice refinement_choice(const Environment& environment, const Program& program, int normal = own_normal) {
-  RefinementFacts facts{.wanted = wanted_refinement(environment.options, environment.ark),
+RefinementChoice refinement_choice(const Environment& environment, const Program& program, Refinement wanted,
+                                   int normal = own_normal) {
+  RefinementFacts facts{.wanted = wanted,
                         .transparent = environment.options.transparent,
                         .stage = program.traits,
                         .inputs = program.input_traits};
@@ -47,23 +51,6 @@ RefinementChoice refinement_choice(const Environment& environment, const Program
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
   facts.inputs.can_curve |= normal != own_normal;
   return choose_refinement(facts);
-}
-
-// Logs each reason once for each program.
-void log_fallback(Program& program, const RefinementChoice& choice, bool smooth) {
-  const unsigned bit = choice.fallback ? 1U << static_cast<unsigned>(*choice.fallback) : 0;
-  if ((bit & ~program.logged_fallbacks) == 0) {
-    return;
-  }
-  program.logged_fallbacks |= bit;
-  const FallbackText& text = text_of(*choice.fallback);
-  const refine::OutputVariation* const position = program.traits.variation.position();
-  const std::string construct = choice.fallback == RefinementFallback::unsound_stage && position != nullptr
-                                    ? fmt::format(" ({})", position->reason)
-                                    : std::string();
-  const std::string outcome = smooth ? "not curved" : fmt::format("refined by {}", traits_of(choice.refinement).word);
-  log(LogLevel::info,
-      fmt::format("{} is {}: {}{}; {}", refine::label(program), outcome, text.explanation, construct, text.remedy));
 }
 
 // Null: the vertex stage is not known.
@@ -109,6 +96,9 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
     return cause;
   }
   if (const std::optional<Cause> cause = exempt(*plan.program, call.triangles)) {
+    return cause;
+  }
+  if (const std::optional<Cause> cause = choose_wanted(plan)) {
     return cause;
   }
   parts_.programs.in_use().read_subroutines(plan.owner, plan.pipeline);
@@ -185,6 +175,21 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
   return exemption(facts);
 }
 
+// The user's rules choose the refinement of draws by their state.
+std::optional<Cause> Planner::choose_wanted(DrawPlan& plan) const {
+  plan.wanted = wanted_refinement(env_.options, env_.ark);
+  if (!env_.options.transparent || env_.ark.enabled || env_.options.rules.empty()) {
+    return std::nullopt;
+  }
+  const DrawRule* rule = find_rule(env_.options.rules, read_draw_state(env_, plan.program));
+  // Smooth refinement needs to know that a pass does not curve its mesh.
+  if (rule != nullptr && (!rule->refinement || (smooth() && !traits_of(*rule->refinement).curves_positions))) {
+    return Cause::rule;
+  }
+  plan.wanted = rule != nullptr ? *rule->refinement : plan.wanted;
+  return std::nullopt;
+}
+
 bool Planner::can_measure(const Program& program) const {
   return core::can_measure(edge_measure(env_.options, env_.ark), program, !env_.state.programs().subroutines().empty());
 }
@@ -229,10 +234,10 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
   const int normal = smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : own_normal;
-  const RefinementChoice choice = refinement_choice(env_, *plan.program, normal);
-  log_fallback(*plan.program, choice, smooth());
+  const RefinementChoice choice = refinement_choice(env_, *plan.program, plan.wanted, normal);
   plan.fallback = choice.fallback;
   if (smooth() && choice.fallback) {
+    tell_notes(*plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
     return Cause::no_surface;
   }
   // The outputs of split polygons do not depend on the provoking vertex.
@@ -248,6 +253,12 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
+  tell_notes(*plan.program,
+             {.refinement = choice.refinement,
+              .fallback = choice.fallback,
+              .transparent = env_.options.transparent,
+              .ignores_shader = plan.program->traits.reads_vertex_id && !plan.program->refinement_source.empty(),
+              .undisplaced = key.displaced && plan.derived->height_map < 0});
   if (smooth() && key.welded && !plan.weld.on) {
     return Cause::too_many_attributes;  // another pass over the mesh may be welded: its shape would differ
   }
@@ -265,6 +276,23 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   plan.capture.program = capture.name;
   plan.capture.inputs = &capture.inputs;
   return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
+}
+
+// Tells each note once for each program.
+void Planner::tell_notes(Program& program, DrawNoteFacts facts) const {
+  const unsigned bits = note_bits(facts) & ~program.told_notes;
+  if (bits == 0) {
+    return;
+  }
+  program.told_notes |= bits;
+  const refine::OutputVariation* const position = program.traits.variation.position();
+  facts.construct = facts.fallback == RefinementFallback::unsound_stage && position != nullptr ? position->reason : "";
+  const DebugOutput application{env_.gl, !facts.transparent && env_.bindings().debug_output, true};
+  for (const DrawNote& note : draw_notes(facts, bits)) {
+    const std::string text = fmt::format("{} {}", refine::label(program), note.text);
+    log(facts.transparent ? LogLevel::info : LogLevel::warning, text);
+    application.send(note.id, text);
+  }
 }
 
 // A draw stays unwelded if its tables would be too large, or if its record with welded words would have to be stored
@@ -327,9 +355,10 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
   }
   const bool tagged = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
   const bool placed = tagged || can_measure(program);
+  const Refinement wanted = wanted_refinement(env_.options, env_.ark);
   return parts_.programs.derived().find(
       program, owner,
-      derived_key(key_state(env_), {.refinement = refinement_choice(env_, program).refinement,
+      derived_key(key_state(env_), {.refinement = refinement_choice(env_, program, wanted).refinement,
                                     .mode = GL_TRIANGLES,
                                     .tagged = tagged,
                                     .placed = placed,

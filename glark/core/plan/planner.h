@@ -9,6 +9,7 @@
 
 #include "glark/core/meshes/mesh_watch.h"
 #include "glark/core/pattern/pool_in_use.h"
+#include "glark/core/plan/draw_notes.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/plan/feedback_in_use.h"
 #include "glark/core/polygons/decompositions.h"
@@ -42,6 +43,8 @@ class Planner {
   std::optional<Cause> decide(const DrawCall& call, Purpose purpose, DrawPlan& plan);
   std::optional<Cause> find_program(DrawPlan& plan);
   std::optional<Cause> find_pipeline_programs(DrawPlan& plan);
+  std::optional<Cause> choose_wanted(DrawPlan& plan) const;
+  void tell_notes(Program& program, DrawNoteFacts facts) const;
   void choose_depths(const DrawCall& call, DrawPlan& plan) const;
   void choose_polygons(const DrawCall& call, DrawPlan& plan);
   bool changes_nothing(const DrawPlan& plan, Purpose purpose) const;

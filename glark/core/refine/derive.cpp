@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "glark/core/refine/epilogue/epilogue.h"
+#include "glark/core/refine/refinement_check.h"
 #include "glark/core/refine/refinement_source.h"
 
 namespace glark::refine {
@@ -39,6 +40,7 @@ class Deriver {
     } else {
       result.error = error_;
     }
+    result.prefix = prefix_;
     return result;
   }
 
@@ -123,6 +125,10 @@ class Deriver {
       plan_resets();
       return true;
     }
+    if (!request_.refinement_source.empty()) {
+      error_ = find_mistake(refinement_tokens_, {request_.layout.fields, names_of_outputs(), request_.es});
+      if (!error_.empty()) return false;
+    }
     plan_refinement();
     plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.outputs);
     plan_morphing();
@@ -145,6 +151,14 @@ class Deriver {
     }
     plan_resets();
     return true;
+  }
+
+  std::set<std::string> names_of_outputs() const {
+    std::set<std::string> names;
+    for (const Declaration& declaration : units_[plan_.main_unit].interface.declarations)
+      if (declaration.storage == Storage::output)
+        for (const Variable& variable : declaration.variables) names.insert(variable.name);
+    return names;
   }
 
   // Geomorphing leaves outputs that vary linearly as they are, because it would not change them. It also leaves

@@ -85,6 +85,7 @@ struct Derivation {
   bool ok = false;
   std::vector<std::string> vertex_sources;  // as many as in the request
   std::string error;
+  std::string prefix = {};  // begins our names in the sources
 };
 
 // Parses the vertex stage. Never throws; malformed GLSL gives ok = false and an error that names the line.

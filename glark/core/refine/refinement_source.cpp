@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "glark/core/refine/refinement_log.h"
+
 namespace glark::refine {
 namespace {
 
@@ -81,9 +83,12 @@ RefinementSource prepare_refinement_source(const Tokens& source, const std::stri
     if (directive == "version" || directive == "extension") token.text.clear();
   }
   // Up to GLSL 1.50 the line after "#line n" is line n + 1.
-  const std::string line = version.at_least(330, 100) ? "1 " : "0 ";
-  result.text = "#line " + line + std::to_string(refinement_source_string) + "\n" + to_text(tokens) + "\n#line " +
-                line + std::to_string(refinement_source_string + 1) + "\n";
+  const int before = version.at_least(330, 100) ? 0 : 1;
+  const auto line_directive = [&](int line, int source_string) {
+    return "#line " + std::to_string(line - before) + " " + std::to_string(source_string) + "\n";
+  };
+  result.text = line_directive(first_refinement_line, refinement_source_string) + to_text(tokens) + "\n" +
+                line_directive(first_line_after_refinement, refinement_source_string + 1);
   return result;
 }
 

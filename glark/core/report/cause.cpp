@@ -51,6 +51,7 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
     {"invalid_draw", "OpenGL refuses the call", "see the application's glGetError"},
     {"out_of_memory", "no memory for the coarse triangles of the draw", "draw fewer triangles a call"},
     {"left_shader", "the user named the shader program to be left alone", "take its hash out of leave-shaders"},
+    {"rule", "a rule of the configuration file leaves such draws alone", "change the [[rule]] with refine = \"none\""},
     {"screen_quad",
      "one or two triangles that neither read nor write depth are taken for a full-screen pass or a user interface",
      "--everything, or --leave-draws without screen-quads"},

@@ -33,6 +33,7 @@ enum class Cause {
   invalid_draw,         // GL will raise an error
   out_of_memory,        // no room for the capture
   left_shader,          // the user named its shader program
+  rule,                 // a rule of the configuration file
   screen_quad,          // transparent refinement leaves user interfaces and full-screen passes alone: plan/exemptions.h
   overlay,
   orthographic,

@@ -2,27 +2,26 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/report/passed_draws.h"
 
-#include <string>
-
 #include "glark/core/report/log.h"
 #include "glark/core/report/statistics.h"
 
 namespace glark::core {
 
-void PassedDraws::count(Cause cause) {
+std::string PassedDraws::count(Cause cause) {
   const auto index = static_cast<std::size_t>(cause);
   ++statistics().passed_through[index];
   if (logged_[index]) {
-    return;
+    return {};
   }
   logged_.set(index);
   const CauseText& text = text_of(cause);
   const bool expected = cause == Cause::not_triangles || cause == Cause::level_zero ||
                         cause == Cause::rasterizer_discard || cause == Cause::mesh_waits ||
                         cause == Cause::invalid_draw;
-  log(expected ? LogLevel::debug : LogLevel::info,
-      "draws stay as the application asked: " + std::string(text.explanation) +
-          "; to change that: " + std::string(text.remedy));
+  const std::string message = "draws stay as the application asked: " + std::string(text.explanation) +
+                              "; to change that: " + std::string(text.remedy);
+  log(expected ? LogLevel::debug : LogLevel::info, message);
+  return expected ? std::string() : message;
 }
 
 }  // namespace glark::core

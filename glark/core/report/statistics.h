@@ -8,8 +8,10 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "glark/core/report/cause.h"
+#include "glark/core/report/refinement_fallback.h"
 
 namespace glark::core {
 
@@ -18,6 +20,8 @@ struct Statistics {
   std::atomic<std::uint64_t> draws_seen{0};
   std::atomic<std::uint64_t> draws_refined{0};
   std::array<std::atomic<std::uint64_t>, cause_count> passed_through{};
+  // Refined draws that did not get the wanted refinement.
+  std::array<std::atomic<std::uint64_t>, refinement_fallback_count> fallen_back{};
   std::atomic<std::uint64_t> coarse_triangles{0};
   // Exact for uniform draws; adaptive draws count on the GPU and are added when the buffer is next reused.
   std::atomic<std::uint64_t> refined_triangles{0};
@@ -34,6 +38,15 @@ struct ProgramCounters {
   std::atomic<std::uint64_t> draws_refined{0};
 };
 ProgramCounters& program_counters(std::uint64_t hash);  // the reference stays valid
-void for_each_program(const std::function<void(std::uint64_t hash, const ProgramCounters&)>& visit);
+// Notes why the program could not be refined; the first reason stays.
+void note_program_problem(std::uint64_t hash, const std::string& problem);
+// `problem` is empty if there is none.
+void for_each_program(
+    const std::function<void(std::uint64_t hash, const ProgramCounters&, const std::string& problem)>& visit);
+
+// Notes that a context was made. `version` is its GL_VERSION.
+void note_context(const std::string& version, bool refinable);
+void for_each_context_version(
+    const std::function<void(const std::string& version, bool refinable, std::uint64_t contexts)>& visit);
 
 }  // namespace glark::core

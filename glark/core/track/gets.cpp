@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "glark/core/parameters.h"
+#include "glark/core/track/complain.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -48,7 +49,7 @@ bool answer(Context& c, GLenum name, Value* data) {
   if (!value.has_value()) {
     return false;
   }
-  if (!track::inside_begin(c) && data != nullptr) {
+  if (!track::inside_begin(c, "glGet") && data != nullptr) {
     if constexpr (std::is_same_v<Value, GLboolean>) {
       *data = *value != 0 ? GL_TRUE : GL_FALSE;
     } else if constexpr (std::is_integral_v<Value>) {
@@ -86,9 +87,9 @@ GLuint current_tag(const Context& c) {
   return std::isnan(value[0]) ? 0 : static_cast<GLuint>(std::clamp(std::round(value[0]), 0.0F, limit));
 }
 
-bool inside_begin(Context& c) {
+bool inside_begin(Context& c, const char* function) {
   if (c.state().immediate().open()) {
-    c.raise(GL_INVALID_OPERATION);
+    complain(c, GL_INVALID_OPERATION, function, "it is called between glBegin and glEnd");
   }
   return c.state().immediate().open();
 }

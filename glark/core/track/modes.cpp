@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks of glEnable and of modes.
+#include "glark/core/track/complain.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
 namespace {
 
 void set_ark_enabled(Context& c, bool enabled) {
-  if (track::inside_begin(c)) {
+  if (track::inside_begin(c, enabled ? "glEnable(GL_ARK)" : "glDisable(GL_ARK)")) {
     return;
   }
   if (enabled && c.ark().pool_level < 0) {
-    c.raise(GL_INVALID_OPERATION);
+    track::complain(c, GL_INVALID_OPERATION, "glEnable(GL_ARK)", "there are no patterns yet; call glARKinit first");
     return;
   }
   c.ark().enabled = enabled;
@@ -56,7 +57,7 @@ void client_state_replaced(Context& c) {
 }
 
 void set_tag_array(Context& c, bool enabled) {
-  if (track::inside_begin(c)) {
+  if (track::inside_begin(c, "glEnable(GL_DEPTH_TAG_ARRAY_ARK)")) {
     return;
   }
   c.state().arrays().vertex_arrays().forget_current();
@@ -140,7 +141,7 @@ void Disablei(Context& c, GLenum capability, GLuint index) {
 
 GLboolean IsEnabled(Context& c, GLenum capability) {
   if (c.capabilities().refinable && capability == GL_ARK) {
-    return track::inside_begin(c) || !c.ark().enabled ? GL_FALSE : GL_TRUE;
+    return track::inside_begin(c, "glIsEnabled(GL_ARK)") || !c.ark().enabled ? GL_FALSE : GL_TRUE;
   }
   if (c.capabilities().refinable && capability == GL_DEPTH_TAG_ARRAY_ARK) {
     GLint enabled = 0;

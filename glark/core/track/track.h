@@ -37,7 +37,7 @@ inline bool executes(Context& context) {
 
 // GL_CURRENT_DEPTH_TAG_ARK.
 GLuint current_tag(const Context& context);
-// Returns whether the call lies between glBegin and glEnd, and raises GL_INVALID_OPERATION if so.
-bool inside_begin(Context& context);
+// Returns whether the call of `function` lies between glBegin and glEnd, and raises GL_INVALID_OPERATION if so.
+bool inside_begin(Context& context, const char* function);
 
 }  // namespace glark::core::track

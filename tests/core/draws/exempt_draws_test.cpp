@@ -186,6 +186,43 @@ TEST_F(ExemptDraws, AFramebufferWithoutDepthTestsNone) {
   EXPECT_EQ(real.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+TEST_F(ExemptDraws, ARuleLeavesDrawsByTheirState) {
+  use(modern_vertex, modern_fragment);
+  test_depth();
+  context_->options().rules = {{.depth_only = true, .refinement = std::nullopt}};
+  EXPECT_EQ(draw(8), "refined");
+  hook::ColorMask(*context_, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  EXPECT_EQ(draw(8), "rule");
+  hook::ColorMaski(*context_, 0, GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
+  EXPECT_EQ(draw(8), "refined");
+  context_->options().rules = {{.blend = true, .refinement = std::nullopt}};
+  EXPECT_EQ(draw(8), "refined");
+  hook::Enable(*context_, GL_BLEND);
+  EXPECT_EQ(draw(8), "rule");
+  EXPECT_EQ(real.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST_F(ExemptDraws, AFramebufferWithoutColourIsDepthOnly) {
+  use(modern_vertex, modern_fragment);
+  test_depth();
+  context_->options().rules = {{.depth_only = true, .refinement = std::nullopt}};
+  GLuint framebuffer = 0;
+  GLuint depth = 0;
+  real.GenFramebuffers(1, &framebuffer);
+  real.GenRenderbuffers(1, &depth);
+  hook::BindFramebuffer(*context_, GL_FRAMEBUFFER, framebuffer);
+  real.BindRenderbuffer(GL_RENDERBUFFER, depth);
+  real.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, side, side);
+  real.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+  EXPECT_EQ(draw(8), "rule");
+  hook::BindFramebuffer(*context_, GL_FRAMEBUFFER, 0);
+  EXPECT_EQ(draw(8), "refined");
+  real.DrawBuffer(GL_NONE);
+  context_->state().framebuffers().forget_attachments();
+  EXPECT_EQ(draw(8), "rule");
+  EXPECT_EQ(real.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 TEST_F(ExemptDraws, ACulledFaceMayHaveLines) {
   use(modern_vertex, modern_fragment);
   test_depth();

@@ -4,6 +4,7 @@
 // The application's own refinement shader.
 #include <gtest/gtest.h>
 
+#include "glark/core/refine/refinement_log.h"
 #include "tests/core/refine/support/derive_harness.h"
 
 namespace glark::refine::test {
@@ -41,10 +42,10 @@ TEST(DeriveRefinementSource, SeesCornersAndBarycentrics) {
 
 TEST(DeriveRefinementSource, MayHaveMacrosFunctionsUniformsAndDirectives) {
   ASSERT_TRUE(make_current(Api::compatibility));
-  const Refined refined = run(
-      experiment("#version 120\n#extension GL_ARB_gpu_shader5 : enable\n#define POSITION gl_Vertex // the position\n"
-                 "uniform vec4 offset = vec4(1.0);\nvec4 moved(vec4 p) { return p + offset; }\n"
-                 "void refine(void) { POSITION = moved(POSITION); }"));
+  const Refined refined =
+      run(experiment("#extension GL_ARB_gpu_shader5 : enable\n#define POSITION gl_Vertex // the position\n"
+                     "uniform vec4 offset = vec4(1.0);\nvec4 moved(vec4 p) { return p + offset; }\n"
+                     "void refine(void) { POSITION = moved(POSITION); }"));
   ASSERT_EQ(refined.error, "");
   EXPECT_EQ(refined.values[3][0], 5.0F);
 }
@@ -66,9 +67,28 @@ TEST(DeriveRefinementSource, ErrorsNameItsOwnLines) {
     e.request.vertex_sources = {"#version " + version + "\nvoid main() { gl_Position = vec4(1.0); }"};
     e.varyings = {"gl_Position"};
     const std::string log = run(e).error;
-    EXPECT_NE(log.find("#line " + std::string(version < "330" ? "0" : "1") + " 7001\n"), std::string::npos) << log;
-    EXPECT_NE(log.find(":3("), std::string::npos) << log;  // Mesa ignores the source string number
+    EXPECT_NE(log.find("#line " + std::string(version < "330" ? "1000000" : "1000001") + " 7001\n"), std::string::npos)
+        << log;
+    EXPECT_NE(log_for_author(log, "glark_").find("refinement shader:3("), std::string::npos) << log;
   }
+}
+
+TEST(DeriveRefinementSource, MistakesAreToldInTheAuthorsWords) {
+  ASSERT_TRUE(make_current(Api::compatibility));
+  const auto error = [](const std::string& source) { return run(experiment(source)).error; };
+  EXPECT_EQ(error("void refine() {}"), "");
+  EXPECT_EQ(
+      error("\n#version 120\nvoid refine() {}"),
+      "refinement shader:2: error: a refinement shader has no #version directive; it is written in the version of the "
+      "vertex shader");
+  EXPECT_EQ(error("void refined() {}"), "refinement shader:1: error: it defines no function void refine()");
+  EXPECT_EQ(error("#define ENTRY void refine()\nENTRY {}"), "");
+  const std::string inactive = error("void refine() {\n  gl_Vertex.x = ark_corner_nb[0].x;\n}");
+  EXPECT_TRUE(inactive.starts_with("refinement shader:2: error: ark_corner_nb: nb is not an active input")) << inactive;
+  EXPECT_TRUE(inactive.ends_with("the active inputs are gl_Vertex, extra")) << inactive;
+  EXPECT_EQ(
+      error("uniform float a;\nuniform vec4 o;\nvoid refine() {}"),
+      "refinement shader:2: error: the uniform o has the name of an output of the vertex stage; rename the uniform");
 }
 
 TEST(DeriveRefinementSource, AnApplicationVariableCalledLikeTheInterfaceIsRenamed) {

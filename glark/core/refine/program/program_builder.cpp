@@ -15,6 +15,7 @@
 #include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/refine/program/unsound_outputs.h"
 #include "glark/core/refine/program/vertex_inputs.h"
+#include "glark/core/refine/refinement_log.h"
 #include "glark/core/report/cause.h"
 #include "glark/core/report/log.h"
 #include "glark/core/report/statistics.h"
@@ -77,6 +78,7 @@ void log_unsound_outputs(const core::Program& program) {
 
 void leave(core::Program& program, const std::string& reason) {
   program.cause = core::Cause::program_not_derived;
+  core::note_program_problem(program.hash, reason);
   core::log(core::LogLevel::warning,
             fmt::format("{} is not refined: {}; its draws stay as they are", label(program), reason));
 }
@@ -98,7 +100,7 @@ bool ProgramBuilder::can_store_records(const core::Program& program) const {
 
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
-  program.logged_fallbacks = 0;
+  program.told_notes = 0;
   program.cause.reset();
   program.hash = core::source_hash(program.stages);
   program.counters = &core::program_counters(program.hash);
@@ -310,8 +312,10 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
                                                        owner != nullptr ? owner->name : 0, key, error)
                                     : 0;
+  error = log_for_author(error, derivation.prefix);
   program.refinement_log = error;
   if (name == 0) {
+    core::note_program_problem(program.hash, error);
     ++core::statistics().programs_failed;
     core::log(core::LogLevel::warning,
               fmt::format("{} is not refined: {}; its draws stay as they are", label(program), error));
@@ -319,6 +323,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   }
   slot = std::make_shared<core::DerivedProgram>();
   slot->name = name;
+  slot->refinement = key.refinement;
   find_uniforms(request, *slot);
   slot->layout = std::move(request.layout);
   follow_uniforms(program, owner, slot);

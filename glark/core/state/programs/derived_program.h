@@ -71,6 +71,7 @@ struct AssemblyUniforms {
 
 struct DerivedProgram {
   GLuint name = 0;
+  Refinement refinement = Refinement::linear_inputs;
   capture::Layout layout;
   GLint shape_number = -1;  // location of the uniform with ShapeNumber's value
   GLint height_map = -1;    // locations of the uniforms of displacement

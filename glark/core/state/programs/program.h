@@ -61,7 +61,7 @@ struct Program {
   bool left_alone = false;                    // the user named its hash
   bool conventional_projection = false;       // reads_conventional_projection()
   ProgramCounters* counters = nullptr;        // valid if prepared
-  unsigned logged_fallbacks = 0;              // bits by RefinementFallback: its line is in the log
+  unsigned told_notes = 0;                    // note_bits() of the notes that were told
   bool uniforms_stale = false;  // a display list changed uniforms: copy all values before the next refined draw
 
   bool has_stage(GLenum stage) const {
