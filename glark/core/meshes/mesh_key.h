@@ -34,6 +34,16 @@ constexpr MeshKey mesh_of(const AttributeSource& source, GLsizei packed) {
 // A draw of a display list. `identity`: ListSegment::identity.
 constexpr MeshKey mesh_of_list(std::uint64_t identity) { return {{~std::uint64_t{0}, identity, 0}}; }
 
+// The source of a mesh. Buffers keep their name for as long as their mesh lives; the address of client memory and a
+// display list may be new in every frame.
+enum class MeshSource { client, list, buffer };
+constexpr MeshSource source_of(const MeshKey& key) {
+  constexpr std::uint64_t name_bits = 0xffffffffU;
+  return key.words[0] == ~std::uint64_t{0} ? MeshSource::list
+         : (key.words[0] & name_bits) == 0 ? MeshSource::client
+                                           : MeshSource::buffer;
+}
+
 struct MeshKeyHash {
   std::size_t operator()(const MeshKey& key) const {
     std::uint64_t hash = 0x9e3779b97f4a7c15U;

@@ -10,18 +10,34 @@ constexpr std::uint64_t frames_to_keep = 1200;  // of meshes that are no longer 
 
 }  // namespace
 
+template <class Drawn>
+void MeshTable::count_frame(Drawn& drawn) {
+  if (drawn.frame != frame_) {
+    drawn.frame = frame_;
+    drawn.frames += drawn.frames <= frames_to_watch ? 1 : 0;
+  }
+}
+
 MeshVerdict MeshTable::draw(const MeshKey& key, const MeshPass& pass) {
   Mesh& mesh = find(key);
   drawn_ = true;
-  if (mesh.frame != frame_) {
-    mesh.frame = frame_;
-    mesh.frames += mesh.frames <= frames_to_watch ? 1 : 0;
-  }
+  const bool enough = watched(key, mesh, pass);
   note(mesh, key == loose_mesh, pass);
-  return mesh.flat                        ? MeshVerdict::flat
-         : frame_ < doubted_until_        ? MeshVerdict::unknown_partner
-         : mesh.frames <= frames_to_watch ? MeshVerdict::waits
-                                          : MeshVerdict::curved;
+  return mesh.flat                 ? MeshVerdict::flat
+         : frame_ < doubted_until_ ? MeshVerdict::unknown_partner
+         : enough                  ? MeshVerdict::curved
+                                   : MeshVerdict::waits;
+}
+
+// Returns whether enough frames have shown the passes over the mesh, or over others of its source.
+bool MeshTable::watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass) {
+  Source& source = sources_[static_cast<std::size_t>(source_of(key))];
+  count_frame(mesh);
+  count_frame(source);
+  (pass.curves ? mesh.had_curved : mesh.had_flat) = true;
+  source.mixed = source.mixed || (mesh.had_curved && mesh.had_flat && !(key == loose_mesh));
+  const bool lasts = source_of(key) == MeshSource::buffer || key == loose_mesh;
+  return mesh.frames > frames_to_watch || (!lasts && !source.mixed && source.frames > frames_to_watch);
 }
 
 MeshTable::Mesh& MeshTable::find(const MeshKey& key) {

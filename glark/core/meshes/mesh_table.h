@@ -8,6 +8,9 @@
 //
 // - A mesh is curved from the third frame on that draws it, if every pass of the frames before could be curved. Its
 //   other passes show themselves in the first frame.
+// - Programs that compile their lists or allocate their arrays again in every frame would wait for ever. A new mesh of
+//   such a source is curved at once if the source was drawn in enough frames and never had a mesh with both curved and
+//   flat passes.
 // - A pass that cannot be curved makes its mesh flat at once, and for good, so that nothing flickers. In the first frame,
 //   a pass without normals is excused: the normals may come from a later pass over the mesh.
 // - A mesh without identity (glBegin) holds unrelated things: only passes that must meet others make it flat.
@@ -15,6 +18,7 @@
 //   depth, and no draw with the same positions is there.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -64,16 +68,27 @@ class MeshTable {
     std::uint64_t prepared = never;      // the last frame in which a flat pass prepared for others
     unsigned frames = 0;                 // that drew it, up to frames_to_watch + 1
     bool flat = false;
+    bool had_curved = false;  // passes
+    bool had_flat = false;
     NormalSource normals;
+  };
+  struct Source {
+    std::uint64_t frame = never;  // the last frame that drew from it
+    unsigned frames = 0;          // up to frames_to_watch + 1
+    bool mixed = false;           // one of its meshes had both curved and flat passes
   };
 
   Mesh& find(const MeshKey& key);
   void note(Mesh& mesh, bool loose, const MeshPass& pass);
+  template <class Drawn>
+  void count_frame(Drawn& drawn);
+  bool watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
   void doubt() { doubted_until_ = frame_ + frames_of_doubt; }
   void drop_old();
 
   std::unordered_map<MeshKey, Mesh, MeshKeyHash> meshes_;
-  MeshKey last_key_;  // of last_, because draws of one mesh often follow each other
+  std::array<Source, 3> sources_;  // by MeshSource
+  MeshKey last_key_;               // of last_, because draws of one mesh often follow each other
   Mesh* last_ = nullptr;
   std::vector<const Mesh*> preparing_;  // meshes that flat passes of this frame prepared for
   std::uint64_t frame_ = 1;

@@ -34,7 +34,7 @@ enum class Cause {
   out_of_memory,        // no room for the capture
   left_shader,          // the user named its shader program
   rule,                 // a rule of the configuration file
-  screen_quad,          // transparent refinement leaves user interfaces and full-screen passes alone: plan/exemptions.h
+  screen_quad,  // transparent refinement leaves user interfaces and full-screen passes alone: plan/unrefined/exemptions.h
   overlay,
   orthographic,
   blended,  // the user asked for these three

@@ -35,7 +35,7 @@ struct Bindings {
   GLuint storage_buffer = 0;
   std::array<IndexedBuffer, tracked_storage_bindings> storage{};
   bool rasterizer_discard = false;
-  bool blend = false;        // of draw buffer 0
+  bool blend = false;  // of draw buffer 0
   bool depth_test = false;
   bool depth_writes = true;
   GLenum depth_function = GL_LESS;

@@ -12,7 +12,7 @@
 #include "glark/core/state/assembly/assembly_state.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
-#include "glark/core/state/fixed_function_changes.h"
+#include "glark/core/state/fixed_function/fixed_function_changes.h"
 #include "glark/core/state/framebuffers.h"
 #include "glark/core/state/immediate_mode.h"
 #include "glark/core/state/lists/list_compilation.h"

@@ -49,6 +49,36 @@ TEST_F(MeshTables, AFrameWithoutDrawsIsNone) {
   }
 }
 
+// A program that compiles its list, or allocates its arrays, again in every frame.
+TEST_F(MeshTables, ANewListOrArrayNeedNotWaitOnceItsSourceWasWatched) {
+  for (std::uint64_t frame = 1; frame <= 5; ++frame) {
+    const MeshKey array{{std::uint64_t{12} << 32U, 0, 0x1000 * frame}};
+    const MeshVerdict wanted = frame <= 2 ? MeshVerdict::waits : MeshVerdict::curved;
+    EXPECT_EQ(table_.draw(mesh_of_list(frame), colors), wanted) << frame;
+    EXPECT_EQ(table_.draw(array, colors), wanted) << frame;
+    EXPECT_EQ(table_.draw(MeshKey{{100 + frame, 1, 0}}, colors), MeshVerdict::waits) << "a buffer's name lasts";
+    table_.frame_finished();
+  }
+}
+
+TEST_F(MeshTables, ASourceWithAMeshOfBothKindsOfPassesIsNotTrusted) {
+  for (std::uint64_t frame = 1; frame <= 5; ++frame) {
+    EXPECT_EQ(table_.draw(mesh_of_list(frame), flat_colors), MeshVerdict::flat) << frame;
+    EXPECT_EQ(table_.draw(mesh_of_list(frame), colors), MeshVerdict::flat) << frame;
+    EXPECT_EQ(table_.draw(mesh_of_list(100 + frame), colors), MeshVerdict::waits) << frame;
+    table_.frame_finished();
+  }
+}
+
+// Lines and planes without normals say nothing about the meshes beside them.
+TEST_F(MeshTables, AListThatIsOnlyFlatDoesNotMakeOthersWait) {
+  for (std::uint64_t frame = 1; frame <= 5; ++frame) {
+    table_.draw(mesh_of_list(100 + frame), flat_colors);
+    EXPECT_EQ(table_.draw(mesh_of_list(frame), colors), frame <= 2 ? MeshVerdict::waits : MeshVerdict::curved) << frame;
+    table_.frame_finished();
+  }
+}
+
 TEST_F(MeshTables, OneFlatPassKeepsTheMeshFlat) {
   EXPECT_EQ(settled({{ball, flat_depth}, {ball, colors}}), MeshVerdict::flat);
   EXPECT_EQ(settled({{copy_of_ball, colors}}), MeshVerdict::curved) << "another mesh";

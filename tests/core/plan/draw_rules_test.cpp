@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/plan/draw_rules.h"
+#include "glark/core/plan/unrefined/draw_rules.h"
 
 #include <gtest/gtest.h>
 

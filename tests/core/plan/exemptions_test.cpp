@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/plan/exemptions.h"
+#include "glark/core/plan/unrefined/exemptions.h"
 
 #include <gtest/gtest.h>
 

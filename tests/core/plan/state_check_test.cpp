@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/plan/state_check.h"
+#include "glark/core/plan/unrefined/state_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/state/matrices.h"
+#include "glark/core/state/fixed_function/matrices.h"
 
 #include <algorithm>
 #include <cmath>

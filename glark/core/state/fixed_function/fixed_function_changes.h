@@ -4,7 +4,7 @@
 // Tracks what may have changed in the fixed function since a draw read it.
 #pragma once
 
-#include "glark/core/state/matrices.h"
+#include "glark/core/state/fixed_function/matrices.h"
 
 namespace glark::core {
 

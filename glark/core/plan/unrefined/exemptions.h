@@ -14,7 +14,7 @@
 
 #include "glark/core/report/cause.h"
 #include "glark/core/state/bindings.h"
-#include "glark/core/state/matrices.h"
+#include "glark/core/state/fixed_function/matrices.h"
 
 namespace glark::core {
 
