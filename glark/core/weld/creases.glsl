@@ -6,6 +6,8 @@
 // - A crease is an edge whose faces meet at more than a given angle although they share its normals. Such a normal is a
 //   mean of faces, not the normal of a surface. So every edge is straight at a position where a crease ends. A normal
 //   that is too steep on one of its faces has the same effect.
+// - A boundary is a crease, too, where the surface does not go on smoothly beyond it: the lid of a wall may be another
+//   draw.
 // - The control points of an edge stay within half the least height of all triangles at this edge.
 //
 // Angles come from the positions alone: a triangle lies on one side of its edge, in a direction that its winding does
@@ -91,6 +93,20 @@ bool is_mean_of_crease(int corner, vec3 along, vec3 direction) {
   return size > 0.0 && 1.0 - 2.0 * square / size > crease_cosine;
 }
 
+// A surface that goes on smoothly beyond a boundary makes the normals of the boundary lean out of this face, by half of
+// the angle of both faces. Without that, a wall ends here, and another draw may have its lid: the edge must stay on it.
+// Exact normals of a cone lean a little, too, with the square of the angle between its corners.
+bool ends_at(int corner, vec3 along, vec3 direction, float turn) {
+  const float least_turn = 1.0e-3;  // 2 (1 - cos): shorter edges hardly leave their chord
+  const float least_lean = 0.035;
+  const float lean_of_cone = 0.26;
+  vec3 normal = glark_pn_unit(normal_of(corner));
+  float out_of_face = dot(normal, cross(along, direction));
+  float in_face = dot(normal, direction);
+  float most = max(least_lean, lean_of_cone * turn);
+  return turn > least_turn && in_face * in_face <= most * most * (out_of_face * out_of_face + in_face * in_face);
+}
+
 // Finds the side that continues this one with the least angle. Sides that lie upon this one, as in sheets with two
 // faces, do not count. Without another side, the edge is a boundary.
 void mark_crease(uint own, vec3 direction) {
@@ -117,8 +133,9 @@ void mark_crease(uint own, vec3 direction) {
   }
   if (straightest == none) {
     vec3 along = glark_pn_unit(place_of(high) - place_of(low));
-    shared_low = is_mean_of_crease(low, along, direction);
-    shared_high = is_mean_of_crease(high, along, direction);
+    float turn = 2.0 - 2.0 * dot(glark_pn_unit(normal_of(low)), glark_pn_unit(normal_of(high)));
+    shared_low = is_mean_of_crease(low, along, direction) || ends_at(low, along, direction, turn);
+    shared_high = is_mean_of_crease(high, along, direction) || ends_at(high, along, direction, turn);
   }
   if (side != 0u || (straightest > crease_cosine && shared_low)) {
     tables[steepness(low)] = 1u;

@@ -6,6 +6,7 @@
 
 #include <bit>
 
+#include "glark/core/refine/refinement_log.h"
 #include "tests/core/refine/support/derive_harness.h"
 
 namespace glark::refine::test {
@@ -105,7 +106,8 @@ TEST(DeriveEs, RefinementSourceErrorsNameTheirLine) {
     e.request.refinement_source = "void refine() {\n  position.z += 1.0;\n  nonsense;\n}";
     e.record = make_record(inputs(std::string(stage.version) != "100"));
     e.varyings = {"gl_Position"};
-    EXPECT_NE(run(e).error.find(":3("), std::string::npos) << run(e).error;
+    const std::string log = run(e).error;
+    EXPECT_NE(log_for_author(log, "glark_").find("refinement shader:3("), std::string::npos) << log;
     e.request.refinement_source = "void refine() {\n  position.z += 1.0;\n}";
     const Refined refined = run(e);
     ASSERT_EQ(refined.error, "");

@@ -144,6 +144,22 @@ TEST_F(Creases, ASheetOfTwoFacesIsOneSurface) {
 
 TEST_F(Creases, GentleBoundariesStayCurved) { expect_unchanged(bent_leaf()); }
 
+// Nothing beyond the ends of a wall pulls its normals. A lid in another draw must meet it, so its edges stay straight.
+TEST_F(Creases, AWallEndsAtItsLid) {
+  for (const int sides : {6, 8, 16}) {
+    expect_straight(wall(sides, 1));
+    expect_straight(wall(sides, 0.5F));
+  }
+}
+
+// The normals of a strip lean towards the next strip, which has the same ones.
+TEST_F(Creases, StripsOfABallStayCurved) {
+  const float step = 3.14159265F / 8;
+  for (int strip = -3; strip < 3; ++strip) {
+    expect_unchanged(zone_of_sphere(8, step * static_cast<float>(strip), step * static_cast<float>(strip + 1)));
+  }
+}
+
 // Each face is a draw of its own, as where faces have different textures.
 TEST_F(Creases, FacesDrawnAloneKeepTheirShape) {
   SplitMesh box = averaged(cube());

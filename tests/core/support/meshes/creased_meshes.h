@@ -146,4 +146,36 @@ inline SplitMesh bent_leaf() {
   return mesh;
 }
 
+// A row of quads about the z axis, as one strip of a program that draws ring by ring. `angles`: of the lower and the
+// upper ring of a unit sphere, from its equator; the normals are those of the sphere.
+inline SplitMesh zone_of_sphere(int sides, float low, float high) {
+  SplitMesh mesh;
+  const auto at = [&](int side, float angle) {
+    const float turn = 2 * 3.14159265F * static_cast<float>(side % sides) / static_cast<float>(sides);
+    return Vector{std::cos(turn) * std::cos(angle), std::sin(turn) * std::cos(angle), std::sin(angle)};
+  };
+  for (int side = 0; side < sides; ++side) {
+    const Vector a = at(side, low), b = at(side + 1, low), c = at(side + 1, high), d = at(side, high);
+    mesh.add({a, b, c}, {a, b, c});
+    mesh.add({a, c, d}, {a, c, d});
+  }
+  return mesh;
+}
+
+// The wall of a cone's frustum without lids. `top`: its upper radius; the lower one is 1, as the height.
+inline SplitMesh wall(int sides, float top) {
+  SplitMesh mesh;
+  const auto on = [&](int side, float radius, float z) {
+    const float turn = 2 * 3.14159265F * static_cast<float>(side % sides) / static_cast<float>(sides);
+    return Vector{radius * std::cos(turn), radius * std::sin(turn), z};
+  };
+  for (int side = 0; side < sides; ++side) {
+    const Vector a = on(side, 1, 0), b = on(side + 1, 1, 0), c = on(side + 1, top, 1), d = on(side, top, 1);
+    const Vector n = on(side, 1, 1 - top), m = on(side + 1, 1, 1 - top);
+    mesh.add({a, b, c}, {n, m, m});
+    mesh.add({a, c, d}, {n, m, n});
+  }
+  return mesh;
+}
+
 }  // namespace glark::core::test
