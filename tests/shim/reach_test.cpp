@@ -126,7 +126,7 @@ TEST(Statistics, ClassesHaveStateAndVerdict) {
     std::ofstream(file) << "[[rule]]\nfixed-function = true\n" + rule;
     run_preloaded(program("shim_linked"), "GLARK_ENABLE=1 GLARK_REFINE=linear GLARK_EVERYTHING=1 GLARK_CONFIG=" + file +
                                               " GLARK_STATS=" + statistics);
-    const auto json = nlohmann::json::parse(run("cat " PROGRAM_FOLDER "/classes-*.json").output, nullptr, false);
+    auto json = nlohmann::json::parse(run("cat " PROGRAM_FOLDER "/classes-*.json").output, nullptr, false);
     run("rm -f " PROGRAM_FOLDER "/classes-*.json");
     return json;
   };

@@ -49,7 +49,7 @@ bool is_warning(std::string_view text) {
 
 std::string name_of_author(const std::string& name, const std::string& prefix) {
   if (!name.starts_with(prefix)) return name;
-  const std::string rest = name.substr(prefix.size());
+  std::string rest = name.substr(prefix.size());
   if (rest == "refine") return rest;
   if (rest.starts_with("application_")) return rest.substr(std::string_view("application_").size());
   return built_in_input("gl_" + rest) != nullptr ? "gl_" + rest : name;

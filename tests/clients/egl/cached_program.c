@@ -4,7 +4,8 @@
 // The core profile client with its program in a cache.
 static void link_from_cache(unsigned program);
 #define SCENE_LINK link_from_cache
-#include "egl_surfaceless.c"
+#include "egl_surfaceless.c"  // NOLINT(bugprone-suspicious-include): the same client with another way to link
 
-#define BINARY(name) gl##name
+#define LOAD_BINARY glProgramBinary
+#define SAVE_BINARY glGetProgramBinary
 #include "program_cache.h"

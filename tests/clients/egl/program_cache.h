@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Links a program from a binary in a file, as toolkits and browsers do. If GL refuses the binary, links the shaders and
-// writes the file. A client defines BINARY(name), the function that ends with this name.
+// writes the file. A client defines LOAD_BINARY and SAVE_BINARY, the functions ProgramBinary and GetProgramBinary.
 #pragma once
 
 #include <stdio.h>
@@ -22,13 +22,13 @@ static void link_from_cache(GLuint program) {
     const size_t bytes = fread(binary, 1, sizeof(binary), file);
     fclose(file);
     require(formats == 1 && bytes > 0, "the cache cannot be read");
-    BINARY(ProgramBinary)(program, format, binary, (GLsizei)bytes);
+    LOAD_BINARY(program, format, binary, (GLsizei)bytes);
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
   }
   if (linked) return;
   glLinkProgram(program);
   GLsizei length = 0;
-  BINARY(GetProgramBinary)(program, sizeof(binary), &length, &format, binary);
+  SAVE_BINARY(program, sizeof(binary), &length, &format, binary);
   require(length > 0, "GL gives no binary");
   file = fopen(path, "wb");
   require(file != NULL && fwrite(&format, sizeof(format), 1, file) == 1, "the cache cannot be written");

@@ -90,8 +90,9 @@ static void scene_setup(void) {
   for (int i = 0; i < 4 * ball_count; ++i) {
     const int ball = i / 4;
     const int number = i % 4;
+    const int row = ball / 3;
     const GLfloat corner[corner_floats] = {-0.6f + 0.5f * (GLfloat)(ball % 3),
-                                           -0.4f + 0.5f * (GLfloat)(ball / 3),
+                                           -0.4f + 0.5f * (GLfloat)row,
                                            0.04f * (GLfloat)ball,
                                            (GLfloat)(4 * (12 + 2 * ball) + number),
                                            0.3f + 0.08f * (GLfloat)ball,
