@@ -366,11 +366,12 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
   const Refinement wanted = wanted_refinement(env_.options, env_.ark);
   return parts_.programs.derived().find(
       program, owner,
-      derived_key(key_state(env_), {.refinement = refinement_choice(env_, program, program.traits.variation, wanted).refinement,
-                                    .mode = GL_TRIANGLES,
-                                    .tagged = tagged,
-                                    .placed = placed,
-                                    .morphing = placed && geomorphs(env_.options, env_.ark)}));
+      derived_key(key_state(env_),
+                  {.refinement = refinement_choice(env_, program, program.traits.variation, wanted).refinement,
+                   .mode = GL_TRIANGLES,
+                   .tagged = tagged,
+                   .placed = placed,
+                   .morphing = placed && geomorphs(env_.options, env_.ark)}));
 }
 
 }  // namespace glark::core

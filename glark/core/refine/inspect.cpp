@@ -103,8 +103,7 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
 }  // namespace
 
 Inspection inspect_vertex_stage(const std::vector<std::string>& vertex_sources, bool es,
-                                const std::vector<std::string>& extensions,
-                                const std::set<std::string>& constants) {
+                                const std::vector<std::string>& extensions, const std::set<std::string>& constants) {
   try {
     return inspect(vertex_sources, es, extensions, constants);
   } catch (const std::exception& exception) {

@@ -20,11 +20,14 @@ constexpr char vertex[] =
 constexpr char fragment[] = "#version 430\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n";
 
 class InstancedDraws : public testing::Test {
+ public:
+  InstancedDraws(const InstancedDraws&) = delete;
+  InstancedDraws& operator=(const InstancedDraws&) = delete;
+
  protected:
   InstancedDraws()
-      : context_(Context::create(
-            plain_.gl, make_share_group(),
-            ContextOptions{.transparent = true, .level = 1, .left_draws = 0})) {
+      : context_(Context::create(plain_.gl, make_share_group(),
+                                 ContextOptions{.transparent = true, .level = 1, .left_draws = 0})) {
     const GLuint program = plain_.gl.CreateProgram();
     for (const auto& [stage, text] : {std::pair(GL_VERTEX_SHADER, vertex), std::pair(GL_FRAGMENT_SHADER, fragment)}) {
       const GLuint shader = plain_.gl.CreateShader(static_cast<GLenum>(stage));
@@ -40,9 +43,6 @@ class InstancedDraws : public testing::Test {
     plain_.gl.EnableVertexAttribArray(3);
   }
   ~InstancedDraws() override { context_->release(); }
-  InstancedDraws(const InstancedDraws&) = delete;
-  InstancedDraws& operator=(const InstancedDraws&) = delete;
-
   // Returns whether the stage ran between the corners.
   bool runs_between_corners(GLuint divisor) {
     plain_.gl.VertexAttribDivisor(3, divisor);

@@ -143,10 +143,9 @@ const StageVariation& ProgramBuilder::variation(core::Program& program, std::uin
         constants.insert(field.name);
       }
     }
-    entry->second =
-        inspect_vertex_stage(sources_of(program, GL_VERTEX_SHADER), traits_.language == capture::Language::es,
-                             traits_.extensions, constants)
-            .traits.variation;
+    entry->second = inspect_vertex_stage(sources_of(program, GL_VERTEX_SHADER),
+                                         traits_.language == capture::Language::es, traits_.extensions, constants)
+                        .traits.variation;
   }
   return entry->second;
 }
@@ -266,7 +265,8 @@ DeriveRequest ProgramBuilder::request_for(core::Program& program, const core::De
     request.refinement_source = program.refinement_source;
   }
   if (traits_.transparent && request.refinement_source.empty()) {
-    for (const OutputVariation& output : unsound_outputs(variation(program, key.instanced), program.input_traits.can_curve)) {
+    for (const OutputVariation& output :
+         unsound_outputs(variation(program, key.instanced), program.input_traits.can_curve)) {
       request.outputs.unsound.insert(output.path);
     }
   }
