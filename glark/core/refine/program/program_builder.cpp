@@ -101,6 +101,7 @@ bool ProgramBuilder::can_store_records(const core::Program& program) const {
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
   program.told_notes = 0;
+  program.instanced_variations.clear();
   program.cause.reset();
   program.hash = core::source_hash(program.stages);
   program.counters = &core::program_counters(program.hash);
@@ -128,6 +129,25 @@ void ProgramBuilder::prepare(core::Program& program) const {
   if (!program.cause) {
     check_inputs(program);
   }
+}
+
+const StageVariation& ProgramBuilder::variation(core::Program& program, std::uint32_t instanced) const {
+  if (instanced == 0) {
+    return program.traits.variation;
+  }
+  const auto [entry, missing] = program.instanced_variations.try_emplace(instanced);
+  if (missing) {
+    std::set<std::string> constants;
+    for (const capture::Field& field : program.fields) {
+      if (field.location >= 0 && (instanced >> static_cast<unsigned>(field.location) & 1U) != 0) {
+        constants.insert(field.name);
+      }
+    }
+    entry->second = inspect_vertex_stage(sources_of(program, GL_VERTEX_SHADER),
+                                         traits_.language == capture::Language::es, traits_.extensions, constants)
+                        .traits.variation;
+  }
+  return entry->second;
 }
 
 // Decides whether the inputs fit into a record.
@@ -224,7 +244,7 @@ capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
   return words;
 }
 
-DeriveRequest ProgramBuilder::request_for(const core::Program& program, const core::DerivedKey& key) const {
+DeriveRequest ProgramBuilder::request_for(core::Program& program, const core::DerivedKey& key) const {
   DeriveRequest request;
   request.vertex_sources = sources_of(program, GL_VERTEX_SHADER);
   request.es = traits_.language == capture::Language::es;
@@ -245,7 +265,8 @@ DeriveRequest ProgramBuilder::request_for(const core::Program& program, const co
     request.refinement_source = program.refinement_source;
   }
   if (traits_.transparent && request.refinement_source.empty()) {
-    for (const OutputVariation& output : unsound_outputs(program.traits.variation, program.input_traits.can_curve)) {
+    for (const OutputVariation& output :
+         unsound_outputs(variation(program, key.instanced), program.input_traits.can_curve)) {
       request.outputs.unsound.insert(output.path);
     }
   }

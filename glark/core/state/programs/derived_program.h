@@ -33,6 +33,7 @@ struct DerivedKey {
   int discontinuity_attribute = -1;   // location of the tags; -1: vertices carry none
   int scalar_tag_attribute = -1;      // location of the tags; -1: vertices carry none
   int normal_attribute = own_normal;  // location of normals that the stage does not read
+  std::uint32_t instanced = 0;        // bit i: the attribute at location i is the same at all corners of a triangle
   bool displaced = false;
   int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
   bool morphing = false;          // vertices move between levels

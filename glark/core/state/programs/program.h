@@ -50,6 +50,8 @@ struct Program {
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
   refine::VertexInputTraits input_traits;
+  // How the outputs vary if the inputs at these locations have a divisor (bit i: location i). Only what was asked for.
+  std::map<std::uint32_t, refine::StageVariation> instanced_variations;
   bool subroutines_asked = false;  // the next member is valid
   bool uses_subroutines = false;
   std::map<DerivedKey, std::shared_ptr<DerivedProgram>> derived;  // null: it could not be derived
