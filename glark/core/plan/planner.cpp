@@ -47,7 +47,7 @@ RefinementChoice refinement_choice(const Environment& environment, const Program
                         .transparent = environment.options.transparent,
                         .stage = program.traits,
                         .inputs = program.input_traits};
-  // The record of a displaced fixed-function draw has a normal, even if the state does not make the stage read it.
+  // Displacement adds a normal to the record of a fixed-function draw, also where lighting is off.
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
   facts.inputs.can_curve |= normal != own_normal;
   return choose_refinement(facts);
