@@ -3,8 +3,8 @@
 """Counts the draws of objects of a replay, and how many of them were refined: docs/reference/strangers.md, "How draws are counted"."""
 
 # Causes of draws that smooth cannot refine: points and lines, user interfaces, what draws nothing, no normals.
-NO_OBJECTS = {"not_triangles", "screen_quad", "overlay", "orthographic", "render_mode", "rasterizer_discard", "invalid_draw",
-              "left_shader", "blended", "no_depth_test", "no_depth_writes", "no_surface"}
+NO_OBJECTS = {"not_triangles", "polygon_mode", "screen_quad", "overlay", "orthographic", "render_mode", "rasterizer_discard",
+              "invalid_draw", "left_shader", "blended", "no_depth_test", "no_depth_writes", "no_surface"}
 
 
 def objects(refined: int, causes: dict) -> int:

@@ -27,6 +27,9 @@ class RefinedShare(unittest.TestCase):
         counted = life(statistics(frame(1, 3, overlay=5, mesh_flat=2)))
         self.assertEqual((counted["draws"], counted["objects"], counted["refined"]), (10, 5, 3))
 
+    def test_wire_frames_are_no_objects(self):
+        self.assertEqual(life(statistics(frame(1, 0, polygon_mode=7)))["objects"], 0)
+
     def test_draws_that_are_left_before_they_are_planned_are_objects(self):
         self.assertEqual(life(statistics(frame(1, 0, materials_vary=7)))["objects"], 7)
 
