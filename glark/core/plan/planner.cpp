@@ -15,6 +15,7 @@
 #include "glark/core/plan/unrefined/draw_rules.h"
 #include "glark/core/plan/unrefined/exemptions.h"
 #include "glark/core/plan/unrefined/state_check.h"
+#include "glark/core/plan/vertex_keeping.h"
 #include "glark/core/polygons/split_choice.h"
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
@@ -275,6 +276,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   const CapturePrograms::Entry& capture = parts_.programs.capture().find(plan.derived);
   plan.capture.program = capture.name;
   plan.capture.inputs = &capture.inputs;
+  plan.keeps_vertices = keeps_vertices(plan, env_.options, parts_.feedback.captures(env_.bindings()));
   return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
 }
 
