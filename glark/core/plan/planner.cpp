@@ -16,6 +16,7 @@
 #include "glark/core/plan/unrefined/draw_rules.h"
 #include "glark/core/plan/unrefined/exemptions.h"
 #include "glark/core/plan/unrefined/state_check.h"
+#include "glark/core/plan/vertex_keeping.h"
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
 #include "glark/core/shape.h"
@@ -277,6 +278,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   if (normal.lent) {
     plan.capture.lent = {*normal.lent, static_cast<GLuint>(normal.attribute)};
   }
+  plan.keeps_vertices = keeps_vertices(plan, env_.options, parts_.feedback.captures(env_.bindings()));
   return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
 }
 
