@@ -16,6 +16,7 @@
 #include "glark/core/plan/unrefined/draw_rules.h"
 #include "glark/core/plan/unrefined/exemptions.h"
 #include "glark/core/plan/unrefined/state_check.h"
+#include "glark/core/plan/vertex_keeping.h"
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
 #include "glark/core/shape.h"
@@ -49,7 +50,7 @@ RefinementChoice refinement_choice(const Environment& environment, const Program
                         .stage = program.traits,
                         .variation = variation,
                         .inputs = program.input_traits};
-  // The record of a displaced fixed-function draw has a normal, even if the state does not make the stage read it.
+  // Displacement adds a normal to the record of a fixed-function draw, also where lighting is off.
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
   facts.inputs.can_curve |= normal != own_normal;
   return choose_refinement(facts);
@@ -77,7 +78,8 @@ Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
   if (smooth() && purpose == Purpose::draw) {
-    decision.cause = parts_.meshes.judge(call, inputs_of(decision.plan), decision.cause);
+    const MeshWatch::Inputs inputs{inputs_of(decision.plan), decision.plan.capture.lent.has_value()};
+    decision.cause = parts_.meshes.judge(call, inputs, decision.cause);
   }
   return decision;
 }
@@ -224,10 +226,11 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
 
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
-  const int normal = smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : own_normal;
+  const MeshWatch::UnreadNormal normal =
+      smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : MeshWatch::UnreadNormal{};
   const std::uint32_t instanced = instanced_inputs_of(call, *plan.program);
   const refine::StageVariation& variation = parts_.programs.derived().variation(*plan.program, instanced);
-  const RefinementChoice choice = refinement_choice(env_, *plan.program, variation, plan.wanted, normal);
+  const RefinementChoice choice = refinement_choice(env_, *plan.program, variation, plan.wanted, normal.attribute);
   plan.fallback = choice.fallback;
   if (smooth() && choice.fallback) {
     tell_notes(*plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
@@ -239,7 +242,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .tagged = depth.adaptive && !depth.measured,
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
-  key.normal_attribute = normal;
+  key.normal_attribute = normal.attribute;
   key.instanced = instanced;
   add_welded_words(key, depth.measured && depth.measure.degrees > 0);
   plan.derived = derived(plan, key);
@@ -272,6 +275,10 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   const CapturePrograms::Entry& capture = parts_.programs.capture().find(plan.derived);
   plan.capture.program = capture.name;
   plan.capture.inputs = &capture.inputs;
+  if (normal.lent) {
+    plan.capture.lent = {*normal.lent, static_cast<GLuint>(normal.attribute)};
+  }
+  plan.keeps_vertices = keeps_vertices(plan, env_.options, parts_.feedback.captures(env_.bindings()));
   return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
 }
 

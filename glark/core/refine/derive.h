@@ -85,7 +85,8 @@ struct Derivation {
   bool ok = false;
   std::vector<std::string> vertex_sources;  // as many as in the request
   std::string error;
-  std::string prefix = {};  // begins our names in the sources
+  std::string prefix = {};      // begins our names in the sources
+  bool corner_outputs = false;  // some outputs come from the corners of the coarse triangle
 };
 
 // Parses the vertex stage. Never throws; malformed GLSL gives ok = false and an error that names the line.

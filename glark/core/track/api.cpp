@@ -224,7 +224,7 @@ void DepthTag1i(Context& c, GLuint d) {
   set_tag(c.gl(), c.ark().tag_attribute, &d);
   c.changes().set_current(generic_slot(c.ark().tag_attribute), set_tag, c.ark().tag_attribute, &d, sizeof(d));
   c.state().immediate().note_tag();
-  if (c.state().lists().compiling() && c.state().lists().mode() == GL_COMPILE_AND_EXECUTE) {
+  if (c.state().lists().compiling() && c.state().lists().executes_too()) {
     c.ark().lowered_tag.reset();
   }
 }

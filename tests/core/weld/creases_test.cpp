@@ -240,20 +240,6 @@ TEST_F(Creases, StrangeValuesStayFinite) {
   }
 }
 
-// Prints what welding costs with and without limits. Not a test: run it by its name.
-TEST_F(Creases, DISABLED_Cost) {
-  for (const int slices : {8, 32, 100, 320}) {
-    const SplitMesh mesh = sphere(slices, slices / 2);
-    std::map<float, double> least{{crease, INFINITY}, {weld::no_crease, INFINITY}};
-    for (int round = 0; round < 12; ++round) {
-      for (auto& [degrees, seconds] : least) seconds = std::min(seconds, records_.seconds(mesh, degrees));
-    }
-    const double each = 1e6 / static_cast<double>(mesh.triangles());
-    std::printf("%zu triangles: %.3f us a triangle, %.3f with limits\n", mesh.triangles(),
-                each * least[weld::no_crease], each * least[crease]);
-  }
-}
-
 // A real scan is smooth: nearly all of its edges are unchanged.
 class CreasesOfModel : public Creases, public testing::WithParamInterface<const char*> {};
 

@@ -40,6 +40,11 @@ bool reads(const core::Program& program, GLenum stage, std::string_view name) {
   });
 }
 
+bool mentions(const core::Program& program, std::string_view name) {
+  return std::any_of(program.stages.begin(), program.stages.end(),
+                     [&](const core::StageSource& source) { return source.source->find(name) != std::string::npos; });
+}
+
 // Returns the cause why the program's stages, or the effects of its vertex stage, rule out refinement, if there is one.
 std::optional<core::Cause> cause_of(const core::Program& program, const VertexStageTraits& traits, bool transparent) {
   if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
@@ -105,6 +110,7 @@ void ProgramBuilder::prepare(core::Program& program) const {
   program.cause.reset();
   program.hash = core::source_hash(program.stages);
   program.counters = &core::program_counters(program.hash);
+  program.counts_primitives = mentions(program, "gl_PrimitiveID");
   program.conventional_projection = program.fixed_function || core::reads_conventional_projection(program.stages);
   show_originals(program);
   if (program.stages.empty()) {
@@ -345,6 +351,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   slot = std::make_shared<core::DerivedProgram>();
   slot->name = name;
   slot->refinement = key.refinement;
+  slot->corner_outputs = derivation.corner_outputs;
   find_uniforms(request, *slot);
   slot->layout = std::move(request.layout);
   follow_uniforms(program, owner, slot);

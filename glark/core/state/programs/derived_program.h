@@ -78,9 +78,10 @@ struct DerivedProgram {
   GLint height_map = -1;    // locations of the uniforms of displacement
   GLint height_channel = -1;
   GLint height_range = -1;
-  GLint first_word = -1;           // location of its uniform; -1: the program reads no records from the storage block
-  bool numbered = false;           // it reads records, and an attribute numbers its instances
-  std::vector<GLint> location_of;  // by the application's location: ours, or -1
+  GLint first_word = -1;        // location of its uniform; -1: the program reads no records from the storage block
+  bool corner_outputs = false;  // some outputs come from the corners of the coarse triangle: flat or interpolated ones
+  bool numbered = false;        // it reads records, and an attribute numbers its instances
+  std::vector<GLint> location_of;          // by the application's location: ours, or -1
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
   std::vector<SubroutineTable> subroutines;
   AssemblyUniforms assembly;

@@ -62,6 +62,7 @@ struct Program {
   std::uint64_t hash = 0;                     // source_hash()
   bool left_alone = false;                    // the user named its hash
   bool conventional_projection = false;       // reads_conventional_projection()
+  bool counts_primitives = false;             // a stage mentions gl_PrimitiveID
   ProgramCounters* counters = nullptr;        // valid if prepared
   unsigned told_notes = 0;                    // note_bits() of the notes that were told
   bool uniforms_stale = false;  // a display list changed uniforms: copy all values before the next refined draw

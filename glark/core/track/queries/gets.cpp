@@ -76,6 +76,15 @@ void correct_extension_count(const Context& c, GLenum name, Value* data) {
   }
 }
 
+template <typename Value, typename Function>
+void get(Context& c, GLenum name, Value* data, const Function& from_gl) {
+  if (!answer(c, name, data)) {
+    from_gl(name, data);
+    correct_extension_count(c, name, data);
+    correct_list_index(c, name, data);
+  }
+}
+
 }  // namespace
 
 namespace track {
@@ -104,37 +113,13 @@ void GetBooleanv(Context& c, GLenum name, GLboolean* data) {
   }
 }
 
-void GetIntegerv(Context& c, GLenum name, GLint* data) {
-  if (!answer(c, name, data)) {
-    c.gl().GetIntegerv(name, data);
-    correct_extension_count(c, name, data);
-    correct_list_index(c, name, data);
-  }
-}
+void GetIntegerv(Context& c, GLenum name, GLint* data) { get(c, name, data, c.gl().GetIntegerv); }
 
-void GetFloatv(Context& c, GLenum name, GLfloat* data) {
-  if (!answer(c, name, data)) {
-    c.gl().GetFloatv(name, data);
-    correct_extension_count(c, name, data);
-    correct_list_index(c, name, data);
-  }
-}
+void GetFloatv(Context& c, GLenum name, GLfloat* data) { get(c, name, data, c.gl().GetFloatv); }
 
-void GetDoublev(Context& c, GLenum name, GLdouble* data) {
-  if (!answer(c, name, data)) {
-    c.gl().GetDoublev(name, data);
-    correct_extension_count(c, name, data);
-    correct_list_index(c, name, data);
-  }
-}
+void GetDoublev(Context& c, GLenum name, GLdouble* data) { get(c, name, data, c.gl().GetDoublev); }
 
-void GetInteger64v(Context& c, GLenum name, GLint64* data) {
-  if (!answer(c, name, data)) {
-    c.gl().GetInteger64v(name, data);
-    correct_extension_count(c, name, data);
-    correct_list_index(c, name, data);
-  }
-}
+void GetInteger64v(Context& c, GLenum name, GLint64* data) { get(c, name, data, c.gl().GetInteger64v); }
 
 void GetPointerv(Context& c, GLenum name, void** data) {
   if (c.capabilities().refinable && name == GL_DEPTH_TAG_ARRAY_POINTER_ARK && data != nullptr) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Values are followed through each construct of GLSL.
+// The analysis follows values through every construct of GLSL.
 #include "tests/core/refine/soundness/soundness_harness.h"
 
 namespace glark::refine {

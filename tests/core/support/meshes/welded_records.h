@@ -5,7 +5,6 @@
 #pragma once
 
 #include <bit>
-#include <chrono>
 
 #include "glark/core/weld/weld.h"
 #include "glark/gl/dispatch.h"
@@ -99,17 +98,6 @@ class WeldedRecords {
       edges.push_back({from, to, offset(welded, corner, 0, from, to), offset(welded, next, 3, to, from), corner / 3});
     }
     return edges;
-  }
-  // The time of welding alone.
-  double seconds(const SplitMesh& mesh, float crease) {
-    const weld::WeldPlan plan{.on = true, .crease = crease};
-    upload(mesh);
-    gl_.Finish();
-    const auto begin = std::chrono::steady_clock::now();
-    constexpr int times = 5;
-    for (int i = 0; i < times; ++i) run(plan, mesh);
-    gl_.Finish();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / times;
   }
 
  private:
