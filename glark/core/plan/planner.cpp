@@ -10,7 +10,7 @@
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
 #include "glark/core/plan/draw_notes.h"
-#include "glark/core/plan/instanced_inputs.h"
+#include "glark/core/plan/inputs/instanced_inputs.h"
 #include "glark/core/plan/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
 #include "glark/core/plan/unrefined/draw_rules.h"
