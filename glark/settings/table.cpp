@@ -160,7 +160,9 @@ constexpr std::array first_settings{
             "Replaces --level. With --edge-pixels too, an edge gets the lesser of both depths.",
             [](Settings& s, std::string_view text) { return assign(parse_curvature(text), s.context.measure.degrees); }},
     Setting{depth, "budget", "GLARK_BUDGET", Kind::value, "N", "a number of triangles up to 1000000000, or 0 for none,", "0", "none",
-            "Coarsen --edge-pixels and --curvature when a frame has more than N refined triangles", "",
+            "Coarsen --edge-pixels and --curvature when a frame has more than N refined triangles",
+            "With a --refine that curves triangles, the budget goes to what curves: flat triangles, backgrounds, and passes "
+            "without colours do not count.",
             [](Settings& s, std::string_view text) { return assign(parse_budget(text), s.context.measure.budget); }},
     Setting{depth, "geomorph", "GLARK_GEOMORPH", Kind::toggle, "", switch_needed, "0", "off",
             "Move vertices smoothly between the levels of --edge-pixels and --curvature, so that no vertex pops up",

@@ -19,6 +19,7 @@ struct MeshPass {
   bool equal = false;         // it is drawn only where an earlier pass left the same depth
   bool shows = true;          // it writes colours
   bool marks = false;         // it may write the stencil buffer
+  bool behind = false;        // a background: it says nothing about other meshes of its source
 
   // Without colours, a draw is there only for other draws: it lays down depth or stencil values for them.
   bool prepares() const { return !shows && (writes_depth || marks); }

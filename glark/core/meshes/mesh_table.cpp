@@ -34,7 +34,8 @@ bool MeshTable::watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass) {
   Source& source = sources_[static_cast<std::size_t>(source_of(key))];
   count_frame(mesh);
   count_frame(source);
-  (pass.curves ? mesh.had_curved : mesh.had_flat) = true;
+  bool& had_such = pass.curves ? mesh.had_curved : mesh.had_flat;
+  had_such = had_such || !pass.behind;
   source.mixed = source.mixed || (mesh.had_curved && mesh.had_flat && !(key == loose_mesh));
   const bool lasts = source_of(key) == MeshSource::buffer || key == loose_mesh;
   return mesh.frames > frames_to_watch || (!lasts && !source.mixed && source.frames > frames_to_watch);
@@ -59,7 +60,7 @@ void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
   // One of the loose draws is flat, perhaps the very one that the pass must meet.
   mesh.flat = mesh.flat || (pass.equal && mesh.written_flat == frame_ && loose);
   if (pass.writes_depth) {
-    mesh.written = frame_;
+    mesh.written = written_ = frame_;
     mesh.written_flat = pass.curves ? mesh.written_flat : frame_;
   }
   if (pass.curves) {

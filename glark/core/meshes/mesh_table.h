@@ -51,6 +51,10 @@ class MeshTable {
   // The normals that a pass over the mesh reads. Other passes may use them, too.
   void set_normals(const MeshKey& key, const NormalSource& normals) { find(key).normals = normals; }
   const NormalSource& normals(const MeshKey& key) { return find(key).normals; }  // of no key: not known
+  // Returns whether a pass over the mesh wrote depth in this or the last frame; and whether any draw did. In the first
+  // frame, draws are expected to write depth.
+  bool wrote_depth(const MeshKey& key) { return is_recent(find(key).written); }
+  bool any_wrote_depth() const { return frame_ == 1 || is_recent(written_); }
   // A frame without draws is not counted.
   void frame_finished();
 
@@ -83,6 +87,7 @@ class MeshTable {
   template <class Drawn>
   void count_frame(Drawn& drawn);
   bool watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
+  bool is_recent(std::uint64_t frame) const { return frame != never && frame + 1 >= frame_; }
   void doubt() { doubted_until_ = frame_ + frames_of_doubt; }
   void drop_old();
 
@@ -93,7 +98,8 @@ class MeshTable {
   std::vector<const Mesh*> preparing_;  // meshes that flat passes of this frame prepared for
   std::uint64_t frame_ = 1;
   std::uint64_t doubted_until_ = never;
-  bool drawn_ = false;  // in this frame
+  std::uint64_t written_ = never;  // the last frame in which a draw wrote depth
+  bool drawn_ = false;             // in this frame
 };
 
 }  // namespace glark::core

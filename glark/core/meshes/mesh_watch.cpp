@@ -114,6 +114,13 @@ int MeshWatch::unread_normal(const DrawCall& call, const std::vector<capture::Fi
   return wanted.type != 0 ? find_array(wanted, fields) : own_normal;
 }
 
+bool MeshWatch::mesh_wrote_depth(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  const capture::Field* position = capture::find_role(fields, capture::Role::position);
+  return table_.wrote_depth(call.list_segment != 0                    ? mesh_of_list(call.list_segment)
+                            : call.from_arrays && position != nullptr ? key_of(slot_of(*position))
+                                                                      : loose_mesh);
+}
+
 int MeshWatch::find_array(const NormalSource& wanted, const std::vector<capture::Field>& fields) const {
   const auto matches = [&](int slot) {
     const AttributeSource& source = env_.state.arrays().attribute_source(slot);

@@ -26,6 +26,9 @@ class MeshWatch {
   // A draw by the vertex stage with these inputs, which reads no normal: returns the location of an array that holds the
   // normals of its mesh, conventional_normal, or own_normal if there is none.
   int unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  // Passes over the mesh of this draw, or other draws, wrote depth in this or the last frame.
+  bool mesh_wrote_depth(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  bool any_wrote_depth() const { return table_.any_wrote_depth(); }
   void frame_finished() { table_.frame_finished(); }
 
  private:

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string>
 
+#include "glark/core/plan/budget_choice.h"
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
 #include "glark/core/plan/draw_notes.h"
@@ -74,8 +75,10 @@ Decision Planner::plan(const DrawCall& call, Purpose purpose) {
       current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
-  if (smooth() && purpose == Purpose::draw) {
-    decision.cause = parts_.meshes.judge(call, inputs_of(decision.plan), decision.cause);
+  const bool spends = spends_on_curves(env_.options, env_.ark, decision.plan.wanted, decision.plan.depth);
+  if (purpose == Purpose::draw && (smooth() || spends)) {
+    const std::optional<Cause> verdict = parts_.meshes.judge(call, inputs_of(decision.plan), decision.cause);
+    decision.cause = smooth() ? verdict : decision.cause;
   }
   return decision;
 }
@@ -231,6 +234,23 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
   return parts_.programs.derived().find(*plan.program, plan.owner, key);
 }
 
+std::optional<Cause> Planner::spend_budget(const DrawCall& call, DrawPlan& plan, Refinement chosen) const {
+  if (!spends_on_curves(env_.options, env_.ark, plan.wanted, plan.depth)) {
+    return std::nullopt;
+  }
+  Framebuffers& framebuffers = env_.state.framebuffers();
+  const VisibilityFacts facts{.bindings = env_.bindings(),
+                              .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
+                              .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors),
+                              .others_write_depth = parts_.meshes.any_wrote_depth(),
+                              .mesh_writes_depth = parts_.meshes.mesh_wrote_depth(call, plan.program->fields)};
+  if (!traits_of(chosen).curves_positions || is_background(facts)) {
+    return Cause::budget;
+  }
+  plan.depth.budget = {.curves_only = true, .counted = draws_colors(facts)};
+  return std::nullopt;
+}
+
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
   const int normal = smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : own_normal;
@@ -240,6 +260,9 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
     tell_notes(*plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
     return Cause::no_surface;
   }
+  if (const std::optional<Cause> cause = spend_budget(call, plan, choice.refinement)) {
+    return cause;
+  }
   // The outputs of split polygons do not depend on the provoking vertex.
   DerivedKey key = derived_key(key_state(env_), {.refinement = choice.refinement,
                                                  .mode = plan.polygons ? GL_TRIANGLES : call.mode,
@@ -247,7 +270,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
   key.normal_attribute = normal;
-  add_welded_words(key, depth.measured && depth.measure.degrees > 0);
+  add_welded_words(key, depth.measured && (depth.measure.degrees > 0 || depth.budget.curves_only));
   plan.derived = derived(plan, key);
   choose_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {

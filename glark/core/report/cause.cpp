@@ -76,6 +76,7 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
     {"unknown_partner",
      "a pass that cannot be curved must meet another mesh in depth, and glark does not know which one",
      "--refine pn curves every pass by itself"},
+    {"budget", "--budget goes to what shows: the draw is a background, or it cannot be curved", "run without --budget"},
 }};
 
 }  // namespace
