@@ -66,6 +66,7 @@ std::optional<float> parse_curvature(std::string_view text);
 std::optional<float> parse_crease(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);
 std::optional<bool> parse_polygons(std::string_view text);  // true: at their centroids
+std::optional<bool> parse_normals(std::string_view text);   // true: from geometry
 std::optional<core::LogLevel> parse_log_level(std::string_view text);
 std::optional<bool> parse_switch(std::string_view text);
 // A comma separates requests only if a frame number follows it.

@@ -178,6 +178,11 @@ constexpr std::array first_settings{
 };
 
 constexpr std::array other_settings{
+    Setting{shape, "normals", "GLARK_NORMALS", Kind::value, "SOURCE", "given or geometry", "given", "",
+            "Curve meshes by the program's normals only (given), or make normals from positions for meshes without any "
+            "(geometry)",
+            "Faces that meet at more than --crease keep their own normals.",
+            [](Settings& s, std::string_view text) { return assign(parse_normals(text), s.context.geometry_normals); }},
     Setting{shape, "no-weld", "GLARK_NO_WELD", Kind::toggle, "", switch_needed, "0", "off",
             "Curve each triangle by its own normals alone; curved ones then crack open where normals differ",
             "Otherwise the edges of a draw are welded by position.", read_no_weld},

@@ -61,9 +61,12 @@ void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
   mesh.flat = mesh.flat || (pass.equal && mesh.written_flat == frame_ && loose);
   if (pass.writes_depth) {
     mesh.written = written_ = frame_;
-    mesh.written_flat = pass.curves ? mesh.written_flat : frame_;
+    const bool as_others = pass.curves && !(pass.made && loose);
+    mesh.written_flat = as_others ? mesh.written_flat : frame_;
   }
   if (pass.curves) {
+    mesh.flat = mesh.flat || (!pass.made && !loose && mesh.made == frame_ && mesh.frames > 1);
+    mesh.made = pass.made ? frame_ : mesh.made;
     return;
   }
   if (pass.lacks_normal && !loose && mesh.frames <= 1) {

@@ -12,7 +12,8 @@
 //   such a source is curved at once if the source was drawn in enough frames and never had a mesh with both curved and
 //   flat passes.
 // - A pass that cannot be curved makes its mesh flat at once, and for good, so that nothing flickers. In the first frame,
-//   a pass without normals is excused: the normals may come from a later pass over the mesh.
+//   a pass without normals is excused: the normals may come from a later pass over the mesh. So is a pass whose normals
+//   were made from positions, if a later pass has other ones.
 // - A mesh without identity (glBegin) holds unrelated things: only passes that must meet others make it flat.
 // - A pass whose partner is unknown makes all meshes of the context flat for some time. It must meet another draw in
 //   depth, and no draw with the same positions is there.
@@ -51,6 +52,7 @@ class MeshTable {
   // The normals that a pass over the mesh reads. Other passes may use them, too.
   void set_normals(const MeshKey& key, const NormalSource& normals) { find(key).normals = normals; }
   const NormalSource& normals(const MeshKey& key) { return find(key).normals; }  // of no key: not known
+  bool shown(const MeshKey& key) { return is_recent(find(key).shown); }          // in this or the last frame
   // Returns whether a pass over the mesh wrote depth in this or the last frame; and whether any draw did. In the first
   // frame, draws are expected to write depth.
   bool wrote_depth(const MeshKey& key) { return is_recent(find(key).written); }
@@ -70,6 +72,7 @@ class MeshTable {
     std::uint64_t written_flat = never;  // the last frame in which a flat pass wrote depth
     std::uint64_t shown = never;         // the last frame in which it wrote colours
     std::uint64_t prepared = never;      // the last frame in which a flat pass prepared for others
+    std::uint64_t made = never;          // the last frame in which a pass had normals from positions
     unsigned frames = 0;                 // that drew it, up to frames_to_watch + 1
     bool flat = false;
     bool had_curved = false;  // passes

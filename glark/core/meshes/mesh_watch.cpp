@@ -30,7 +30,22 @@ Cause cause_of(MeshVerdict verdict) {
                                         : Cause::unknown_partner;
 }
 
+bool has_made_normals(const std::vector<capture::Field>* fields) {
+  const capture::Field* normal = fields != nullptr ? capture::find_role(*fields, capture::Role::normal) : nullptr;
+  return normal != nullptr && normal->made;
+}
+
+bool is_position_vector(const capture::Field* position) {
+  return position != nullptr && !position->is_array &&
+         (position->type == GL_FLOAT_VEC3 || position->type == GL_FLOAT_VEC4);
+}
+
 }  // namespace
+
+bool may_make_normals(const ContextOptions& options, const std::vector<capture::Field>& fields) {
+  return options.geometry_normals && options.weld &&
+         is_position_vector(capture::find_role(fields, capture::Role::position));
+}
 
 std::optional<Cause> MeshWatch::judge(const DrawCall& call, const std::vector<capture::Field>* fields,
                                       std::optional<Cause> cause) {
@@ -42,21 +57,26 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const std::vector<ca
                                             .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
                                             .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors)},
                                            cause);
+  const bool made = has_made_normals(fields);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {
     return cause;
   }
+  pass->made = pass->curves && made;
   if (call.list_segment != 0) {
     return ask(mesh_of_list(call.list_segment), *pass, cause);
   }
   if (!call.from_arrays) {
+    if (pass->curves && !made) {
+      table_.set_normals(loose_mesh, {loose_mesh, GL_FLOAT});
+    }
     return cause == Cause::not_triangles ? cause : ask(loose_mesh, *pass, cause);
   }
   fields = fields != nullptr ? fields : known_fields();
   const capture::Field* position = fields != nullptr ? capture::find_role(*fields, capture::Role::position) : nullptr;
   if (position != nullptr || fields == nullptr) {
     const MeshKey mesh = key_of(position != nullptr ? slot_of(*position) : vertex_slot_in_use());
-    if (pass->curves) {
+    if (pass->curves && !made) {
       note_normals(mesh, *fields);
     }
     pass->lacks_normal = cause == Cause::no_surface;
@@ -98,9 +118,7 @@ void MeshWatch::note_normals(const MeshKey& mesh, const std::vector<capture::Fie
 
 int MeshWatch::unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const {
   const capture::Field* position = capture::find_role(fields, capture::Role::position);
-  const bool is_vector = position != nullptr && !position->is_array &&
-                         (position->type == GL_FLOAT_VEC3 || position->type == GL_FLOAT_VEC4);
-  if (!is_vector || capture::find_role(fields, capture::Role::normal) != nullptr) {
+  if (!is_position_vector(position) || capture::find_role(fields, capture::Role::normal) != nullptr) {
     return own_normal;
   }
   const bool conventional = position->name == "gl_Vertex";
@@ -114,11 +132,34 @@ int MeshWatch::unread_normal(const DrawCall& call, const std::vector<capture::Fi
   return wanted.type != 0 ? find_array(wanted, fields) : own_normal;
 }
 
-bool MeshWatch::mesh_wrote_depth(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+// Where no pass has normals. A pass without colours follows a mesh that shows; a shadow volume is no surface.
+bool MeshWatch::makes_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  if (!may_make_normals(env_.options, fields) || has_normals(call, fields)) {
+    return false;
+  }
+  const MeshKey mesh = mesh_of_draw(call, fields);
+  const bool colors = env_.bindings().color_writes && env_.state.framebuffers().bound_has_colors(env_.gl, env_.errors);
+  const bool shows = colors || (!(mesh == loose_mesh) && table_.shown(mesh));
+  return shows && table_.normals(mesh).type == 0;
+}
+
+int MeshWatch::choose_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  if (!env_.options.smooth) {
+    return may_make_normals(env_.options, fields) && capture::normal_offset(fields) < 0 ? made_normal : own_normal;
+  }
+  const int unread = unread_normal(call, fields);
+  return unread == own_normal && makes_normals(call, fields) ? made_normal : unread;
+}
+
+MeshKey MeshWatch::mesh_of_draw(const DrawCall& call, const std::vector<capture::Field>& fields) const {
   const capture::Field* position = capture::find_role(fields, capture::Role::position);
-  return table_.wrote_depth(call.list_segment != 0                    ? mesh_of_list(call.list_segment)
-                            : call.from_arrays && position != nullptr ? key_of(slot_of(*position))
-                                                                      : loose_mesh);
+  return call.list_segment != 0                    ? mesh_of_list(call.list_segment)
+         : call.from_arrays && position != nullptr ? key_of(slot_of(*position))
+                                                   : loose_mesh;
+}
+
+bool MeshWatch::mesh_wrote_depth(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  return table_.wrote_depth(mesh_of_draw(call, fields));
 }
 
 int MeshWatch::find_array(const NormalSource& wanted, const std::vector<capture::Field>& fields) const {
@@ -141,6 +182,9 @@ int MeshWatch::find_array(const NormalSource& wanted, const std::vector<capture:
 // The same normal at every vertex tells nothing about a surface: the array is off, or the list sets no normals.
 bool MeshWatch::has_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const {
   const capture::Field* normal = capture::find_role(fields, capture::Role::normal);
+  if (normal != nullptr && normal->made) {
+    return true;
+  }
   const int slot = normal != nullptr ? slot_of(*normal) : no_slot;
   if (slot == no_slot) {
     return false;

@@ -15,6 +15,9 @@
 
 namespace glark::core {
 
+// Returns whether the user wants normals from positions, and the position allows them.
+bool may_make_normals(const ContextOptions& options, const std::vector<capture::Field>& fields);
+
 class MeshWatch {
  public:
   explicit MeshWatch(const Environment& environment) : env_(environment) {}
@@ -23,15 +26,19 @@ class MeshWatch {
   // known. Returns why it stays unrefined; nothing if it is curved.
   std::optional<Cause> judge(const DrawCall& call, const std::vector<capture::Field>* fields,
                              std::optional<Cause> cause);
-  // A draw by the vertex stage with these inputs, which reads no normal: returns the location of an array that holds the
-  // normals of its mesh, conventional_normal, or own_normal if there is none.
-  int unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  // Chooses the normals of a draw by the vertex stage with these inputs: DerivedKey::normal_attribute.
+  int choose_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
   // Passes over the mesh of this draw, or other draws, wrote depth in this or the last frame.
   bool mesh_wrote_depth(const DrawCall& call, const std::vector<capture::Field>& fields) const;
   bool any_wrote_depth() const { return table_.any_wrote_depth(); }
   void frame_finished() { table_.frame_finished(); }
 
  private:
+  // The stage reads no normal: returns the location of an array that holds the normals of its mesh,
+  // conventional_normal, or own_normal if there is none.
+  int unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  bool makes_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  MeshKey mesh_of_draw(const DrawCall& call, const std::vector<capture::Field>& fields) const;
   int find_array(const NormalSource& wanted, const std::vector<capture::Field>& fields) const;
   void note_normals(const MeshKey& mesh, const std::vector<capture::Field>& fields);
   bool has_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const;

@@ -51,6 +51,7 @@ RefinementChoice refinement_choice(const Environment& environment, const Program
   // Displacement adds a normal to the record of a fixed-function draw, also where lighting is off.
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
   facts.inputs.can_curve |= normal != own_normal;
+  facts.made_normal = normal == made_normal;
   return choose_refinement(facts);
 }
 
@@ -253,7 +254,8 @@ std::optional<Cause> Planner::spend_budget(const DrawCall& call, DrawPlan& plan,
 
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
-  const int normal = smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : own_normal;
+  const bool curves = env_.options.transparent && !env_.ark.enabled && traits_of(plan.wanted).curves_positions;
+  const int normal = curves ? parts_.meshes.choose_normal(call, plan.program->fields) : own_normal;
   const RefinementChoice choice = refinement_choice(env_, *plan.program, plan.wanted, normal);
   plan.fallback = choice.fallback;
   if (smooth() && choice.fallback) {
@@ -325,6 +327,7 @@ void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangle
     return;
   }
   plan.weld.edges_later = plan.polygons.has_value();
+  plan.weld.makes_normals = key.normal_attribute == made_normal;
   plan.weld.crease = crease_of(env_.options);
   const auto can_hold = [&] { return parts_.weld.can_hold(plan.weld, plan.derived->layout, triangles); };
   bool fits = can_hold();

@@ -26,6 +26,7 @@ struct RefinementFacts {
   bool transparent = false;
   const refine::VertexStageTraits& stage;
   refine::VertexInputTraits inputs = {};
+  bool made_normal = false;  // the normal is made from positions, so it does not tell that the mesh is a surface
 };
 
 struct RefinementChoice {

@@ -120,6 +120,26 @@ TEST_F(MeshTables, APassThatLacksOnlyNormalsIsExcusedInTheFirstFrame) {
   EXPECT_EQ(table_.draw(ball, lacking), MeshVerdict::flat) << "it must have found them";
 }
 
+constexpr MeshPass made_colors{.curves = true, .made = true, .uses_depth = true, .writes_depth = true};
+constexpr MeshPass made_equal{.curves = true, .made = true, .uses_depth = true, .equal = true};
+
+TEST_F(MeshTables, NormalsFromPositionsCurveAMeshInAllPasses) {
+  EXPECT_EQ(settled({{ball, made_colors}, {ball, made_equal}}), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, TwoKindsOfNormalsAreTwoShapes) {
+  table_.draw(ball, made_colors);
+  EXPECT_EQ(table_.draw(ball, colors), MeshVerdict::waits) << "the normals were not known yet in the first frame";
+  table_.frame_finished();
+  table_.draw(ball, made_colors);
+  EXPECT_EQ(table_.draw(ball, colors), MeshVerdict::flat);
+}
+
+TEST_F(MeshTables, LooseDrawsWithNormalsFromPositionsAreNotMet) {
+  EXPECT_EQ(settled({{loose_mesh, made_colors}, {loose_mesh, colors}}), MeshVerdict::curved);
+  EXPECT_EQ(settled({{loose_mesh, made_colors}, {loose_mesh, equal_colors}}), MeshVerdict::flat);
+}
+
 TEST_F(MeshTables, AMeshThatWasFlatOnceStaysFlat) {
   EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::curved);
   EXPECT_EQ(table_.draw(ball, flat_colors), MeshVerdict::flat);
