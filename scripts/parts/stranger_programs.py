@@ -155,7 +155,47 @@ DESKTOP = [
              "/usr/share/doc/inventor-demo/src/apps/examples/data/luxo.iv"]),
 ]
 
-PROGRAMS = [*TOOLKITS, *DESKTOP, *GAMES, *SAVERS, *SHOOTERS]
+MORE = [
+    Stranger("GLUT shapes", "toolkit", ("python3-opengl", "libglut3.12"), [PYTHON, str(SCENES / "glut_scene.py")], frames=60),
+    Stranger("Mayavi", "toolkit", ("mayavi2", "python3-pyqt5"), [PYTHON, str(SCENES / "mayavi_scene.py")], seconds=20, frames=40,
+             environment={"ETS_TOOLKIT": "qt", "QT_API": "pyqt5"}),
+    Stranger("Open3D", "toolkit", ("python3-open3d",), [PYTHON, str(SCENES / "open3d_scene.py")], seconds=12, frames=40),
+    Stranger("Wine", "Windows", ("wine64", "gcc-mingw-w64-x86-64"), [str(SCENES / "wine_scene")], seconds=30, frames=60),
+    Stranger("Blender", "modeller", ("blender",), ["/usr/bin/blender", "--factory-startup", "--window-geometry", "0", "0", "400", "300",
+             "--python", str(SCENES / "blender_scene.py")], seconds=90, frames=60),
+    Stranger("FreeCAD", "modeller", ("freecad",), ["/usr/bin/freecad", str(SCENES / "freecad_scene.py")], seconds=40, frames=60,
+             environment={"QTWEBENGINE_DISABLE_SANDBOX": "1"}),
+    Stranger("CloudCompare", "modeller", ("cloudcompare",), ["/usr/bin/CloudCompare", f"{MODELS}/ball.obj"], seconds=14, keys=DRAG),
+    Stranger("RepSnapper", "modeller", ("repsnapper",), ["/usr/bin/repsnapper", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
+    Stranger("Sweet Home 3D", "modeller", ("sweethome3d",), ["/usr/bin/sweethome3d"], seconds=30, frames=60),
+    Stranger("view3dscene", "viewer", ("view3dscene",), ["/usr/bin/view3dscene", "--geometry", "400x300", f"{MODELS}/ball.wrl"],
+             seconds=14, keys=DRAG),
+    Stranger("OpenCSG", "demo", ("libopencsg-example",), ["/usr/bin/opencsgexample"], frames=60),
+    Stranger("XMakemol", "molecules", ("xmakemol",), ["/usr/bin/xmakemol", "-f", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
+    Stranger("GAMGI", "molecules", ("gamgi",), ["/usr/bin/gamgi", f"{MODELS}/molecule.xyz"], seconds=14, keys=DRAG),
+    Stranger("OpenUniverse", "desktop", ("openuniverse",), ["/usr/bin/openuniverse"], seconds=14, frames=100),
+    Stranger("Firefox WebGL", "browser", ("firefox-esr",),
+             ["/usr/bin/firefox-esr", "--no-remote", "--profile", f"{MODELS}/firefox", str(SCENES / "webgl.html")],
+             egl=True, seconds=30, environment={"MOZ_DISABLE_CONTENT_SANDBOX": "1", "MOZ_DISABLE_RDD_SANDBOX": "1"}),
+    Stranger("Trigger Rally", "game, in play", ("trigger-rally",), ["/usr/games/trigger-rally"], seconds=40, frames=300,
+             keys=((8, "key Return"), (3, "key Return"), (3, "key Return"), (6, "keydown Up"))),
+    Stranger("Critical Mass", "game, in play", ("criticalmass",), ["/usr/games/critter"], seconds=25, frames=500,
+             keys=((5, "mousemove 265 118 click 1"), (2, "mousemove 265 118 click 1"), (2, "key Return"), (2, "key Return"))),
+    Stranger("BZFlag", "game, in play", ("bzflag-client", "bzflag-server"),
+             ["/bin/sh", "-c", "bzfs -p 15154 >/dev/null 2>&1 & sleep 1; "
+              "exec /usr/games/bzflag -window 400x300 -m -nolist -nomotd -solo 3 stranger@localhost:15154"],
+             seconds=25, frames=300, keys=((8, "keydown Up"), (3, "key Return"))),
+    Stranger("Lugaru", "game, in play", ("lugaru",), ["/usr/games/lugaru", "--windowed", "--nosound", "--nomousegrab"], seconds=35,
+             frames=300, keys=((10, "mousemove 320 180 click 1"), (3, "key Return"))),
+    Stranger("Search and Rescue", "game, menu", ("searchandrescue",), ["/usr/games/SearchAndRescue"], seconds=15, frames=200,
+             keys=((5, "key Return"), (3, "key Return"))),
+    Stranger("antigravitaattori", "game, in play", ("antigravitaattori",), ["/usr/games/antigrav", "-w", "-r", "640"], seconds=15, frames=300,
+             keys=((3, "key Return"), (2, "key Return"), (2, "keydown Up"))),
+    Stranger("XRacer", "game, in play", ("xracer",), ["/usr/games/xracer"], seconds=15, frames=300,
+             keys=((3, "key Return"), (2, "key Return"), (2, "keydown a"))),
+]
+
+PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS]
 
 # What was seen on the contact sheets, for the table.
 QUADS = "quads with four corner colours are cut along the other diagonal"
