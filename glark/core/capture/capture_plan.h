@@ -14,7 +14,7 @@ struct CapturePlan {
   GLuint program = 0;
   const std::vector<int>* inputs = nullptr;  // the attributes that the program reads, by core::AttributeSlot
   const Layout* layout = nullptr;            // layout of the records
-  bool last_vertex_convention = false;       // set while the draw is captured
+  GLenum convention = 0;  // of the provoking vertex, set while the draw is captured; 0: the application's
 };
 
 }  // namespace glark::capture

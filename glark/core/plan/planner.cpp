@@ -15,7 +15,6 @@
 #include "glark/core/plan/unrefined/draw_rules.h"
 #include "glark/core/plan/unrefined/exemptions.h"
 #include "glark/core/plan/unrefined/state_check.h"
-#include "glark/core/polygons/split_choice.h"
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
 #include "glark/core/shape.h"
@@ -65,7 +64,7 @@ const std::vector<capture::Field>* inputs_of(const DrawPlan& plan) {
 }  // namespace
 
 Planner::Planner(const Environment& environment, const Parts& parts)
-    : env_(environment), parts_(parts), decompositions_(environment, parts.capture, parts.programs.in_use()) {}
+    : env_(environment), parts_(parts), polygons_(environment, parts.capture, parts.programs.in_use()) {}
 
 Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   env_.state.refresh();
@@ -103,7 +102,7 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
   }
   parts_.programs.in_use().read_subroutines(plan.owner, plan.pipeline);
   choose_depths(call, plan);
-  choose_polygons(call, plan);
+  polygons_.choose_split(call, plan);
   if (changes_nothing(plan, purpose)) {
     return Cause::level_zero;
   }
@@ -208,17 +207,6 @@ void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
   plan.placed = plan.depth.adaptive || plan.depth.level > static_cast<unsigned>(pattern::deepest_uniform);
 }
 
-void Planner::choose_polygons(const DrawCall& call, DrawPlan& plan) {
-  plan.capture.last_vertex_convention = captures_last_vertex(env_.bindings(), env_.capabilities, call.mode);
-  if (splits_polygons(env_.options, env_.ark) && env_.capabilities.is_compatibility() &&
-      polygons::splits_at_centroid(call, *plan.program, env_.bindings())) {
-    plan.polygons = decompositions_.find(call.mode, plan.capture.last_vertex_convention);
-    if (call.polygon_sides != nullptr) {
-      plan.polygon_sides = *call.polygon_sides;
-    }
-  }
-}
-
 // Returns whether the refined draw would equal the original one.
 bool Planner::changes_nothing(const DrawPlan& plan, Purpose purpose) const {
   const bool may_split = purpose == Purpose::feedback && splits_polygons(env_.options, env_.ark);
@@ -269,6 +257,9 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
     return Cause::too_many_attributes;  // other stages of the program pipeline may need the storage binding
   }
   plan.capture.layout = &plan.derived->layout;
+  if (!parts_.feedback.ours()) {
+    polygons_.follow_drawn_diagonal(call, plan);
+  }
   if (const std::optional<Cause> cause = find_corner_program(plan)) {
     return cause;
   }
