@@ -120,14 +120,14 @@ def regions(mask: numpy.ndarray) -> numpy.ndarray:
     return numpy.array([root(i) for i in range(len(parents))], numpy.int32)[labels]
 
 
-def lone_steps(picture: numpy.ndarray, other: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
+def lone_steps(picture: numpy.ndarray, other: numpy.ndarray, allowance: Allowance, least: int = 0) -> numpy.ndarray:
     """Marks the pixels beside a step that the other picture lacks. A texture under another light has its steps in both.
 
-    If light may not change, every pixel counts as such.
+    If light may not change, every pixel counts as such. A step has at least half the tolerance, or `least` levels.
     """
     if not allowance.light:
         return numpy.ones(picture.shape[:2], bool)
-    return grown(steps(picture) >= allowance.tolerance // 2, 1) & ~grown(steps(other) >= allowance.tolerance // 4, 1)
+    return grown(steps(picture) >= (least or allowance.tolerance // 2), 1) & ~grown(steps(other) >= allowance.tolerance // 4, 1)
 
 
 def sharp_area(mask: numpy.ndarray, lone: numpy.ndarray, share: float = CONTOUR) -> numpy.ndarray:
@@ -145,12 +145,18 @@ def sharp_area(mask: numpy.ndarray, lone: numpy.ndarray, share: float = CONTOUR)
     return mask & broken[labels]
 
 
-def islands(new: numpy.ndarray, lone_new: numpy.ndarray, old: numpy.ndarray, lone_old: numpy.ndarray, reach: int) -> numpy.ndarray:
-    """Marks what came in the midst of something else, in a colour that occurs nearby: a surface behind pokes through.
+def islands(picture: numpy.ndarray, other: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
+    """Marks what lies in the midst of something else with a contour of strong steps, which the other picture lacks."""
+    near = dataclasses.replace(allowance, reach=min(2, allowance.reach))
+    return sharp_area(unexplained(picture, other, near), lone_steps(picture, other, allowance, STRAY), ISLAND)
 
-    A part of a texture that moved leaves such an island in the other picture, and does not count.
+
+def poking(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
+    """Marks what came in a colour that occurs nearby: a surface behind pokes through.
+
+    A part of a texture that moved leaves such an island in the plain picture, and does not count.
     """
-    return sharp_area(new, lone_new, ISLAND) & ~grown(sharp_area(old, lone_old, ISLAND), reach)
+    return islands(refined, plain, allowance) & ~grown(islands(plain, refined, allowance), allowance.reach)
 
 
 def window_sum(values: numpy.ndarray, size: int) -> numpy.ndarray:
@@ -204,8 +210,7 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
         return Breakage(lost, lost, lost, lost)
     lone_plain, lone_refined = lone_steps(plain, refined, allowance), lone_steps(refined, plain, allowance)
     near = dataclasses.replace(allowance, reach=min(2, allowance.reach))
-    new_here, lost_here = unexplained(refined, plain, near), unexplained(plain, refined, near)
-    stripes = fighting(new_here | lost_here) & lone_refined
+    stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near)) & lone_refined
     stripes &= stripes.sum() >= SMALLEST and not is_explained
     strays = outliers(refined, new & ~stripes)
     around = max(allowance.reach, 3)
@@ -213,5 +218,5 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     strays &= strays.sum() >= FEWEST
     vanished, appeared = sharp_area(lost, lone_plain), sharp_area(new, lone_refined)
     if allowance.light:
-        appeared |= islands(new_here, lone_refined, lost_here, lone_plain, allowance.reach)
+        appeared |= poking(plain, refined, allowance)
     return Breakage(vanished, appeared, stripes, strays)

@@ -184,15 +184,3 @@ MORE = [
 ]
 
 PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS]
-
-# What was seen on the contact sheets, for the table.
-QUADS = "quads that reach out of the view are cut along the other diagonal"
-ADDRESSES = "client arrays: the replay moves them, so smooth waits"
-REMARKS = {
-    "mu-cade": QUADS,
-    "lavalite": "a highlight appears on the metal cone, as it should",
-    "torcs": ADDRESSES, "Perl planets": ADDRESSES, "V_Sim": ADDRESSES,
-    "OpenArena GL2": "a bright line beside a column in the pit, and a highlight on the gun",
-    "zaz": "its menu", "dreamchess": "its title", "supertux": "its title", "armagetronad": "between two rounds",
-    "Gmsh": "draws lines", "fstl": "makes its normals from screen derivatives",
-}

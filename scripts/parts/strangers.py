@@ -26,7 +26,8 @@ import breakage
 import contact_sheet
 from models import write_models
 from recording import Failure, on_display, read_frames, run
-from stranger_programs import MODELS, PROGRAMS, REMARKS, Stranger
+from stranger_programs import MODELS, PROGRAMS, Stranger
+from stranger_remarks import REMARKS
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LEVEL = 2
