@@ -44,7 +44,7 @@ void RefinedDraw::run(const DrawCall& call) {
   }
   const DrawPlan& plan = decision.plan;
   if (const std::optional<Cause> cause = parts_.passes.ensure_room(plan, call.triangles)) {
-    parts_.meshes.judge(call, &plan.program->fields, cause);
+    parts_.meshes.judge(call, {.fields = &plan.program->fields}, cause);
     draw_as_asked(call, plan, *cause, quiet);
     return;
   }
@@ -64,7 +64,7 @@ void RefinedDraw::run(const DrawCall& call) {
 
 void RefinedDraw::leave(const DrawCall& call, Cause cause) {
   env_.state.refresh();
-  parts_.meshes.judge(call, nullptr, cause);
+  parts_.meshes.judge(call, {}, cause);
   pass(cause);
 }
 

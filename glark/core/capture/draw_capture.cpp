@@ -65,12 +65,18 @@ void DrawCapture::begin(const CapturePlan& plan, const Target& target) {
   if (takes_edge_flags(env_)) {
     env_.gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);  // Mesa 22 captures no vertices that have their own edge flags
   }
+  if (plan.lent) {
+    plan.lent->lend(env_.gl, env_.state.arrays());
+  }
   stage_.begin(plan.program, env_.bindings(), target.count, target.own);
 }
 
 CoarseTriangles DrawCapture::end(const CapturePlan& plan, std::uint64_t triangles, bool exact) {
   const core::Bindings& b = env_.bindings();
   const CoarseTriangles captured = stage_.end(*plan.layout, triangles, b);
+  if (plan.lent) {
+    plan.lent->take_back(env_.gl, env_.state.arrays());
+  }
   if (plan.convention != 0) {
     env_.gl.ProvokingVertex(b.provoking_vertex);
   }

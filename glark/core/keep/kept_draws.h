@@ -56,7 +56,7 @@ class KeptDraws {
 
  private:
   bool make_key(const DrawCall& call, const KeyFacts& facts);
-  bool add_arrays(const std::vector<int>& inputs, const ArrayDraw& draw);
+  bool add_arrays(const capture::CapturePlan& capture, const ArrayDraw& draw);
   bool add_array_input(int slot);
   bool add_segment(const std::vector<int>& inputs, const ListSegment& segment);
   void add_welded_words(const capture::Layout& layout);

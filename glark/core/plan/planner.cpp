@@ -74,7 +74,8 @@ Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
   if (smooth() && purpose == Purpose::draw) {
-    decision.cause = parts_.meshes.judge(call, inputs_of(decision.plan), decision.cause);
+    const MeshWatch::Inputs inputs{inputs_of(decision.plan), decision.plan.capture.lent.has_value()};
+    decision.cause = parts_.meshes.judge(call, inputs, decision.cause);
   }
   return decision;
 }
@@ -221,8 +222,9 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
 
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
-  const int normal = smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : own_normal;
-  const RefinementChoice choice = refinement_choice(env_, *plan.program, plan.wanted, normal);
+  const MeshWatch::UnreadNormal normal =
+      smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : MeshWatch::UnreadNormal{};
+  const RefinementChoice choice = refinement_choice(env_, *plan.program, plan.wanted, normal.attribute);
   plan.fallback = choice.fallback;
   if (smooth() && choice.fallback) {
     tell_notes(*plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
@@ -234,7 +236,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .tagged = depth.adaptive && !depth.measured,
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
-  key.normal_attribute = normal;
+  key.normal_attribute = normal.attribute;
   add_welded_words(key, depth.measured && depth.measure.degrees > 0);
   plan.derived = derived(plan, key);
   choose_weld(plan, key, call.triangles);
@@ -266,6 +268,9 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   const CapturePrograms::Entry& capture = parts_.programs.capture().find(plan.derived);
   plan.capture.program = capture.name;
   plan.capture.inputs = &capture.inputs;
+  if (normal.lent) {
+    plan.capture.lent = {*normal.lent, static_cast<GLuint>(normal.attribute)};
+  }
   return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
 }
 

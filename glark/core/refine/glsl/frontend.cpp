@@ -242,8 +242,8 @@ Parsed parse(const std::string& preprocessed, bool es) {
 // The front end has the built-ins of GL_ARB_shader_draw_parameters from GLSL 4.50 on, drivers have them in every version.
 std::string with_draw_parameters(const std::string& preprocessed, bool es) {
   Tokens tokens = tokenize(preprocessed);
-  const auto directive = std::find_if(tokens.begin(), tokens.end(),
-                                      [](const Token& token) { return directive_name(token) == "version"; });
+  const auto directive =
+      std::find_if(tokens.begin(), tokens.end(), [](const Token& token) { return directive_name(token) == "version"; });
   const GlslVersion version = version_of(tokens, es);
   if (directive == tokens.end() || version.es || version.number >= 450) return {};
   directive->text = version.compatibility ? "#version 450 compatibility" : "#version 450";
