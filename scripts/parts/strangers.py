@@ -188,7 +188,8 @@ def row_of(result: dict) -> list:
     last = lives[-1]
     left = ", ".join(f"{count} `{cause}`" for cause, count in last["causes"].items()) or "-"
     in_half, refined_in_half = last.get("settled", (0, 0))
-    return cells + [last["draws"], last["objects"], last["refined"], percent(refined_in_half, in_half), left]
+    half = percent(refined_in_half, in_half) if "settled" in last else "-"
+    return cells + [last["draws"], last["objects"], last["refined"], half, left]
 
 
 def results_of(folder: pathlib.Path) -> list:
