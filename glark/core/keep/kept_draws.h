@@ -50,6 +50,12 @@ class KeptDraws {
   void keep_instances(DrawCache::Entry& entry, const depth::BinnedInstances& instances,
                       const depth::InstanceExtent& extent, const capture::CoarseTriangles& triangles);
 
+  // See DrawCache.
+  bool allocate_vertices(DrawCache::Entry& entry, GLsizeiptr bytes) {
+    return cache_.allocate_vertices(env_.gl, entry, bytes, static_cast<GLsizeiptr>(env_.options.kept_vertex_bytes));
+  }
+  void drop_vertices(DrawCache::Entry& entry) { cache_.drop_vertices(env_.gl, entry); }
+
   void frame_finished() { cache_.frame_finished(env_.gl); }
   void release() { cache_.release(env_.gl); }
   std::vector<GLuint> take_buffers() { return cache_.take_buffers(); }  // the caller has them deleted

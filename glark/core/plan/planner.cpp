@@ -10,11 +10,13 @@
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
 #include "glark/core/plan/draw_notes.h"
+#include "glark/core/plan/instanced_inputs.h"
 #include "glark/core/plan/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
 #include "glark/core/plan/unrefined/draw_rules.h"
 #include "glark/core/plan/unrefined/exemptions.h"
 #include "glark/core/plan/unrefined/state_check.h"
+#include "glark/core/plan/vertex_keeping.h"
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
 #include "glark/core/shape.h"
@@ -40,11 +42,13 @@ KeyState key_state(const Environment& environment) {
   return {environment.options, environment.ark, environment.bindings(), environment.capabilities};
 }
 
-RefinementChoice refinement_choice(const Environment& environment, const Program& program, Refinement wanted,
+RefinementChoice refinement_choice(const Environment& environment, const Program& program,
+                                   const refine::StageVariation& variation, Refinement wanted,
                                    int normal = own_normal) {
   RefinementFacts facts{.wanted = wanted,
                         .transparent = environment.options.transparent,
                         .stage = program.traits,
+                        .variation = variation,
                         .inputs = program.input_traits};
   // Displacement adds a normal to the record of a fixed-function draw, also where lighting is off.
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
@@ -224,7 +228,9 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   const depth::DepthPlan& depth = plan.depth;
   const MeshWatch::UnreadNormal normal =
       smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : MeshWatch::UnreadNormal{};
-  const RefinementChoice choice = refinement_choice(env_, *plan.program, plan.wanted, normal.attribute);
+  const std::uint32_t instanced = instanced_inputs_of(call, *plan.program);
+  const refine::StageVariation& variation = parts_.programs.derived().variation(*plan.program, instanced);
+  const RefinementChoice choice = refinement_choice(env_, *plan.program, variation, plan.wanted, normal.attribute);
   plan.fallback = choice.fallback;
   if (smooth() && choice.fallback) {
     tell_notes(*plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
@@ -237,6 +243,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
   key.normal_attribute = normal.attribute;
+  key.instanced = instanced;
   add_welded_words(key, depth.measured && depth.measure.degrees > 0);
   plan.derived = derived(plan, key);
   choose_weld(plan, key, call.triangles);
@@ -271,7 +278,19 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   if (normal.lent) {
     plan.capture.lent = {*normal.lent, static_cast<GLuint>(normal.attribute)};
   }
+  plan.keeps_vertices = keeps_vertices(plan, env_.options, parts_.feedback.captures(env_.bindings()));
   return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
+}
+
+// An attribute with a divisor is the same at all corners of a triangle. That may make a stage sound.
+std::uint32_t Planner::instanced_inputs_of(const DrawCall& call, const Program& program) const {
+  if (!env_.options.transparent || !call.from_arrays || program.traits.variation.is_affine()) {
+    return 0;
+  }
+  return instanced_inputs(program.fields, [&](int location) {
+    const AttributeSource& source = env_.state.arrays().attribute_source(location);
+    return source.enabled && source.divisor != 0;
+  });
 }
 
 // Tells each note once for each program.
@@ -354,11 +373,12 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
   const Refinement wanted = wanted_refinement(env_.options, env_.ark);
   return parts_.programs.derived().find(
       program, owner,
-      derived_key(key_state(env_), {.refinement = refinement_choice(env_, program, wanted).refinement,
-                                    .mode = GL_TRIANGLES,
-                                    .tagged = tagged,
-                                    .placed = placed,
-                                    .morphing = placed && geomorphs(env_.options, env_.ark)}));
+      derived_key(key_state(env_),
+                  {.refinement = refinement_choice(env_, program, program.traits.variation, wanted).refinement,
+                   .mode = GL_TRIANGLES,
+                   .tagged = tagged,
+                   .placed = placed,
+                   .morphing = placed && geomorphs(env_.options, env_.ark)}));
 }
 
 }  // namespace glark::core

@@ -44,6 +44,7 @@ class Planner {
   std::optional<Cause> find_program(DrawPlan& plan);
   std::optional<Cause> find_pipeline_programs(DrawPlan& plan);
   std::optional<Cause> choose_wanted(DrawPlan& plan) const;
+  std::uint32_t instanced_inputs_of(const DrawCall& call, const Program& program) const;
   void tell_notes(Program& program, DrawNoteFacts facts) const;
   void choose_depths(const DrawCall& call, DrawPlan& plan) const;
   bool changes_nothing(const DrawPlan& plan, Purpose purpose) const;

@@ -13,17 +13,13 @@ namespace glark::core::test {
 namespace {
 
 constexpr GLfloat side = 0.8F;
-const ModeShape quads{"quads",
-                      GL_QUADS,
-                      2,
-                      {{{-side, -side}, {1, 0, 0}},
-                       {{side, -side}, {0, 1, 0}},
-                       {{side, side}, {1, 0, 1}},
-                       {{-side, side}, {0, 1, 1}}}};
-const ModeShape strip{"strip",
-                      GL_QUAD_STRIP,
-                      2,
-                      {quads.vertices[0], quads.vertices[1], quads.vertices[3], quads.vertices[2]}};
+const ModeShape quads{
+    "quads",
+    GL_QUADS,
+    2,
+    {{{-side, -side}, {1, 0, 0}}, {{side, -side}, {0, 1, 0}}, {{side, side}, {1, 0, 1}}, {{-side, side}, {0, 1, 1}}}};
+const ModeShape strip{
+    "strip", GL_QUAD_STRIP, 2, {quads.vertices[0], quads.vertices[1], quads.vertices[3], quads.vertices[2]}};
 
 struct Drawing {
   const char* name;
