@@ -7,8 +7,8 @@
 #include <cstring>
 #include <string>
 
-#include "glark/core/plan/budget_choice.h"
-#include "glark/core/plan/depth_choice.h"
+#include "glark/core/plan/depths/budget_choice.h"
+#include "glark/core/plan/depths/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
 #include "glark/core/plan/draw_notes.h"
 #include "glark/core/plan/inputs/instanced_inputs.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/plan/budget_choice.h"
+#include "glark/core/plan/depths/budget_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/plan/depth_choice.h"
+#include "glark/core/plan/depths/depth_choice.h"
 
 #include <gtest/gtest.h>
 
