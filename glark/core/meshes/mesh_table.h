@@ -55,7 +55,7 @@ class MeshTable {
   void set_normals(const MeshKey& key, const NormalSource& normals) { find(key).normals = normals; }
   const NormalSource& normals(const MeshKey& key) { return find(key).normals; }  // of no key: not known
   NormalsBeside& normals_beside(const MeshKey& key) { return find(key).beside; }
-  bool shown(const MeshKey& key) { return is_recent(find(key).shown); }          // in this or the last frame
+  bool shown(const MeshKey& key) { return is_recent(find(key).shown); }  // in this or the last frame
   // Returns whether a pass over the mesh wrote depth in this or the last frame; and whether any draw did. In the first
   // frame, draws are expected to write depth.
   bool wrote_depth(const MeshKey& key) { return is_recent(find(key).written); }

@@ -192,7 +192,8 @@ MeshWatch::ChosenNormal MeshWatch::choose_normal(const DrawCall& call,
     return {.attribute = made ? made_normal : own_normal};
   }
   const ChosenNormal unread = unread_normal(call, fields);
-  return unread.attribute == own_normal && makes_normals(call, fields) ? ChosenNormal{.attribute = made_normal} : unread;
+  return unread.attribute == own_normal && makes_normals(call, fields) ? ChosenNormal{.attribute = made_normal}
+                                                                       : unread;
 }
 
 MeshKey MeshWatch::mesh_of_draw(const DrawCall& call, const std::vector<capture::Field>& fields) const {
