@@ -41,7 +41,8 @@ class Context final : private ProgramWatcher {
 
   // Deletes our GL objects; only while the context is current. The destructor alone leaves them to the driver.
   void release();
-  // At the end of a frame, before buffers are swapped.
+  // At the end of a frame: before buffers are swapped, or when the context is current again after another one has shown
+  // its pictures.
   void frame_finished();
 
   const gl::Dispatch& gl() const { return gl_; }  // for the application's calls

@@ -62,6 +62,7 @@ struct ContextOptions {
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources
   std::vector<DrawRule> rules = {};              // of transparent refinement; the first one that matches applies
   AttributeRoles roles = {};
+  std::uint64_t kept_vertex_bytes = std::uint64_t{256} << 20;  // of refined vertices that a context keeps
   bool read_counts = false;  // once a frame, reads back the counts that only the GPU knows, for the statistics
 };
 

@@ -44,12 +44,15 @@ void RefinedDraw::run(const DrawCall& call) {
   }
   const DrawPlan& plan = decision.plan;
   if (const std::optional<Cause> cause = parts_.passes.ensure_room(plan, call.triangles)) {
-    parts_.meshes.judge(call, &plan.program->fields, cause);
+    parts_.meshes.judge(call, {.fields = &plan.program->fields}, cause);
     draw_as_asked(call, plan, *cause, quiet);
     return;
   }
   const KeyFacts facts = key_facts(plan, parts_.pool);
   KeptDraw kept = parts_.kept.find(call, facts);
+  if (draw_kept_vertices(plan, kept)) {
+    return;
+  }
   const capture::CoarseTriangles triangles = capture(call, facts, kept, quiet);
   if (triangles.count == 0) {
     parts_.submission.restore_after_capture();
@@ -64,7 +67,7 @@ void RefinedDraw::run(const DrawCall& call) {
 
 void RefinedDraw::leave(const DrawCall& call, Cause cause) {
   env_.state.refresh();
-  parts_.meshes.judge(call, nullptr, cause);
+  parts_.meshes.judge(call, {}, cause);
   pass(cause);
 }
 
@@ -129,6 +132,23 @@ capture::CoarseTriangles RefinedDraw::capture(const DrawCall& call, const KeyFac
   }
   KeptDraws::keep_capture(kept, call, facts, *captured);
   return *captured;
+}
+
+// False: no refined vertices are kept.
+bool RefinedDraw::draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept) {
+  const RefinedVertices* const vertices = parts_.evaluation.find(plan, kept);
+  if (vertices == nullptr) {
+    return false;
+  }
+  parts_.submission.draw_vertices(*vertices);
+  ++statistics().captures_reused;
+  ++statistics().draws_of_kept_vertices;
+  const std::uint32_t triangles = kept.entry->triangles.count;
+  statistics().coarse_triangles += triangles;
+  statistics().refined_triangles += std::uint64_t{triangles} << (2 * plan.depth.level);
+  count_refined(plan);
+  count_class(plan, std::nullopt, triangles);
+  return true;
 }
 
 void RefinedDraw::refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept,

@@ -3,13 +3,15 @@
 //
 // A draw call from end to end. Each step is a stage in a folder of its own:
 //   plan/ -> keep/ -> capture/ -> weld/ -> polygons/ -> depth/ -> submit/
-// A draw that cannot be refined leaves after plan/. A kept draw goes straight to submit/.
+// A draw that cannot be refined leaves after plan/. A kept draw goes straight to submit/, perhaps with
+// the refined vertices of evaluate/.
 #pragma once
 
 #include <cstdint>
 
 #include "glark/core/capture/draw_call.h"
 #include "glark/core/capture/draw_capture.h"
+#include "glark/core/evaluate/evaluation.h"
 #include "glark/core/feedback/refined_feedback.h"
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
@@ -32,6 +34,7 @@ class RefinedDraw {
     Planner& planner;
     capture::DrawCapture& capture;
     KeptDraws& kept;
+    evaluate::Evaluation& evaluation;
     TrianglePasses& passes;
     submit::Submission& submission;
     RefinedFeedback& feedback;
@@ -55,6 +58,7 @@ class RefinedDraw {
   void pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t triangles);
   void count_class(const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles);
   capture::CoarseTriangles capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept, const Quiet& quiet);
+  bool draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept);
   void refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept, bool welded);
   depth::BinnedInstances sort(const DrawPlan& plan, const Records& records, const KeptDraw& kept);
 

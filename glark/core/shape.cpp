@@ -5,12 +5,13 @@
 #include <array>
 
 namespace glark::core {
-namespace {
 
 // The number is that of the program's refinement, which a rule of the user may have chosen.
 float shape_number(const ContextOptions& options, const ArkState& ark, Refinement refinement) {
   return (options.transparent ? options.shape_numbers : ark.shape_numbers)[static_cast<std::size_t>(refinement)];
 }
+
+namespace {
 
 void set_displacement(const gl::Dispatch& gl, const Displacement& displacement, const DerivedProgram& derived) {
   std::array<GLfloat, 4> channel{};

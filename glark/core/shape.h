@@ -20,6 +20,8 @@ inline ScalarTags constant_tags(const ContextOptions& options) {
 }
 
 void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& key);
+// The value of the uniform that shapes the refinement's surface.
+float shape_number(const ContextOptions& options, const ArkState& ark, Refinement refinement);
 // Sets the uniforms of the shape number and of displacement, if the program has them.
 void set_shape(const gl::Dispatch& gl, const ContextOptions& options, const ArkState& ark,
                const DerivedProgram& derived);

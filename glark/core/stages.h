@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "glark/core/capture/draw_capture.h"
+#include "glark/core/evaluate/evaluation.h"
 #include "glark/core/feedback/refined_feedback.h"
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
@@ -51,6 +52,7 @@ class Stages {
   DrawPrograms programs_;
   TrianglePasses passes_;
   KeptDraws kept_;
+  evaluate::Evaluation evaluation_;
   FeedbackInUse feedback_in_use_;
   MeshWatch meshes_;
   Planner planner_;

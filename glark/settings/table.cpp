@@ -49,6 +49,7 @@ constexpr char attribute_needed[] = "the name of a vertex attribute or its locat
 
 constexpr char depth[] = "How fine";
 constexpr char shape[] = "Which shape";
+constexpr char cost[] = "Cost";
 constexpr char draws[] = "Which draws stay unrefined";
 constexpr char attributes[] = "Vertex attributes";
 constexpr char output[] = "Pictures, statistics and messages";
@@ -185,6 +186,11 @@ constexpr std::array other_settings{
     Setting{shape, "wireframe", "GLARK_WIREFRAME", Kind::toggle, "", switch_needed, "0", "off",
             "Draw the refined triangles as lines (not in OpenGL ES)", "",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.wireframe); }},
+
+    Setting{cost, "keep-refined", "GLARK_KEEP_REFINED", Kind::value, "MB", "megabytes from 0 to 65536", "256", "",
+            "Keep up to MB megabytes of refined vertices in each context; 0: none",
+            "Draws that do not change are then refined once, and drawn like static meshes.",
+            [](Settings& s, std::string_view text) { return assign(parse_megabytes(text), s.context.kept_vertex_bytes); }},
 
     Setting{draws, "leave-draws", "GLARK_LEAVE_DRAWS", Kind::value, "RULES",
             "a list of screen-quads, overlays, orthographic, blended, no-depth-test, no-depth-writes, or none",

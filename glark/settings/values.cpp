@@ -106,6 +106,11 @@ std::optional<unsigned> parse_budget(std::string_view text) {
   return triangles && *triangles <= 1000000000 ? triangles : std::nullopt;
 }
 
+std::optional<std::uint64_t> parse_megabytes(std::string_view text) {
+  const std::optional<unsigned> number = parse_number(text);
+  return number && *number <= 65536 ? std::optional(std::uint64_t{*number} << 20) : std::nullopt;
+}
+
 std::optional<bool> parse_polygons(std::string_view text) {
   if (text == "triangles") return false;
   if (text == "centroid") return true;

@@ -158,10 +158,10 @@ DESKTOP = [
 PROGRAMS = [*TOOLKITS, *DESKTOP, *GAMES, *SAVERS, *SHOOTERS]
 
 # What was seen on the contact sheets, for the table.
-QUADS = "quads with four corner colours are cut along the other diagonal"
+QUADS = "quads that reach out of the view are cut along the other diagonal"
 ADDRESSES = "client arrays: the replay moves them, so smooth waits"
 REMARKS = {
-    "cultivation": QUADS, "mu-cade": QUADS,
+    "mu-cade": QUADS,
     "lavalite": "a highlight appears on the metal cone, as it should",
     "torcs": ADDRESSES, "Perl planets": ADDRESSES, "V_Sim": ADDRESSES,
     "OpenArena GL2": "a bright line beside a column in the pit, and a highlight on the gun",

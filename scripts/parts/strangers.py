@@ -23,15 +23,13 @@ import breakage
 import contact_sheet
 from models import write_models
 from recording import Failure, on_display, read_frames, run
+from refined_share import life, percent, share_text
 from stranger_programs import MODELS, PROGRAMS, REMARKS, Stranger
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LEVEL = 2
 NUMBERS = ("vanished", "appeared", "stripes", "strays")
 MARKS = ("<!-- programs: written by scripts/strangers --write -->", "<!-- end of programs -->")
-# Causes of draws that smooth cannot refine: points and lines, user interfaces, what draws nothing, no normals.
-NO_OBJECTS = {"not_triangles", "screen_quad", "overlay", "orthographic", "render_mode", "rasterizer_discard", "invalid_draw",
-              "left_shader", "blended", "no_depth_test", "no_depth_writes", "no_surface"}
 
 
 def file_of(program: Stranger, folder: pathlib.Path, suffix: str) -> pathlib.Path:
@@ -135,13 +133,6 @@ def judge(plain: list, refined: list, allowance) -> tuple:
     return [max(column) for column in zip(*counts)], changed, worst, found[worst]
 
 
-def life(statistics: dict) -> dict:
-    draws = statistics["draws"]
-    causes = draws["passed_through"]
-    objects = draws["seen"] - sum(count for cause, count in causes.items() if cause in NO_OBJECTS)
-    return {"draws": draws["seen"], "objects": objects, "refined": draws["refined"], "causes": causes}
-
-
 def settings_of(mode: str, library: pathlib.Path) -> dict:
     return {"LD_PRELOAD": str(library), "GLARK_ENABLE": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": mode}
 
@@ -185,7 +176,8 @@ def row_of(result: dict) -> list:
         return cells + [result.get("failure", "-")]
     last = lives[-1]
     left = ", ".join(f"{count} `{cause}`" for cause, count in last["causes"].items()) or "-"
-    return cells + [last["draws"], last["objects"], last["refined"], left]
+    in_half, refined_in_half = last.get("settled", (0, 0))
+    return cells + [last["draws"], last["objects"], last["refined"], percent(refined_in_half, in_half), left]
 
 
 def results_of(folder: pathlib.Path) -> list:
@@ -194,7 +186,7 @@ def results_of(folder: pathlib.Path) -> list:
 
 
 def table(results: list, modes: list) -> str:
-    head = ["program", "kind", "off: pixels", *modes, "draws", "of objects", "refined", "left alone", "remark"]
+    head = ["program", "kind", "off: pixels", *modes, "draws", "of objects", "refined", "last half", "left alone", "remark"]
     rows = [row_of(result) + [REMARKS.get(result["name"], "-")] for result in results]
     lines = ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     return "\n".join(["| " + " | ".join(head) + " |", "|" + "---|" * len(head), *lines])
@@ -203,11 +195,8 @@ def table(results: list, modes: list) -> str:
 def summary(results: list) -> str:
     """How many were judged and are healthy, and the share of draws of objects that the last mode refined."""
     broken = [result["name"] for result in results if is_broken(result)]
-    lives = [mode for result in results for mode in list(result["modes"].values())[-1:] if mode.get("objects")]
-    refined, objects = (sum(life[key] for life in lives) for key in ("refined", "objects"))
-    share = f"{100 * refined / objects:.1f} %" if objects else "none"
-    return (f"{len(results)} programs judged, {len(broken)} look broken: {', '.join(broken) or '-'}. "
-            f"Of {objects} draws of objects, {share} were refined.")
+    lives = [mode for result in results for mode in list(result["modes"].values())[-1:]]
+    return f"{len(results)} programs judged, {len(broken)} look broken: {', '.join(broken) or '-'}. {share_text(lives)}"
 
 
 def write_table(text: str) -> None:

@@ -3,6 +3,8 @@
 #include "shim/contexts/contexts.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <exception>
 #include <map>
 #include <memory>
@@ -27,14 +29,17 @@ struct Record {
   std::shared_ptr<core::ShareGroup> share;
   std::unique_ptr<core::Context> context;  // created when the context is first made current
   bool tried = false;
-  bool destroyed = false;  // the program destroyed it; GL keeps it while it is current
-  int users = 0;           // threads in which it is current: 0 or 1, more if a thread ended without releasing it
+  bool destroyed = false;    // the program destroyed it; GL keeps it while it is current
+  int users = 0;             // threads in which it is current: 0 or 1, more if a thread ended without releasing it
+  bool ends_frames = false;  // it ends its frames itself
+  std::uint64_t frames_of_others = 0;  // Registry::frames_shown when its last frame ended
 };
 
 struct Registry {
   std::mutex mutex;
   std::map<std::pair<Provider, void*>, std::unique_ptr<Record>> records;
   std::vector<std::unique_ptr<Record>> replaced;  // still current in a thread, although GL has reused their address
+  std::atomic<std::uint64_t> frames_shown{0};     // in windows, by all contexts
 };
 
 // The registry is never destroyed, because drivers and programs call GL from their destructors at exit.
@@ -98,6 +103,14 @@ void leave_current() {
   unused = take_if_unused(all, record);
 }
 
+// Widgets are drawn into textures by contexts of their own, and another context shows these textures. The frame of such
+// a context has ended if it becomes current after another context has shown one.
+void end_frame_of_widget(Record& record) {
+  const std::uint64_t shown = registry().frames_shown.load(std::memory_order_relaxed);
+  if (std::exchange(record.frames_of_others, shown) != shown && !record.ends_frames && record.context != nullptr)
+    record.context->frame_finished();
+}
+
 void enter(Provider provider, void* native) {
   Registry& all = registry();
   {
@@ -111,6 +124,7 @@ void enter(Provider provider, void* native) {
     record.context = make_context(record);
   }
   thread().context = record.context.get();
+  end_frame_of_widget(record);
 }
 
 }  // namespace
@@ -170,6 +184,12 @@ void make_current_done(Provider provider, void* native, const Surface& surface) 
   }
   if (thread().context != nullptr) thread().context->state().framebuffers().forget_default();
   current.surface = surface;
+}
+
+void current_ends_frame() {
+  if (current.record == nullptr) return;
+  current.record->ends_frames = true;
+  if (!current_is_offscreen()) registry().frames_shown.fetch_add(1, std::memory_order_relaxed);
 }
 
 Provider current_provider() { return current.record == nullptr ? Provider::glx : current.record->provider; }

@@ -18,6 +18,8 @@ void context_copied(Provider provider, void* native);
 void make_current_begins(Provider provider, void* native);
 // Call it after a successful MakeCurrent.
 void make_current_done(Provider provider, void* native, const Surface& surface);
+// The calling thread's context ends a frame: it shows a window, or has none and waits for GL.
+void current_ends_frame();
 
 // These describe the current context of the calling thread. Without a context they are null or zero.
 Provider current_provider();

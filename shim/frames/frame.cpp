@@ -14,6 +14,7 @@ void frame_ended() {
   core::Context* context = thread().context;
   if (context == nullptr) return;
   context->frame_finished();
+  current_ends_frame();
   capture_frame(*context, current_frame());
   frame_counted();
 }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include <deque>
 #include <exception>
 #include <fstream>
+#include <functional>
 #include <mutex>
 #include <numeric>
 #include <string>
@@ -47,10 +49,17 @@ struct Totals {
   std::uint64_t refined = 0;
   std::uint64_t coarse_triangles = 0;
   std::uint64_t refined_triangles = 0;
+  std::array<std::uint64_t, core::cause_count> passed_through{};
 
   Totals since(const Totals& before) const {
-    return {seen - before.seen, refined - before.refined, coarse_triangles - before.coarse_triangles,
-            refined_triangles - before.refined_triangles};
+    Totals result{seen - before.seen,
+                  refined - before.refined,
+                  coarse_triangles - before.coarse_triangles,
+                  refined_triangles - before.refined_triangles,
+                  {}};
+    std::transform(passed_through.begin(), passed_through.end(), before.passed_through.begin(),
+                   result.passed_through.begin(), std::minus<>());
+    return result;
   }
 };
 
@@ -90,10 +99,10 @@ nlohmann::json frame_times(std::vector<double> ms) {
   return {{"mean", std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size())}, {"median", *middle}};
 }
 
-nlohmann::json passed_through(const core::Statistics& counters) {
+nlohmann::json passed_through(const Totals& counts) {
   nlohmann::json causes = nlohmann::json::object();
   for (unsigned i = 0; i < core::cause_count; ++i)
-    if (const auto count = counters.passed_through[i].load())
+    if (const std::uint64_t count = counts.passed_through[i])
       causes[std::string(core::text_of(static_cast<core::Cause>(i)).key)] = count;
   return causes;
 }
@@ -128,8 +137,13 @@ nlohmann::json contexts() {
 // Sums of all frames so far.
 Totals totals() {
   const core::Statistics& counters = core::statistics();
-  return {counters.draws_seen.load(), counters.draws_refined.load(), counters.coarse_triangles.load(),
-          counters.refined_triangles.load()};
+  Totals sums{counters.draws_seen.load(),
+              counters.draws_refined.load(),
+              counters.coarse_triangles.load(),
+              counters.refined_triangles.load(),
+              {}};
+  for (unsigned i = 0; i < core::cause_count; ++i) sums.passed_through[i] = counters.passed_through[i].load();
+  return sums;
 }
 
 nlohmann::json last_frames(const Times& all) {
@@ -139,6 +153,7 @@ nlohmann::json last_frames(const Times& all) {
                        {"ms", frame.ms},
                        {"seen", frame.counts.seen},
                        {"refined", frame.counts.refined},
+                       {"passed_through", passed_through(frame.counts)},
                        {"coarse_triangles", frame.counts.coarse_triangles},
                        {"refined_triangles", frame.counts.refined_triangles}});
   return records;
@@ -152,13 +167,16 @@ nlohmann::json report(Times& all) {
       {"draws",
        {{"seen", counters.draws_seen.load()},
         {"refined", counters.draws_refined.load()},
-        {"passed_through", passed_through(counters)},
+        {"passed_through", passed_through(totals())},
         {"fallbacks", fallbacks(counters)}}},
       {"classes", draw_classes()},
       {"contexts", contexts()},
       {"coarse_triangles", counters.coarse_triangles.load()},
       {"refined_triangles", counters.refined_triangles.load()},
-      {"captures", {{"made", counters.captures_made.load()}, {"reused", counters.captures_reused.load()}}},
+      {"captures",
+       {{"made", counters.captures_made.load()},
+        {"reused", counters.captures_reused.load()},
+        {"kept_refined", counters.draws_of_kept_vertices.load()}}},
       {"programs", {{"derived", counters.programs_derived.load()}, {"failed", counters.programs_failed.load()}}},
       {"shaders", shaders()},
       {"frames", frames.load()},

@@ -52,4 +52,18 @@ INSTANTIATE_TEST_SUITE_P(Cases, Contexts,
                                          Case{"uniform", 3}, Case{"move", 2}, Case{"terminate", 3}, Case{"process", 2}),
                          [](const auto& given) { return std::string(given.param.name); });
 
+// The context of the widget shows nothing itself. A mesh waits for two frames; the other four are curved.
+TEST(Widgets, TheirFramesEndWhenAnotherContextShowsThem) {
+  const std::string file = testing::TempDir() + "widget" + std::to_string(getpid()) + ".json";
+  const Outcome outcome =
+      run_preloaded(PROGRAM_FOLDER "/shim_widget",
+                    "GLARK_ENABLE=1 GLARK_REFINE=smooth GLARK_LEVEL=2 GLARK_CONFIG=/dev/null GLARK_STATS=" + file);
+  if (outcome.status == 3) GTEST_SKIP() << "no such context here";
+  EXPECT_EQ(outcome.output, "error 0\n");
+  const nlohmann::json draws = nlohmann::json::parse(read_file(file))["draws"];
+  EXPECT_EQ(draws["refined"], 4);
+  EXPECT_EQ(draws["passed_through"]["mesh_waits"], 2);
+  std::filesystem::remove(file);
+}
+
 }  // namespace glark::test

@@ -141,6 +141,7 @@ TEST(Statistics, ClassesHaveStateAndVerdict) {
   EXPECT_EQ(entry["state"]["depth_only"], false);
   EXPECT_EQ(outputs["contexts"][0]["refinable"], true);
   EXPECT_EQ(outputs["last_frames"].size(), outputs["frames"]);
+  for (const auto& frame : outputs["last_frames"]) EXPECT_EQ(frame["passed_through"].size(), 0u) << frame;
 }
 
 TEST(Statistics, ARuleLeavesDraws) {

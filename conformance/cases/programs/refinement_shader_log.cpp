@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The log of refinement shaders (11.R.9).
+#include <cctype>
 #include <cstring>
 #include <vector>
 
@@ -40,6 +41,14 @@ void check_log(Test& t) {
   t.expect_no_error("the queries");
 }
 
+std::string log_of(GLuint program) {
+  const GLint length = property(program, GL_REFINEMENT_LOG_LENGTH_ARK);
+  std::string log(static_cast<std::size_t>(length) + 1, '\0');
+  gl.GetRefinementInfoLogARK(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  log.resize(std::strlen(log.c_str()));
+  return log;
+}
+
 // After a failed build and a repaired one, the log is that of the last build.
 void check_last_log(Test& t) {
   const GLuint program = colour_program(t);
@@ -47,21 +56,64 @@ void check_last_log(Test& t) {
     give(program, source);
     return property(program, GL_REFINEMENT_STATUS_ARK);
   };
-  const auto log_of = [program] {
-    const GLint length = property(program, GL_REFINEMENT_LOG_LENGTH_ARK);
-    std::string log(static_cast<std::size_t>(length) + 1, '\0');
-    gl.GetRefinementInfoLogARK(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    log.resize(std::strlen(log.c_str()));
-    return log;
-  };
   gl.ARKinit(2);
   t.expect_equal(build("void refine() { colour_of_nothing = 1.0; }"), GLint{GL_FALSE}, "the status of a faulty shader");
-  const std::string first = log_of();
+  const std::string first = log_of(program);
   t.expect(first.find("colour_of_nothing") != std::string::npos, "the log names what is wrong");
   t.expect_equal(build("void refine() { position.x += 0.0; }"), GLint{GL_TRUE}, "the status of the repaired shader");
-  t.expect(log_of().find("colour_of_nothing") == std::string::npos, "the log of the failure is gone");
+  t.expect(log_of(program).find("colour_of_nothing") == std::string::npos, "the log of the failure is gone");
   t.expect_equal(build("void refine() { other_mistake = 1.0; }"), GLint{GL_FALSE}, "the status of another fault");
-  t.expect(log_of().find("other_mistake") != std::string::npos, "the log is that of the last attempt");
+  t.expect(log_of(program).find("other_mistake") != std::string::npos, "the log is that of the last attempt");
+}
+
+// The log of a refinement shader with an error. Expects that it names line `line`, and no other one.
+std::string expect_fault(Test& t, const char* source, int line, const std::string& what) {
+  const GLuint program = colour_program(t);
+  give(program, source);
+  t.expect_equal(property(program, GL_REFINEMENT_STATUS_ARK), GLint{GL_FALSE}, what + ": the status");
+  std::string log = log_of(program);
+  const std::string head = "refinement shader:";
+  const std::size_t found = log.find(head + as_text(line));
+  t.expect(found != std::string::npos, what + ": line " + as_text(line) + " in the log: " + log);
+  t.expect_no_error(what);
+  return log;
+}
+
+void check_lines(Test& t) {
+  gl.ARKinit(1);
+  for (const int line : {1, 2, 17}) {
+    std::string source(static_cast<std::size_t>(line) - 1, '\n');
+    source += "void refine() { position.x += not_declared; }\n";
+    const std::string log = expect_fault(t, source.c_str(), line, "a name that is not declared");
+    t.expect(log.find("not_declared") != std::string::npos, "the log has the name: " + log);
+  }
+}
+
+// Every word of the log that contains `name` is that name.
+void expect_own_name(Test& t, const std::string& log, const std::string& name) {
+  const auto is_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t at = log.find(name); at != std::string::npos; at = log.find(name, at + 1)) {
+    const bool whole = (at == 0 || !is_name(log[at - 1])) && !is_name(log[at + name.size()]);
+    t.expect(whole || log.compare(at, name.size() + 4, name + "ment") == 0, "no other name for " + name + ": " + log);
+  }
+}
+
+void check_names(Test& t) {
+  gl.ARKinit(1);
+  const std::string log = expect_fault(t, "void refine() {\n  position = refine(position);\n}\n", 2, "wrong arguments");
+  t.expect(log.find("refine(") != std::string::npos, "the log has the name of the function: " + log);
+  expect_own_name(t, log, "refine");
+}
+
+void check_faults(Test& t) {
+  gl.ARKinit(1);
+  std::string versioned = "\n" + glsl_head(t);
+  versioned.resize(versioned.find('\n', 1) + 1);
+  expect_fault(t, (versioned + "void refine() { position.x += 0.1; }\n").c_str(), 2, "a #version directive");
+  expect_fault(t, "void refined() { }", 1, "no refine()");
+  expect_fault(t, "void refine() {\n position += ark_corner_absent[0]; }", 2, "an input that is not active");
+  expect_fault(t, "uniform vec4 pale;\nuniform vec4 colour_of_all, colour;\nvoid refine() { position.x += colour.x; }",
+               2, "a uniform with the name of an output");
 }
 
 constexpr Area shader_case{"ark.shader."};
@@ -77,6 +129,14 @@ Cases refinement_shader_log_cases() {
           check_log),
       shader_case("log.last", {"11.R.9-30", "11.R.9-34"}, "Build a faulty shader, a good one, a faulty one.",
                   "The log of an earlier build.", check_last_log),
+      shader_case("log.lines", {"11.R.9-41", "11.R.9-42"}, "Put an error into line 1, 2 and 17 of a refinement shader.",
+                  "Lines of the program that the implementation makes of the shader.", check_lines),
+      shader_case("log.names", {"11.R.9-43"}, "Call refine with wrong arguments.",
+                  "Names that the implementation gave to the function and to the inputs.", check_names),
+      shader_case("faults", {"11.R.9-40", "11.R.9-11", "11.R.9-12", "11.R.9-17", "11.R.9-41"},
+                  "A shader with #version, one without refine, one with an input that is not active, and one with a "
+                  "uniform that has the name of an output.",
+                  "They build; or the log names no line of the shader.", check_faults),
   };
 }
 

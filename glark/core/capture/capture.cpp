@@ -84,7 +84,8 @@ void CaptureStage::bind_target(GLuint buffer, GLintptr offset, GLsizeiptr size, 
   gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);
 }
 
-void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count count, core::GpuBuffer* own_buffer) {
+void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count count, const core::GpuBuffer* own_buffer,
+                         GLenum primitive) {
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   if (own_buffer != nullptr) {
     current_.buffer = own_buffer->name();
@@ -104,7 +105,7 @@ void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count c
     current_.query = bindings.primitives_written_query == 0 ? 0 : 1;
     gl_.BeginQuery(query_targets[current_.query], queries_[current_.query]);
   }
-  gl_.BeginTransformFeedback(GL_TRIANGLES);
+  gl_.BeginTransformFeedback(primitive);
 }
 
 void CaptureStage::set_feedback_mode(GLuint program, GLenum mode, const core::Bindings& bindings) const {

@@ -34,8 +34,10 @@ class CaptureStage {
 
   // Makes room for `triangles` records in the ring; false without memory. Wrap in an ErrorScope.
   bool reserve(const Layout& layout, std::uint64_t triangles);
-  // The application's draws from here to end() are captured.
-  void begin(GLuint program, const core::Bindings& bindings, Count count, core::GpuBuffer* own_buffer);
+  // The application's draws from here to end() are captured. With another `primitive` than GL_TRIANGLES, the records
+  // and triangles of end() are those primitives.
+  void begin(GLuint program, const core::Bindings& bindings, Count count, const core::GpuBuffer* own_buffer,
+             GLenum primitive = GL_TRIANGLES);
   // Mesa 22 has one mode of transform feedback for a context: the mode of the last feedback that began. This sets it.
   void set_feedback_mode(GLuint program, GLenum mode, const core::Bindings& bindings) const;
   CoarseTriangles end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings);

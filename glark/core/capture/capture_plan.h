@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "glark/core/capture/lent_array.h"
 #include "glark/core/capture/record.h"
 #include "glark/gl/types.h"
 
@@ -14,7 +16,8 @@ struct CapturePlan {
   GLuint program = 0;
   const std::vector<int>* inputs = nullptr;  // the attributes that the program reads, by core::AttributeSlot
   const Layout* layout = nullptr;            // layout of the records
-  bool last_vertex_convention = false;       // set while the draw is captured
+  GLenum convention = 0;  // of the provoking vertex, set while the draw is captured; 0: the application's
+  std::optional<LentArray> lent = std::nullopt;
 };
 
 }  // namespace glark::capture

@@ -55,6 +55,7 @@ struct DrawCall {
       nullptr;                        // sizes of several GL_POLYGONs, if they are known; for a bound, the greatest ones
   bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
   bool from_arrays = false;           // its vertices come from vertex arrays
+  bool indexed = false;               // in the order of an index array
   std::uint64_t list_segment = 0;     // or from this ListSegment::identity; 0: from neither
   const ArrayDraw* arrays = nullptr;  // set, or a segment is, if the capture may be kept
   const ListSegment* segment = nullptr;

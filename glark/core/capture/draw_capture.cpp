@@ -59,11 +59,14 @@ void DrawCapture::begin(const CapturePlan& plan, const Target& target) {
   if (target.count == Count::by_query && env_.options.read_counts) {
     read_uncounted();  // its query is used again
   }
-  if (plan.last_vertex_convention) {
-    env_.gl.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+  if (plan.convention != 0) {
+    env_.gl.ProvokingVertex(plan.convention);
   }
   if (takes_edge_flags(env_)) {
     env_.gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);  // Mesa 22 captures no vertices that have their own edge flags
+  }
+  if (plan.lent) {
+    plan.lent->lend(env_.gl, env_.state.arrays());
   }
   stage_.begin(plan.program, env_.bindings(), target.count, target.own);
 }
@@ -71,7 +74,10 @@ void DrawCapture::begin(const CapturePlan& plan, const Target& target) {
 CoarseTriangles DrawCapture::end(const CapturePlan& plan, std::uint64_t triangles, bool exact) {
   const core::Bindings& b = env_.bindings();
   const CoarseTriangles captured = stage_.end(*plan.layout, triangles, b);
-  if (plan.last_vertex_convention) {
+  if (plan.lent) {
+    plan.lent->take_back(env_.gl, env_.state.arrays());
+  }
+  if (plan.convention != 0) {
     env_.gl.ProvokingVertex(b.provoking_vertex);
   }
   if (takes_edge_flags(env_)) {

@@ -7,9 +7,8 @@
 #include "glark/core/capture/layout.h"
 
 namespace glark::core {
-namespace {
 
-int builtin_slot(std::string_view name) {
+int slot_of_builtin(std::string_view name) {
   constexpr std::string_view texture = "gl_MultiTexCoord";
   if (name.starts_with(texture)) {
     return texture_coordinate_slot + (name.back() - '0');
@@ -21,6 +20,8 @@ int builtin_slot(std::string_view name) {
          : name == "gl_FogCoord"       ? fog_coordinate_slot
                                        : no_slot;
 }
+
+namespace {
 
 // The draw call determines the system values.
 bool is_system_value(const capture::Field& field) {
@@ -37,7 +38,7 @@ std::vector<int> input_slots(const capture::Layout& layout, GLuint tag_attribute
       continue;
     }
     if (capture::is_builtin(field)) {
-      slots.push_back(builtin_slot(field.name));
+      slots.push_back(slot_of_builtin(field.name));
       continue;
     }
     for (int i = 0; i < capture::columns_of(field.type) * field.array_size; ++i) {

@@ -262,6 +262,8 @@ std::string roles_text(const std::vector<Field>& fields) {
          ", the texture coordinate " + name(Role::texture_coordinate);
 }
 
+std::string copied_input_name(int number) { return "glark_in" + std::to_string(number); }
+
 namespace {
 
 // Puts the text of a capture shader together.
@@ -309,7 +311,7 @@ class CaptureText {
 
  private:
   std::string declare_input(const std::string& type, const std::string& array, int location) {
-    std::string name = "glark_in" + std::to_string(inputs_++);
+    std::string name = copied_input_name(inputs_++);
     declarations_ += "layout(location = " + std::to_string(location) + ") in " + type + " " + name + array + ";\n";
     return name;
   }

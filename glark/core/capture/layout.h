@@ -44,6 +44,9 @@ struct CaptureSources {
   std::vector<std::string> varyings;  // in record order
 };
 
+// The name that capture_sources() gives the input that is the `number`-th without a built-in name.
+std::string copied_input_name(int number);
+
 enum class Language { compatibility, core, es };
 
 // A program that copies every field of `layout` to its varyings. `tag_attribute`: location of the depth tag.

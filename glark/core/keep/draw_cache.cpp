@@ -56,12 +56,18 @@ std::pair<DrawCache::Answer, DrawCache::Entry*> DrawCache::look_up(const gl::Dis
     entries_.splice(entries_.begin(), entries_, at);
   }
   Entry& entry = *at;
+  const bool first_in_frame = std::exchange(entry.last_frame, frame_) != frame_;
   entry.last_use = ++uses_;
-  entry.last_frame = frame_;
   if (!known || entry.states != states_) {
     entry.states = states_;
     entry.filled = entry.refused = false;
+    entry.reuses = entry.frames_reused = 0;
+    drop_vertices(gl, entry);
     return {Answer::fresh, &entry};
+  }
+  if (entry.filled) {
+    ++entry.reuses;
+    entry.frames_reused += first_in_frame ? 1 : 0;
   }
   return {entry.filled ? Answer::kept : entry.refused ? Answer::fresh : Answer::keep, &entry};
 }
@@ -70,6 +76,7 @@ void DrawCache::drop_oldest(const gl::Dispatch& gl) {
   Entry& entry = entries_.back();
   kept_bytes_ -= entry.buffer.size();
   entry.buffer.release(gl);
+  drop_vertices(gl, entry);
   const auto [first, last] = by_hash_.equal_range(entry.hash);
   by_hash_.erase(std::find_if(first, last, [&](const auto& pair) { return &*pair.second == &entry; }));
   entries_.pop_back();
@@ -79,7 +86,7 @@ bool DrawCache::make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeipt
   // Repeated draws use all entries in turn. An entry that was not used for two turns is no longer drawn. Dropping an
   // entry in use would only make its draw capture again instead of this one.
   while (kept_bytes_ - wanted.buffer.size() + bytes > most_bytes && &entries_.back() != &wanted &&
-         uses_ - entries_.back().last_use > 2 * entries_.size()) {
+         !repeats(entries_.back())) {
     drop_oldest(gl);
   }
   return kept_bytes_ - wanted.buffer.size() + bytes <= most_bytes;
@@ -93,6 +100,24 @@ bool DrawCache::allocate(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes)
   const bool done = entry.buffer.allocate(gl, bytes, nullptr, GL_STATIC_COPY);
   kept_bytes_ += entry.buffer.size();
   return done;
+}
+
+bool DrawCache::allocate_vertices(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes, GLsizeiptr budget) {
+  for (auto at = entries_.rbegin(); at != entries_.rend() && vertex_bytes_ + bytes > budget; ++at) {
+    if (&*at != &entry && !repeats(*at)) {
+      drop_vertices(gl, *at);
+    }
+  }
+  if (vertex_bytes_ + bytes > budget || !entry.vertices.buffer.allocate(gl, bytes, nullptr, GL_STATIC_COPY)) {
+    return false;
+  }
+  vertex_bytes_ += bytes;
+  return true;
+}
+
+void DrawCache::drop_vertices(const gl::Dispatch& gl, Entry& entry) {
+  vertex_bytes_ -= entry.vertices.buffer.size();
+  entry.vertices.release(gl);
 }
 
 void DrawCache::frame_finished(const gl::Dispatch& gl) {
@@ -114,10 +139,13 @@ std::vector<GLuint> DrawCache::take_buffers() {
     if (entry.buffer.name() != 0) {
       names.push_back(entry.buffer.name());
     }
+    if (entry.vertices.buffer.name() != 0) {
+      names.push_back(entry.vertices.buffer.name());
+    }
   }
   entries_.clear();
   by_hash_.clear();
-  kept_bytes_ = 0;
+  kept_bytes_ = vertex_bytes_ = 0;
   return names;
 }
 

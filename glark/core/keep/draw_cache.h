@@ -14,6 +14,7 @@
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/keep/draw_key.h"
+#include "glark/core/keep/refined_vertices.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/arrays/buffer_stamps.h"
 
@@ -38,6 +39,12 @@ class DrawCache {
     std::uint64_t refined_triangles = 0;  // their number in the bins
     std::uint64_t last_use = 0;
     std::uint64_t last_frame = 0;
+    RefinedVertices vertices;
+    unsigned reuses = 0;         // of the filled entry
+    unsigned frames_reused = 0;  // frames in which it was reused
+
+    // Programs that never end a frame repeat their draws, too.
+    bool repeats_often() const { return frames_reused > 2 || reuses > 16; }
   };
 
   // Takes the states of the buffers: call it before the draw is captured.
@@ -46,6 +53,10 @@ class DrawCache {
   bool make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeiptr bytes);
   // Gives the entry a buffer of its own of `bytes`; false without memory. Wrap in an ErrorScope.
   bool allocate(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes);
+  // Gives the entry a buffer for `bytes` of refined vertices. Drops vertices of draws that are no longer repeated. False:
+  // the others fill the budget, or there is no memory. Wrap in an ErrorScope.
+  bool allocate_vertices(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes, GLsizeiptr budget);
+  void drop_vertices(const gl::Dispatch& gl, Entry& entry);
   // Drops entries that no draw of the last frames used.
   void frame_finished(const gl::Dispatch& gl);
   void release(const gl::Dispatch& gl);
@@ -55,6 +66,7 @@ class DrawCache {
  private:
   using Entries = std::list<Entry>;
   Entries::iterator find(std::uint64_t hash, std::span<const std::uint64_t> words);
+  bool repeats(const Entry& entry) const { return uses_ - entry.last_use <= 2 * entries_.size(); }
   void drop_oldest(const gl::Dispatch& gl);
 
   Entries entries_;  // the one used last comes first
@@ -63,6 +75,7 @@ class DrawCache {
   std::uint64_t uses_ = 0;
   std::uint64_t frame_ = 0;
   GLsizeiptr kept_bytes_ = 0;
+  GLsizeiptr vertex_bytes_ = 0;
 };
 
 }  // namespace glark::core

@@ -30,7 +30,7 @@ bool watched(const gl::Dispatch& gl, const BufferStamps& stamps, GLuint buffer) 
 }  // namespace
 
 // False: the draw reads an attribute that cannot be watched.
-bool KeptDraws::add_arrays(const std::vector<int>& inputs, const ArrayDraw& draw) {
+bool KeptDraws::add_arrays(const capture::CapturePlan& capture, const ArrayDraw& draw) {
   const bool fixed = env_.bindings().primitive_restart_fixed;
   if (env_.bindings().primitive_restart && !fixed && draw.index_type != 0) {
     return false;  // the index is not followed
@@ -47,7 +47,10 @@ bool KeptDraws::add_arrays(const std::vector<int>& inputs, const ArrayDraw& draw
       return false;
     }
   }
-  return std::all_of(inputs.begin(), inputs.end(), [this](int slot) { return add_array_input(slot); });
+  const int lent = capture.lent ? generic_slot(capture.lent->attribute) : static_cast<int>(no_slot);
+  return std::all_of(capture.inputs->begin(), capture.inputs->end(), [&](int slot) {
+    return slot != no_slot && slot == lent ? key_.add_source(slot, capture.lent->source) : add_array_input(slot);
+  });
 }
 
 bool KeptDraws::add_array_input(int slot) {
@@ -101,8 +104,7 @@ bool KeptDraws::make_key(const DrawCall& call, const KeyFacts& facts) {
   }
   const capture::CapturePlan& capture = facts.capture;
   key_.clear();
-  key_.add(capture.program,
-           capture.last_vertex_convention ? GL_LAST_VERTEX_CONVENTION : env_.bindings().provoking_vertex);
+  key_.add(capture.program, capture.convention != 0 ? capture.convention : env_.bindings().provoking_vertex);
   key_.add(facts.depth.keeps_instances() ? 1 : 0, static_cast<unsigned>(facts.depth.interior) |
                                                       (facts.split ? 4U : 0U) | (facts.welded ? 8U : 0U) |
                                                       (facts.creased ? 16U : 0U));
@@ -117,7 +119,7 @@ bool KeptDraws::make_key(const DrawCall& call, const KeyFacts& facts) {
   for (const std::uint32_t word : call.commands) {
     key_.add(word);
   }
-  return add_arrays(*capture.inputs, *call.arrays);
+  return add_arrays(capture, *call.arrays);
 }
 
 bool KeptDraws::all_watched() const {

@@ -50,13 +50,19 @@ class KeptDraws {
   void keep_instances(DrawCache::Entry& entry, const depth::BinnedInstances& instances,
                       const depth::InstanceExtent& extent, const capture::CoarseTriangles& triangles);
 
+  // See DrawCache.
+  bool allocate_vertices(DrawCache::Entry& entry, GLsizeiptr bytes) {
+    return cache_.allocate_vertices(env_.gl, entry, bytes, static_cast<GLsizeiptr>(env_.options.kept_vertex_bytes));
+  }
+  void drop_vertices(DrawCache::Entry& entry) { cache_.drop_vertices(env_.gl, entry); }
+
   void frame_finished() { cache_.frame_finished(env_.gl); }
   void release() { cache_.release(env_.gl); }
   std::vector<GLuint> take_buffers() { return cache_.take_buffers(); }  // the caller has them deleted
 
  private:
   bool make_key(const DrawCall& call, const KeyFacts& facts);
-  bool add_arrays(const std::vector<int>& inputs, const ArrayDraw& draw);
+  bool add_arrays(const capture::CapturePlan& capture, const ArrayDraw& draw);
   bool add_array_input(int slot);
   bool add_segment(const std::vector<int>& inputs, const ListSegment& segment);
   void add_welded_words(const capture::Layout& layout);

@@ -4,6 +4,7 @@
 // What one draw says about its mesh. No GL.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "glark/core/report/cause.h"
@@ -27,8 +28,9 @@ struct MeshPass {
 
 struct MeshPassFacts {
   const Bindings& bindings;
-  bool depth_buffer = true;  // the framebuffer has one
-  bool color_buffer = true;  // the framebuffer has one that is drawn to
+  bool depth_buffer = true;     // the framebuffer has one
+  bool color_buffer = true;     // the framebuffer has one that is drawn to
+  std::uint64_t triangles = 0;  // of the draw, or a bound; 0: not known
 };
 
 // `cause`: why the draw cannot be curved; empty if it can. Returns nothing if the draw says nothing about its mesh: it

@@ -32,9 +32,13 @@ MeshVerdict MeshTable::draw(const MeshKey& key, const MeshPass& pass) {
 // Returns whether enough frames have shown the passes over the mesh, or over others of its source.
 bool MeshTable::watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass) {
   Source& source = sources_[static_cast<std::size_t>(source_of(key))];
-  count_frame(mesh);
-  count_frame(source);
+  mesh.first = mesh.first == never ? frame_ : mesh.first;
+  mesh.seen = frame_;
   (pass.curves ? mesh.had_curved : mesh.had_flat) = true;
+  if (mesh.had_curved) {
+    count_frame(mesh);
+  }
+  count_frame(source);
   source.mixed = source.mixed || (mesh.had_curved && mesh.had_flat && !(key == loose_mesh));
   const bool lasts = source_of(key) == MeshSource::buffer || key == loose_mesh;
   return mesh.frames > frames_to_watch || (!lasts && !source.mixed && source.frames > frames_to_watch);
@@ -65,10 +69,11 @@ void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
   if (pass.curves) {
     return;
   }
-  if (pass.lacks_normal && !loose && mesh.frames <= 1) {
+  const bool excused = pass.lacks_normal && !loose && mesh.frames <= 1;
+  if (excused && mesh.first == frame_) {
     return;
   }
-  mesh.flat = mesh.flat || pass.must_meet() || (pass.uses_depth && !loose);
+  mesh.flat = mesh.flat || (!excused && (pass.must_meet() || (pass.uses_depth && !loose)));
   if (pass.prepares() && loose) {
     doubt();  // for any mesh
   } else if (pass.prepares() && mesh.prepared != frame_) {
@@ -96,7 +101,7 @@ void MeshTable::frame_finished() {
 
 void MeshTable::drop_old() {
   last_ = nullptr;
-  std::erase_if(meshes_, [this](const auto& entry) { return entry.second.frame + frames_to_keep < frame_; });
+  std::erase_if(meshes_, [this](const auto& entry) { return entry.second.seen + frames_to_keep < frame_; });
 }
 
 }  // namespace glark::core

@@ -11,8 +11,9 @@
 // - Programs that compile their lists or allocate their arrays again in every frame would wait for ever. A new mesh of
 //   such a source is curved at once if the source was drawn in enough frames and never had a mesh with both curved and
 //   flat passes.
-// - A pass that cannot be curved makes its mesh flat at once, and for good, so that nothing flickers. In the first frame,
-//   a pass without normals is excused: the normals may come from a later pass over the mesh.
+// - A pass that cannot be curved makes its mesh flat at once, and for good, so that nothing flickers. A pass that lacks
+//   normals is excused until the end of the frame in which another pass over the mesh has some: it then borrows these.
+//   Only the frames from that one on count.
 // - A mesh without identity (glBegin) holds unrelated things: only passes that must meet others make it flat.
 // - A pass whose partner is unknown makes all meshes of the context flat for some time. It must meet another draw in
 //   depth, and no draw with the same positions is there.
@@ -23,6 +24,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "glark/core/meshes/lent_normals.h"
 #include "glark/core/meshes/mesh_key.h"
 #include "glark/core/meshes/mesh_pass.h"
 
@@ -51,6 +53,7 @@ class MeshTable {
   // The normals that a pass over the mesh reads. Other passes may use them, too.
   void set_normals(const MeshKey& key, const NormalSource& normals) { find(key).normals = normals; }
   const NormalSource& normals(const MeshKey& key) { return find(key).normals; }  // of no key: not known
+  NormalsBeside& normals_beside(const MeshKey& key) { return find(key).beside; }
   // A frame without draws is not counted.
   void frame_finished();
 
@@ -61,16 +64,19 @@ class MeshTable {
   static constexpr std::uint64_t never = 0;
 
   struct Mesh {
-    std::uint64_t frame = never;         // the last frame that drew it
+    std::uint64_t first = never;         // the first frame that drew it
+    std::uint64_t seen = never;          // the last frame that drew it
+    std::uint64_t frame = never;         // the last frame that counts in `frames`
     std::uint64_t written = never;       // the last frame in which it wrote depth
     std::uint64_t written_flat = never;  // the last frame in which a flat pass wrote depth
     std::uint64_t shown = never;         // the last frame in which it wrote colours
     std::uint64_t prepared = never;      // the last frame in which a flat pass prepared for others
-    unsigned frames = 0;                 // that drew it, up to frames_to_watch + 1
+    unsigned frames = 0;                 // that drew it since it has normals, up to frames_to_watch + 1
     bool flat = false;
     bool had_curved = false;  // passes
     bool had_flat = false;
     NormalSource normals;
+    NormalsBeside beside;
   };
   struct Source {
     std::uint64_t frame = never;  // the last frame that drew from it

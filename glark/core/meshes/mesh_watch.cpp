@@ -32,15 +32,15 @@ Cause cause_of(MeshVerdict verdict) {
 
 }  // namespace
 
-std::optional<Cause> MeshWatch::judge(const DrawCall& call, const std::vector<capture::Field>* fields,
-                                      std::optional<Cause> cause) {
-  if (!cause && !has_normals(call, *fields)) {
+std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause) {
+  if (!cause && !has_normals(call, inputs)) {
     cause = Cause::no_surface;
   }
   Framebuffers& framebuffers = env_.state.framebuffers();
   std::optional<MeshPass> pass = mesh_pass({.bindings = env_.bindings(),
                                             .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
-                                            .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors)},
+                                            .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors),
+                                            .triangles = call.triangles},
                                            cause);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {
@@ -52,12 +52,13 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const std::vector<ca
   if (!call.from_arrays) {
     return cause == Cause::not_triangles ? cause : ask(loose_mesh, *pass, cause);
   }
-  fields = fields != nullptr ? fields : known_fields();
+  const std::vector<capture::Field>* fields = inputs.fields != nullptr ? inputs.fields : known_fields();
   const capture::Field* position = fields != nullptr ? capture::find_role(*fields, capture::Role::position) : nullptr;
   if (position != nullptr || fields == nullptr) {
-    const MeshKey mesh = key_of(position != nullptr ? slot_of(*position) : vertex_slot_in_use());
-    if (pass->curves) {
-      note_normals(mesh, *fields);
+    const int slot = position != nullptr ? slot_of(*position) : vertex_slot_in_use();
+    const MeshKey mesh = key_of(slot);
+    if (pass->curves && !inputs.lent_normal) {
+      note_normals(mesh, slot, *fields);
     }
     pass->lacks_normal = cause == Cause::no_surface;
     return ask(mesh, *pass, cause);
@@ -91,27 +92,68 @@ bool reads(const std::vector<capture::Field>& fields, int location) {
 
 }  // namespace
 
-void MeshWatch::note_normals(const MeshKey& mesh, const std::vector<capture::Field>& fields) {
+void MeshWatch::note_normals(const MeshKey& mesh, int position_slot, const std::vector<capture::Field>& fields) {
   const capture::Field* normal = capture::find_role(fields, capture::Role::normal);
-  table_.set_normals(mesh, normals_of(env_.state.arrays().attribute_source(slot_of(*normal))));
+  ArrayState& arrays = env_.state.arrays();
+  const AttributeSource& normals = arrays.attribute_source(slot_of(*normal));
+  table_.set_normals(mesh, normals_of(normals));
+  const int slot = slot_in_use(position_slot);
+  if (slot != no_slot) {
+    NormalsBeside& beside = table_.normals_beside(mesh);
+    const AttributeSource& lender = beside.lender();
+    const bool lives = env_.share.buffers.generation(lender.buffer) == lender.generation;
+    beside.note(arrays.attribute_source(slot), normals, lives);
+  }
 }
 
-int MeshWatch::unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+MeshWatch::UnreadNormal MeshWatch::unread_normal(const DrawCall& call,
+                                                 const std::vector<capture::Field>& fields) const {
   const capture::Field* position = capture::find_role(fields, capture::Role::position);
   const bool is_vector = position != nullptr && !position->is_array &&
                          (position->type == GL_FLOAT_VEC3 || position->type == GL_FLOAT_VEC4);
   if (!is_vector || capture::find_role(fields, capture::Role::normal) != nullptr) {
-    return own_normal;
+    return {};
   }
   const bool conventional = position->name == "gl_Vertex";
   if (call.segment != nullptr) {
-    return conventional && (call.segment->effects.set & slot_bit(normal_slot)) != 0 ? conventional_normal : own_normal;
+    const bool sets_normals = (call.segment->effects.set & slot_bit(normal_slot)) != 0;
+    return {.attribute = conventional && sets_normals ? conventional_normal : own_normal};
   }
   if (!call.from_arrays) {
-    return own_normal;
+    return {};
   }
-  const NormalSource& wanted = table_.normals(key_of(slot_of(*position)));
-  return wanted.type != 0 ? find_array(wanted, fields) : own_normal;
+  const MeshKey mesh = key_of(slot_of(*position));
+  const NormalSource& wanted = table_.normals(mesh);
+  const int enabled = wanted.type != 0 ? find_array(wanted, fields) : own_normal;
+  return enabled != own_normal ? UnreadNormal{.attribute = enabled} : find_lender(mesh, slot_of(*position), fields);
+}
+
+// The application has not enabled the normals for this pass.
+MeshWatch::UnreadNormal MeshWatch::find_lender(const MeshKey& mesh, int position_slot,
+                                               const std::vector<capture::Field>& fields) const {
+  const int slot = slot_in_use(position_slot);
+  if (mesh == loose_mesh || slot == no_slot) {
+    return {};
+  }
+  const std::optional<AttributeSource> lent =
+      table_.normals_beside(mesh).find(env_.state.arrays().attribute_source(slot));
+  if (!lent || env_.share.buffers.generation(lent->buffer) != lent->generation) {
+    return {};
+  }
+  const int location = free_location(fields);
+  return location != own_normal ? UnreadNormal{location, lent} : UnreadNormal{};
+}
+
+// The tags of the extension take the last three attributes.
+int MeshWatch::free_location(const std::vector<capture::Field>& fields) const {
+  const auto tags = static_cast<int>(env_.ark.scalar_tag_attribute);
+  for (int location = std::min(tags, generic_slots) - 1; location > 0; --location) {
+    if (!reads(fields, location) &&
+        is_initial(env_.state.arrays().attribute_source(location), static_cast<GLuint>(location))) {
+      return location;
+    }
+  }
+  return own_normal;
 }
 
 int MeshWatch::find_array(const NormalSource& wanted, const std::vector<capture::Field>& fields) const {
@@ -132,11 +174,11 @@ int MeshWatch::find_array(const NormalSource& wanted, const std::vector<capture:
 }
 
 // The same normal at every vertex tells nothing about a surface: the array is off, or the list sets no normals.
-bool MeshWatch::has_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const {
-  const capture::Field* normal = capture::find_role(fields, capture::Role::normal);
+bool MeshWatch::has_normals(const DrawCall& call, const Inputs& inputs) const {
+  const capture::Field* normal = capture::find_role(*inputs.fields, capture::Role::normal);
   const int slot = normal != nullptr ? slot_of(*normal) : no_slot;
-  if (slot == no_slot) {
-    return false;
+  if (slot == no_slot || inputs.lent_normal) {
+    return inputs.lent_normal;
   }
   if (call.from_arrays) {
     return env_.state.arrays().attribute_source(slot).enabled;
@@ -154,8 +196,12 @@ int MeshWatch::vertex_slot_in_use() const {
              : static_cast<int>(vertex_slot);
 }
 
+int MeshWatch::slot_in_use(int position_slot) const {
+  return position_slot == vertex_slot || position_slot == 0 ? vertex_slot_in_use() : position_slot;
+}
+
 MeshKey MeshWatch::key_of(int position_slot) const {
-  const int slot = position_slot == vertex_slot || position_slot == 0 ? vertex_slot_in_use() : position_slot;
+  const int slot = slot_in_use(position_slot);
   if (slot == no_slot) {
     return loose_mesh;
   }

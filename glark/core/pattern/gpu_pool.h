@@ -4,6 +4,9 @@
 // The pattern pool in buffer objects.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/expand.h"
 #include "glark/core/pattern/pool.h"
@@ -23,6 +26,8 @@ class GpuPool {
   GLuint indices() const { return indices_.name(); }    // uint16
   GLuint patches() const { return patches_.name(); }    // vec4: the tiles of uniform levels, see first_tile()
   const Piece& piece(int index) const { return pieces_[static_cast<std::size_t>(index)]; }
+  // Reads the indices of a piece back. For rare paths.
+  std::vector<std::uint16_t> read_indices(const gl::Dispatch& gl, const Piece& piece) const;
   GLsizeiptr gpu_bytes() const { return vertices_.size() + indices_.size() + patches_.size(); }
 
   // A uniform level is drawn as tile_count(level) tiles of uniform(min(level, deepest_uniform)).

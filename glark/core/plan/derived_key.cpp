@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/plan/derived_key.h"
 
+#include "glark/core/plan/polygons/quad_capture.h"
 #include "glark/core/shape.h"
 #include "glark/core/weld/weld.h"
 
 namespace glark::core {
-
-bool captures_last_vertex(const Bindings& bindings, const Capabilities& capabilities, GLenum mode) {
-  return bindings.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !capabilities.quads_follow_convention &&
-         (mode == GL_QUADS || mode == GL_QUAD_STRIP);
-}
 
 DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
   const Bindings& b = state.bindings;

@@ -18,11 +18,6 @@ struct KeyState {
   const Capabilities& capabilities;
 };
 
-// OpenGL 4.6 compatibility, 13.4: under GL_FIRST_VERTEX_CONVENTION, the provoking vertex of quads may still be their
-// last one. Such draws are captured under the last vertex convention, where the triangles of a quad end with its
-// provoking vertex.
-bool captures_last_vertex(const Bindings& bindings, const Capabilities& capabilities, GLenum mode);
-
 struct KeyRequest {
   Refinement refinement = Refinement::linear_inputs;  // choose_refinement()
   GLenum mode = GL_TRIANGLES;

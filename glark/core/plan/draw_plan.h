@@ -36,6 +36,7 @@ struct DrawPlan {
   PolygonSides polygon_sides = {};                  // sizes of several GL_POLYGONs
   weld::WeldPlan weld;
   depth::DepthPlan depth;
+  bool keeps_vertices = false;  // its refined vertices may be kept, and drawn by the application's own program
 };
 
 struct Decision {

@@ -10,12 +10,13 @@
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
 #include "glark/core/plan/draw_notes.h"
+#include "glark/core/plan/instanced_inputs.h"
 #include "glark/core/plan/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
 #include "glark/core/plan/unrefined/draw_rules.h"
 #include "glark/core/plan/unrefined/exemptions.h"
 #include "glark/core/plan/unrefined/state_check.h"
-#include "glark/core/polygons/split_choice.h"
+#include "glark/core/plan/vertex_keeping.h"
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
 #include "glark/core/shape.h"
@@ -41,11 +42,13 @@ KeyState key_state(const Environment& environment) {
   return {environment.options, environment.ark, environment.bindings(), environment.capabilities};
 }
 
-RefinementChoice refinement_choice(const Environment& environment, const Program& program, Refinement wanted,
+RefinementChoice refinement_choice(const Environment& environment, const Program& program,
+                                   const refine::StageVariation& variation, Refinement wanted,
                                    int normal = own_normal) {
   RefinementFacts facts{.wanted = wanted,
                         .transparent = environment.options.transparent,
                         .stage = program.traits,
+                        .variation = variation,
                         .inputs = program.input_traits};
   // Displacement adds a normal to the record of a fixed-function draw, also where lighting is off.
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
@@ -65,7 +68,7 @@ const std::vector<capture::Field>* inputs_of(const DrawPlan& plan) {
 }  // namespace
 
 Planner::Planner(const Environment& environment, const Parts& parts)
-    : env_(environment), parts_(parts), decompositions_(environment, parts.capture, parts.programs.in_use()) {}
+    : env_(environment), parts_(parts), polygons_(environment, parts.capture, parts.programs.in_use()) {}
 
 Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   env_.state.refresh();
@@ -75,7 +78,8 @@ Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
   if (smooth() && purpose == Purpose::draw) {
-    decision.cause = parts_.meshes.judge(call, inputs_of(decision.plan), decision.cause);
+    const MeshWatch::Inputs inputs{inputs_of(decision.plan), decision.plan.capture.lent.has_value()};
+    decision.cause = parts_.meshes.judge(call, inputs, decision.cause);
   }
   return decision;
 }
@@ -103,7 +107,7 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
   }
   parts_.programs.in_use().read_subroutines(plan.owner, plan.pipeline);
   choose_depths(call, plan);
-  choose_polygons(call, plan);
+  polygons_.choose_split(call, plan);
   if (changes_nothing(plan, purpose)) {
     return Cause::level_zero;
   }
@@ -208,17 +212,6 @@ void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
   plan.placed = plan.depth.adaptive || plan.depth.level > static_cast<unsigned>(pattern::deepest_uniform);
 }
 
-void Planner::choose_polygons(const DrawCall& call, DrawPlan& plan) {
-  plan.capture.last_vertex_convention = captures_last_vertex(env_.bindings(), env_.capabilities, call.mode);
-  if (splits_polygons(env_.options, env_.ark) && env_.capabilities.is_compatibility() &&
-      polygons::splits_at_centroid(call, *plan.program, env_.bindings())) {
-    plan.polygons = decompositions_.find(call.mode, plan.capture.last_vertex_convention);
-    if (call.polygon_sides != nullptr) {
-      plan.polygon_sides = *call.polygon_sides;
-    }
-  }
-}
-
 // Returns whether the refined draw would equal the original one.
 bool Planner::changes_nothing(const DrawPlan& plan, Purpose purpose) const {
   const bool may_split = purpose == Purpose::feedback && splits_polygons(env_.options, env_.ark);
@@ -233,8 +226,11 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
 
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
-  const int normal = smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : own_normal;
-  const RefinementChoice choice = refinement_choice(env_, *plan.program, plan.wanted, normal);
+  const MeshWatch::UnreadNormal normal =
+      smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : MeshWatch::UnreadNormal{};
+  const std::uint32_t instanced = instanced_inputs_of(call, *plan.program);
+  const refine::StageVariation& variation = parts_.programs.derived().variation(*plan.program, instanced);
+  const RefinementChoice choice = refinement_choice(env_, *plan.program, variation, plan.wanted, normal.attribute);
   plan.fallback = choice.fallback;
   if (smooth() && choice.fallback) {
     tell_notes(*plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
@@ -246,7 +242,8 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .tagged = depth.adaptive && !depth.measured,
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
-  key.normal_attribute = normal;
+  key.normal_attribute = normal.attribute;
+  key.instanced = instanced;
   add_welded_words(key, depth.measured && depth.measure.degrees > 0);
   plan.derived = derived(plan, key);
   choose_weld(plan, key, call.triangles);
@@ -269,13 +266,31 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
     return Cause::too_many_attributes;  // other stages of the program pipeline may need the storage binding
   }
   plan.capture.layout = &plan.derived->layout;
+  if (!parts_.feedback.ours()) {
+    polygons_.follow_drawn_diagonal(call, plan);
+  }
   if (const std::optional<Cause> cause = find_corner_program(plan)) {
     return cause;
   }
   const CapturePrograms::Entry& capture = parts_.programs.capture().find(plan.derived);
   plan.capture.program = capture.name;
   plan.capture.inputs = &capture.inputs;
+  if (normal.lent) {
+    plan.capture.lent = {*normal.lent, static_cast<GLuint>(normal.attribute)};
+  }
+  plan.keeps_vertices = keeps_vertices(plan, env_.options, parts_.feedback.captures(env_.bindings()));
   return capture.name == 0 ? std::optional(Cause::program_not_derived) : std::nullopt;
+}
+
+// An attribute with a divisor is the same at all corners of a triangle. That may make a stage sound.
+std::uint32_t Planner::instanced_inputs_of(const DrawCall& call, const Program& program) const {
+  if (!env_.options.transparent || !call.from_arrays || program.traits.variation.is_affine()) {
+    return 0;
+  }
+  return instanced_inputs(program.fields, [&](int location) {
+    const AttributeSource& source = env_.state.arrays().attribute_source(location);
+    return source.enabled && source.divisor != 0;
+  });
 }
 
 // Tells each note once for each program.
@@ -358,11 +373,12 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
   const Refinement wanted = wanted_refinement(env_.options, env_.ark);
   return parts_.programs.derived().find(
       program, owner,
-      derived_key(key_state(env_), {.refinement = refinement_choice(env_, program, wanted).refinement,
-                                    .mode = GL_TRIANGLES,
-                                    .tagged = tagged,
-                                    .placed = placed,
-                                    .morphing = placed && geomorphs(env_.options, env_.ark)}));
+      derived_key(key_state(env_),
+                  {.refinement = refinement_choice(env_, program, program.traits.variation, wanted).refinement,
+                   .mode = GL_TRIANGLES,
+                   .tagged = tagged,
+                   .placed = placed,
+                   .morphing = placed && geomorphs(env_.options, env_.ark)}));
 }
 
 }  // namespace glark::core

@@ -12,7 +12,7 @@
 #include "glark/core/plan/draw_notes.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/plan/feedback_in_use.h"
-#include "glark/core/polygons/decompositions.h"
+#include "glark/core/plan/polygons/polygon_capture.h"
 #include "glark/core/programs/draw_programs.h"
 #include "glark/core/state/environment.h"
 
@@ -44,9 +44,9 @@ class Planner {
   std::optional<Cause> find_program(DrawPlan& plan);
   std::optional<Cause> find_pipeline_programs(DrawPlan& plan);
   std::optional<Cause> choose_wanted(DrawPlan& plan) const;
+  std::uint32_t instanced_inputs_of(const DrawCall& call, const Program& program) const;
   void tell_notes(Program& program, DrawNoteFacts facts) const;
   void choose_depths(const DrawCall& call, DrawPlan& plan) const;
-  void choose_polygons(const DrawCall& call, DrawPlan& plan);
   bool changes_nothing(const DrawPlan& plan, Purpose purpose) const;
   std::optional<Cause> find_derived(const DrawCall& call, DrawPlan& plan);
   void choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangles);
@@ -57,7 +57,7 @@ class Planner {
 
   const Environment& env_;
   Parts parts_;
-  polygons::Decompositions decompositions_;
+  PolygonCapture polygons_;
 };
 
 }  // namespace glark::core

@@ -7,7 +7,7 @@ namespace {
 
 // Returns the reason why positions may not be computed from interpolated inputs, if there is one.
 std::optional<RefinementFallback> unsound_position(const RefinementFacts& facts) {
-  const refine::OutputVariation* const position = facts.stage.variation.position();
+  const refine::OutputVariation* const position = facts.variation.position();
   const refine::Variation variation = position != nullptr ? position->variation : refine::Variation::constant;
   if (variation >= refine::Variation::switched) {
     return RefinementFallback::unsound_stage;

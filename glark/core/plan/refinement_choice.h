@@ -25,6 +25,7 @@ struct RefinementFacts {
   Refinement wanted = Refinement::linear_inputs;
   bool transparent = false;
   const refine::VertexStageTraits& stage;
+  const refine::StageVariation& variation;  // of the stage, with the arrays that are enabled
   refine::VertexInputTraits inputs = {};
 };
 

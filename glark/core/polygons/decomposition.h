@@ -21,6 +21,14 @@ struct Decomposition {
   std::array<GLint, 4> corners{};
 };
 
+// The edge that divides a quad, by the numbers of its vertices along the boundary.
+enum class Diagonal { from_first, from_second };
+// Of a quad's decomposition.
+constexpr Diagonal diagonal_of(const Decomposition& quad) {
+  // The first triangle lacks one vertex. The diagonal does not pass through that vertex.
+  return quad.corners[0] > 2 || quad.corners[2] > 2 ? Diagonal::from_second : Diagonal::from_first;
+}
+
 inline bool is_polygon_mode(GLenum mode) { return mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON; }
 
 // The number of vertices of the probe, a draw that shows the decomposition of `mode`: two quads, or a pentagon.

@@ -28,13 +28,12 @@ GLuint bind_number_array(const gl::Dispatch& gl, GLuint buffer) {
 
 }  // namespace
 
-std::optional<Decomposition> Decompositions::find(GLenum mode, bool last_vertex_convention) {
-  const GLenum convention = last_vertex_convention ? GL_LAST_VERTEX_CONVENTION : env_.bindings().provoking_vertex;
+std::optional<Decomposition> Decompositions::find(GLenum mode, GLenum convention) {
   const auto known = known_.find({mode, convention});
   if (known != known_.end()) {
     return known->second;
   }
-  const std::vector<float> numbers = probe(mode, last_vertex_convention);
+  const std::vector<float> numbers = probe(mode, convention);
   if (numbers.empty()) {
     return std::nullopt;
   }
@@ -51,11 +50,11 @@ std::optional<Decomposition> Decompositions::find(GLenum mode, bool last_vertex_
 
 // Draws numbered vertices, and returns the numbers in the order of the corners that GL makes. Empty if GL captures
 // nothing (conditional rendering, no memory).
-std::vector<float> Decompositions::probe(GLenum mode, bool last_vertex_convention) {
+std::vector<float> Decompositions::probe(GLenum mode, GLenum convention) {
   core::ErrorScope errors(env_.errors);
   const std::uint64_t triangles = core::triangles_of(mode, static_cast<std::uint64_t>(probe_vertices(mode)));
   const capture::Layout layout = capture::make_layout({{.name = "number", .type = GL_FLOAT, .location = 0}}, false);
-  capture::CapturePlan plan{.layout = &layout, .last_vertex_convention = last_vertex_convention};
+  capture::CapturePlan plan{.layout = &layout, .convention = convention};
   {
     const capture::FeedbackAside aside(env_.gl, capture_.stage(), env_.bindings());
     plan.program = capture_.stage().program_for(layout, env_.ark.tag_attribute);

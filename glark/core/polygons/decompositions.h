@@ -22,11 +22,12 @@ class Decompositions {
                  const core::ProgramSwitch& programs)
       : env_(environment), capture_(capture), programs_(programs) {}
 
+  // `convention`: of the provoking vertex, while GL captures.
   // Returns nothing if polygons cannot be recovered from the triangles, or if GL captures nothing at the moment.
-  std::optional<Decomposition> find(GLenum mode, bool last_vertex_convention);
+  std::optional<Decomposition> find(GLenum mode, GLenum convention);
 
  private:
-  std::vector<float> probe(GLenum mode, bool last_vertex_convention);
+  std::vector<float> probe(GLenum mode, GLenum convention);
   bool draw_probe(GLenum mode, const capture::CapturePlan& plan, std::vector<float>& corners);
 
   const core::Environment& env_;

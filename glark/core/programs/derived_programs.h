@@ -20,6 +20,10 @@ class DerivedPrograms {
 
   // Determines whether and how the program can be refined, unless this is known.
   void prepare(Program& program) const;
+  // As ProgramBuilder::variation(). The program is prepared.
+  const refine::StageVariation& variation(Program& program, std::uint32_t instanced) const {
+    return builder_.variation(program, instanced);
+  }
   // Returns null if the program cannot be built. The derived program follows the uniforms of `owner`, the application's
   // program; null for fixed function.
   std::shared_ptr<DerivedProgram> find(Program& program, Program* owner, const DerivedKey& key) const;

@@ -37,6 +37,7 @@ class Deriver {
       write();
       for (const VertexUnit& unit : units_) result.vertex_sources.push_back(to_text(unit.tokens));
       result.ok = true;
+      result.corner_outputs = !plan_.outputs.empty();
     } else {
       result.error = error_;
     }

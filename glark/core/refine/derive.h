@@ -85,13 +85,15 @@ struct Derivation {
   bool ok = false;
   std::vector<std::string> vertex_sources;  // as many as in the request
   std::string error;
-  std::string prefix = {};  // begins our names in the sources
+  std::string prefix = {};      // begins our names in the sources
+  bool corner_outputs = false;  // some outputs come from the corners of the coarse triangle
 };
 
 // Parses the vertex stage. Never throws; malformed GLSL gives ok = false and an error that names the line.
-// `extensions` as in DeriveRequest.
+// `extensions` as in DeriveRequest. `constants`: names of attributes that are the same at all corners of a triangle.
 Inspection inspect_vertex_stage(const std::vector<std::string>& vertex_sources, bool es,
-                                const std::vector<std::string>& extensions = {});
+                                const std::vector<std::string>& extensions = {},
+                                const std::set<std::string>& constants = {});
 
 // Rewrites the vertex stage. With `reads_vertex_id` the caller asks for Refinement::linear_outputs.
 Derivation derive_vertex_stage(const DeriveRequest& request);

@@ -45,7 +45,7 @@ void note_system_values(const std::set<std::string>& names, VertexStageTraits& t
 
 // Notes which system values are read, and how the outputs depend on the attributes.
 void note_data_flow(const std::vector<VertexUnit>& units, const std::vector<Parsed>& parsed,
-                    VertexStageTraits& traits) {
+                    const std::set<std::string>& constants, VertexStageTraits& traits) {
   constexpr const char* unknown = "the vertex stage could not be analysed";
   if (!std::all_of(parsed.begin(), parsed.end(), [](const Parsed& unit) { return unit.ok; })) {
     IdentifierSet mentioned;
@@ -58,10 +58,11 @@ void note_data_flow(const std::vector<VertexUnit>& units, const std::vector<Pars
   for (const Parsed& unit : parsed) roots.push_back(unit.tree->root());
   note_system_values(reached_names(roots), traits);
   const StageVariation too_large{{{"gl_Position", Variation::undefined, unknown}}};
-  traits.variation = find_variation(roots).value_or(too_large);
+  traits.variation = find_variation(roots, constants).value_or(too_large);
 }
 
-Inspection inspect(const std::vector<std::string>& sources, bool es, const std::vector<std::string>& extensions) {
+Inspection inspect(const std::vector<std::string>& sources, bool es, const std::vector<std::string>& extensions,
+                   const std::set<std::string>& constants) {
   Inspection result;
   std::vector<VertexUnit> units;
   if (!read_units(sources, es, extensions, units, result.error)) return result;
@@ -85,7 +86,7 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
     structures.insert(structures.end(), units[i].interface.structures.begin(), units[i].interface.structures.end());
     all_parsed.push_back(std::move(parsed));
   }
-  note_data_flow(units, all_parsed, result.traits);
+  note_data_flow(units, all_parsed, constants, result.traits);
   const std::vector<OutputVariable> outputs = collect_outputs(units, main_unit, {});
   result.traits.writes_cull_distance = std::any_of(
       outputs.begin(), outputs.end(), [](const OutputVariable& output) { return output.path == "gl_CullDistance"; });
@@ -102,9 +103,9 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
 }  // namespace
 
 Inspection inspect_vertex_stage(const std::vector<std::string>& vertex_sources, bool es,
-                                const std::vector<std::string>& extensions) {
+                                const std::vector<std::string>& extensions, const std::set<std::string>& constants) {
   try {
-    return inspect(vertex_sources, es, extensions);
+    return inspect(vertex_sources, es, extensions, constants);
   } catch (const std::exception& exception) {
     Inspection failed;
     failed.error = std::string("inspection failed: ") + exception.what();

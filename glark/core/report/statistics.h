@@ -27,6 +27,7 @@ struct Statistics {
   std::atomic<std::uint64_t> refined_triangles{0};
   std::atomic<std::uint64_t> captures_made{0};
   std::atomic<std::uint64_t> captures_reused{0};
+  std::atomic<std::uint64_t> draws_of_kept_vertices{0};
   std::atomic<std::uint64_t> programs_derived{0};
   std::atomic<std::uint64_t> programs_failed{0};
 };

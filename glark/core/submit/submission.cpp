@@ -70,6 +70,21 @@ void Submission::draw(const core::DrawPlan& plan, const RefinedTriangles& refine
   restore(indirect, plan.derived->stored());
 }
 
+void Submission::draw_vertices(const core::RefinedVertices& vertices) {
+  const core::Bindings& b = env_.bindings();
+  if (b.primitive_restart) {
+    env_.gl.Disable(GL_PRIMITIVE_RESTART);  // must not apply to our indices
+  }
+  modes_.set({}, {});
+  env_.gl.BindVertexArray(vertices.vertex_array);
+  env_.gl.DrawElements(GL_TRIANGLES, vertices.index_count, GL_UNSIGNED_INT, nullptr);
+  env_.gl.BindVertexArray(b.vertex_array);
+  modes_.reset({}, {});
+  if (b.primitive_restart) {
+    env_.gl.Enable(GL_PRIMITIVE_RESTART);
+  }
+}
+
 void Submission::set_inputs(const core::DrawPlan& plan, const RefinedTriangles& refined) const {
   const core::DerivedProgram& derived = *plan.derived;
   core::set_shape(env_.gl, env_.options, env_.ark, derived);

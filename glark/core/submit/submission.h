@@ -6,6 +6,7 @@
 
 #include "glark/core/capture/capture.h"
 #include "glark/core/depth/binned_instances.h"
+#include "glark/core/keep/refined_vertices.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/plan/feedback_in_use.h"
@@ -40,6 +41,8 @@ class Submission {
   void begin(const core::DrawPlan& plan, bool indirect) const;
   // Draws, and restores the application's state.
   void draw(const core::DrawPlan& plan, const RefinedTriangles& refined);
+  // Draws refined vertices by the application's own program or fixed function.
+  void draw_vertices(const core::RefinedVertices& vertices);
   // Restores the vertex array and the program after a capture of no triangles.
   void restore_after_capture() const;
   void release() { stage_.release(); }

@@ -99,6 +99,14 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
   }
 }
 
+void SubmitStage::draw_points(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles,
+                              const capture::Layout& layout, GLint first, GLsizei count) {
+  bind_vertex_array(layout.chunk_count(), Source::whole, pool.indices());
+  gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
+  gl_.BindVertexBuffer(record_binding, triangles.buffer, triangles.offset, layout.triangle_words() * 4);
+  gl_.DrawArraysInstanced(GL_POINTS, first, count, static_cast<GLsizei>(triangles.count));
+}
+
 void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, BinnedInputs inputs) {
   bind_vertex_array(inputs.chunks, inputs.numbers != 0 ? Source::numbered : Source::binned, pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));

@@ -33,6 +33,10 @@ class SubmitStage {
   // Draws every coarse triangle at the same level, with one instanced draw for each tile of the level. Binds a vertex
   // array of ours. With a count on the GPU, also binds GL_DRAW_INDIRECT_BUFFER.
   void draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw);
+  // Draws the vertices of a uniform level as points: all of the first coarse triangle, then all of the next one.
+  // `first`, `count`: the vertices of the level in the pool.
+  void draw_points(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles,
+                   const capture::Layout& layout, GLint first, GLsizei count);
   struct BinnedInputs {
     int chunks = 0;      // chunks of a record that are attributes of the program
     GLuint numbers = 0;  // a buffer of 0, 1, 2, ..., if the program takes the number of the instance

@@ -125,6 +125,7 @@ void draw_elements(Context& context, const ArrayDraw& draw_of, Issue issue) {
                  .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
                  .polygon_sides = polygons.sides(),
                  .from_arrays = true,
+                 .indexed = true,
                  .arrays = &draw_of,
                  .issue = issue});
 }
@@ -291,6 +292,7 @@ void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
                   .from_arrays = true,
+                  .indexed = true,
                   .issue = [&] { c.gl().MultiDrawElements(mode, count, type, indices, draws); }});
 }
 
@@ -306,6 +308,7 @@ void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, 
                .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                .polygon_sides = polygons.sides(),
                .from_arrays = true,
+               .indexed = true,
                .issue = [&] { c.gl().MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); }});
 }
 

@@ -109,6 +109,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
                   .whole_polygons = tells_polygons_apart(call.mode, primitives),
                   .polygon_sides = may_restart || sides.empty() ? nullptr : &sides,
                   .from_arrays = true,
+                  .indexed = call.command_bytes != arrays_command_bytes,
                   .arrays = keeps ? &arrays : nullptr,
                   .commands = commands.words,
                   .issue = issue});

@@ -49,6 +49,24 @@ TEST_F(MeshPasses, AShadowMapHasNoColors) {
   EXPECT_TRUE(pass().prepares());
 }
 
+// It clears the depth buffer, or copies depth from a texture.
+TEST_F(MeshPasses, AQuadThatSetsAllDepthsPreparesNothing) {
+  bindings_.color_writes = false;
+  bindings_.depth_function = GL_ALWAYS;
+  const auto prepares = [this](std::uint64_t triangles) {
+    const std::optional<MeshPass> found = mesh_pass({bindings_, true, true, triangles}, Cause::no_surface);
+    return found && found->prepares();
+  };
+  EXPECT_FALSE(prepares(2));
+  EXPECT_TRUE(prepares(3));
+  EXPECT_TRUE(prepares(0)) << "their number is not known";
+  bindings_.stencil_test = true;  // a mask
+  EXPECT_TRUE(prepares(2));
+  bindings_.stencil_test = false;
+  bindings_.depth_function = GL_LESS;
+  EXPECT_TRUE(prepares(2));
+}
+
 TEST_F(MeshPasses, AFramebufferWithoutDepthUsesNone) {
   depth_buffer_ = false;
   bindings_.depth_function = GL_EQUAL;

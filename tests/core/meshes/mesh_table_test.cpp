@@ -96,6 +96,25 @@ TEST_F(MeshTables, APassThatLacksOnlyNormalsIsExcusedInTheFirstFrame) {
   EXPECT_EQ(table_.draw(ball, lacking), MeshVerdict::flat) << "it must have found them";
 }
 
+// A shadow map shows an object that is out of view. When it comes into view, its normals are known.
+TEST_F(MeshTables, APassThatLacksOnlyNormalsIsExcusedUntilAnotherPassHasThem) {
+  constexpr MeshPass lacking{.lacks_normal = true, .uses_depth = true, .writes_depth = true};
+  for (int frame = 1; frame <= 5; ++frame) {
+    EXPECT_EQ(table_.draw(ball, lacking), MeshVerdict::waits) << frame;
+    table_.frame_finished();
+  }
+  EXPECT_EQ(table_.draw(ball, lacking), MeshVerdict::waits);
+  for (int frame = 1; frame <= 3; ++frame) {
+    EXPECT_EQ(table_.draw(ball, colors), frame <= 2 ? MeshVerdict::waits : MeshVerdict::curved) << frame;
+    table_.frame_finished();
+  }
+}
+
+TEST_F(MeshTables, APassThatFindsNoNormalsMakesItsMeshFlatInTheNextFrame) {
+  constexpr MeshPass lacking{.lacks_normal = true, .uses_depth = true, .writes_depth = true};
+  EXPECT_EQ(settled({{ball, lacking}, {ball, colors}}), MeshVerdict::flat);
+}
+
 TEST_F(MeshTables, AMeshThatWasFlatOnceStaysFlat) {
   EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::curved);
   EXPECT_EQ(table_.draw(ball, flat_colors), MeshVerdict::flat);

@@ -9,7 +9,9 @@ namespace {
 
 class RefinementChoices : public testing::Test {
  protected:
-  RefinementChoice choice(Refinement wanted) const { return choose_refinement({wanted, transparent, stage, inputs}); }
+  RefinementChoice choice(Refinement wanted) const {
+    return choose_refinement({wanted, transparent, stage, stage.variation, inputs});
+  }
   void expect(Refinement wanted, Refinement refinement, std::optional<RefinementFallback> fallback) const {
     EXPECT_EQ(choice(wanted).refinement, refinement);
     EXPECT_EQ(choice(wanted).fallback, fallback);

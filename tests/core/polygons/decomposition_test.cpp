@@ -23,6 +23,13 @@ TEST(Decomposition, QuadsAlongEitherDiagonal) {
   EXPECT_EQ(of(GL_QUADS, {1, 2, 0, 2, 3, 0, 5, 6, 4, 6, 7, 4})->corners, (Corners{2, 0, 1, 4}));
 }
 
+TEST(Decomposition, TheDiagonalPassesThroughCornersOfBothTriangles) {
+  EXPECT_EQ(diagonal_of(*of(GL_QUADS, {0, 1, 3, 1, 2, 3, 4, 5, 7, 5, 6, 7})), Diagonal::from_second);
+  EXPECT_EQ(diagonal_of(*of(GL_QUADS, {1, 2, 3, 3, 0, 1, 5, 6, 7, 7, 4, 5})), Diagonal::from_second);
+  EXPECT_EQ(diagonal_of(*of(GL_QUADS, {1, 2, 0, 2, 3, 0, 5, 6, 4, 6, 7, 4})), Diagonal::from_first);
+  EXPECT_EQ(diagonal_of(*of(GL_QUAD_STRIP, {2, 0, 3, 0, 1, 3, 4, 2, 5, 2, 3, 5})), Diagonal::from_first);
+}
+
 TEST(Decomposition, QuadStripGoesAroundItsBoundary) {
   EXPECT_EQ(of(GL_QUAD_STRIP, {2, 0, 3, 0, 1, 3, 4, 2, 5, 2, 3, 5})->corners, (Corners{1, 4, 2, 0}));
 }

@@ -40,6 +40,11 @@ bool reads(const core::Program& program, GLenum stage, std::string_view name) {
   });
 }
 
+bool mentions(const core::Program& program, std::string_view name) {
+  return std::any_of(program.stages.begin(), program.stages.end(),
+                     [&](const core::StageSource& source) { return source.source->find(name) != std::string::npos; });
+}
+
 // Returns the cause why the program's stages, or the effects of its vertex stage, rule out refinement, if there is one.
 std::optional<core::Cause> cause_of(const core::Program& program, const VertexStageTraits& traits, bool transparent) {
   if (program.has_stage(GL_TESS_CONTROL_SHADER) || program.has_stage(GL_TESS_EVALUATION_SHADER)) {
@@ -101,9 +106,11 @@ bool ProgramBuilder::can_store_records(const core::Program& program) const {
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
   program.told_notes = 0;
+  program.instanced_variations.clear();
   program.cause.reset();
   program.hash = core::source_hash(program.stages);
   program.counters = &core::program_counters(program.hash);
+  program.counts_primitives = mentions(program, "gl_PrimitiveID");
   program.conventional_projection = program.fixed_function || core::reads_conventional_projection(program.stages);
   show_originals(program);
   if (program.stages.empty()) {
@@ -128,6 +135,25 @@ void ProgramBuilder::prepare(core::Program& program) const {
   if (!program.cause) {
     check_inputs(program);
   }
+}
+
+const StageVariation& ProgramBuilder::variation(core::Program& program, std::uint32_t instanced) const {
+  if (instanced == 0) {
+    return program.traits.variation;
+  }
+  const auto [entry, missing] = program.instanced_variations.try_emplace(instanced);
+  if (missing) {
+    std::set<std::string> constants;
+    for (const capture::Field& field : program.fields) {
+      if (field.location >= 0 && (instanced >> static_cast<unsigned>(field.location) & 1U) != 0) {
+        constants.insert(field.name);
+      }
+    }
+    entry->second = inspect_vertex_stage(sources_of(program, GL_VERTEX_SHADER),
+                                         traits_.language == capture::Language::es, traits_.extensions, constants)
+                        .traits.variation;
+  }
+  return entry->second;
 }
 
 // Decides whether the inputs fit into a record.
@@ -224,7 +250,7 @@ capture::WeldedWords ProgramBuilder::welded_words(const core::Program& program,
   return words;
 }
 
-DeriveRequest ProgramBuilder::request_for(const core::Program& program, const core::DerivedKey& key) const {
+DeriveRequest ProgramBuilder::request_for(core::Program& program, const core::DerivedKey& key) const {
   DeriveRequest request;
   request.vertex_sources = sources_of(program, GL_VERTEX_SHADER);
   request.es = traits_.language == capture::Language::es;
@@ -245,7 +271,8 @@ DeriveRequest ProgramBuilder::request_for(const core::Program& program, const co
     request.refinement_source = program.refinement_source;
   }
   if (traits_.transparent && request.refinement_source.empty()) {
-    for (const OutputVariation& output : unsound_outputs(program.traits.variation, program.input_traits.can_curve)) {
+    for (const OutputVariation& output :
+         unsound_outputs(variation(program, key.instanced), program.input_traits.can_curve)) {
       request.outputs.unsound.insert(output.path);
     }
   }
@@ -324,6 +351,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   slot = std::make_shared<core::DerivedProgram>();
   slot->name = name;
   slot->refinement = key.refinement;
+  slot->corner_outputs = derivation.corner_outputs;
   find_uniforms(request, *slot);
   slot->layout = std::move(request.layout);
   follow_uniforms(program, owner, slot);

@@ -39,6 +39,10 @@ class ProgramBuilder {
   // Fills in the fields and traits of a linked program, and the cause if it cannot be refined. Only reads from GL.
   void prepare(core::Program& program) const;
 
+  // How the outputs vary if the inputs at these locations (bit i: location i) are the same at all corners of a triangle.
+  // Analyses the program when it is first asked for such locations.
+  const StageVariation& variation(core::Program& program, std::uint32_t instanced) const;
+
   // Returns the derived program for `key`, with the current uniform values; nullptr (and a line in the log) if it
   // cannot be built. It follows the uniforms of `owner`, the application's program; null for plain fixed function.
   std::shared_ptr<core::DerivedProgram> derive(core::Program& program, core::Program* owner,
@@ -65,7 +69,7 @@ class ProgramBuilder {
   capture::WeldedWords welded_words(const core::Program& program, const std::vector<capture::Field>& fields,
                                     int coordinate_field, const core::DerivedKey& key) const;
   bool can_store_records(const core::Program& program) const;
-  DeriveRequest request_for(const core::Program& program, const core::DerivedKey& key) const;
+  DeriveRequest request_for(core::Program& program, const core::DerivedKey& key) const;
   Derivation derive_if_it_fits(const core::Program& program, const DeriveRequest& request) const;
   void find_uniforms(const DeriveRequest& request, core::DerivedProgram& derived) const;
   void follow_uniforms(core::Program& program, core::Program* owner,

@@ -69,8 +69,8 @@ Shape Evaluator::evaluate(TIntermNode* node) {
 Shape Evaluator::read(TIntermSymbol& symbol) {
   const std::string name{std::string_view(symbol.getName())};
   if (is_input(symbol)) {
-    const bool constant =
-        name.starts_with("gl_InstanceID") || name.starts_with("gl_Base") || name.starts_with("gl_DrawID");
+    const bool constant = name.starts_with("gl_InstanceID") || name.starts_with("gl_Base") ||
+                          name.starts_with("gl_DrawID") || run_.constants.contains(name);
     if (constant) return shape_of(symbol.getType());
     Value value{Variation::affine, run_.notes.input(name), -1};
     if (is_integer(symbol.getType())) {

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "glark/core/refine/soundness/memory.h"
@@ -34,7 +36,8 @@ struct Run {
 
   Memory memory;
   Notes notes;
-  Value control;  // the conditions around the current statement
+  std::set<std::string> constants;  // attributes that are the same at all corners
+  Value control;                    // the conditions around the current statement
   std::vector<Call> calls;
   std::size_t steps = 0;
 

@@ -6,8 +6,10 @@
 
 namespace glark::refine {
 
-std::optional<StageVariation> find_variation(const std::vector<TIntermNode*>& roots) {
+std::optional<StageVariation> find_variation(const std::vector<TIntermNode*>& roots,
+                                             const std::set<std::string>& constants) {
   Executor executor(roots);
+  executor.state().constants = constants;
   if (!executor.run()) return std::nullopt;
   StageVariation variation;
   Run& run = executor.state();

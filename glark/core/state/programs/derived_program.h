@@ -33,6 +33,7 @@ struct DerivedKey {
   int discontinuity_attribute = -1;   // location of the tags; -1: vertices carry none
   int scalar_tag_attribute = -1;      // location of the tags; -1: vertices carry none
   int normal_attribute = own_normal;  // location of normals that the stage does not read
+  std::uint32_t instanced = 0;        // bit i: the attribute at location i is the same at all corners of a triangle
   bool displaced = false;
   int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
   bool morphing = false;          // vertices move between levels
@@ -77,9 +78,10 @@ struct DerivedProgram {
   GLint height_map = -1;    // locations of the uniforms of displacement
   GLint height_channel = -1;
   GLint height_range = -1;
-  GLint first_word = -1;           // location of its uniform; -1: the program reads no records from the storage block
-  bool numbered = false;           // it reads records, and an attribute numbers its instances
-  std::vector<GLint> location_of;  // by the application's location: ours, or -1
+  GLint first_word = -1;        // location of its uniform; -1: the program reads no records from the storage block
+  bool corner_outputs = false;  // some outputs come from the corners of the coarse triangle: flat or interpolated ones
+  bool numbered = false;        // it reads records, and an attribute numbers its instances
+  std::vector<GLint> location_of;          // by the application's location: ours, or -1
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
   std::vector<SubroutineTable> subroutines;
   AssemblyUniforms assembly;

@@ -50,6 +50,8 @@ struct Program {
   std::vector<capture::Field> fields;
   refine::VertexStageTraits traits;
   refine::VertexInputTraits input_traits;
+  // How the outputs vary if the inputs at these locations have a divisor (bit i: location i). Only what was asked for.
+  std::map<std::uint32_t, refine::StageVariation> instanced_variations;
   bool subroutines_asked = false;  // the next member is valid
   bool uses_subroutines = false;
   std::map<DerivedKey, std::shared_ptr<DerivedProgram>> derived;  // null: it could not be derived
@@ -60,6 +62,7 @@ struct Program {
   std::uint64_t hash = 0;                     // source_hash()
   bool left_alone = false;                    // the user named its hash
   bool conventional_projection = false;       // reads_conventional_projection()
+  bool counts_primitives = false;             // a stage mentions gl_PrimitiveID
   ProgramCounters* counters = nullptr;        // valid if prepared
   unsigned told_notes = 0;                    // note_bits() of the notes that were told
   bool uniforms_stale = false;  // a display list changed uniforms: copy all values before the next refined draw

@@ -4,6 +4,7 @@
 // How the outputs of a vertex stage vary over a coarse triangle, as functions of the vertex attributes.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +32,13 @@ struct StageVariation {
 
   const OutputVariation* find(std::string_view path) const;
   const OutputVariation* position() const { return find("gl_Position"); }
+  bool is_affine() const;
 };
+
+inline bool StageVariation::is_affine() const {
+  return std::all_of(outputs.begin(), outputs.end(),
+                     [](const OutputVariation& output) { return output.variation <= Variation::affine; });
+}
 
 inline const OutputVariation* StageVariation::find(std::string_view path) const {
   for (const OutputVariation& output : outputs) {

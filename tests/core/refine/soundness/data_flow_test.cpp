@@ -29,6 +29,16 @@ TEST(DataFlow, OperationsOnUniformsAreConstant) {
   EXPECT_EQ(position_of(stage("gl_Position = u > 1.0 ? p : vec4(gl_InstanceID);")), Variation::affine);
 }
 
+TEST(DataFlow, AttributesThatAreConstantOverATriangle) {
+  const auto position_with = [](const std::string& body, const std::set<std::string>& constants) {
+    return output_of(inspect_vertex_stage({stage(body)}, false, {}, constants).traits.variation, "gl_Position");
+  };
+  EXPECT_EQ(position_with("gl_Position = p * float(n & 3);", {"n"}), Variation::affine);
+  EXPECT_EQ(position_with("gl_Position = p * float(n & 3);", {"f"}), Variation::undefined);
+  EXPECT_EQ(position_with("gl_Position = p * mod(f, 2.0);", {"f", "n"}), Variation::affine);
+  EXPECT_EQ(position_with("gl_Position = vec4(n);", {"n"}), Variation::constant);
+}
+
 TEST(DataFlow, ComponentsAreApart) {
   const std::string parts = "vec4 t; t.xyz = p.xyz; t.w = floor(f);";
   EXPECT_EQ(position_of(stage(parts + "gl_Position = vec4(t.zyx, 1.0);")), Variation::affine);

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Messages of debug output: errors, and what a draw does not get (chapter 20).
+#include <algorithm>
+#include <array>
+
+#include "conformance/cases/cases.h"
+#include "conformance/cases/programs/refinement_source.h"
+#include "conformance/support/capture.h"
+
+namespace glark::conformance {
+namespace {
+
+struct Message {
+  GLenum source = 0;
+  GLenum type = 0;
+  GLuint id = 0;
+  GLenum severity = 0;
+  std::string text;
+};
+using Messages = std::vector<Message>;
+
+void GLAD_API_PTR note(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* text,
+                       const void* user) {
+  if (source != GL_DEBUG_SOURCE_THIRD_PARTY) return;  // of the driver
+  auto* const messages = static_cast<Messages*>(const_cast<void*>(user));
+  messages->push_back({source, type, id, severity, std::string(text, static_cast<std::size_t>(length))});
+}
+
+// The messages that arrive while it lives.
+class Listener {
+ public:
+  Listener() {
+    gl.Enable(GL_DEBUG_OUTPUT);
+    gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    gl.DebugMessageCallback(note, &messages_);
+  }
+  ~Listener() { gl.DebugMessageCallback(nullptr, nullptr); }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  // The messages with this id since the last call; the others are dropped.
+  Messages take(GLuint id) {
+    Messages found;
+    std::copy_if(messages_.begin(), messages_.end(), std::back_inserter(found),
+                 [id](const Message& message) { return message.id == id; });
+    messages_.clear();
+    return found;
+  }
+
+ private:
+  Messages messages_;
+};
+
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+void expect_message(Test& t, const Messages& messages, bool is_error) {
+  t.require(messages.size() == 1, "one message, there are " + as_text(messages.size()));
+  const Message& message = messages.front();
+  t.expect_equal(message.source, GLenum{GL_DEBUG_SOURCE_THIRD_PARTY}, "the source");
+  const GLenum type = is_error ? GL_DEBUG_TYPE_ERROR : GL_DEBUG_TYPE_OTHER;
+  const GLenum severity = is_error ? GL_DEBUG_SEVERITY_HIGH : GL_DEBUG_SEVERITY_MEDIUM;
+  t.expect_equal(message.type, type, "the type");
+  t.expect_equal(message.severity, severity, "the severity");
+}
+
+// The control: a message of the application arrives.
+void control(Test& t) {
+  Messages messages;
+  gl.Enable(GL_DEBUG_OUTPUT);
+  gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+  gl.DebugMessageCallback(note, &messages);
+  gl.DebugMessageInsert(GL_DEBUG_SOURCE_THIRD_PARTY, GL_DEBUG_TYPE_OTHER, 77, GL_DEBUG_SEVERITY_MEDIUM, -1, "hello");
+  gl.DebugMessageCallback(nullptr, nullptr);
+  t.expect(messages.size() == 1 && messages[0].id == 77 && messages[0].text == "hello", "a message that is inserted");
+}
+
+void check_errors(Test& t) {
+  Listener listener;
+  gl.ARKinit(4099);
+  t.expect_error(GL_INVALID_VALUE, "ARKinit of a great level");
+  Messages messages = listener.take(1);
+  expect_message(t, messages, true);
+  t.expect(has(messages[0].text, "ARKinit"), "the message names the command");
+  t.expect(has(messages[0].text, "INVALID_VALUE"), "the message names the error");
+  t.expect(has(messages[0].text, "4099"), "the message has the value");
+  gl.ARKinit(2);
+  t.expect(listener.take(1).empty(), "no message without an error");
+  for (const GLuint tag : {77U, 77U}) {
+    gl.DepthTag1i(tag);
+    t.expect_error(GL_INVALID_VALUE, "DepthTag1i of a great tag");
+    messages = listener.take(1);
+    expect_message(t, messages, true);
+    t.expect(has(messages[0].text, "DepthTag1i") && has(messages[0].text, "77"), "the command and the value");
+  }
+  gl.DrawARP(GL_POINTS, 0, 3);
+  t.expect_error(GL_INVALID_ENUM, "DrawARP of points");
+  messages = listener.take(1);
+  expect_message(t, messages, true);
+  t.expect(has(messages[0].text, "DrawARP") && has(messages[0].text, "INVALID_ENUM"), "the command and the error");
+}
+
+void check_filters(Test& t) {
+  Listener listener;
+  gl.DebugMessageControl(GL_DEBUG_SOURCE_THIRD_PARTY, GL_DEBUG_TYPE_ERROR, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  gl.ARKinit(4099);
+  t.expect(listener.take(1).empty(), "no message that DebugMessageControl excludes");
+  gl.DebugMessageControl(GL_DEBUG_SOURCE_THIRD_PARTY, GL_DEBUG_TYPE_ERROR, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  gl.Disable(GL_DEBUG_OUTPUT);
+  gl.ARKinit(4099);
+  gl.Enable(GL_DEBUG_OUTPUT);
+  t.expect(listener.take(1).empty(), "no message while DEBUG_OUTPUT is disabled");
+  gl.DebugMessageCallback(nullptr, nullptr);
+  std::array<GLchar, 2000> text{};
+  GLuint id = 0;
+  while (gl.GetDebugMessageLog(1, 2000, nullptr, nullptr, &id, nullptr, nullptr, text.data()) > 0) {
+  }
+  gl.ARKinit(4099);
+  GLenum source = 0;
+  const GLuint count = gl.GetDebugMessageLog(1, 2000, &source, nullptr, &id, nullptr, nullptr, text.data());
+  t.expect(count == 1 && source == GL_DEBUG_SOURCE_THIRD_PARTY && id == 1,
+           "without a callback, the log has the message");
+  t.expect(has(text.data(), "4099"), "the log has the value");
+  t.expect_error(GL_INVALID_VALUE, "ARKinit");
+}
+
+void check_begin_end(Test& t) {
+  gl.ARKinit(2);
+  Listener listener;
+  gl.Begin(GL_TRIANGLES);
+  gl.ARKinit(1);
+  gl.End();
+  t.expect_error(GL_INVALID_OPERATION, "ARKinit between Begin and End");
+  t.expect(listener.take(1).empty(), "no message between Begin and End");
+}
+
+void draw() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
+
+GLuint position_program(Test& t, const std::string& position) {
+  return build_program(t, {.vertex = "layout(location = 0) in vec4 position; out vec4 colour;\n"
+                                     "void main() { colour = vec4(1.0); gl_Position = " +
+                                     position + "; }\n"});
+}
+
+// Draws twice with each of two programs. Each program is told of once, by a message with this id.
+void expect_told(Test& t, GLuint id, const std::string& position, const std::function<void(GLuint)>& prepare) {
+  upload(one_triangle());
+  Listener listener;
+  for (int number = 0; number < 2; ++number) {
+    const GLuint program = position_program(t, position);
+    prepare(program);
+    gl.UseProgram(program);
+    draw();
+    expect_message(t, listener.take(id), false);
+    draw();
+    t.expect(listener.take(id).empty(), "one message for each program");
+  }
+  t.expect_no_error("the draws");
+}
+
+void check_unrefined(Test& t) {
+  refine_uniformly(1);
+  upload(one_triangle());
+  Listener listener;
+  const GLuint program = colour_program(t);
+  gl.UseProgram(program);
+  draw();
+  t.expect(listener.take(2).empty(), "no message about a refined draw");
+  give(program, "void refine() { position.x += not_declared; }");
+  draw();
+  const Messages messages = listener.take(2);
+  expect_message(t, messages, false);
+  t.expect(has(messages[0].text, "not_declared"), "the message includes the log");
+  draw();
+  t.expect(listener.take(2).empty(), "one message for a reason");
+}
+
+void check_no_normal(Test& t) {
+  for (const GLenum refinement : {GL_CURVED_PN_ARK, GL_SCALAR_TAGGED_PN_ARK, GL_PHONG_ARK}) {
+    refine_uniformly(1, refinement);
+    expect_told(t, 3, "position", [](GLuint) {});
+  }
+  refine_uniformly(1, GL_LINEAR_INPUTS_ARK);
+  upload(one_triangle());
+  Listener listener;
+  gl.UseProgram(position_program(t, "position"));
+  draw();
+  t.expect(listener.take(3).empty(), "no message without a curved refinement");
+}
+
+void check_ignored_shader(Test& t) {
+  refine_uniformly(1);
+  expect_told(t, 4, "position + vec4(0.001 * float(gl_VertexID))",
+              [](GLuint program) { give(program, "void refine() { position.x += 0.1; }"); });
+  upload(one_triangle());
+  Listener listener;
+  const GLuint program = position_program(t, "position");
+  give(program, "void refine() { position.x += 0.1; }");
+  gl.UseProgram(program);
+  draw();
+  t.expect(listener.take(4).empty(), "no message about a shader that is executed");
+}
+
+void check_not_displaced(Test& t) {
+  refine_uniformly(1);
+  gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, 0);
+  expect_told(t, 5, "position", [](GLuint) {});
+}
+
+constexpr Area message_case{"ark.message.", control};
+
+}  // namespace
+
+Cases debug_messages_cases() {
+  return {
+      message_case("error", {"chapter-20-2", "chapter-20-3", "chapter-20-4", "chapter-20-10", "chapter-20-11"},
+                   "Generate errors of three commands; compare what the callback gets.",
+                   "An error without a message; a message that is told once only; the source of the application.",
+                   check_errors),
+      message_case("filters", {"chapter-20-2", "chapter-20-9"},
+                   "Generate an error while DebugMessageControl excludes it, while DEBUG_OUTPUT is disabled, and "
+                   "without a callback.",
+                   "Messages that cannot be switched off, or that the log lacks.", check_filters),
+      message_case("begin_end", {"chapter-20-12"}, "Call ARKinit between Begin and End.",
+                   "The message generates another error.", check_begin_end, compat_only),
+      message_case("unrefined", {"chapter-20-5", "chapter-20-13", "chapter-20-15"},
+                   "Draw twice with a refinement shader that has an error.",
+                   "Silence; a message for each draw; a message without the error.", check_unrefined),
+      message_case("no_normal", {"chapter-20-6", "chapter-20-16", "chapter-20-19"},
+                   "Draw with each curved refinement and a vertex stage without a normal.",
+                   "Silence; a message for each draw; one message for all programs.", check_no_normal),
+      message_case("ignored_shader", {"chapter-20-7", "chapter-20-17", "chapter-20-19"},
+                   "Draw with a refinement shader and a vertex stage that reads gl_VertexID.",
+                   "The shader is ignored in silence.", check_ignored_shader),
+      message_case("not_displaced", {"chapter-20-8", "chapter-20-18", "chapter-20-19"},
+                   "Displace with a vertex stage without a normal and a texture coordinate.",
+                   "Nothing is displaced, in silence.", check_not_displaced),
+  };
+}
+
+}  // namespace glark::conformance

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What does not change is refined once. The vertex inputs of a kept draw are evaluated at its refined vertices, by one
+// transform feedback. From then on the application's own program, or its fixed function, draws them as a static mesh:
+// no derived program, no instances, nothing evaluated again.
+#pragma once
+
+#include "glark/core/capture/capture.h"
+#include "glark/core/evaluate/evaluation_programs.h"
+#include "glark/core/evaluate/grid_indices.h"
+#include "glark/core/evaluate/vertex_format.h"
+#include "glark/core/keep/kept_draws.h"
+#include "glark/core/pattern/pool_in_use.h"
+#include "glark/core/plan/draw_plan.h"
+#include "glark/core/programs/program_switch.h"
+#include "glark/core/submit/submit.h"
+
+namespace glark::evaluate {
+
+class Evaluation {
+ public:
+  struct Parts {
+    const pattern::PoolInUse& pool;
+    capture::CaptureStage& capture;
+    core::KeptDraws& kept;
+    const core::ProgramSwitch& programs;
+  };
+  Evaluation(const core::Environment& environment, const Parts& parts)
+      : env_(environment), parts_(parts), programs_(environment), points_(environment.gl) {}
+
+  // Returns the refined vertices of the draw, and makes them once the draw has repeated often enough. Null: they are not
+  // kept.
+  const core::RefinedVertices* find(const core::DrawPlan& plan, const core::KeptDraw& kept);
+  void release();
+
+ private:
+  core::RefinedVerticesKey key_of(const core::DrawPlan& plan) const;
+  bool may_evaluate() const;
+  bool make(const core::DrawPlan& plan, core::DrawCache::Entry& entry);
+  bool evaluate(const core::DrawPlan& plan, const core::DrawCache::Entry& entry, const GridIndices::Grid& grid);
+
+  const core::Environment& env_;
+  Parts parts_;
+  EvaluationPrograms programs_;
+  GridIndices grids_;
+  submit::SubmitStage points_;
+};
+
+}  // namespace glark::evaluate

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/refinement.h"
+
+namespace glark::core {
+
+// What refined vertices depend on, besides the key of the draw that they belong to.
+struct RefinedVerticesKey {
+  unsigned level = 0;
+  Refinement refinement = Refinement::linear_inputs;
+  float shape_number = 0;
+  int position_offset = -1;  // of the inputs in a corner record that are curved: the first word; -1: none
+  int normal_offset = -1;
+  bool operator==(const RefinedVerticesKey&) const = default;
+};
+
+// The vertex inputs of a kept draw at its refined vertices. The application's own program or fixed function draws them
+// as it would draw a static mesh.
+struct RefinedVertices {
+  RefinedVerticesKey key;
+  GpuBuffer buffer;
+  GLuint vertex_array = 0;  // 0: nothing is kept
+  GLsizei index_count = 0;
+  bool refused = false;  // with this key: there is no memory, or GL does not draw them
+
+  void release(const gl::Dispatch& gl) {
+    if (vertex_array != 0) {
+      gl.DeleteVertexArrays(1, &vertex_array);
+    }
+    buffer.release(gl);
+    *this = {};
+  }
+};
+
+}  // namespace glark::core

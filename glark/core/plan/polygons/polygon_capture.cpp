@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/plan/polygons/polygon_capture.h"
+
+#include "glark/core/plan/polygons/quad_capture.h"
+#include "glark/core/polygons/split_choice.h"
+#include "glark/core/shape.h"
+
+namespace glark::core {
+
+void PolygonCapture::choose_split(const DrawCall& call, DrawPlan& plan) {
+  if (captures_last_vertex(env_.bindings(), env_.capabilities, call.mode)) {
+    plan.capture.convention = GL_LAST_VERTEX_CONVENTION;
+  }
+  if (splits_polygons(env_.options, env_.ark) && env_.capabilities.is_compatibility() &&
+      polygons::splits_at_centroid(call, *plan.program, env_.bindings())) {
+    plan.polygons = decompositions_.find(call.mode, convention(plan));
+    if (call.polygon_sides != nullptr) {
+      plan.polygon_sides = *call.polygon_sides;
+    }
+  }
+}
+
+GLenum PolygonCapture::convention(const DrawPlan& plan) const {
+  return plan.capture.convention != 0 ? plan.capture.convention : env_.bindings().provoking_vertex;
+}
+
+void PolygonCapture::follow_drawn_diagonal(const DrawCall& call, DrawPlan& plan) {
+  const Bindings& b = env_.bindings();
+  const bool moves = traits_of(plan.derived->refinement).curves_positions || displaces(env_.options, env_.ark);
+  const QuadFacts facts{.mode = call.mode,
+                        .polygon_mode = b.polygon_mode,
+                        .shade_model = b.shade_model,
+                        .writes_flat_outputs = plan.program->traits.writes_flat_outputs,
+                        .moves_vertices = moves,
+                        .split = plan.polygons.has_value()};
+  if (!env_.capabilities.is_compatibility() || !follows_drawn_diagonal(facts)) {
+    return;
+  }
+  const std::optional<polygons::Diagonal> drawn = diagonals_.find(call.mode, quad_source(call));
+  const auto captured_so = [&](GLenum convention) {
+    const std::optional<polygons::Decomposition> captured = decompositions_.find(call.mode, convention);
+    return captured && polygons::diagonal_of(*captured) == *drawn;
+  };
+  const GLenum other = other_convention(convention(plan));
+  if (drawn && !captured_so(convention(plan)) && captured_so(other)) {
+    plan.capture.convention = other == b.provoking_vertex ? 0 : other;
+  }
+}
+
+}  // namespace glark::core

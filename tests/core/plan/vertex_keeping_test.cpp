@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/plan/vertex_keeping.h"
+
+#include <gtest/gtest.h>
+
+namespace glark::core {
+namespace {
+
+class VertexKeeping : public testing::Test {
+ protected:
+  VertexKeeping() {
+    plan.program = &program;
+    plan.derived = std::make_shared<DerivedProgram>();
+    plan.depth.level = 2;
+  }
+  bool keeps(bool captures = false) const { return keeps_vertices(plan, options, captures); }
+
+  Program program;
+  DrawPlan plan;
+  ContextOptions options;
+};
+
+TEST_F(VertexKeeping, KeepsAUniformLevelOfInputs) {
+  for (const RefinementTraits& row : refinements) {
+    plan.derived->refinement = row.refinement;
+    EXPECT_EQ(keeps(), !row.interpolates_outputs && !row.takes_tags) << row.word;
+  }
+}
+
+TEST_F(VertexKeeping, KeepsTagsThatAreTheSameForAllVertices) {
+  plan.derived->refinement = Refinement::scalar_tagged_pn;
+  EXPECT_FALSE(keeps());
+  options.transparent = true;
+  EXPECT_TRUE(keeps());
+}
+
+TEST_F(VertexKeeping, NeedsOneGridATriangle) {
+  plan.depth.level = 0;
+  EXPECT_FALSE(keeps());
+  plan.depth.level = 2;
+  plan.depth.adaptive = true;
+  EXPECT_FALSE(keeps());
+  plan.depth.adaptive = false;
+  plan.placed = true;
+  EXPECT_FALSE(keeps());
+  plan.placed = false;
+  plan.polygons.emplace();
+  EXPECT_FALSE(keeps());
+}
+
+TEST_F(VertexKeeping, NeedsInputsThatDependOnTheCaptureAlone) {
+  program.refinement_source = "void refine() {}";
+  EXPECT_FALSE(keeps());
+  program.refinement_source.clear();
+  plan.derived->height_map = 3;
+  EXPECT_FALSE(keeps());
+}
+
+TEST_F(VertexKeeping, NeedsTheOutputsOfTheOwnProgram) {
+  plan.derived->corner_outputs = true;
+  EXPECT_FALSE(keeps());
+  plan.derived->corner_outputs = false;
+  program.counts_primitives = true;
+  EXPECT_FALSE(keeps());
+  program.counts_primitives = false;
+  EXPECT_FALSE(keeps(true));
+  EXPECT_TRUE(keeps());
+}
+
+TEST_F(VertexKeeping, CanBeSwitchedOff) {
+  options.kept_vertex_bytes = 0;
+  EXPECT_FALSE(keeps());
+}
+
+}  // namespace
+}  // namespace glark::core
