@@ -114,7 +114,7 @@ class RoundedPositions : public testing::Test {
 TEST_F(RoundedPositions, ABallClosesAtItsSeamAndPoles) {
   for (const auto& [slices, stacks] : {std::pair(10, 6), {8, 4}, {12, 12}, {32, 16}}) {
     SCOPED_TRACE(slices);
-    expect_as_exact([&](const Written& how) { return ball(how, slices, stacks, 0, stacks); });
+    expect_as_exact([n = slices, m = stacks](const Written& how) { return ball(how, n, m, 0, m); });
   }
 }
 
