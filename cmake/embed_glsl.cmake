@@ -23,6 +23,7 @@ set(GLARK_GLSL_HEADERS
   ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/edge_depth.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/depth/edge_steps.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/measured_edge.glsl
+  ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/straight_edge.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/border.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/cells.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/creases.glsl

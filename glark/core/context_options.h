@@ -52,11 +52,12 @@ struct ContextOptions {
   Refinement refinement = Refinement::linear_inputs;
   bool smooth = false;  // only meshes are refined that have one shape in all passes (meshes/mesh_table.h)
   ShapeNumbers shape_numbers = initial_shape_numbers();
-  bool weld = true;          // weld curved triangles by position, if the program has split its vertices
-  float crease = 80;         // degrees; edges stay straight whose faces meet at more although they share their normals
-  EdgeMeasure measure = {};  // on: transparent refinement by measured depths up to max_level
-  bool geomorph = false;     // refined vertices move between the levels of measured depths
-  bool centroids = false;    // quads and polygons become fans about their centroids
+  bool weld = true;   // weld curved triangles by position, if the program has split its vertices
+  float crease = 80;  // degrees; edges stay straight whose faces meet at more although they share their normals
+  bool geometry_normals = false;  // meshes without normals get normals made from positions; needs `weld`
+  EdgeMeasure measure = {};       // on: transparent refinement by measured depths up to max_level
+  bool geomorph = false;          // refined vertices move between the levels of measured depths
+  bool centroids = false;         // quads and polygons become fans about their centroids
   bool wireframe = false;
   unsigned left_draws = left_draws::by_default;
   std::vector<std::uint64_t> left_shaders = {};  // programs that are left alone, by the hash of their sources

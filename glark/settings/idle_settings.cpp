@@ -35,6 +35,8 @@ constexpr std::array rows{
             "has no effect without --edge-pixels or --curvature"},
     IdleRow{"no-weld", [](const Settings& s) { return !s.context.weld && !curves(s) && s.context.measure.degrees == 0; },
             "has no effect without --curvature or a --refine that curves triangles"},
+    IdleRow{"normals", [](const Settings& s) { return s.context.geometry_normals && (!s.context.weld || !curves(s)); },
+            "has no effect with --no-weld, or without a --refine that curves triangles"},
     IdleRow{"leave-draws", [](const Settings& s) { return s.everything; }, "has no effect beside --everything"},
     IdleRow{"leave-shaders", [](const Settings& s) { return s.everything; }, "has no effect beside --everything"},
     IdleRow{"everything", [](const Settings& s) { return s.everything && s.leave_alone; },

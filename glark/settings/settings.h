@@ -67,6 +67,7 @@ std::optional<float> parse_crease(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);
 std::optional<std::uint64_t> parse_megabytes(std::string_view text);  // as bytes
 std::optional<bool> parse_polygons(std::string_view text);            // true: at their centroids
+std::optional<bool> parse_normals(std::string_view text);              // true: from geometry
 std::optional<core::LogLevel> parse_log_level(std::string_view text);
 std::optional<bool> parse_switch(std::string_view text);
 // A comma separates requests only if a frame number follows it.

@@ -161,7 +161,9 @@ constexpr std::array first_settings{
             "Replaces --level. With --edge-pixels too, an edge gets the lesser of both depths.",
             [](Settings& s, std::string_view text) { return assign(parse_curvature(text), s.context.measure.degrees); }},
     Setting{depth, "budget", "GLARK_BUDGET", Kind::value, "N", "a number of triangles up to 1000000000, or 0 for none,", "0", "none",
-            "Coarsen --edge-pixels and --curvature when a frame has more than N refined triangles", "",
+            "Coarsen --edge-pixels and --curvature when a frame has more than N refined triangles",
+            "With a --refine that curves triangles, the budget goes to what curves: flat triangles, backgrounds, and passes "
+            "without colours do not count.",
             [](Settings& s, std::string_view text) { return assign(parse_budget(text), s.context.measure.budget); }},
     Setting{depth, "geomorph", "GLARK_GEOMORPH", Kind::toggle, "", switch_needed, "0", "off",
             "Move vertices smoothly between the levels of --edge-pixels and --curvature, so that no vertex pops up",
@@ -177,6 +179,11 @@ constexpr std::array first_settings{
 };
 
 constexpr std::array other_settings{
+    Setting{shape, "normals", "GLARK_NORMALS", Kind::value, "SOURCE", "given or geometry", "given", "",
+            "Curve meshes by the program's normals only (given), or make normals from positions for meshes without any "
+            "(geometry)",
+            "Faces that meet at more than --crease keep their own normals.",
+            [](Settings& s, std::string_view text) { return assign(parse_normals(text), s.context.geometry_normals); }},
     Setting{shape, "no-weld", "GLARK_NO_WELD", Kind::toggle, "", switch_needed, "0", "off",
             "Curve each triangle by its own normals alone; curved ones then crack open where normals differ",
             "Otherwise the edges of a draw are welded by position.", read_no_weld},

@@ -117,6 +117,12 @@ std::optional<bool> parse_polygons(std::string_view text) {
   return std::nullopt;
 }
 
+std::optional<bool> parse_normals(std::string_view text) {
+  if (text == "given") return false;
+  if (text == "geometry") return true;
+  return std::nullopt;
+}
+
 std::optional<core::LogLevel> parse_log_level(std::string_view text) {
   if (text == "error") return core::LogLevel::error;
   if (text == "warning") return core::LogLevel::warning;

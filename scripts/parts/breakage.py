@@ -19,6 +19,7 @@ class Allowance:
 
 
 CONTOUR = 0.35     # share of a region's contour that must be sharp: colours differ by at least tolerance / 2 levels
+ISLAND = 0.55      # share of a region's contour that must be sharp if its colour occurs nearby: nothing old adjoins it
 SMALLEST = 24      # pixels of the smallest region that counts as vanished or appeared, and of the fewest stripes
 FEWEST = 4         # strays; fewer may be the rounding of an edge
 STRAY = 64         # levels by which a stray colour differs from the median around it
@@ -119,17 +120,17 @@ def regions(mask: numpy.ndarray) -> numpy.ndarray:
     return numpy.array([root(i) for i in range(len(parents))], numpy.int32)[labels]
 
 
-def lone_steps(picture: numpy.ndarray, other: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
+def lone_steps(picture: numpy.ndarray, other: numpy.ndarray, allowance: Allowance, least: int = 0) -> numpy.ndarray:
     """Marks the pixels beside a step that the other picture lacks. A texture under another light has its steps in both.
 
-    If light may not change, every pixel counts as such.
+    If light may not change, every pixel counts as such. A step has at least half the tolerance, or `least` levels.
     """
     if not allowance.light:
         return numpy.ones(picture.shape[:2], bool)
-    return grown(steps(picture) >= allowance.tolerance // 2, 1) & ~grown(steps(other) >= allowance.tolerance // 4, 1)
+    return grown(steps(picture) >= (least or allowance.tolerance // 2), 1) & ~grown(steps(other) >= allowance.tolerance // 4, 1)
 
 
-def sharp_area(mask: numpy.ndarray, lone: numpy.ndarray) -> numpy.ndarray:
+def sharp_area(mask: numpy.ndarray, lone: numpy.ndarray, share: float = CONTOUR) -> numpy.ndarray:
     """Marks the regions of a mask that are large and have a sharp contour in one picture only: objects, not shading."""
     closed = grown(mask, 1)  # so that a grid of holes is one region
     labels = regions(closed)
@@ -139,9 +140,23 @@ def sharp_area(mask: numpy.ndarray, lone: numpy.ndarray) -> numpy.ndarray:
     sizes = numpy.bincount(labels[mask], minlength=count)
     around = numpy.bincount(labels[contour], minlength=count)
     cut = numpy.bincount(labels[contour & lone], minlength=count)
-    broken = (sizes >= SMALLEST) & (cut > CONTOUR * around)
+    broken = (sizes >= SMALLEST) & (cut > share * around)
     broken[0] = False
     return mask & broken[labels]
+
+
+def islands(picture: numpy.ndarray, other: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
+    """Marks what lies in the midst of something else with a contour of strong steps, which the other picture lacks."""
+    near = dataclasses.replace(allowance, reach=min(2, allowance.reach))
+    return sharp_area(unexplained(picture, other, near), lone_steps(picture, other, allowance, STRAY), ISLAND)
+
+
+def poking(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
+    """Marks what came in a colour that occurs nearby: a surface behind pokes through.
+
+    A part of a texture that moved leaves such an island in the plain picture, and does not count.
+    """
+    return islands(refined, plain, allowance) & ~grown(islands(plain, refined, allowance), allowance.reach)
 
 
 def window_sum(values: numpy.ndarray, size: int) -> numpy.ndarray:
@@ -190,14 +205,18 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     """Compares two pictures of shape (height, width, 3)."""
     lost = unexplained(plain, refined, allowance)
     new = unexplained(refined, plain, allowance)
-    if not lost.any() and not new.any():
+    is_explained = not lost.any() and not new.any()
+    if is_explained and not allowance.light:
         return Breakage(lost, lost, lost, lost)
     lone_plain, lone_refined = lone_steps(plain, refined, allowance), lone_steps(refined, plain, allowance)
     near = dataclasses.replace(allowance, reach=min(2, allowance.reach))
     stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near)) & lone_refined
-    stripes &= stripes.sum() >= SMALLEST
+    stripes &= stripes.sum() >= SMALLEST and not is_explained
     strays = outliers(refined, new & ~stripes)
     around = max(allowance.reach, 3)
     strays &= ~grown(outliers(plain, grown(strays, around)), around)  # the plain picture sparkles, too
     strays &= strays.sum() >= FEWEST
-    return Breakage(sharp_area(lost, lone_plain), sharp_area(new, lone_refined), stripes, strays)
+    vanished, appeared = sharp_area(lost, lone_plain), sharp_area(new, lone_refined)
+    if allowance.light:
+        appeared |= poking(plain, refined, allowance)
+    return Breakage(vanished, appeared, stripes, strays)

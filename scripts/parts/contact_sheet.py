@@ -8,6 +8,7 @@ from PIL import Image, ImageDraw
 
 WIDTH, HEIGHT = 320, 240  # of one picture
 TITLE = 14
+VISIBLE = 8  # levels of 255
 ROWS_A_SHEET = 6
 COLOURS = {"vanished": (255, 0, 0), "appeared": (0, 255, 0), "stripes": (255, 0, 255), "strays": (255, 255, 0)}
 
@@ -29,13 +30,37 @@ def cell(title: str, picture: Image.Image) -> Image.Image:
     return result
 
 
-def write_row(path: pathlib.Path, name: str, pictures: list) -> None:
-    """Takes (title, frame, masks or None) for each picture. Masks with pixels get a picture of their own."""
+def most_changed(plain: numpy.ndarray, refined: numpy.ndarray) -> tuple:
+    """The part of half a cell's size that changed most, as (left, top, right, bottom); none if nothing changed visibly."""
+    change = numpy.abs(plain.astype(numpy.int16) - refined).max(axis=2)
+    height, width = (min(part, size) for part, size in zip((HEIGHT // 2, WIDTH // 2), change.shape))
+    total = numpy.pad((change > VISIBLE) * change.astype(numpy.int64), ((1, 0), (1, 0))).cumsum(0).cumsum(1)
+    parts = total[height:, width:] - total[:-height, width:] - total[height:, :-width] + total[:-height, :-width]
+    top, left = numpy.unravel_index(parts.argmax(), parts.shape)
+    return (int(left), int(top), int(left) + width, int(top) + height) if parts.max() else ()
+
+
+def closer(plain: numpy.ndarray, refined: numpy.ndarray) -> list:
+    """Cells with the part that changed most, plain and refined, at twice the size."""
+    part = most_changed(plain, refined)
+    if not part:
+        return []
+    pictures = [Image.fromarray(frame.copy()).crop(part) for frame in (plain, refined)]
+    return [cell(title, picture.resize((2 * picture.width, 2 * picture.height), Image.NEAREST))
+            for title, picture in zip(("most changed: plain", "most changed: refined"), pictures)]
+
+
+def write_row(path: pathlib.Path, name: str, pictures: list, compared: numpy.ndarray) -> None:
+    """Takes (title, frame, masks or None) for each picture. Masks with pixels get a picture of their own.
+
+    `compared` is the plain frame of the last picture: two more cells show closely where that one changed most.
+    """
     cells = []
     for title, frame, masks in pictures:
         cells.append(cell(f"{name}: {title}" if not cells else title, Image.fromarray(frame.copy())))
         if masks is not None and sum(masks.counts()):
             cells.append(cell("vanished red, appeared green, stripes purple, strays yellow", marked(frame, masks)))
+    cells += closer(compared, pictures[-1][1])
     row = Image.new("RGB", (WIDTH * len(cells), HEIGHT + TITLE), "white")
     for i, one in enumerate(cells):
         row.paste(one, (WIDTH * i, 0))

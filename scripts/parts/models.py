@@ -8,6 +8,12 @@ RINGS, SECTORS = 8, 12
 ATOMS = [("C", 1.40, 0, 0), ("C", 0.70, 1.21, 0), ("C", -0.70, 1.21, 0), ("C", -1.40, 0, 0), ("C", -0.70, -1.21, 0),
          ("C", 0.70, -1.21, 0), ("H", 2.48, 0, 0), ("H", 1.24, 2.15, 0), ("H", -1.24, 2.15, 0), ("H", -2.48, 0, 0),
          ("O", -1.36, -2.36, 0), ("N", 1.36, -2.36, 0)]
+FIREFOX = {  # WebGL although Firefox mistrusts the driver, in the process that apitrace records; no pages of greeting
+    "webgl.force-enabled": "true", "webgl.out-of-process": "false", "layers.gpu-process.enabled": "false",
+    "gfx.x11-egl.force-enabled": "true", "gfx.webrender.all": "true", "gfx.webrender.software": "false",
+    "browser.shell.checkDefaultBrowser": "false", "browser.aboutwelcome.enabled": "false",
+    "datareporting.policy.dataSubmissionEnabled": "false", "toolkit.telemetry.reportingpolicy.firstRun": "false",
+    "browser.sessionstore.resume_from_crash": "false", "dom.ipc.processCount": "1", "security.sandbox.content.level": "0"}
 
 
 def ball() -> tuple:
@@ -47,3 +53,5 @@ def write_models(folder: pathlib.Path) -> None:
         for i, (e, x, y, z) in enumerate(ATOMS, 1)) + "TER\n")
     (folder / "history.log").write_text("".join(
         f"{1600000000 + 3600 * i}|author {i % 5}|{'AM'[i % 2]}|folder{i % 7}/part{i % 3}/file{i % 40}.c\n" for i in range(600)))
+    (folder / "firefox").mkdir(exist_ok=True)
+    (folder / "firefox" / "user.js").write_text("".join(f'user_pref("{key}", {value});\n' for key, value in FIREFOX.items()))

@@ -39,5 +39,8 @@ def mean_of_programs(lives: list) -> str:
 def share_text(lives: list) -> str:
     lives = [one for one in lives if one.get("objects")]
     refined, all_of_them = (sum(one[key] for one in lives) for key in ("refined", "objects"))
+    together = f"Of all {all_of_them} draws of objects together, first frames included, {percent(refined, all_of_them)} are refined."
+    if not any("settled" in one for one in lives):
+        return together
     return (f"Of the draws of objects, a program has {mean_of_programs(lives)} refined on average, counted in the last half of "
-            f"its frames. Of all {all_of_them} draws together, first frames included, {percent(refined, all_of_them)} are refined.")
+            f"its frames. {together}")

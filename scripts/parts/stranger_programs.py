@@ -155,16 +155,32 @@ DESKTOP = [
              "/usr/share/doc/inventor-demo/src/apps/examples/data/luxo.iv"]),
 ]
 
-PROGRAMS = [*TOOLKITS, *DESKTOP, *GAMES, *SAVERS, *SHOOTERS]
+MORE = [
+    Stranger("GLUT shapes", "toolkit", ("python3-opengl", "libglut3.12"), [PYTHON, str(SCENES / "glut_scene.py")], frames=60),
+    Stranger("Mayavi", "toolkit", ("mayavi2", "python3-pyqt5"), [PYTHON, str(SCENES / "mayavi_scene.py")], seconds=20, frames=40,
+             environment={"ETS_TOOLKIT": "qt", "QT_API": "pyqt5"}),
+    Stranger("Open3D", "toolkit", ("python3-open3d",), [PYTHON, str(SCENES / "open3d_scene.py")], seconds=12, frames=40),
+    Stranger("Wine", "Windows", ("wine64", "gcc-mingw-w64-x86-64"), [str(SCENES / "wine_scene")], seconds=30, frames=60),
+    Stranger("Blender", "modeller", ("blender",), ["/usr/bin/blender", "--factory-startup", "--window-geometry", "0", "0", "400", "300",
+             "--python", str(SCENES / "blender_scene.py")], seconds=90, frames=60),
+    Stranger("FreeCAD", "modeller", ("freecad",), ["/usr/bin/freecad", str(SCENES / "freecad_scene.py")], seconds=40, frames=60,
+             environment={"QTWEBENGINE_DISABLE_SANDBOX": "1"}),
+    Stranger("CloudCompare", "modeller", ("cloudcompare",), ["/usr/bin/CloudCompare", f"{MODELS}/ball.obj"], seconds=14, keys=DRAG),
+    Stranger("RepSnapper", "modeller", ("repsnapper",), ["/usr/bin/repsnapper", f"{MODELS}/ball.stl"], seconds=14, keys=DRAG),
+    Stranger("view3dscene", "viewer", ("view3dscene",), ["/usr/bin/view3dscene", "--geometry", "400x300", f"{MODELS}/ball.wrl"],
+             seconds=14, keys=DRAG),
+    Stranger("OpenCSG", "demo", ("libopencsg-example",), ["/usr/bin/opencsgexample"], frames=60),
+    Stranger("OpenUniverse", "desktop", ("openuniverse",), ["/usr/bin/openuniverse"], seconds=14, frames=100),
+    Stranger("Critical Mass", "game, in play", ("criticalmass",), ["/usr/games/critter"], seconds=25, frames=500,
+             keys=((5, "mousemove 265 118 click 1"), (2, "mousemove 265 118 click 1"), (2, "key Return"), (2, "key Return"))),
+    Stranger("BZFlag", "game, in play", ("bzflag-client", "bzflag-server"),
+             ["/bin/sh", "-c", "bzfs -p 15154 >/dev/null 2>&1 & sleep 1; "
+              "exec /usr/games/bzflag -window 400x300 -m -nolist -nomotd -solo 3 stranger@localhost:15154"],
+             seconds=25, frames=300, keys=((8, "keydown Up"), (3, "key Return"))),
+    Stranger("Lugaru", "game, in play", ("lugaru",), ["/usr/games/lugaru", "--windowed", "--nosound", "--nomousegrab"], seconds=35,
+             frames=300, keys=((10, "mousemove 320 180 click 1"), (3, "key Return"))),
+    Stranger("Search and Rescue", "game, menu", ("searchandrescue",), ["/usr/games/SearchAndRescue"], seconds=15, frames=200,
+             keys=((5, "key Return"), (3, "key Return"))),
+]
 
-# What was seen on the contact sheets, for the table.
-QUADS = "quads that reach out of the view are cut along the other diagonal"
-ADDRESSES = "client arrays: the replay moves them, so smooth waits"
-REMARKS = {
-    "mu-cade": QUADS,
-    "lavalite": "a highlight appears on the metal cone, as it should",
-    "torcs": ADDRESSES, "Perl planets": ADDRESSES, "V_Sim": ADDRESSES,
-    "OpenArena GL2": "a bright line beside a column in the pit, and a highlight on the gun",
-    "zaz": "its menu", "dreamchess": "its title", "supertux": "its title", "armagetronad": "between two rounds",
-    "Gmsh": "draws lines", "fstl": "makes its normals from screen derivatives",
-}
+PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS]

@@ -3,10 +3,13 @@
 """The work of scripts/strangers: records programs in use, replays them plain, off and refined, and counts what looks broken.
 
 A program that is installed is recorded once, by apitrace and without glark. Four frames of the second half are compared.
-A program that was judged is skipped until its results are older than the library, or --only or --again names it.
+A program that was judged is skipped until the library or the rules of the four numbers change, or --only names it.
 """
 import argparse
+import concurrent.futures
 import dataclasses
+import functools
+import hashlib
 import json
 import pathlib
 import re
@@ -24,7 +27,8 @@ import contact_sheet
 from models import write_models
 from recording import Failure, on_display, read_frames, run
 from refined_share import life, percent, share_text
-from stranger_programs import MODELS, PROGRAMS, REMARKS, Stranger
+from stranger_programs import MODELS, PROGRAMS, Stranger
+from stranger_remarks import REMARKS
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LEVEL = 2
@@ -133,13 +137,19 @@ def judge(plain: list, refined: list, allowance) -> tuple:
     return [max(column) for column in zip(*counts)], changed, worst, found[worst]
 
 
+@functools.cache
+def build_of(library: pathlib.Path) -> str:
+    """Names what a result depends on: the library, and the rules of the four numbers."""
+    parts = (library, pathlib.Path(breakage.__file__))
+    return hashlib.sha256(b"".join(part.read_bytes() for part in parts)).hexdigest()[:12]
+
+
 def settings_of(mode: str, library: pathlib.Path) -> dict:
     return {"LD_PRELOAD": str(library), "GLARK_ENABLE": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": mode}
 
 
 def examine(program: Stranger, folder: pathlib.Path, arguments: argparse.Namespace) -> dict:
-    """Records and replays one program, and returns what the table needs. Writes its row of the contact sheet."""
-    record(program, folder, arguments.slow)
+    """Replays the recording of one program, and returns what the table needs. Writes its row of the contact sheet."""
     library = arguments.library
     plain = replay(program, folder, "plain", {}, arguments.limit)
     if not plain.frames:
@@ -147,9 +157,9 @@ def examine(program: Stranger, folder: pathlib.Path, arguments: argparse.Namespa
     if all(is_blank(frame) for frame in plain.frames):
         raise Failure("the recording shows nothing")
     off = replay(program, folder, "off", {"LD_PRELOAD": str(library)}, arguments.limit)
-    result = {"name": program.name, "kind": program.kind, "frames": len(plain.frames),
-              "off": off_pixels(plain.frames, off.frames), "modes": {}}
+    result = {"frames": len(plain.frames), "off": off_pixels(plain.frames, off.frames), "modes": {}}
     shown = [("plain", plain.frames[-1], None), ("off", off.frames[-1], None)]
+    compared = plain.frames[-1]
     for mode in arguments.modes:
         allowance = breakage.exact if mode in ("linear", "outputs") else breakage.curved
         try:
@@ -161,8 +171,9 @@ def examine(program: Stranger, folder: pathlib.Path, arguments: argparse.Namespa
         result["modes"][mode] = {"numbers": numbers, "changed": changed, **life(refined.statistics)}
         if sum(numbers):
             shown.append((f"plain {worst}", plain.frames[worst], None))
+        compared = plain.frames[worst if sum(numbers) else -1]
         shown.append((f"{mode} {numbers}", refined.frames[worst if sum(numbers) else -1], masks))
-    contact_sheet.write_row(file_of(program, folder, ".png"), program.name, shown)
+    contact_sheet.write_row(file_of(program, folder, ".png"), program.name, shown, compared)
     return result
 
 
@@ -177,7 +188,8 @@ def row_of(result: dict) -> list:
     last = lives[-1]
     left = ", ".join(f"{count} `{cause}`" for cause, count in last["causes"].items()) or "-"
     in_half, refined_in_half = last.get("settled", (0, 0))
-    return cells + [last["draws"], last["objects"], last["refined"], percent(refined_in_half, in_half), left]
+    half = percent(refined_in_half, in_half) if "settled" in last else "-"
+    return cells + [last["draws"], last["objects"], last["refined"], half, left]
 
 
 def results_of(folder: pathlib.Path) -> list:
@@ -196,7 +208,9 @@ def summary(results: list) -> str:
     """How many were judged and are healthy, and the share of draws of objects that the last mode refined."""
     broken = [result["name"] for result in results if is_broken(result)]
     lives = [mode for result in results for mode in list(result["modes"].values())[-1:]]
-    return f"{len(results)} programs judged, {len(broken)} look broken: {', '.join(broken) or '-'}. {share_text(lives)}"
+    builds = len({result.get("build") for result in results})
+    return (f"{len(results)} programs judged with {builds} build{'s'[:builds > 1]}, {len(broken)} look broken: "
+            f"{', '.join(broken) or '-'}. {share_text(lives)}")
 
 
 def write_table(text: str) -> None:
@@ -229,7 +243,8 @@ def arguments_of() -> argparse.Namespace:
     parser.add_argument("--record", action="store_true", help="make the missing recordings, replay nothing")
     parser.add_argument("--recorded", action="store_true", help="judge only programs that are recorded")
     parser.add_argument("--fresh", action="store_true", help="record again")
-    parser.add_argument("--again", action="store_true", help="judge programs again that were judged")
+    parser.add_argument("--jobs", type=int, default=1, help="judge so many recordings at the same time (1)")
+    parser.add_argument("--again", action="store_true", help="judge programs again that were judged with this build")
     parser.add_argument("--broken", action="store_true", help="judge those again whose numbers are not all 0")
     parser.add_argument("--slow", type=float, default=1, help="record for so many times as long, on a busy machine (1)")
     parser.add_argument("--limit", type=float, default=120, help="seconds for one replay (120)")
@@ -259,25 +274,48 @@ def is_due(program: Stranger, arguments: argparse.Namespace) -> bool:
     file = file_of(program, arguments.folder, ".result")
     if not file.exists() or arguments.again:
         return True
-    return arguments.broken and is_broken(json.loads(file.read_text()))
+    result = json.loads(file.read_text())
+    return is_broken(result) if arguments.broken else result.get("build") != build_of(arguments.library)
+
+
+def keep(program: Stranger, arguments: argparse.Namespace, result: dict, seconds: float) -> None:
+    result = {"name": program.name, "build": build_of(arguments.library), "modes": {}, **result}
+    file_of(program, arguments.folder, ".result").write_text(json.dumps(result))
+    print(*row_of({**result, "kind": program.kind}), f"{seconds:.0f} s", sep=" | ", flush=True)
+
+
+def is_recorded(program: Stranger, arguments: argparse.Namespace) -> bool:
+    """Records the program unless it is recorded. A failure becomes its result."""
+    trace = file_of(program, arguments.folder, ".trace")
+    if arguments.fresh:
+        trace.unlink(missing_ok=True)
+    if trace.exists():
+        return True
+    try:
+        calls = record(program, arguments.folder, arguments.slow)
+        print(f"{program.name}: recorded; frames end at the calls {calls}", flush=True)
+    except (Failure, subprocess.TimeoutExpired) as failure:
+        keep(program, arguments, {"failure": str(failure)}, 0)
+        return False
+    return True
 
 
 def work_on(program: Stranger, arguments: argparse.Namespace) -> None:
     started = time.monotonic()
-    if arguments.fresh:
-        file_of(program, arguments.folder, ".trace").unlink(missing_ok=True)
     try:
-        if arguments.record:
-            calls = record(program, arguments.folder, arguments.slow)
-            print(f"{program.name}: frames end at the calls {calls}", flush=True)
-            return
         result = examine(program, arguments.folder, arguments)
     except (Failure, subprocess.TimeoutExpired) as failure:
-        result = {"name": program.name, "kind": program.kind, "failure": str(failure), "modes": {}}
-        print(f"  {program.name}: {failure}", flush=True)
+        result = {"failure": str(failure)}
+    keep(program, arguments, result, time.monotonic() - started)
+
+
+def work(arguments: argparse.Namespace) -> None:
+    """Makes the missing recordings one after the other, because programs need the whole machine. Then judges --jobs at a time."""
+    due = [program for program in PROGRAMS if installed(program) and is_due(program, arguments)]
+    due = [program for program in due if is_recorded(program, arguments)]
     if not arguments.record:
-        file_of(program, arguments.folder, ".result").write_text(json.dumps(result))
-        print(*row_of(result), f"{time.monotonic() - started:.0f} s", sep=" | ", flush=True)
+        with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+            list(pool.map(lambda program: work_on(program, arguments), due))
 
 
 def main() -> int:
@@ -290,9 +328,7 @@ def main() -> int:
     if arguments.install:
         install([program for program in PROGRAMS if not arguments.only or program.name in arguments.only])
     if not arguments.sheet:
-        for program in PROGRAMS:
-            if installed(program) and is_due(program, arguments):
-                work_on(program, arguments)
+        work(arguments)
     results = results_of(arguments.folder)
     rows = [file_of(program, arguments.folder, ".png") for program in PROGRAMS]
     contact_sheet.join([row for row in rows if row.exists()], arguments.folder)

@@ -121,6 +121,26 @@ def black_triangle(plain, refined, random):
     refined.fill((COLUMNS > 110) & (ROWS > 70) & (COLUMNS + ROWS < 210 + random.integers(0, 20)), 0)
 
 
+def tiles():
+    """Tiles of 26 pixels with gaps between them."""
+    return (COLUMNS % 30 < 26) & (ROWS % 30 < 26)
+
+
+def poked_through(plain, refined, random):
+    """The dark body behind the tiles pokes through them. Its colour is known from the gaps."""
+    x, y = random.integers(8, 16, 2)
+    for scene in (plain, refined):
+        scene.fill(disc(200), plain.colour * 0.2).fill(tiles(), plain.colour)
+    refined.fill((COLUMNS % 30 - x) ** 2 + 2 * (ROWS % 30 - y) ** 2 < 25, plain.colour * 0.2)
+
+
+def spots_moved(plain, refined, random):
+    """Dark spots of a texture move by four pixels."""
+    for scene, shift in ((plain, 0), (refined, 4)):
+        spots = ((COLUMNS + shift) % 30 - 15) ** 2 + (ROWS % 30 - 15) ** 2 < random.integers(20, 21)
+        scene.fill(disc(60), plain.colour).fill(spots & disc(50), plain.colour * 0.2)
+
+
 def unchanged(plain, refined, random):
     for scene in (plain, refined):
         scene.fill(disc(50), plain.colour)
@@ -172,9 +192,10 @@ BROKEN = {
     "object gone": (object_gone, "vanished"), "object came": (object_came, "appeared"), "stick gone": (stick_gone, "vanished"),
     "pole swollen": (pole_swollen, "appeared"), "stripes": (fight(stripes), "stripes"), "noise": (fight(noise), "stripes"),
     "cracks": (cracks, "strays"), "black triangle": (black_triangle, "appeared"),
+    "poked through": (poked_through, "appeared"),
 }
 HEALTHY = {function.__name__.replace("_", " "): function for function in
-           (unchanged, rounded, smooth_light, highlight, lit_texture, texture_moved, rounding)}
+           (unchanged, rounded, smooth_light, highlight, lit_texture, texture_moved, spots_moved, rounding)}
 
 
 def counts(paint, seed: int, allowance) -> dict:

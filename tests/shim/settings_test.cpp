@@ -154,6 +154,13 @@ TEST(Settings, GeomorphingNeedsAMeasure) {
   EXPECT_TRUE(parsed.settings.context.geomorph);
 }
 
+TEST(Settings, NormalsAreGivenOrFromGeometry) {
+  EXPECT_FALSE(parse_all({}).settings.context.geometry_normals);
+  EXPECT_TRUE(parse_all({"GLARK_NORMALS=geometry"}).settings.context.geometry_normals);
+  EXPECT_FALSE(parse_all({"GLARK_NORMALS=given"}).settings.context.geometry_normals);
+  for (const char* text : {"", "none", "Geometry"}) EXPECT_FALSE(parse_normals(text)) << text;
+}
+
 TEST(Settings, CreasesAreAngles) {
   EXPECT_EQ(parse_all({"GLARK_CREASE=0"}).settings.context.crease, 0);
   EXPECT_EQ(parse_all({"GLARK_CREASE=62.5"}).settings.context.crease, 62.5F);

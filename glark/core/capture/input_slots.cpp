@@ -34,7 +34,7 @@ bool is_system_value(const capture::Field& field) {
 std::vector<int> input_slots(const capture::Layout& layout, GLuint tag_attribute) {
   std::vector<int> slots;
   for (const capture::Field& field : layout.fields) {
-    if (is_system_value(field)) {
+    if (is_system_value(field) || field.made) {
       continue;
     }
     if (capture::is_builtin(field)) {

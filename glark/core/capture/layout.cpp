@@ -274,8 +274,9 @@ class CaptureText {
   void add(const Field& field) {
     const TypeRow& row = *row_of(field.type);
     const std::string array = field.is_array ? "[" + std::to_string(field.array_size) + "]" : "";
-    const std::string input =
-        field.location >= 0 ? declare_input(row.glsl, array, field.location) : builtin(field.name);
+    const std::string input = field.made            ? std::string(row.glsl) + "(0.0)"
+                              : field.location >= 0 ? declare_input(row.glsl, array, field.location)
+                                                    : builtin(field.name);
     for (int element = 0; element < field.array_size; ++element) {
       const std::string value = field.is_array ? input + "[" + std::to_string(element) + "]" : input;
       if (field.location >= 0 && row.kind != Kind::wide)

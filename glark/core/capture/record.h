@@ -20,6 +20,7 @@ struct Field {
   int array_size = 1;       // elements when the input is an array
   bool is_array = false;    // declared as an array, even of one element
   int location = -1;        // generic attribute location; -1 for built-ins and system values
+  bool made = false;        // no input: welding writes it (a normal from positions)
   Role role = Role::other;  // which field PN triangles take as position and normal
   int offset = 0;           // first word within the corner record
   int words = 0;            // words of the whole input: array_size * columns * rows

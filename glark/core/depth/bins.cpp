@@ -20,9 +20,10 @@ constexpr std::size_t work_commands = work_pieces + 4 * pattern::piece_count;
 constexpr std::size_t work_words = work_commands + 5 * pattern::piece_count;
 constexpr GLsizeiptr deep_reserve_bytes = GLsizeiptr{32} << 20;
 
-constexpr const char* uniform_names[] = {"record_offset",     "corner_words",         "tag_offset",  "uniform_tag",
-                                         "triangle_bound",    "count_on_gpu",         "pool_level",  "interior",
-                                         "instance_capacity", "tags_are_edge_depths", "packed_bits", "depth_steps"};
+constexpr const char* uniform_names[] = {
+    "record_offset", "corner_words", "tag_offset", "uniform_tag",       "triangle_bound",
+    "count_on_gpu",  "pool_level",   "interior",   "instance_capacity", "tags_are_edge_depths",
+    "packed_bits",   "depth_steps",  "counted"};
 
 }  // namespace
 
@@ -101,7 +102,8 @@ void BinStage::set_uniforms(const core::ComputePass& pass, const BinRequest& req
                           static_cast<GLint>(capacity_),
                           request.tags_are_edge_depths ? 1 : 0,
                           measured ? request.measured.bits : 0,
-                          steps};
+                          steps,
+                          request.counted ? 1 : 0};
   pass.set_integers(gl_, values);
 }
 

@@ -17,7 +17,8 @@ layout(std430, binding = 0) readonly buffer Records { uint records[]; };
 // Sorted by piece: the corners of instance_capacity coarse triangles (3 words each), then as many patches (4 words
 // each).
 layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
-// Words (uint): 0 refined triangles (low), 1 (high), 2 refined triangles of this frame (measure.glsl), 3 unused, 4 a
+// Words (uint): 0 refined triangles (low), 1 (high), 2 refined triangles of this frame that count for the
+// budget (measure.glsl), 3 flat triangles of this draw, 4 a
 // DrawElementsIndirectCommand of all instances (5 words), 9 to 11 unused. Then counts, cursors, pieces (4 words each:
 // index count, first index, base vertex, 0) and the DrawElementsIndirectCommands of the pieces (5 words each).
 layout(std430, binding = 2) buffer Work { uint work[]; };
@@ -40,6 +41,7 @@ uniform int interior;  // pattern::Interior
 uniform int tags_are_edge_depths;  // corner k holds the depth of edge k
 uniform int packed_bits;           // > 0: records has a word per triangle, this many bits per edge, edge 0 lowest
 uniform int instance_capacity;
+uniform int counted;  // the triangles count for the budget
 
 #if GLARK_PASS == 1
 
@@ -61,9 +63,13 @@ void main() {
     uint low = work[0] + triangles;
     work[1] += low < work[0] ? 1u : 0u;
     work[0] = low;
-    work[2] += triangles;
+    if (counted != 0) {
+      work[2] += triangles;
+    }
     base += count;
   }
+  work[2] -= min(work[2], work[3]);
+  work[3] = 0u;
   work[all_instances] = 3u * base;
   work[all_instances + 1] = 1u;
 }
@@ -117,6 +123,11 @@ void main() {
     uint word = records[record_offset + triangle];
     uint mask = (1u << packed_bits) - 1u;
     edge_steps = ivec3(word & mask, (word >> packed_bits) & mask, (word >> (2 * packed_bits)) & mask);
+#if GLARK_PASS == 0
+    if (counted != 0 && word >= 0x80000000u) {
+      atomicAdd(work[3], 1u);
+    }
+#endif
   } else {
     ivec3 tags = ivec3(tag_of(0), tag_of(1), tag_of(2));
     // Erratum 1: the mean of two tags may lie between two steps. Any rule that uses only the two ends is crack-free.

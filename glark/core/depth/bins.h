@@ -29,6 +29,7 @@ struct BinRequest {
   pattern::Interior interior = pattern::Interior::minimum;
   bool tags_are_edge_depths = false;  // corners 0, 1, 2 hold the depths of edges 0, 1, 2 in place of tags
   MeasuredDepths measured;            // replace the tags, if there are any
+  bool counted = true;                // the triangles count for the budget
 };
 
 class BinStage {
@@ -51,7 +52,7 @@ class BinStage {
   std::uint32_t instances_of_last() const;
   // Triangles drawn since the last call; reads back.
   std::uint64_t take_refined_triangles();
-  // Word 2 counts the refined triangles until it is reset.
+  // Word 2 counts the refined triangles of the budget until it is reset.
   GLuint work_buffer() const { return work_.name(); }
   void release();
 

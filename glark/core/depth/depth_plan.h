@@ -9,6 +9,12 @@
 
 namespace glark::depth {
 
+// What the budget of triangles pays for.
+struct BudgetPlan {
+  bool curves_only = false;  // straight edges have depth 0, and triangles with three of them do not count
+  bool counted = true;       // the triangles of this draw count
+};
+
 // How deep the edges of a draw are refined, and by which patterns.
 struct DepthPlan {
   bool adaptive = false;  // each edge has a depth of its own; otherwise every edge has depth `level`
@@ -19,6 +25,7 @@ struct DepthPlan {
   unsigned deepest = 0;  // greatest depth of an adaptive draw
   pattern::Interior interior = pattern::Interior::minimum;
   core::EdgeMeasure measure;  // the measure of a measured draw
+  BudgetPlan budget;
   GLuint corner_program = 0;  // gives the screen positions of the corners; 0: the screen is not measured
   int normal_offset = -1;     // first word of the normal in a corner; -1: normals are not measured
 

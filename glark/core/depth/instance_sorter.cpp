@@ -54,8 +54,8 @@ BinnedInstances InstanceSorter::sort(const SortRequest& request) {
   const DepthPlan& plan = request.plan;
   counted_ = true;
   const unsigned deepest = plan.coarse ? 0 : pool_.pool().max_level();
-  const MeasureRequest measured{&request.layout,    request.triangles, plan.corner_program,
-                                plan.normal_offset, deepest,           plan.depth_steps()};
+  const MeasureRequest measured{&request.layout, request.triangles,  plan.corner_program, plan.normal_offset,
+                                deepest,         plan.depth_steps(), plan.budget};
   EdgeEnds ends;
   if (plan.measured) {
     ends = measure_.find_ends(measured, plan.measure, bins_.work_buffer(), b);
@@ -74,7 +74,8 @@ BinnedInstances InstanceSorter::sort_in_bins(const SortRequest& request, const M
                   .pool_level = measured.pool_level,
                   .interior = request.plan.interior,
                   .tags_are_edge_depths = request.tags_are_edge_depths,
-                  .measured = {}};
+                  .measured = {},
+                  .counted = request.plan.budget.counted};
   if (request.plan.measured) {
     bins.measured = measure_.measure(measured, b);
   }

@@ -14,10 +14,12 @@ constexpr char ordered_source[] =
 #include "glark/core/depth/ordered.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {"record_offset",  "corner_words", "tag_offset",    "tags_are_edge_depths",
-                                         "triangle_count", "pool_level",   "normal_offset", "on_screen",
-                                         "depth_steps",    "turn_offset",  "half_size"};
-constexpr std::size_t half_size = 10;
+constexpr const char* uniform_names[] = {
+    "record_offset",   "corner_words",     "tag_offset",        "tags_are_edge_depths",
+    "triangle_count",  "pool_level",       "normal_offset",     "on_screen",
+    "depth_steps",     "turn_offset",      "straight_position", "straight_position_words",
+    "straight_normal", "straight_control", "counted",           "half_size"};
+constexpr std::size_t half_size = 15;
 constexpr int most_triangles = 128;                               // the size of a work group that GL and ES guarantee
 constexpr std::uint32_t group_sizes[] = {8, 32, most_triangles};  // idle invocations are not free
 constexpr int most_instances = 4;                                 // of one triangle that is not deeper than a tile
@@ -89,6 +91,7 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
   const auto group = std::lower_bound(std::begin(group_sizes), std::end(group_sizes), triangles.count);
   const core::ComputePass& pass = passes_[static_cast<std::size_t>(group - std::begin(group_sizes))];
   pass.use(gl_);
+  const auto straight = straight_edge_words(request.measure);
   const GLint values[] = {static_cast<GLint>(triangles.offset / 4),
                           layout.corner_words,
                           layout.tag_offset,
@@ -98,7 +101,12 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
                           request.measure.normal_offset,
                           request.measure.corner_program != 0 ? 1 : 0,
                           request.measure.depth_steps,
-                          layout.turn_offset};
+                          layout.turn_offset,
+                          straight[0],
+                          straight[1],
+                          straight[2],
+                          straight[3],
+                          request.measure.budget.counted ? 1 : 0};
   pass.set_integers(gl_, values);
   gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   gl_.DispatchCompute(1, 1, 1);

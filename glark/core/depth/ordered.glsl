@@ -29,6 +29,7 @@ uniform int triangle_count;
 uniform int pool_level;
 uniform int normal_offset;  // in a corner; < 0: normals are not measured
 uniform int on_screen;
+uniform int counted;  // the triangles count for the budget
 uniform vec2 half_size;
 
 float pixel_limit(int depth) { return limits[1 + depth]; }
@@ -39,11 +40,14 @@ int corner_count() { return 3 * triangle_count; }
 #include "glark/core/depth/edge_steps.glsl"
 #include "glark/core/depth/measure/edge_depth.glsl"
 #include "glark/core/depth/measure/measured_edge.glsl"
+#include "glark/core/depth/measure/straight_edge.glsl"
 
 shared uint instance_count[GLARK_GROUP];
 shared uint refined_triangles;
+shared uint budget_triangles;
 
 int emitted = 0;
+bool is_flat = false;  // BudgetPlan
 ivec3 edge_steps;
 int emitted_piece[GLARK_INSTANCES];
 vec4 emitted_patch[GLARK_INSTANCES];
@@ -68,7 +72,9 @@ void expand(int triangle) {
     int from = 3 * triangle + edge;
     int to = 3 * triangle + (edge == 2 ? 0 : edge + 1);
     if (tag_offset < 0) {
-      edge_steps[edge] = measured_steps(from, to);
+      bool straight = is_straight(from, to);
+      edge_steps[edge] = straight ? 0 : measured_steps(from, to);
+      is_flat = straight && (is_flat || edge == 0);
     } else {
       edge_steps[edge] = tags_are_edge_depths != 0 ? tag_of(from) : (tag_of(from) + tag_of(to)) >> 1;
     }
@@ -93,12 +99,14 @@ void write_instance(int triangle, int slot, int piece, vec4 placement) {
     result[moved_records + slot * size + i] = records[record_offset + triangle * size + i];
   }
   atomicAdd(refined_triangles, index_count / 3u);
+  atomicAdd(budget_triangles, counted != 0 && !is_flat ? index_count / 3u : 0u);
 }
 
 void main() {
   int triangle = int(gl_LocalInvocationID.x);
   if (triangle == 0) {
     refined_triangles = 0u;
+    budget_triangles = 0u;
   }
   if (triangle < triangle_count) {
     expand(triangle);
@@ -125,6 +133,6 @@ void main() {
     uint low = work[0] + refined_triangles;
     work[1] += low < work[0] ? 1u : 0u;
     work[0] = low;
-    work[2] += refined_triangles;
+    work[2] += budget_triangles;
   }
 }

@@ -39,6 +39,7 @@ std::optional<MeshPass> mesh_pass(const MeshPassFacts& facts, std::optional<Caus
   pass.equal = tests && b.depth_function == GL_EQUAL;
   pass.shows = shows;
   pass.marks = b.stencil_test;
+  pass.behind = cause == Cause::budget;
   // Lines and points are drawn near a surface, not on it to the bit.
   if (cause == Cause::not_triangles) {
     pass.equal = pass.marks = false;

@@ -14,12 +14,14 @@ namespace glark::core {
 
 struct MeshPass {
   bool curves = false;        // the draw can be curved
+  bool made = false;          // its normals are made from positions
   bool lacks_normal = false;  // nothing else keeps it from that; another pass may have the normals
   bool uses_depth = false;    // it tests or writes depth: other passes over the mesh may meet it
   bool writes_depth = false;  // so that later passes may meet it
   bool equal = false;         // it is drawn only where an earlier pass left the same depth
   bool shows = true;          // it writes colours
   bool marks = false;         // it may write the stencil buffer
+  bool behind = false;        // a background: it says nothing about other meshes of its source
 
   // Without colours, a draw is there only for other draws: it lays down depth or stencil values for them.
   bool prepares() const { return !shows && (writes_depth || marks); }

@@ -34,7 +34,8 @@ bool MeshTable::watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass) {
   Source& source = sources_[static_cast<std::size_t>(source_of(key))];
   mesh.first = mesh.first == never ? frame_ : mesh.first;
   mesh.seen = frame_;
-  (pass.curves ? mesh.had_curved : mesh.had_flat) = true;
+  bool& had_such = pass.curves ? mesh.had_curved : mesh.had_flat;
+  had_such = had_such || !pass.behind;
   if (mesh.had_curved) {
     count_frame(mesh);
   }
@@ -63,10 +64,13 @@ void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
   // One of the loose draws is flat, perhaps the very one that the pass must meet.
   mesh.flat = mesh.flat || (pass.equal && mesh.written_flat == frame_ && loose);
   if (pass.writes_depth) {
-    mesh.written = frame_;
-    mesh.written_flat = pass.curves ? mesh.written_flat : frame_;
+    mesh.written = written_ = frame_;
+    const bool as_others = pass.curves && !(pass.made && loose);
+    mesh.written_flat = as_others ? mesh.written_flat : frame_;
   }
   if (pass.curves) {
+    mesh.flat = mesh.flat || (!pass.made && !loose && mesh.made == frame_ && mesh.frames > 1);
+    mesh.made = pass.made ? frame_ : mesh.made;
     return;
   }
   const bool excused = pass.lacks_normal && !loose && mesh.frames <= 1;

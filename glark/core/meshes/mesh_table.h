@@ -13,7 +13,8 @@
 //   flat passes.
 // - A pass that cannot be curved makes its mesh flat at once, and for good, so that nothing flickers. A pass that lacks
 //   normals is excused until the end of the frame in which another pass over the mesh has some: it then borrows these.
-//   Only the frames from that one on count.
+//   Only the frames from that one on count. So is a pass whose normals were made from positions, if a later pass has
+//   other ones.
 // - A mesh without identity (glBegin) holds unrelated things: only passes that must meet others make it flat.
 // - A pass whose partner is unknown makes all meshes of the context flat for some time. It must meet another draw in
 //   depth, and no draw with the same positions is there.
@@ -54,6 +55,11 @@ class MeshTable {
   void set_normals(const MeshKey& key, const NormalSource& normals) { find(key).normals = normals; }
   const NormalSource& normals(const MeshKey& key) { return find(key).normals; }  // of no key: not known
   NormalsBeside& normals_beside(const MeshKey& key) { return find(key).beside; }
+  bool shown(const MeshKey& key) { return is_recent(find(key).shown); }          // in this or the last frame
+  // Returns whether a pass over the mesh wrote depth in this or the last frame; and whether any draw did. In the first
+  // frame, draws are expected to write depth.
+  bool wrote_depth(const MeshKey& key) { return is_recent(find(key).written); }
+  bool any_wrote_depth() const { return frame_ == 1 || is_recent(written_); }
   // A frame without draws is not counted.
   void frame_finished();
 
@@ -71,6 +77,7 @@ class MeshTable {
     std::uint64_t written_flat = never;  // the last frame in which a flat pass wrote depth
     std::uint64_t shown = never;         // the last frame in which it wrote colours
     std::uint64_t prepared = never;      // the last frame in which a flat pass prepared for others
+    std::uint64_t made = never;          // the last frame in which a pass had normals from positions
     unsigned frames = 0;                 // that drew it since it has normals, up to frames_to_watch + 1
     bool flat = false;
     bool had_curved = false;  // passes
@@ -89,6 +96,7 @@ class MeshTable {
   template <class Drawn>
   void count_frame(Drawn& drawn);
   bool watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
+  bool is_recent(std::uint64_t frame) const { return frame != never && frame + 1 >= frame_; }
   void doubt() { doubted_until_ = frame_ + frames_of_doubt; }
   void drop_old();
 
@@ -99,7 +107,8 @@ class MeshTable {
   std::vector<const Mesh*> preparing_;  // meshes that flat passes of this frame prepared for
   std::uint64_t frame_ = 1;
   std::uint64_t doubted_until_ = never;
-  bool drawn_ = false;  // in this frame
+  std::uint64_t written_ = never;  // the last frame in which a draw wrote depth
+  bool drawn_ = false;             // in this frame
 };
 
 }  // namespace glark::core

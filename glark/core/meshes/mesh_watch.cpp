@@ -30,7 +30,22 @@ Cause cause_of(MeshVerdict verdict) {
                                         : Cause::unknown_partner;
 }
 
+bool has_made_normals(const std::vector<capture::Field>* fields) {
+  const capture::Field* normal = fields != nullptr ? capture::find_role(*fields, capture::Role::normal) : nullptr;
+  return normal != nullptr && normal->made;
+}
+
+bool is_position_vector(const capture::Field* position) {
+  return position != nullptr && !position->is_array &&
+         (position->type == GL_FLOAT_VEC3 || position->type == GL_FLOAT_VEC4);
+}
+
 }  // namespace
+
+bool may_make_normals(const ContextOptions& options, const std::vector<capture::Field>& fields) {
+  return options.geometry_normals && options.weld &&
+         is_position_vector(capture::find_role(fields, capture::Role::position));
+}
 
 std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause) {
   if (!cause && !has_normals(call, inputs)) {
@@ -42,14 +57,19 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs
                                             .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors),
                                             .triangles = call.triangles},
                                            cause);
+  const bool made = has_made_normals(inputs.fields);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {
     return cause;
   }
+  pass->made = pass->curves && made;
   if (call.list_segment != 0) {
     return ask(mesh_of_list(call.list_segment), *pass, cause);
   }
   if (!call.from_arrays) {
+    if (pass->curves && !made) {
+      table_.set_normals(loose_mesh, {loose_mesh, GL_FLOAT});
+    }
     return cause == Cause::not_triangles ? cause : ask(loose_mesh, *pass, cause);
   }
   const std::vector<capture::Field>* fields = inputs.fields != nullptr ? inputs.fields : known_fields();
@@ -57,7 +77,7 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs
   if (position != nullptr || fields == nullptr) {
     const int slot = position != nullptr ? slot_of(*position) : vertex_slot_in_use();
     const MeshKey mesh = key_of(slot);
-    if (pass->curves && !inputs.lent_normal) {
+    if (pass->curves && !inputs.lent_normal && !made) {
       note_normals(mesh, slot, *fields);
     }
     pass->lacks_normal = cause == Cause::no_surface;
@@ -106,12 +126,10 @@ void MeshWatch::note_normals(const MeshKey& mesh, int position_slot, const std::
   }
 }
 
-MeshWatch::UnreadNormal MeshWatch::unread_normal(const DrawCall& call,
+MeshWatch::ChosenNormal MeshWatch::unread_normal(const DrawCall& call,
                                                  const std::vector<capture::Field>& fields) const {
   const capture::Field* position = capture::find_role(fields, capture::Role::position);
-  const bool is_vector = position != nullptr && !position->is_array &&
-                         (position->type == GL_FLOAT_VEC3 || position->type == GL_FLOAT_VEC4);
-  if (!is_vector || capture::find_role(fields, capture::Role::normal) != nullptr) {
+  if (!is_position_vector(position) || capture::find_role(fields, capture::Role::normal) != nullptr) {
     return {};
   }
   const bool conventional = position->name == "gl_Vertex";
@@ -125,11 +143,11 @@ MeshWatch::UnreadNormal MeshWatch::unread_normal(const DrawCall& call,
   const MeshKey mesh = key_of(slot_of(*position));
   const NormalSource& wanted = table_.normals(mesh);
   const int enabled = wanted.type != 0 ? find_array(wanted, fields) : own_normal;
-  return enabled != own_normal ? UnreadNormal{.attribute = enabled} : find_lender(mesh, slot_of(*position), fields);
+  return enabled != own_normal ? ChosenNormal{.attribute = enabled} : find_lender(mesh, slot_of(*position), fields);
 }
 
 // The application has not enabled the normals for this pass.
-MeshWatch::UnreadNormal MeshWatch::find_lender(const MeshKey& mesh, int position_slot,
+MeshWatch::ChosenNormal MeshWatch::find_lender(const MeshKey& mesh, int position_slot,
                                                const std::vector<capture::Field>& fields) const {
   const int slot = slot_in_use(position_slot);
   if (mesh == loose_mesh || slot == no_slot) {
@@ -141,7 +159,7 @@ MeshWatch::UnreadNormal MeshWatch::find_lender(const MeshKey& mesh, int position
     return {};
   }
   const int location = free_location(fields);
-  return location != own_normal ? UnreadNormal{location, lent} : UnreadNormal{};
+  return location != own_normal ? ChosenNormal{location, lent} : ChosenNormal{};
 }
 
 // The tags of the extension take the last three attributes.
@@ -154,6 +172,38 @@ int MeshWatch::free_location(const std::vector<capture::Field>& fields) const {
     }
   }
   return own_normal;
+}
+
+// Where no pass has normals. A pass without colours follows a mesh that shows; a shadow volume is no surface.
+bool MeshWatch::makes_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  if (!may_make_normals(env_.options, fields) || has_normals(call, {.fields = &fields})) {
+    return false;
+  }
+  const MeshKey mesh = mesh_of_draw(call, fields);
+  const bool colors = env_.bindings().color_writes && env_.state.framebuffers().bound_has_colors(env_.gl, env_.errors);
+  const bool shows = colors || (!(mesh == loose_mesh) && table_.shown(mesh));
+  return shows && table_.normals(mesh).type == 0;
+}
+
+MeshWatch::ChosenNormal MeshWatch::choose_normal(const DrawCall& call,
+                                                 const std::vector<capture::Field>& fields) const {
+  if (!env_.options.smooth) {
+    const bool made = may_make_normals(env_.options, fields) && capture::normal_offset(fields) < 0;
+    return {.attribute = made ? made_normal : own_normal};
+  }
+  const ChosenNormal unread = unread_normal(call, fields);
+  return unread.attribute == own_normal && makes_normals(call, fields) ? ChosenNormal{.attribute = made_normal} : unread;
+}
+
+MeshKey MeshWatch::mesh_of_draw(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  const capture::Field* position = capture::find_role(fields, capture::Role::position);
+  return call.list_segment != 0                    ? mesh_of_list(call.list_segment)
+         : call.from_arrays && position != nullptr ? key_of(slot_of(*position))
+                                                   : loose_mesh;
+}
+
+bool MeshWatch::mesh_wrote_depth(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  return table_.wrote_depth(mesh_of_draw(call, fields));
 }
 
 int MeshWatch::find_array(const NormalSource& wanted, const std::vector<capture::Field>& fields) const {
@@ -176,6 +226,9 @@ int MeshWatch::find_array(const NormalSource& wanted, const std::vector<capture:
 // The same normal at every vertex tells nothing about a surface: the array is off, or the list sets no normals.
 bool MeshWatch::has_normals(const DrawCall& call, const Inputs& inputs) const {
   const capture::Field* normal = capture::find_role(*inputs.fields, capture::Role::normal);
+  if (normal != nullptr && normal->made) {
+    return true;
+  }
   const int slot = normal != nullptr ? slot_of(*normal) : no_slot;
   if (slot == no_slot || inputs.lent_normal) {
     return inputs.lent_normal;

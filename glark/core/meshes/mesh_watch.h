@@ -16,28 +16,37 @@
 
 namespace glark::core {
 
+// Returns whether the user wants normals from positions, and the position allows them.
+bool may_make_normals(const ContextOptions& options, const std::vector<capture::Field>& fields);
+
 class MeshWatch {
  public:
   explicit MeshWatch(const Environment& environment) : env_(environment) {}
 
-  // Notes the draw. `cause`: why it cannot be curved. Returns why it stays unrefined; nothing if it is curved.
   struct Inputs {
     const std::vector<capture::Field>* fields = nullptr;  // of the vertex stage; null if they are not known
     bool lent_normal = false;                             // the array of the normal is enabled for the capture alone
   };
+  // Notes the draw. `cause`: why it cannot be curved. Returns why it stays unrefined; nothing if it is curved.
   std::optional<Cause> judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause);
-  // The normals for a draw by the vertex stage with these inputs, which reads none. The attribute is the location of an
-  // array, or conventional_normal, or own_normal if there are no normals.
-  struct UnreadNormal {
-    int attribute = own_normal;
+  // The normals of a draw by the vertex stage with these inputs.
+  struct ChosenNormal {
+    int attribute = own_normal;                          // DerivedKey::normal_attribute
     std::optional<AttributeSource> lent = std::nullopt;  // the capture must enable this array for the attribute
   };
-  UnreadNormal unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  ChosenNormal choose_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  // Passes over the mesh of this draw, or other draws, wrote depth in this or the last frame.
+  bool mesh_wrote_depth(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  bool any_wrote_depth() const { return table_.any_wrote_depth(); }
   void frame_finished() { table_.frame_finished(); }
 
  private:
+  // The stage reads no normal: finds an array that holds the normals of its mesh, or the normals of its list.
+  ChosenNormal unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  bool makes_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  MeshKey mesh_of_draw(const DrawCall& call, const std::vector<capture::Field>& fields) const;
   int find_array(const NormalSource& wanted, const std::vector<capture::Field>& fields) const;
-  UnreadNormal find_lender(const MeshKey& mesh, int position_slot, const std::vector<capture::Field>& fields) const;
+  ChosenNormal find_lender(const MeshKey& mesh, int position_slot, const std::vector<capture::Field>& fields) const;
   int free_location(const std::vector<capture::Field>& fields) const;
   void note_normals(const MeshKey& mesh, int position_slot, const std::vector<capture::Field>& fields);
   bool has_normals(const DrawCall& call, const Inputs& inputs) const;

@@ -7,10 +7,11 @@
 #include <cstring>
 #include <string>
 
+#include "glark/core/plan/budget_choice.h"
 #include "glark/core/plan/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
 #include "glark/core/plan/draw_notes.h"
-#include "glark/core/plan/instanced_inputs.h"
+#include "glark/core/plan/inputs/instanced_inputs.h"
 #include "glark/core/plan/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
 #include "glark/core/plan/unrefined/draw_rules.h"
@@ -53,6 +54,7 @@ RefinementChoice refinement_choice(const Environment& environment, const Program
   // Displacement adds a normal to the record of a fixed-function draw, also where lighting is off.
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
   facts.inputs.can_curve |= normal != own_normal;
+  facts.made_normal = normal == made_normal;
   return choose_refinement(facts);
 }
 
@@ -77,9 +79,11 @@ Decision Planner::plan(const DrawCall& call, Purpose purpose) {
       current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
-  if (smooth() && purpose == Purpose::draw) {
+  const bool spends = spends_on_curves(env_.options, env_.ark, decision.plan.wanted, decision.plan.depth);
+  if (purpose == Purpose::draw && (smooth() || spends)) {
     const MeshWatch::Inputs inputs{inputs_of(decision.plan), decision.plan.capture.lent.has_value()};
-    decision.cause = parts_.meshes.judge(call, inputs, decision.cause);
+    const std::optional<Cause> verdict = parts_.meshes.judge(call, inputs, decision.cause);
+    decision.cause = smooth() ? verdict : decision.cause;
   }
   return decision;
 }
@@ -224,10 +228,28 @@ std::shared_ptr<DerivedProgram> Planner::derived(const DrawPlan& plan, const Der
   return parts_.programs.derived().find(*plan.program, plan.owner, key);
 }
 
+std::optional<Cause> Planner::spend_budget(const DrawCall& call, DrawPlan& plan, Refinement chosen) const {
+  if (!spends_on_curves(env_.options, env_.ark, plan.wanted, plan.depth)) {
+    return std::nullopt;
+  }
+  Framebuffers& framebuffers = env_.state.framebuffers();
+  const VisibilityFacts facts{.bindings = env_.bindings(),
+                              .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
+                              .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors),
+                              .others_write_depth = parts_.meshes.any_wrote_depth(),
+                              .mesh_writes_depth = parts_.meshes.mesh_wrote_depth(call, plan.program->fields)};
+  if (!traits_of(chosen).curves_positions || is_background(facts)) {
+    return Cause::budget;
+  }
+  plan.depth.budget = {.curves_only = true, .counted = draws_colors(facts)};
+  return std::nullopt;
+}
+
 std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan) {
   const depth::DepthPlan& depth = plan.depth;
-  const MeshWatch::UnreadNormal normal =
-      smooth() ? parts_.meshes.unread_normal(call, plan.program->fields) : MeshWatch::UnreadNormal{};
+  const bool curves = env_.options.transparent && !env_.ark.enabled && traits_of(plan.wanted).curves_positions;
+  const MeshWatch::ChosenNormal normal =
+      curves ? parts_.meshes.choose_normal(call, plan.program->fields) : MeshWatch::ChosenNormal{};
   const std::uint32_t instanced = instanced_inputs_of(call, *plan.program);
   const refine::StageVariation& variation = parts_.programs.derived().variation(*plan.program, instanced);
   const RefinementChoice choice = refinement_choice(env_, *plan.program, variation, plan.wanted, normal.attribute);
@@ -235,6 +257,9 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   if (smooth() && choice.fallback) {
     tell_notes(*plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
     return Cause::no_surface;
+  }
+  if (const std::optional<Cause> cause = spend_budget(call, plan, choice.refinement)) {
+    return cause;
   }
   // The outputs of split polygons do not depend on the provoking vertex.
   DerivedKey key = derived_key(key_state(env_), {.refinement = choice.refinement,
@@ -244,7 +269,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .morphing = depth.morphing});
   key.normal_attribute = normal.attribute;
   key.instanced = instanced;
-  add_welded_words(key, depth.measured && depth.measure.degrees > 0);
+  add_welded_words(key, depth.measured && (depth.measure.degrees > 0 || depth.budget.curves_only));
   plan.derived = derived(plan, key);
   choose_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {
@@ -317,6 +342,7 @@ void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangle
     return;
   }
   plan.weld.edges_later = plan.polygons.has_value();
+  plan.weld.makes_normals = key.normal_attribute == made_normal;
   plan.weld.crease = crease_of(env_.options);
   const auto can_hold = [&] { return parts_.weld.can_hold(plan.weld, plan.derived->layout, triangles); };
   bool fits = can_hold();

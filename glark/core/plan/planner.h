@@ -48,6 +48,7 @@ class Planner {
   void tell_notes(Program& program, DrawNoteFacts facts) const;
   void choose_depths(const DrawCall& call, DrawPlan& plan) const;
   bool changes_nothing(const DrawPlan& plan, Purpose purpose) const;
+  std::optional<Cause> spend_budget(const DrawCall& call, DrawPlan& plan, Refinement chosen) const;
   std::optional<Cause> find_derived(const DrawCall& call, DrawPlan& plan);
   void choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangles);
   std::optional<Cause> find_corner_program(DrawPlan& plan);

@@ -12,7 +12,7 @@ std::optional<RefinementFallback> unsound_position(const RefinementFacts& facts)
   if (variation >= refine::Variation::switched) {
     return RefinementFallback::unsound_stage;
   }
-  if (variation == refine::Variation::continuous && !facts.inputs.can_curve) {
+  if (variation == refine::Variation::continuous && (!facts.inputs.can_curve || facts.made_normal)) {
     return RefinementFallback::bent_unknowing;
   }
   return std::nullopt;

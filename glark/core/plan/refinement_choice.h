@@ -27,6 +27,7 @@ struct RefinementFacts {
   const refine::VertexStageTraits& stage;
   const refine::StageVariation& variation;  // of the stage, with the arrays that are enabled
   refine::VertexInputTraits inputs = {};
+  bool made_normal = false;  // the normal is made from positions, so it does not tell that the mesh is a surface
 };
 
 struct RefinementChoice {

@@ -68,7 +68,8 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
     {"no_surface",
      "smooth curves only what is known to be a surface: the vertices have no normals of their own, or the vertex stage "
      "cannot run between them",
-     "--normal if the normal was not found; --refine pn, linear or outputs refines such draws, too"},
+     "--normal if the normal was not found; --normals geometry makes normals; --refine pn, linear or outputs refines "
+     "such draws, too"},
     {"mesh_waits", "smooth curves a mesh when two frames have shown all passes over it",
      "nothing to do; --refine pn curves at once"},
     {"mesh_flat", "another pass over the same mesh cannot be curved, and a mesh has one shape",
@@ -76,6 +77,7 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
     {"unknown_partner",
      "a pass that cannot be curved must meet another mesh in depth, and glark does not know which one",
      "--refine pn curves every pass by itself"},
+    {"budget", "--budget goes to what shows: the draw is a background, or it cannot be curved", "run without --budget"},
 }};
 
 }  // namespace

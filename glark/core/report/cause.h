@@ -44,8 +44,9 @@ enum class Cause {
   mesh_waits,       // smooth curves a mesh from its third frame on: meshes/mesh_table.h
   mesh_flat,        // smooth: another pass over the mesh cannot be curved
   unknown_partner,  // smooth: a pass that cannot be curved must meet an unknown mesh
+  budget,           // depth would not show, and a budget is set: plan/budget_choice.h
 };
-inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::unknown_partner) + 1;
+inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::budget) + 1;
 
 // `key` names the cause in the statistics file; `remedy` completes the log line.
 struct CauseText {

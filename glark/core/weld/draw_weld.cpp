@@ -33,7 +33,7 @@ std::vector<GLint> instance_words(const core::Environment& environment, const ca
 }  // namespace
 
 bool DrawWeld::run(WeldRequest request, const core::GpuBuffer& captured_count) {
-  if (!request.plan->on || !(request.edges || request.tags)) {
+  if (!request.plan->on || !(request.edges || request.tags || request.normals)) {
     return false;
   }
   const std::vector<GLint> keys = instance_words(env_, *request.layout);

@@ -20,12 +20,20 @@ class DrawWeld {
   // `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
   bool weld_captured(const WeldPlan& plan, const capture::Layout& layout, const capture::CoarseTriangles& triangles,
                      const core::GpuBuffer& captured_count) {
-    return run({&plan, &layout, triangles, {}, layout.joins_edges() && !plan.edges_later, layout.tagged},
+    return run({.plan = &plan,
+                .layout = &layout,
+                .triangles = triangles,
+                .key_words = {},
+                .edges = layout.joins_edges() && !plan.edges_later,
+                .tags = layout.tagged,
+                .normals = plan.makes_normals},
                captured_count);
   }
   bool weld_split(const WeldPlan& plan, const capture::Layout& layout, const capture::CoarseTriangles& triangles,
                   const core::GpuBuffer& captured_count) {
-    return run({&plan, &layout, triangles, {}, layout.joins_edges(), false}, captured_count);
+    return run(
+        {.plan = &plan, .layout = &layout, .triangles = triangles, .key_words = {}, .edges = layout.joins_edges()},
+        captured_count);
   }
   void release() { stage_.release(); }
 

@@ -39,7 +39,9 @@ std::uint64_t table_words(const WeldPlan& plan, const capture::Layout& layout, s
 }
 
 std::uint64_t bytes_for(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles) {
-  return 4 * table_words(plan, layout, triangles) + sizeof(extent);
+  const std::uint64_t for_normals =
+      plan.makes_normals ? 2 * slots_for(static_cast<std::uint32_t>(triangles)) + 6 * triangles : 0;
+  return 4 * std::max(table_words(plan, layout, triangles), for_normals) + sizeof(extent);
 }
 
 // Sets the limits of creases.glsl. Faces that meet at exactly the angle of the limit do not make a crease.
@@ -88,7 +90,8 @@ bool WeldStage::can_hold(const WeldPlan& plan, const capture::Layout& layout, st
 
 // Room for many triangles is also room for few.
 bool WeldStage::has_room(const WeldPlan& plan, const capture::Layout& layout, std::uint32_t triangles) const {
-  return pass(ability(plan, layout), takes_one_dispatch(triangles) ? Pass::all : Pass::write).built() &&
+  return (!plan.makes_normals || normals_.built()) &&
+         pass(ability(plan, layout), takes_one_dispatch(triangles) ? Pass::all : Pass::write).built() &&
          bytes_for(plan, layout, triangles) <= static_cast<std::uint64_t>(tables_.size());
 }
 
@@ -99,7 +102,7 @@ bool WeldStage::reserve(const WeldPlan& plan, const capture::Layout& layout, std
            (needed != Ability::creased || build(needed, Pass::mark)) && build(needed, Pass::write);
   };
   const bool built = build(needed, Pass::all) && (takes_one_dispatch(triangles) || builds_several());
-  return built && can_hold(plan, layout, triangles) &&
+  return built && (!plan.makes_normals || normals_.build()) && can_hold(plan, layout, triangles) &&
          tables_.reserve(gl_, static_cast<GLsizeiptr>(bytes_for(plan, layout, triangles)), GL_DYNAMIC_COPY);
 }
 
@@ -137,6 +140,24 @@ void WeldStage::run(const WeldRequest& request, GLuint captured_count) {
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, captured_count);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, tables_.name());
+  if (request.normals) {
+    make_normals(request);
+  }
+  if (request.edges || request.tags) {
+    weld(request);
+  }
+  gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+void WeldStage::make_normals(const WeldRequest& request) const {
+  normals_.run({.layout = request.layout,
+                .triangles = request.triangles,
+                .key_words = request.key_words,
+                .crease = request.plan->crease,
+                .slots = slots_for(request.triangles.count)});
+}
+
+void WeldStage::weld(const WeldRequest& request) const {
   const std::uint32_t triangles = request.triangles.count;
   if (takes_one_dispatch(triangles)) {
     dispatch(Pass::all, request, 1);
@@ -152,10 +173,10 @@ void WeldStage::run(const WeldRequest& request, GLuint captured_count) {
     }
     dispatch(Pass::write, request, 3 * triangles);
   }
-  gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void WeldStage::release() {
+  normals_.release();
   for (auto& passes : passes_) {
     for (core::ComputePass& pass : passes) {
       pass.release(gl_);

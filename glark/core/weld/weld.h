@@ -20,6 +20,7 @@
 #include "glark/core/capture/layout.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/weld/geometry_normals.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::weld {
@@ -27,8 +28,9 @@ namespace glark::weld {
 inline constexpr float no_crease = 180;  // degrees: curved triangles follow the normals without limits
 
 struct WeldPlan {
-  bool on = false;           // welds edges if the layout has room for them, and tags if it has any
-  bool edges_later = false;  // welds the edges of the triangles that polygons are split into
+  bool on = false;             // welds edges if the layout has room for them, and tags if it has any
+  bool edges_later = false;    // welds the edges of the triangles that polygons are split into
+  bool makes_normals = false;  // from the positions, before anything else
   float crease = no_crease;  // degrees; edges stay straight whose faces meet at more although they share their normals
 
   // Returns whether curved triangles stay near their coarse ones. Tags need the words of the tables for themselves.
@@ -43,13 +45,15 @@ struct WeldRequest {
   std::span<const GLint> key_words;
   bool edges = false;
   bool tags = false;
+  bool normals = false;
 };
 
 inline constexpr std::size_t most_key_words = 32;
 
 class WeldStage {
  public:
-  WeldStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+  WeldStage(const gl::Dispatch& gl, capture::Language language)
+      : gl_(gl), language_(language), normals_(gl, language) {}
 
   // Returns whether the tables for `triangles` triangles fit into a storage block.
   bool can_hold(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles);
@@ -69,11 +73,14 @@ class WeldStage {
   core::ComputePass& pass(Ability ability, Pass pass);
   const core::ComputePass& pass(Ability ability, Pass pass) const;
   bool build(Ability ability, Pass pass);
+  void make_normals(const WeldRequest& request) const;
+  void weld(const WeldRequest& request) const;
   void dispatch(Pass pass, const WeldRequest& request, std::uint32_t invocations) const;
 
   const gl::Dispatch& gl_;
   capture::Language language_;
   std::array<std::array<core::ComputePass, 5>, 3> passes_;  // by ability
+  GeometryNormals normals_;
   core::GpuBuffer tables_;
   GLint64 largest_block_ = 0;
 };

@@ -43,6 +43,7 @@ class InstancedDraws : public testing::Test {
     plain_.gl.EnableVertexAttribArray(3);
   }
   ~InstancedDraws() override { context_->release(); }
+
   // Returns whether the stage ran between the corners.
   bool runs_between_corners(GLuint divisor) {
     plain_.gl.VertexAttribDivisor(3, divisor);

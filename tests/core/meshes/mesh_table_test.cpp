@@ -79,6 +79,30 @@ TEST_F(MeshTables, AListThatIsOnlyFlatDoesNotMakeOthersWait) {
   }
 }
 
+// In the first frame, nothing tells that the sky is a background.
+TEST_F(MeshTables, ABackgroundDoesNotMakeItsSourceMixed) {
+  constexpr MeshPass sky{.curves = true, .uses_depth = true};
+  constexpr MeshPass known_sky{.uses_depth = true, .behind = true};
+  for (std::uint64_t frame = 1; frame <= 5; ++frame) {
+    table_.draw(mesh_of_list(100), frame == 1 ? sky : known_sky);
+    EXPECT_EQ(table_.draw(mesh_of_list(frame), colors), frame <= 2 ? MeshVerdict::waits : MeshVerdict::curved) << frame;
+    table_.frame_finished();
+  }
+}
+
+TEST_F(MeshTables, KnowsWhoWroteDepth) {
+  EXPECT_TRUE(table_.any_wrote_depth()) << "nothing is known in the first frame";
+  EXPECT_FALSE(table_.wrote_depth(ball));
+  table_.draw(ball, colors);
+  table_.draw(copy_of_ball, equal_colors);
+  table_.frame_finished();
+  EXPECT_TRUE(table_.any_wrote_depth() && table_.wrote_depth(ball));
+  EXPECT_FALSE(table_.wrote_depth(copy_of_ball));
+  table_.draw(copy_of_ball, equal_colors);
+  table_.frame_finished();
+  EXPECT_FALSE(table_.any_wrote_depth() || table_.wrote_depth(ball)) << "two frames ago";
+}
+
 TEST_F(MeshTables, OneFlatPassKeepsTheMeshFlat) {
   EXPECT_EQ(settled({{ball, flat_depth}, {ball, colors}}), MeshVerdict::flat);
   EXPECT_EQ(settled({{copy_of_ball, colors}}), MeshVerdict::curved) << "another mesh";
@@ -113,6 +137,26 @@ TEST_F(MeshTables, APassThatLacksOnlyNormalsIsExcusedUntilAnotherPassHasThem) {
 TEST_F(MeshTables, APassThatFindsNoNormalsMakesItsMeshFlatInTheNextFrame) {
   constexpr MeshPass lacking{.lacks_normal = true, .uses_depth = true, .writes_depth = true};
   EXPECT_EQ(settled({{ball, lacking}, {ball, colors}}), MeshVerdict::flat);
+}
+
+constexpr MeshPass made_colors{.curves = true, .made = true, .uses_depth = true, .writes_depth = true};
+constexpr MeshPass made_equal{.curves = true, .made = true, .uses_depth = true, .equal = true};
+
+TEST_F(MeshTables, NormalsFromPositionsCurveAMeshInAllPasses) {
+  EXPECT_EQ(settled({{ball, made_colors}, {ball, made_equal}}), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, TwoKindsOfNormalsAreTwoShapes) {
+  table_.draw(ball, made_colors);
+  EXPECT_EQ(table_.draw(ball, colors), MeshVerdict::waits) << "the normals were not known yet in the first frame";
+  table_.frame_finished();
+  table_.draw(ball, made_colors);
+  EXPECT_EQ(table_.draw(ball, colors), MeshVerdict::flat);
+}
+
+TEST_F(MeshTables, LooseDrawsWithNormalsFromPositionsAreNotMet) {
+  EXPECT_EQ(settled({{loose_mesh, made_colors}, {loose_mesh, colors}}), MeshVerdict::curved);
+  EXPECT_EQ(settled({{loose_mesh, made_colors}, {loose_mesh, equal_colors}}), MeshVerdict::flat);
 }
 
 TEST_F(MeshTables, AMeshThatWasFlatOnceStaysFlat) {

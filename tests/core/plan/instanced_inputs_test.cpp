@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/plan/instanced_inputs.h"
+#include "glark/core/plan/inputs/instanced_inputs.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@ namespace {
 class RefinementChoices : public testing::Test {
  protected:
   RefinementChoice choice(Refinement wanted) const {
-    return choose_refinement({wanted, transparent, stage, stage.variation, inputs});
+    return choose_refinement({wanted, transparent, stage, stage.variation, inputs, false});
   }
   void expect(Refinement wanted, Refinement refinement, std::optional<RefinementFallback> fallback) const {
     EXPECT_EQ(choice(wanted).refinement, refinement);
@@ -85,6 +85,16 @@ TEST_F(RefinementChoices, ABentPositionNeedsANormal) {
   expect(Refinement::phong, Refinement::linear_outputs, RefinementFallback::bent_unknowing);
   vary(refine::Variation::affine);
   expect(Refinement::linear_inputs, Refinement::linear_inputs, std::nullopt);
+}
+
+// It tells no surface from an impostor.
+TEST_F(RefinementChoices, ANormalFromPositionsDoesNotMakeABentPositionSound) {
+  vary(refine::Variation::continuous);
+  const RefinementFacts facts{
+      .wanted = Refinement::pn, .transparent = true, .stage = stage, .inputs = inputs, .made_normal = true};
+  EXPECT_EQ(choose_refinement(facts).fallback, RefinementFallback::bent_unknowing);
+  vary(refine::Variation::affine);
+  EXPECT_FALSE(choose_refinement(facts).fallback);
 }
 
 TEST_F(RefinementChoices, OtherOutputsDoNotDecide) {

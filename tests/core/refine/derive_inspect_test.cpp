@@ -34,6 +34,15 @@ TEST(DeriveInspect, SystemValues) {
                   .system_values.contains("gl_InstanceID"));
 }
 
+// Blender finds its object's matrix by gl_BaseInstanceARB in GLSL 4.30.
+TEST(DeriveInspect, DrawParametersOfOlderVersions) {
+  const VertexStageTraits traits = traits_of(
+      "#version 430\n#extension GL_ARB_shader_draw_parameters : enable\nin vec3 position; uniform mat4 matrices[4];\n"
+      "void main() { gl_Position = matrices[gl_BaseInstanceARB + gl_InstanceID] * vec4(position, 1.0); }");
+  EXPECT_TRUE(traits.system_values.contains("gl_BaseInstance"));
+  for (const OutputVariation& output : traits.variation.outputs) EXPECT_NE(output.variation, Variation::undefined);
+}
+
 TEST(DeriveInspect, SideEffects) {
   const std::string head =
       "#version 450\nlayout(rgba8, binding = 0) uniform image2D i; layout(binding = 0, offset = 0) uniform atomic_uint "

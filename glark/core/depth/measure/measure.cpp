@@ -16,10 +16,12 @@ constexpr const char* limit_names[] = {"pixels", "radians_of_turn", "budget", "r
 enum LimitUniform : std::size_t { pixels, radians_of_turn, budget, restart_limits, most_change };
 
 // Uniforms of the pass that measures; all but the last are integers.
-constexpr const char* depth_names[] = {"record_offset",  "corner_words", "normal_offset", "first_depth",
-                                       "triangle_bound", "pool_level",   "on_screen",     "packed_bits",
-                                       "depth_steps",    "turn_offset",  "half_size"};
-constexpr std::size_t half_size = 10;
+constexpr const char* depth_names[] = {"record_offset",   "corner_words",      "normal_offset",
+                                       "first_depth",     "triangle_bound",    "pool_level",
+                                       "on_screen",       "packed_bits",       "depth_steps",
+                                       "turn_offset",     "straight_position", "straight_position_words",
+                                       "straight_normal", "straight_control",  "half_size"};
+constexpr std::size_t half_size = 14;
 
 constexpr int depths = static_cast<int>(core::max_supported_level) + 1;
 constexpr GLsizeiptr limit_bytes = 4 * (1 + 2 * depths);
@@ -121,12 +123,22 @@ EdgeEnds MeasureStage::find_ends(const MeasureRequest& request, const core::Edge
   return {ends_.name(), limits_.name()};
 }
 
+std::array<GLint, straight_edge_uniforms> straight_edge_words(const MeasureRequest& request) {
+  const capture::Layout& layout = *request.layout;
+  const capture::Field* const position = capture::find_role(layout.fields, capture::Role::position);
+  if (!request.budget.curves_only || position == nullptr) {
+    return {0, 0, -1, -1};
+  }
+  return {position->offset, position->words, capture::normal_offset(layout.fields), layout.control_offset};
+}
+
 MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::Bindings& bindings) {
   const MeasuredDepths result{ends_.name(), first_depth(ends_), request.depth_steps == 1 ? 4 : 10};
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, ends_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, limits_.name());
   depth_pass_.use(gl_);
+  const auto straight = straight_edge_words(request);
   const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
                           request.layout->corner_words,
                           request.normal_offset,
@@ -136,7 +148,11 @@ MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::
                           request.corner_program != 0 ? 1 : 0,
                           result.bits,
                           request.depth_steps,
-                          request.layout->turn_offset};
+                          request.layout->turn_offset,
+                          straight[0],
+                          straight[1],
+                          straight[2],
+                          straight[3]};
   depth_pass_.set_integers(gl_, values);
   gl_.Uniform2f(depth_pass_.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   core::ComputePass::dispatch(gl_, request.triangles.count);

@@ -60,7 +60,7 @@ void main() {
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Records { uint records[]; };
-layout(std430, binding = 1) buffer Ends { uint ends[]; };  // gl_Position of each corner, then the packed depths
+layout(std430, binding = 1) buffer Ends { uint ends[]; };  // gl_Position of each corner, then the words of MeasuredDepths
 layout(std430, binding = 2) readonly buffer Limits { float limits[]; };
 
 uniform int record_offset;  // in words
@@ -81,18 +81,24 @@ int corner_count() { return 3 * triangle_bound; }
 #include "glark/core/depth/edge_steps.glsl"
 #include "glark/core/depth/measure/edge_depth.glsl"
 #include "glark/core/depth/measure/measured_edge.glsl"
+#include "glark/core/depth/measure/straight_edge.glsl"
 
 void main() {
   int triangle = int(gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x);
   if (triangle >= triangle_bound) {
     return;
   }
-  int depths = 0;
+  uint depths = 0u;
+  bool is_flat = true;
   for (int edge = 0; edge < 3; ++edge) {
-    int steps = measured_steps(3 * triangle + edge, 3 * triangle + (edge == 2 ? 0 : edge + 1));
-    depths |= steps << (packed_bits * edge);
+    int from = 3 * triangle + edge;
+    int to = 3 * triangle + (edge == 2 ? 0 : edge + 1);
+    if (!is_straight(from, to)) {
+      is_flat = false;
+      depths |= uint(measured_steps(from, to)) << (packed_bits * edge);
+    }
   }
-  ends[first_depth + triangle] = uint(depths);
+  ends[first_depth + triangle] = depths | (is_flat ? 0x80000000u : 0u);
 }
 
 #endif

@@ -6,9 +6,12 @@
 // each edge.
 #pragma once
 
+#include <array>
+
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/context_options.h"
+#include "glark/core/depth/depth_plan.h"
 #include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
@@ -24,7 +27,12 @@ struct MeasureRequest {
   int normal_offset = -1;     // of the normal in a captured corner; -1: normals are not measured
   unsigned pool_level = 0;
   int depth_steps = 1;  // steps per level: 1, or pattern::morph_steps
+  BudgetPlan budget = {};
 };
+
+// The uniforms of straight_edge.glsl, in their order there.
+inline constexpr std::size_t straight_edge_uniforms = 4;
+std::array<GLint, straight_edge_uniforms> straight_edge_words(const MeasureRequest& request);
 
 class MeasureStage {
  public:

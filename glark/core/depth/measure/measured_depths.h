@@ -15,7 +15,8 @@ struct EdgeEnds {
 };
 
 // One word per coarse triangle, with some bits for the depth of each edge, edge 0 in the lowest. Depths are whole
-// levels in 4 bits, or steps in 10 bits (pattern::morph_steps per level).
+// levels in 4 bits, or steps in 10 bits (pattern::morph_steps per level). The highest bit is set if all three edges are
+// straight, where the budget does not pay for them (BudgetPlan).
 struct MeasuredDepths {
   GLuint buffer = 0;  // 0: none
   GLintptr offset = 0;

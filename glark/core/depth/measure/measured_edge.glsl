@@ -10,8 +10,8 @@ vec4 position_of(int corner) {
   return uintBitsToFloat(uvec4(ends[4 * corner], ends[4 * corner + 1], ends[4 * corner + 2], ends[4 * corner + 3]));
 }
 
-vec3 normal_of(int corner) {
-  int word = record_offset + corner * corner_words + normal_offset;
+vec3 normal_at(int corner, int offset) {
+  int word = record_offset + corner * corner_words + offset;
   return uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2]));
 }
 
@@ -35,7 +35,7 @@ int measured_steps(int a, int b) {
   }
   if (normal_offset >= 0) {
     ivec2 side = side_that_turns_most(a, b);
-    steps = min(steps, glark_steps_of_turn(normal_of(side.x), normal_of(side.y), depth_of(steps)));
+    steps = min(steps, glark_steps_of_turn(normal_at(side.x, normal_offset), normal_at(side.y, normal_offset), depth_of(steps)));
   }
   return steps;
 }

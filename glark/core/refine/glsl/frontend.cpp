@@ -8,6 +8,7 @@
 #include <glslang/Public/ShaderLang.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <mutex>
 #include <unordered_set>
@@ -215,8 +216,9 @@ Preprocessed preprocess(const std::string& source, bool es, const std::vector<st
   return result;
 }
 
-Parsed parse_vertex_shader(const std::string& preprocessed, bool es) {
-  initialize();
+namespace {
+
+Parsed parse(const std::string& preprocessed, bool es) {
   const char* const text = preprocessed.c_str();
   const int length = static_cast<int>(preprocessed.size());
   auto shader = std::make_unique<glslang::TShader>(EShLangVertex);
@@ -233,6 +235,36 @@ Parsed parse_vertex_shader(const std::string& preprocessed, bool es) {
     FindMemoryWrites find;
     root->traverse(&find);
     result.writes_memory = find.found;
+  }
+  return result;
+}
+
+// The front end has the built-ins of GL_ARB_shader_draw_parameters from GLSL 4.50 on, drivers have them in every version.
+std::string with_draw_parameters(const std::string& preprocessed, bool es) {
+  Tokens tokens = tokenize(preprocessed);
+  const auto directive =
+      std::find_if(tokens.begin(), tokens.end(), [](const Token& token) { return directive_name(token) == "version"; });
+  const GlslVersion version = version_of(tokens, es);
+  if (directive == tokens.end() || version.es || version.number >= 450) return {};
+  directive->text = version.compatibility ? "#version 450 compatibility" : "#version 450";
+  return to_text(tokens);
+}
+
+bool names_draw_parameter(const std::string& error) {
+  constexpr std::array names = {"'gl_BaseVertexARB'", "'gl_BaseInstanceARB'", "'gl_DrawIDARB'"};
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return error.find(name) != std::string::npos; });
+}
+
+}  // namespace
+
+Parsed parse_vertex_shader(const std::string& preprocessed, bool es) {
+  initialize();
+  Parsed result = parse(preprocessed, es);
+  if (!result.ok && names_draw_parameter(result.error)) {
+    const std::string newer = with_draw_parameters(preprocessed, es);
+    Parsed second = newer.empty() ? Parsed{} : parse(newer, es);
+    if (second.ok) return second;
   }
   return result;
 }

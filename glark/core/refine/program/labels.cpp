@@ -33,6 +33,7 @@ std::string kind_of(const core::DerivedKey& key) {
   const core::RefinementTraits& traits = core::traits_of(key.refinement);
   std::string kind(traits.word);
   kind += key.displaced ? "-displaced" : "";
+  kind += key.normal_attribute == core::made_normal ? "-made" : "";
   kind += key.normal_attribute != core::own_normal ? "-normal" : "";
   kind += key.tagged ? "-tagged" : "";
   kind += key.welded && traits.curves_positions ? "-welded" : "";

@@ -43,13 +43,19 @@ void add_conventional_inputs(std::vector<capture::Field>& fields) {
   }
 }
 
-// The normals of the mesh, which another pass over it reads.
+// The normals of the mesh: those that another pass over it reads, or normals from positions. In the second case, a
+// normal of the vertex stage is the same for all vertices.
 void add_normal(std::vector<capture::Field>& fields, const core::DerivedKey& key) {
   if (key.normal_attribute == core::own_normal || key.at_corner) return;
   capture::Field normal{.name = "gl_Normal", .type = GL_FLOAT_VEC3, .role = capture::Role::normal};
   if (key.normal_attribute != core::conventional_normal) {
     normal.name = "glark_normal";
-    normal.location = key.normal_attribute;
+    normal.made = key.normal_attribute == core::made_normal;
+    normal.location = normal.made ? -1 : key.normal_attribute;
+  }
+  for (capture::Field& field : fields) {
+    const bool replaced = normal.made && field.role == capture::Role::normal;
+    field.role = replaced ? capture::Role::other : field.role;
   }
   fields.push_back(normal);
 }

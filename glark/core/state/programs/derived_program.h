@@ -21,6 +21,7 @@ inline constexpr GLint virtual_location_base = 0x40000000;
 // Values of DerivedKey::normal_attribute besides locations.
 inline constexpr int own_normal = -1;           // the input with that role
 inline constexpr int conventional_normal = -2;  // glNormal and glNormalPointer, which the stage does not read
+inline constexpr int made_normal = -3;          // from positions: weld/geometry_normals.h
 
 // Selects one of the programs that are derived from a program of the application.
 struct DerivedKey {
