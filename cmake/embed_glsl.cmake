@@ -25,6 +25,7 @@ set(GLARK_GLSL_HEADERS
   ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/measured_edge.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/straight_edge.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/border.glsl
+  ${PROJECT_SOURCE_DIR}/glark/core/weld/cells.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/creases.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/tables.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/tangent.glsl)

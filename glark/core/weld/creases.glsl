@@ -8,7 +8,9 @@
 //   that is too steep on one of its faces has the same effect.
 // - A boundary is a crease, too, where the surface does not go on smoothly beyond it: the lid of a wall may be another
 //   draw.
-// - The control points of an edge stay within half the least height of all triangles at this edge.
+// - The control points of an edge stay within half the least height of all triangles at this edge. Triangles without an
+//   area do not count.
+// - A triangle with one normal is meant to be flat. If this normal is not that of its face, its edges are straight.
 //
 // Angles come from the positions alone: a triangle lies on one side of its edge, in a direction that its winding does
 // not change. Two triangles in one plane have opposite directions, folded triangles have the same.
@@ -40,9 +42,15 @@ vec3 across(uint side) {
   return has_area ? glark_pn_unit(apart) : vec3(0.0);
 }
 
-// The least height of the triangle at this half-edge. It has the same bits whichever corner comes first: the sums begin
-// at the least corner.
-float least_height(int half_edge) {
+struct Face {
+  float least_height;
+  vec3 normal;  // of any length, of either direction; zero if the triangle has no area but for rounding
+};
+
+// The face has the same bits whichever corner comes first, but for the sign of the normal: the sums begin at the least
+// corner.
+Face face_of(int half_edge) {
+  const float rounding = 1.0e-6;  // of the longest edge
   uvec4 a = position_of(half_edge);
   uvec4 b = position_of(next_corner(half_edge));
   uvec4 c = position_of(next_corner(next_corner(half_edge)));
@@ -55,22 +63,41 @@ float least_height(int half_edge) {
   precise vec3 second = uintBitsToFloat(other.xyz) - from;
   float scale = max(largest(first), largest(second));
   if (!(scale > 0.0)) {
-    return 0.0;
+    return Face(0.0, vec3(0.0));
   }
   first /= scale;
   second /= scale;
   precise vec3 third = second - first;
   float longest = max(max(dot(first, first), dot(second, second)), dot(third, third));
-  vec3 twice_area = cross(first, second);
-  precise float height = scale * sqrt(dot(twice_area, twice_area) / longest);
-  return height;
+  precise vec3 twice_area = cross(first, second);
+  precise float height = sqrt(dot(twice_area, twice_area) / longest);
+  bool has_area = height > rounding * sqrt(longest);
+  return Face(scale * height, has_area ? twice_area : vec3(0.0));
+}
+
+// Returns whether a triangle has one normal, which leans away from the normal of its face. Such a triangle is meant to
+// be flat; the lean is a mistake, or does not matter to the program. A lid with its own normal does not lean, so that
+// its edge follows the wall.
+bool is_flat_but_leans(int half_edge, vec3 normal_of_face) {
+  const float least_cosine = 0.9994;  // 2 degrees: normals have few digits
+  uvec4 plane = plane_of(half_edge);
+  int next = next_corner(half_edge);
+  if (plane == uvec4(0u) || plane != plane_of(next) || plane != plane_of(next_corner(next))) {
+    return false;
+  }
+  precise float cosine = dot(glark_pn_unit(uintBitsToFloat(plane.xyz)), glark_pn_unit(normal_of_face));
+  return abs(cosine) < least_cosine;
 }
 
 // Adds a side to the list of its edge, and its height to the least one. Bits of positive numbers are in the order of
-// the numbers. They are stored inverted, because the tables begin with 0.
+// the numbers. They are stored inverted, because the tables begin with 0. A height of 0 keeps the edge straight.
 void insert_limits(int half_edge, int slot, uint side) {
   tables[next_side(half_edge)] = atomicExchange(tables[first_side(slot)], side);
-  atomicMax(tables[height_of(slot)], ~floatBitsToUint(least_height(half_edge)));
+  Face face = face_of(half_edge);
+  if (face.normal != vec3(0.0)) {
+    float height = is_flat_but_leans(half_edge, face.normal) ? 0.0 : face.least_height;
+    atomicMax(tables[height_of(slot)], ~floatBitsToUint(height));
+  }
 }
 
 // Two faces share their normals at a corner if these differ by less than half of the angle of the faces. Opposite
@@ -149,7 +176,7 @@ void mark(int half_edge) {
   if (!is_side(half_edge)) {
     return;
   }
-  uint side = side_name(half_edge, before(position_of(next_corner(half_edge)), position_of(half_edge)));
+  uint side = side_name(half_edge, before(cell_of(next_corner(half_edge)), cell_of(half_edge)));
   vec3 direction = across(side);
   if (direction == vec3(0.0)) {
     return;
@@ -165,7 +192,11 @@ void mark(int half_edge) {
 bool is_straight_at(int corner) { return tables[steepness(corner)] != 0u; }
 
 // Control points are kept multiplied by 3. The edge then stays within 3/8 of the height, the triangle within half of it.
+// No limit is known if no triangle at the edge has an area.
 vec3 limited(vec3 control, vec4 near, vec4 far, int slot) {
+  if (tables[height_of(slot)] == 0u) {
+    return control;
+  }
   precise vec3 straight = 2.0 * near.xyz + far.xyz;
   precise vec3 offset = control - straight;
   precise float most = 1.5 * uintBitsToFloat(~tables[height_of(slot)]);

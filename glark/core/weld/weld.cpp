@@ -16,10 +16,11 @@ constexpr char weld_source[] =
 constexpr const char* uniform_names[] = {
     "record_offset", "corner_words",   "triangle_bound", "count_on_gpu",  "position_offset",   "position_words",
     "normal_offset", "control_offset", "turn_offset",    "border_offset", "coordinate_offset", "tag_offset",
-    "slot_count",    "key_count",      "key_words",      "crease_cosine", "steepest_cosine"};
-constexpr std::size_t key_words = 14;
-constexpr std::size_t crease_cosine = 15;
-constexpr std::size_t steepest_cosine = 16;
+    "slot_count",    "key_count",      "extent_offset",  "key_words",     "crease_cosine",     "steepest_cosine"};
+constexpr std::size_t key_words = 15;
+constexpr std::size_t crease_cosine = 16;
+constexpr std::size_t steepest_cosine = 17;
+constexpr std::uint32_t extent[6] = {};           // the words of cells.glsl, before the first corner
 constexpr std::uint32_t most_in_one_group = 128;  // triangles: one dispatch costs less than several
 
 bool takes_one_dispatch(std::uint32_t triangles) { return triangles <= most_in_one_group; }
@@ -27,14 +28,20 @@ bool takes_one_dispatch(std::uint32_t triangles) { return triangles <= most_in_o
 // The size of each table. A triangle adds at most 3 entries.
 std::uint64_t slots_for(std::uint32_t triangles) { return 4 * std::max<std::uint64_t>(4, triangles); }
 
-std::uint64_t bytes_for(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles) {
+// The words of the tables, without the extent behind them.
+std::uint64_t table_words(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles) {
   const std::uint64_t slots = slots_for(static_cast<std::uint32_t>(triangles));
   const bool creased = plan.creased(layout);
   const std::uint64_t tables =
       (layout.joins_edges() ? 1 : 0) + (layout.tagged || layout.displaced() || creased ? 1 : 0);
   const std::uint64_t more = (layout.turn_offset >= 0 ? 1 : 0) + (layout.displaced() ? 5 : 0) + (creased ? 2 : 0);
-  const std::uint64_t words = tables * (2 * slots + 3 * triangles) + more * slots + (creased ? 3 * triangles : 0);
-  return 4 * std::max(words, plan.makes_normals ? 2 * slots + 6 * triangles : 0);
+  return tables * (2 * slots + 3 * triangles) + more * slots + (creased ? 3 * triangles : 0);
+}
+
+std::uint64_t bytes_for(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles) {
+  const std::uint64_t for_normals =
+      plan.makes_normals ? 2 * slots_for(static_cast<std::uint32_t>(triangles)) + 6 * triangles : 0;
+  return 4 * std::max(table_words(plan, layout, triangles), for_normals) + sizeof(extent);
 }
 
 // Sets the limits of creases.glsl. Faces that meet at exactly the angle of the limit do not make a crease.
@@ -117,7 +124,8 @@ void WeldStage::dispatch(Pass step, const WeldRequest& request, std::uint32_t in
                           layout.coordinate_offset,
                           request.tags ? layout.tag_offset : -1,
                           static_cast<GLint>(slots_for(request.triangles.count)),
-                          static_cast<GLint>(keys.size())};
+                          static_cast<GLint>(keys.size()),
+                          static_cast<GLint>(table_words(*request.plan, layout, request.triangles.count))};
   program.use(gl_);
   program.set_integers(gl_, values);
   set_limits(gl_, program, request.plan->crease);
@@ -130,8 +138,8 @@ void WeldStage::dispatch(Pass step, const WeldRequest& request, std::uint32_t in
 
 void WeldStage::run(const WeldRequest& request, GLuint captured_count) {
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
-  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, tables_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, captured_count);
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, tables_.name());
   if (request.normals) {
     make_normals(request);
   }
@@ -154,6 +162,10 @@ void WeldStage::weld(const WeldRequest& request) const {
   if (takes_one_dispatch(triangles)) {
     dispatch(Pass::all, request, 1);
   } else {
+    if (request.plan->creased(*request.layout)) {
+      const std::uint64_t words = table_words(*request.plan, *request.layout, triangles);
+      gl_.BufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(4 * words), sizeof(extent), extent);
+    }
     dispatch(Pass::clear, request, static_cast<std::uint32_t>(slots_for(triangles)));
     dispatch(Pass::insert, request, 3 * triangles);
     if (request.plan->creased(*request.layout)) {

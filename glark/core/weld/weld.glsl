@@ -17,6 +17,7 @@
 // tangent planes meet.
 #define glark_precise precise
 #include "glark/core/weld/tables.glsl"
+#include "glark/core/weld/cells.glsl"
 #include "glark/core/weld/tangent.glsl"
 
 layout(local_size_x = GLARK_GROUP) in;
@@ -40,7 +41,7 @@ uvec4 plane_of(int corner) {
 
 // An edge, with the values of one of its sides at the ends.
 struct Edge {
-  uvec4 low;  // positions
+  uvec4 low;  // cells
   uvec4 high;
   uvec4 low_plane;
   uvec4 high_plane;
@@ -49,7 +50,7 @@ struct Edge {
 
 bool is_edge_of(Edge edge, uint side) {
   int low = end_of_side(side, false);
-  return position_of(low) == edge.low && position_of(end_of_side(side, true)) == edge.high &&
+  return cell_of(low) == edge.low && cell_of(end_of_side(side, true)) == edge.high &&
          same_key(low, end_of_side(edge.side, false));
 }
 
@@ -71,7 +72,10 @@ int order_of(Edge edge, uint other) {
   }
   uvec4 own = coordinates_of(edge.side);
   uvec4 others = coordinates_of(other);
-  return own == others ? 0 : before(own, others) ? -1 : 1;
+  if (own != others) {
+    return before(own, others) ? -1 : 1;
+  }
+  return GLARK_CREASED == 1 ? order_in_cells(edge.side, other) : 0;
 }
 
 // Puts the side in the place of another that comes after it (direction -1) or before it (1).
@@ -122,9 +126,9 @@ void rank_turn(int word, Edge edge) {
 // stitches together.
 bool is_side(int half_edge) {
   int next = next_corner(half_edge);
-  uvec4 from = position_of(half_edge);
-  uvec4 to = position_of(next);
-  uvec4 third = position_of(next_corner(next));
+  uvec4 from = cell_of(half_edge);
+  uvec4 to = cell_of(next);
+  uvec4 third = cell_of(next_corner(next));
   return from != to && to != third && third != from;
 }
 
@@ -137,8 +141,8 @@ void insert_edge(int half_edge) {
     return;
   }
   int next = next_corner(half_edge);
-  uvec4 from = position_of(half_edge);
-  uvec4 to = position_of(next);
+  uvec4 from = cell_of(half_edge);
+  uvec4 to = cell_of(next);
   bool falling = before(to, from);
   int low = falling ? next : half_edge;
   int high = falling ? half_edge : next;
@@ -168,8 +172,8 @@ int slot_of(int half_edge) {
     return int(tables[edge_slots() + half_edge]);
   }
   int next = next_corner(half_edge);
-  uvec4 from = position_of(half_edge);
-  uvec4 to = position_of(next);
+  uvec4 from = cell_of(half_edge);
+  uvec4 to = cell_of(next);
   if (from == to) {
     return -1;
   }
@@ -186,12 +190,12 @@ int slot_of(int half_edge) {
 }
 
 void insert_vertex(int corner) {
-  uvec4 position = position_of(corner);
-  int slot = first_slot(hashed(0u, position), corner);
+  uvec4 cell = cell_of(corner);
+  int slot = first_slot(hashed(0u, cell), corner);
   for (;; slot = next_slot(slot)) {
     uint taken = atomicCompSwap(tables[vertex_table() + 2 * slot], 0u, uint(corner + 1));
     int other = int(taken) - 1;
-    if (taken == 0u || (position == position_of(other) && same_key(corner, other))) {
+    if (taken == 0u || (cell == cell_of(other) && same_key(corner, other))) {
       break;
     }
   }
@@ -253,11 +257,12 @@ void write_turn(int half_edge) {
   records[record_offset + half_edge * corner_words + turn_offset] = (most - 1u) >> 1;
 }
 
-// Every side computes both control points, from the same words in the same way.
+// Every side computes both control points, from the same words in the same way: positions and normals are those of the
+// least side.
 void write_edge(int half_edge) {
   int next = next_corner(half_edge);
-  uvec4 from = position_of(half_edge);
-  uvec4 to = position_of(next);
+  uvec4 from = cell_of(half_edge);
+  uvec4 to = cell_of(next);
   bool falling = before(to, from);
   uint least = side_name(half_edge, falling);
   uint greatest = least;
@@ -268,8 +273,8 @@ void write_edge(int half_edge) {
   }
   for (int end = 0; end < 2; ++end) {
     bool high = end == 1;
-    vec4 near = uintBitsToFloat(high == falling ? from : to);
-    vec4 far = uintBitsToFloat(high == falling ? to : from);
+    vec4 near = uintBitsToFloat(position_of(end_of_side(least, high)));
+    vec4 far = uintBitsToFloat(position_of(end_of_side(least, !high)));
     uvec4 least_plane = slot < 0 ? uvec4(0u) : plane_of(end_of_side(least, high));  // straight
     uvec4 greatest_plane = slot < 0 ? uvec4(0u) : plane_of(end_of_side(greatest, high));
     int corner = high == falling ? half_edge : next;
@@ -348,11 +353,22 @@ void write(int corner) {
 void main() {
   bound = count_on_gpu != 0 ? min(triangle_bound, int(count_command[1])) : triangle_bound;
 #if GLARK_PASS == 4
+#if GLARK_CREASED
+  for (int i = int(gl_LocalInvocationID.x); i < extent_words; i += GLARK_GROUP) {
+    tables[extent_offset + i] = 0u;
+  }
+  memoryBarrierBuffer();
+  barrier();
+  for (int i = int(gl_LocalInvocationID.x); i < 3 * bound; i += GLARK_GROUP) {
+    extend(i);
+  }
+#endif
   for (int i = int(gl_LocalInvocationID.x); i < slot_count; i += GLARK_GROUP) {
     clear(i);
   }
   memoryBarrierBuffer();
   barrier();
+  find_cells();
   for (int i = int(gl_LocalInvocationID.x); i < 3 * bound; i += GLARK_GROUP) {
     insert(i);
   }
@@ -374,15 +390,23 @@ void main() {
   if (i < slot_count) {
     clear(i);
   }
+#if GLARK_CREASED
+  if (i < 3 * bound) {
+    extend(i);
+  }
+#endif
 #elif GLARK_PASS == 1
+  find_cells();
   if (i < 3 * bound) {
     insert(i);
   }
 #elif GLARK_PASS == 2
+  find_cells();
   if (i < 3 * bound) {
     mark(i);
   }
 #else
+  find_cells();
   if (i < 3 * bound) {
     write(i);
   }

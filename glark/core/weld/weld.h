@@ -3,7 +3,7 @@
 //
 // Welds the coarse triangles of a draw by position, on the GPU. Programs split vertices where normals or texture
 // coordinates jump. The values that two triangles share there must be computed from data that both have. Positions are
-// equal if their bits are (-0 is 0).
+// equal if their bits are (-0 is 0), or, if the plan limits edges, if they differ by rounding (cells.glsl).
 // - Edges: the control points of curved PN triangles, from the normals of all sides (weld.glsl), at
 //   Layout::control_offset. They stay near the edge if the plan limits them (creases.glsl). If normals are measured,
 //   the side that turns most, at Layout::turn_offset.
