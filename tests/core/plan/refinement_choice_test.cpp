@@ -90,8 +90,12 @@ TEST_F(RefinementChoices, ABentPositionNeedsANormal) {
 // It tells no surface from an impostor.
 TEST_F(RefinementChoices, ANormalFromPositionsDoesNotMakeABentPositionSound) {
   vary(refine::Variation::continuous);
-  const RefinementFacts facts{
-      .wanted = Refinement::pn, .transparent = true, .stage = stage, .inputs = inputs, .made_normal = true};
+  const RefinementFacts facts{.wanted = Refinement::pn,
+                              .transparent = true,
+                              .stage = stage,
+                              .variation = stage.variation,
+                              .inputs = inputs,
+                              .made_normal = true};
   EXPECT_EQ(choose_refinement(facts).fallback, RefinementFallback::bent_unknowing);
   vary(refine::Variation::affine);
   EXPECT_FALSE(choose_refinement(facts).fallback);
