@@ -29,9 +29,7 @@ void Submission::begin(const core::DrawPlan& plan, bool indirect) const {
       parts_.programs.assembly().upload(*plan.assembly, *plan.corners);
     }
   }
-  if (b.primitive_restart) {
-    env_.gl.Disable(GL_PRIMITIVE_RESTART);  // must not apply to our own index buffers, nor to those of the passes
-  }
+  stop_restart();
   if (indirect && b.parameter_buffer != 0) {
     env_.gl.BindBuffer(GL_PARAMETER_BUFFER, 0);  // Mesa 22 reads the count of every indirect draw from it
   }
@@ -60,9 +58,7 @@ void Submission::draw(const core::DrawPlan& plan, const RefinedTriangles& refine
   if (captures) {
     env_.gl.PauseTransformFeedback();
   }
-  if (b.primitive_restart) {
-    env_.gl.Enable(GL_PRIMITIVE_RESTART);
-  }
+  resume_restart();
   const bool indirect = is_indirect(plan, refined);
   if (indirect && b.parameter_buffer != 0) {
     env_.gl.BindBuffer(GL_PARAMETER_BUFFER, b.parameter_buffer);
@@ -71,18 +67,13 @@ void Submission::draw(const core::DrawPlan& plan, const RefinedTriangles& refine
 }
 
 void Submission::draw_vertices(const core::RefinedVertices& vertices) {
-  const core::Bindings& b = env_.bindings();
-  if (b.primitive_restart) {
-    env_.gl.Disable(GL_PRIMITIVE_RESTART);  // must not apply to our indices
-  }
+  stop_restart();
   modes_.set({}, {});
   env_.gl.BindVertexArray(vertices.vertex_array);
   env_.gl.DrawElements(GL_TRIANGLES, vertices.index_count, GL_UNSIGNED_INT, nullptr);
-  env_.gl.BindVertexArray(b.vertex_array);
+  restore_vertex_array();
   modes_.reset({}, {});
-  if (b.primitive_restart) {
-    env_.gl.Enable(GL_PRIMITIVE_RESTART);
-  }
+  resume_restart();
 }
 
 void Submission::set_inputs(const core::DrawPlan& plan, const RefinedTriangles& refined) const {
@@ -113,7 +104,7 @@ void Submission::issue(const core::DrawPlan& plan, const RefinedTriangles& refin
 
 void Submission::restore(bool indirect, bool storage) const {
   const core::Bindings& b = env_.bindings();
-  env_.gl.BindVertexArray(b.vertex_array);
+  restore_vertex_array();
   parts_.programs.in_use().use_application();
   if (indirect) {
     env_.gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, b.draw_indirect_buffer);
@@ -124,6 +115,21 @@ void Submission::restore(bool indirect, bool storage) const {
 }
 
 void Submission::restore_after_capture() const { restore(false, false); }
+
+// Restart must not apply to our own index buffers, nor to those of the passes.
+void Submission::stop_restart() const {
+  if (env_.bindings().primitive_restart) {
+    env_.gl.Disable(GL_PRIMITIVE_RESTART);
+  }
+}
+
+void Submission::resume_restart() const {
+  if (env_.bindings().primitive_restart) {
+    env_.gl.Enable(GL_PRIMITIVE_RESTART);
+  }
+}
+
+void Submission::restore_vertex_array() const { env_.gl.BindVertexArray(env_.bindings().vertex_array); }
 
 void Submission::restore_storage() const {
   const core::Bindings& b = env_.bindings();

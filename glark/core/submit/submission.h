@@ -50,6 +50,9 @@ class Submission {
  private:
   void set_inputs(const core::DrawPlan& plan, const RefinedTriangles& refined) const;
   void issue(const core::DrawPlan& plan, const RefinedTriangles& refined);
+  void stop_restart() const;
+  void resume_restart() const;
+  void restore_vertex_array() const;
   void restore_storage() const;
   void restore(bool indirect, bool storage) const;
 
