@@ -21,7 +21,7 @@ Picture expect_same_picture(const std::function<void()>& draw) {
   EXPECT_GT(differing_pixels(first, Picture(first.size(), 0)), visible_pixels);
   const GLuint triangles = generated_primitives;
   repeat_often(draw);
-  const Picture kept = picture_of(draw);
+  Picture kept = picture_of(draw);
   EXPECT_EQ(differing_pixels(first, kept), 0);
   EXPECT_EQ(generated_primitives, triangles);
   EXPECT_EQ(pending_errors(), "");
