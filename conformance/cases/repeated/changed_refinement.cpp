@@ -24,6 +24,13 @@ Picture expect_same_often(Test& t, const std::string& what) {
   return first;
 }
 
+// The next draw of the application finds its own arrays.
+void expect_unrefined(Test& t, const Picture& refined) {
+  gl.Disable(GL_ARK);
+  t.expect_same_picture(picture_of(draw_all), refined, "without refinement", 4, 80);
+  gl.Enable(GL_ARK);
+}
+
 void check_level(Test& t) {
   gl.UseProgram(colour_program(t));
   upload(bent_mesh());
@@ -85,15 +92,33 @@ void check_program(Test& t) {
   for (int round = 0; round < 2; ++round) {
     gl.UseProgram(plain);
     const Picture smooth = expect_same_often(t, "smooth colours");
+    expect_unrefined(t, smooth);
     gl.UseProgram(flat);
     for (const float part : {1.0F, 0.0F}) {
       gl.Uniform1f(gl.GetUniformLocation(flat, "part"), part);
       const Picture mixed = expect_same_often(t, "flat colours");
       t.expect(count_different(mixed, smooth, 8) > 300, "the programs differ");
-      gl.Disable(GL_ARK);
-      t.expect_same_picture(picture_of(draw_all), mixed, "without refinement", 4, 80);
-      gl.Enable(GL_ARK);
+      expect_unrefined(t, mixed);
     }
+  }
+}
+
+// Squares of colours: between the corners, interpolated inputs give other outputs than interpolated outputs.
+void check_outputs(Test& t) {
+  gl.UseProgram(build_program(
+      t,
+      {.vertex = "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour; out vec4 colour;\n"
+                 "void main() { colour = vertex_colour * vertex_colour; gl_Position = position; }\n"}));
+  Mesh mesh = bent_mesh();
+  for (std::size_t i = 0; i < mesh.size(); ++i)
+    mesh[i].colour = {i % 3 == 0 ? 1.0F : 0.0F, i % 3 == 1 ? 1.0F : 0.0F, i % 3 == 2 ? 1.0F : 0.0F, 1};
+  upload(mesh);
+  for (int round = 0; round < 2; ++round) {
+    refine_uniformly(3, GL_LINEAR_INPUTS_ARK);
+    const Picture inputs = expect_same_often(t, "interpolated inputs");
+    refine_uniformly(3, GL_LINEAR_OUTPUTS_ARK);
+    const Picture outputs = expect_same_often(t, "interpolated outputs");
+    t.expect(count_different(inputs, outputs, 8) > 300, "the refinements differ");
   }
 }
 
@@ -148,6 +173,9 @@ Cases changed_refinement_cases() {
       often_case("program", {"11.R.13-1", "11.R.6-10"},
                  "Repeat a draw very often with two programs in turn; one has flat outputs.",
                  "The outputs of earlier draws; flat values of the refined triangles.", check_program),
+      often_case("outputs", {"11.R.13-1", "11.R.6-1"},
+                 "Repeat a draw very often with interpolated inputs and interpolated outputs in turn.",
+                 "The outputs of the other refinement.", check_outputs),
       often_case("restart", {"11.R.13-1", "10.R.2-2"}, "Repeat a draw very often while a restart index is enabled.",
                  "The restart index cuts the implementation's own triangles.", check_restart, desktop_apis),
       often_case("fixed_function", {"11.R.13-1"},
