@@ -50,7 +50,9 @@ const core::RefinedVertices* Evaluation::find(const core::DrawPlan& plan, const 
     return nullptr;
   }
   core::ErrorScope errors(env_.errors);
-  entry.vertices.refused = !make(plan, entry);
+  const bool made = make(plan, entry);
+  entry.vertices.key = key;
+  entry.vertices.refused = !made;
   env_.gl.BindVertexArray(env_.bindings().vertex_array);
   parts_.programs.use_application();
   return entry.vertices.refused ? nullptr : &entry.vertices;
@@ -62,12 +64,13 @@ bool Evaluation::make(const core::DrawPlan& plan, core::DrawCache::Entry& entry)
   if (format.attributes.empty()) {
     return false;
   }
-  const std::uint64_t vertices = std::uint64_t{triangles} * lattice_points(plan.depth.level);
-  if (vertices > std::numeric_limits<std::uint32_t>::max() / 4 ||
-      !parts_.kept.allocate_vertices(entry, static_cast<GLsizeiptr>(vertices) * format.words * 4)) {
+  const unsigned level = plan.depth.level;
+  const auto bytes = static_cast<GLsizeiptr>(triangles * lattice_points(level)) * format.words * 4;
+  if (triangles * lattice_indices(level) > std::numeric_limits<GLsizei>::max() ||
+      !parts_.kept.allocate_vertices(entry, bytes, grids_.bytes_with(level, triangles))) {
     return false;
   }
-  const GridIndices::Grid grid = grids_.ensure(env_.gl, parts_.pool.pool(), plan.depth.level, triangles);
+  const GridIndices::Grid grid = grids_.ensure(env_.gl, parts_.pool.pool(), level, triangles);
   if (grid.indices == 0 || !evaluate(plan, entry, grid)) {
     parts_.kept.drop_vertices(entry);
     return false;
@@ -77,7 +80,8 @@ bool Evaluation::make(const core::DrawPlan& plan, core::DrawCache::Entry& entry)
   return true;
 }
 
-// Returns whether GL has written all vertices. It writes none in a conditional rendering that is off.
+// Returns whether GL has written all vertices. It writes none in a conditional rendering that is off; such a draw is
+// refused until it changes.
 bool Evaluation::evaluate(const core::DrawPlan& plan, const core::DrawCache::Entry& entry,
                           const GridIndices::Grid& grid) {
   const core::Bindings& b = env_.bindings();

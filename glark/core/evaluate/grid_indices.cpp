@@ -5,6 +5,13 @@
 #include <algorithm>
 
 namespace glark::evaluate {
+namespace {
+
+GLsizeiptr bytes_of(unsigned level, std::uint32_t triangles) {
+  return static_cast<GLsizeiptr>(lattice_indices(level) * triangles * sizeof(std::uint32_t));
+}
+
+}  // namespace
 
 void GridIndices::read_pattern(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned number, Level& level) {
   const pattern::Piece& piece = pool.piece(pattern::uniform_piece(static_cast<int>(number)));
@@ -18,18 +25,41 @@ void GridIndices::read_pattern(const gl::Dispatch& gl, const pattern::GpuPool& p
   }
 }
 
-bool GridIndices::fill(const gl::Dispatch& gl, Level& level, std::uint32_t triangles) {
+GLsizeiptr GridIndices::bytes_with(unsigned level, std::uint32_t triangles) const {
+  GLsizeiptr bytes = 0;
+  for (unsigned other = 0; other < levels_.size(); ++other) {
+    const Level& found = levels_.at(other);
+    const bool grows = other == level && triangles > found.triangles;
+    bytes += found.older_bytes + found.buffer.size() + (grows ? bytes_of(level, found.grown(triangles)) : 0);
+  }
+  return bytes;
+}
+
+// Writes the indices of coarse triangles from `first` on.
+void GridIndices::write(const gl::Dispatch& gl, const Level& level, std::uint32_t first, std::uint32_t triangles) {
   std::vector<std::uint32_t> indices;
   indices.reserve(level.pattern.size() * triangles);
-  for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
-    const std::uint32_t first = triangle * static_cast<std::uint32_t>(level.vertex_count);
+  for (std::uint32_t triangle = first; triangle < first + triangles; ++triangle) {
+    const std::uint32_t vertex = triangle * static_cast<std::uint32_t>(level.vertex_count);
     for (const std::uint16_t index : level.pattern) {
-      indices.push_back(first + index);
+      indices.push_back(vertex + index);
     }
   }
-  const auto bytes = static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0]));
-  if (!level.buffer.allocate(gl, bytes, indices.data(), GL_STATIC_DRAW)) {
+  const auto each = static_cast<GLsizeiptr>(level.pattern.size() * sizeof(indices[0]));
+  level.buffer.write(gl, first * each, triangles * each, indices.data());
+}
+
+bool GridIndices::fill(const gl::Dispatch& gl, Level& level, std::uint32_t triangles) {
+  const auto each = static_cast<GLsizeiptr>(level.pattern.size() * sizeof(std::uint32_t));
+  const GLsizeiptr older = level.buffer.size();
+  if (!level.buffer.allocate(gl, triangles * each, nullptr, GL_STATIC_DRAW)) {
     return false;
+  }
+  level.older_bytes += older;
+  constexpr GLsizeiptr bytes_at_once = GLsizeiptr{1} << 20;
+  const auto at_once = static_cast<std::uint32_t>(std::max<GLsizeiptr>(1, bytes_at_once / each));
+  for (std::uint32_t first = 0; first < triangles; first += at_once) {
+    write(gl, level, first, std::min(at_once, triangles - first));
   }
   level.triangles = triangles;
   return true;
@@ -41,8 +71,7 @@ GridIndices::Grid GridIndices::ensure(const gl::Dispatch& gl, const pattern::Gpu
   if (found.pattern.empty()) {
     read_pattern(gl, pool, level, found);
   }
-  // Vertex arrays that were made with a smaller buffer keep it alive.
-  if (found.triangles < triangles && !fill(gl, found, std::max(triangles, found.triangles + found.triangles / 2))) {
+  if (found.triangles < triangles && !fill(gl, found, found.grown(triangles))) {
     return {};
   }
   return {found.buffer.name(), static_cast<std::uint32_t>(found.pattern.size()), found.first_vertex,

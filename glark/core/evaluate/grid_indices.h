@@ -5,6 +5,7 @@
 // one index buffer.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -18,6 +19,8 @@ constexpr std::uint64_t lattice_points(unsigned level) {
   const std::uint64_t segments = std::uint64_t{1} << level;
   return (segments + 1) * (segments + 2) / 2;
 }
+// Indices of one coarse triangle.
+constexpr std::uint64_t lattice_indices(unsigned level) { return std::uint64_t{3} << (2 * level); }
 
 class GridIndices {
  public:
@@ -28,6 +31,8 @@ class GridIndices {
     GLsizei vertex_count = 0;
   };
 
+  // The bytes of all index buffers, once `level` has room for so many coarse triangles.
+  GLsizeiptr bytes_with(unsigned level, std::uint32_t triangles) const;
   // Needs an ErrorScope.
   Grid ensure(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned level, std::uint32_t triangles);
   void release(const gl::Dispatch& gl);
@@ -39,9 +44,15 @@ class GridIndices {
     GLsizei vertex_count = 0;
     core::GpuBuffer buffer;
     std::uint32_t triangles = 0;  // coarse ones in the buffer
+    GLsizeiptr older_bytes = 0;   // of smaller buffers, which vertex arrays keep alive
+
+    std::uint32_t grown(std::uint32_t wanted) const {
+      return wanted <= triangles ? triangles : std::max(wanted, triangles + triangles / 2);
+    }
   };
   static void read_pattern(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned number, Level& level);
   static bool fill(const gl::Dispatch& gl, Level& level, std::uint32_t triangles);
+  static void write(const gl::Dispatch& gl, const Level& level, std::uint32_t first, std::uint32_t triangles);
 
   std::array<Level, pattern::deepest_uniform + 1> levels_;
 };
