@@ -17,9 +17,13 @@ layout(std430, binding = 0) readonly buffer Records { uint records[]; };
 // Sorted by piece: the corners of instance_capacity coarse triangles (3 words each), then as many patches (4 words
 // each).
 layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
-// Words (uint): 0 refined triangles (low), 1 (high), 2 refined triangles of this frame that count for the
-// budget (measure.glsl), 3 flat triangles of this draw, 4 a
-// DrawElementsIndirectCommand of all instances (5 words), 9 to 11 unused. Then counts, cursors, pieces (4 words each:
+// Words (uint):
+//   0, 1     number of refined triangles, low and high word
+//   2        refined triangles of this frame that count for the budget (measure.glsl)
+//   3        flat triangles of this draw
+//   4 to 8   the DrawElementsIndirectCommand of all instances
+//   9 to 11  unused
+// Then counts, cursors, pieces (4 words each:
 // index count, first index, base vertex, 0) and the DrawElementsIndirectCommands of the pieces (5 words each).
 layout(std430, binding = 2) buffer Work { uint work[]; };
 layout(std430, binding = 3) readonly buffer Count { uint count_command[]; };

@@ -23,7 +23,7 @@ struct Decomposition {
 
 // The edge that divides a quad, by the numbers of its vertices along the boundary.
 enum class Diagonal { from_first, from_second };
-// Of a quad's decomposition.
+// Returns the diagonal of a quad that is decomposed so.
 constexpr Diagonal diagonal_of(const Decomposition& quad) {
   // The first triangle lacks one vertex. The diagonal does not pass through that vertex.
   return quad.corners[0] > 2 || quad.corners[2] > 2 ? Diagonal::from_second : Diagonal::from_first;

@@ -28,7 +28,7 @@ Picture expect_same_picture(const std::function<void()>& draw) {
   return kept;
 }
 
-// After `change`, the picture is the one of a context that keeps nothing yet: refined anew.
+// After `change`, the picture equals the unrefined one: nothing is drawn that was kept before.
 void expect_change_seen(const std::function<void()>& draw, const std::function<void()>& change) {
   expect_same_picture(draw);
   change();

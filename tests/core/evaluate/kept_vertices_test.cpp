@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Counts the draws from kept refined vertices. Links the core without the shim, so that each test has its own options
+// Counts the draws that use kept refined vertices. Links the core without the shim, so that each test has its own options
 // and reads the counters.
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ class KeptVerticesCounted : public testing::Test {
     return statistics().draws_of_kept_vertices - before;
   }
 
-  // Of 20 triangles: 15 vertices with position and colour, and 48 indices.
+  // The memory of one draw of 20 triangles. Each has 15 vertices (position and colour) and 48 indices.
   static constexpr std::uint64_t budget_of_one = 20 * (15 * 8 * sizeof(GLfloat) + 48 * sizeof(GLuint));
 
   PlainContext window_;

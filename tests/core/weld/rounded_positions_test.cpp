@@ -125,7 +125,7 @@ TEST_F(RoundedPositions, ABandAtAPoleIsCurved) {
   EXPECT_GT(bent_edges(weld(ball({}, 10, 6, 5, 6))), 40);
 }
 
-// Without the other side of its seam, the ring would end there.
+// If welding missed the other side of the seam, the ring would have two ends there.
 TEST_F(RoundedPositions, ARingIsRoundAtItsSeam) {
   expect_as_exact([](const Written& how) { return ring(how, 64, 8); });
   expect_as_exact([](const Written& how) { return ring(how, 12, 6); });
