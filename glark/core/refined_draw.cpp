@@ -188,11 +188,11 @@ depth::BinnedInstances RefinedDraw::sort(const DrawPlan& plan, const Records& re
   return sorted;
 }
 
-std::uint64_t RefinedDraw::begin_immediate(GLenum mode) {
+std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials) {
   ++statistics().draws_seen;
   const Quiet quiet = env_.state.quiet();
   std::optional<Cause> cause;
-  const std::uint64_t room = parts_.immediate.begin(mode, cause);
+  const std::uint64_t room = parts_.immediate.begin(mode, materials, cause);
   if (cause) {
     pass_planned({}, *cause, 0);
   }

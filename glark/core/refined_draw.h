@@ -46,7 +46,7 @@ class RefinedDraw {
   // Draws refined or unrefined, and counts the draw.
   void run(const DrawCall& call);
   // glBegin in a triangle mode. Returns how many triangles fit until glEnd; 0 means that the caller begins unrefined.
-  std::uint64_t begin_immediate(GLenum mode);
+  std::uint64_t begin_immediate(GLenum mode, MaterialSet materials);
   void end_immediate(std::uint64_t triangles);
   // Notes a draw that the caller makes unrefined.
   void leave(const DrawCall& call, Cause cause);

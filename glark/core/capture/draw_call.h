@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "glark/core/state/fixed_function/material_parameters.h"
 #include "glark/core/state/lists/polygon_sides.h"
 #include "glark/gl/types.h"
 
@@ -53,6 +54,7 @@ struct DrawCall {
   bool whole_polygons = false;  // its triangles are those of GL's quads, or of one GL_POLYGON alone
   const PolygonSides* polygon_sides =
       nullptr;                        // sizes of several GL_POLYGONs, if they are known; for a bound, the greatest ones
+  MaterialSet materials = 0;          // parameters of the material that the vertices have as attributes
   bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
   bool from_arrays = false;           // its vertices come from vertex arrays
   bool indexed = false;               // in the order of an index array

@@ -18,10 +18,10 @@ std::uint64_t ImmediateCapture::room() const {
   return bytes_ / static_cast<std::uint64_t>(plan_.capture.layout->triangle_words() * 4);
 }
 
-std::uint64_t ImmediateCapture::begin(GLenum mode, std::optional<Cause>& cause) {
+std::uint64_t ImmediateCapture::begin(GLenum mode, MaterialSet materials, std::optional<Cause>& cause) {
   const auto nothing = [] {};
   const bool tags_vary = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
-  Decision decision = planner_.plan({.mode = mode, .tags_vary = tags_vary, .whole_polygons = true, .issue = nothing});
+  Decision decision = planner_.plan({.mode = mode, .tags_vary = tags_vary, .whole_polygons = true, .materials = materials, .issue = nothing});
   cause = decision.cause;
   plan_ = std::move(decision.plan);
   if (!cause) {

@@ -21,7 +21,7 @@ class ImmediateCapture {
       : env_(environment), planner_(planner), passes_(passes), capture_(capture) {}
 
   // Begins the capture and returns how many triangles fit. 0: the draw stays unrefined, because of `cause`.
-  std::uint64_t begin(GLenum mode, std::optional<Cause>& cause);
+  std::uint64_t begin(GLenum mode, MaterialSet materials, std::optional<Cause>& cause);
 
   struct Captured {
     DrawPlan plan;

@@ -100,7 +100,7 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
   if (const std::optional<Cause> cause = check_state(call, conditions)) {
     return cause;
   }
-  if (const std::optional<Cause> cause = find_program(plan)) {
+  if (const std::optional<Cause> cause = find_program(call, plan)) {
     return cause;
   }
   if (const std::optional<Cause> cause = exempt(*plan.program, call.triangles)) {
@@ -121,7 +121,7 @@ std::optional<Cause> Planner::decide(const DrawCall& call, Purpose purpose, Draw
   return find_derived(call, plan);
 }
 
-std::optional<Cause> Planner::find_program(DrawPlan& plan) {
+std::optional<Cause> Planner::find_program(const DrawCall& call, DrawPlan& plan) {
   Program* const current = env_.state.programs().current().get();
   const ProgramChoice choice = choose_program(
       env_.bindings(), current,
@@ -137,7 +137,9 @@ std::optional<Cause> Planner::find_program(DrawPlan& plan) {
     plan.assembly = &parts_.programs.assembly().find(current);
     plan.program = plan.assembly->program.get();
   } else {
-    plan.program = choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current);
+    plan.program = choice.stage == VertexStage::program
+                       ? current
+                       : parts_.programs.fixed_function().find(current, call.materials);
   }
   if (plan.program == nullptr) {
     return Cause::assembly_program;

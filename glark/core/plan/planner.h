@@ -41,7 +41,7 @@ class Planner {
 
  private:
   std::optional<Cause> decide(const DrawCall& call, Purpose purpose, DrawPlan& plan);
-  std::optional<Cause> find_program(DrawPlan& plan);
+  std::optional<Cause> find_program(const DrawCall& call, DrawPlan& plan);
   std::optional<Cause> find_pipeline_programs(DrawPlan& plan);
   std::optional<Cause> choose_wanted(DrawPlan& plan) const;
   std::uint32_t instanced_inputs_of(const DrawCall& call, const Program& program) const;

@@ -17,7 +17,7 @@ DrawPrograms::DrawPrograms(const Environment& environment, capture::CaptureStage
 
 Program* DrawPrograms::named(GLuint name) {
   if (name == 0) {
-    return env_.capabilities.is_compatibility() ? fixed_function_.find(nullptr) : nullptr;
+    return env_.capabilities.is_compatibility() ? fixed_function_.find(nullptr, 0) : nullptr;
   }
   return env_.state.programs().find(name).get();  // the share group keeps it
 }

@@ -34,11 +34,15 @@ const refine::FixedFunctionState& FixedFunctionPrograms::read_state(const Progra
   return state_;
 }
 
-Program* FixedFunctionPrograms::find(Program* fragment) {
+Program* FixedFunctionPrograms::find(Program* fragment, MaterialSet materials) {
   read_state(fragment);
-  std::shared_ptr<Program>& slot = programs_[{state_, fragment_}];
+  std::pair key{state_, fragment_};
+  if (materials != 0 && state_.lighting) {
+    key.first.material_attribute = material_attributes(materials, env_.ark);
+  }
+  std::shared_ptr<Program>& slot = programs_[key];
   if (slot == nullptr) {
-    slot = derived_.fixed_function(state_, fragment);
+    slot = derived_.fixed_function(key.first, fragment);
     slot->refinement_source = refinement_source_;
   }
   return slot.get();

@@ -20,8 +20,9 @@ class FixedFunctionPrograms {
   FixedFunctionPrograms(const Environment& environment, DerivedPrograms& derived)
       : env_(environment), derived_(derived) {}
 
-  // The program for the current state. `fragment` is the application's program with only fragment stages, or null.
-  Program* find(Program* fragment);
+  // The program for the current state. `fragment` is the application's program with only fragment stages, or null. The
+  // vertices have the parameters `materials` as attributes.
+  Program* find(Program* fragment, MaterialSet materials);
   // Reads the current state, if it may have changed.
   const refine::FixedFunctionState& read_state(const Program* fragment);
   // The state that was last read.

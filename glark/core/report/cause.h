@@ -21,7 +21,7 @@ enum class Cause {
   too_many_attributes,  // the coarse record does not fit
   primitive_id,         // a later stage counts the triangles
   cull_distance,        // a later stage reads gl_CullDistance, which refined triangles need otherwise
-  materials_vary,       // glMaterial between the vertices of a draw
+  materials_vary,       // glMaterial between the vertices of a list whose first ones inherit a material
   geometry_shader,      // a geometry shader whose triangles do not depend on the corners
   side_effects,         // vertex stage writes buffers, images or atomics
   transform_feedback,   // the application captures

@@ -4,22 +4,13 @@
 // The state between glBegin and glEnd. The vertices go straight to GL; here they are only counted.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
-#include "glark/gl/dispatch.h"
+#include "glark/core/state/fixed_function/vertex_materials.h"
+#include "glark/gl/types.h"
 
 namespace glark::core {
-
-// A call of glMaterial. Vertex shaders do not see it before glEnd.
-struct DeferredMaterial {
-  void (*call)(const gl::Dispatch& gl, const DeferredMaterial& material);
-  GLenum face = 0;
-  GLenum name = 0;
-  std::array<std::uint32_t, 4> words{};  // values, as bits
-};
 
 class ImmediateMode {
  public:
@@ -88,12 +79,8 @@ class ImmediateMode {
   void note_elements_restart() { elements_restart_ = true; }
   bool elements_restart() const { return elements_restart_; }
 
-  // Calls of glMaterial that wait for glEnd.
-  void defer(const DeferredMaterial& material) { materials_.push_back(material); }
-  std::vector<DeferredMaterial> take_materials() { return std::exchange(materials_, {}); }
-  // glMaterial was called between the vertices of a strip, a fan or a polygon.
-  void note_materials() { materials_vary_ = true; }
-  bool materials_vary() const { return materials_vary_; }
+  VertexMaterials& materials() { return materials_; }
+  const VertexMaterials& materials() const { return materials_; }
 
   // glDepthTag1i was called.
   void note_tag() { tags_set_ = true; }
@@ -106,14 +93,13 @@ class ImmediateMode {
   bool tags_set_ = false;
   bool restarted_ = false;
   bool elements_restart_ = false;
-  bool materials_vary_ = false;
   GLenum mode_ = 0;
   unsigned components_ = 0;
   std::uint64_t vertices_ = 0;
   std::uint64_t limit_ = UINT64_MAX;    // this many vertices fit the current capture
   std::uint64_t vertices_before_ = 0;   // of the primitives that a restart ended
   std::uint64_t triangles_before_ = 0;  // of the primitives that a restart ended
-  std::vector<DeferredMaterial> materials_;
+  VertexMaterials materials_;
 };
 
 }  // namespace glark::core

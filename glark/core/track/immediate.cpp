@@ -19,28 +19,37 @@ std::uint64_t vertices_of_primitive(GLenum mode) {
   }
 }
 
+// The parameters of the material that differ between the vertices of some primitives.
+MaterialSet varying_materials(Context& c) {
+  const MaterialSet noted = c.state().immediate().materials().noted();
+  if (noted == 0) {
+    return 0;
+  }
+  c.state().refresh();
+  return track::replaces_fixed_function(c) && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE ? noted : 0;
+}
+
 void begin_capture(Context& c, GLenum mode) {
-  const std::uint64_t room = c.stages()->draw().begin_immediate(mode);
+  const MaterialSet materials = varying_materials(c);
+  const std::uint64_t room = c.stages()->draw().begin_immediate(mode, materials);
   c.update_refining();
   const std::uint64_t step = vertices_of_primitive(mode);
   const std::uint64_t fitting = step > 0 ? room / triangles_of(mode, step) * step : UINT64_MAX;
   c.state().immediate().capture(room > 0 ? fitting : 0);
-}
-
-// Returns whether vertices of different materials look different.
-bool materials_count(Context& c) {
-  c.state().refresh();
-  return track::replaces_fixed_function(c) && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE;
+  if (room > 0) {
+    track::begin_materials(c, materials);
+  }
 }
 
 void end_capture(Context& c) {
   const ImmediateMode& immediate = c.state().immediate();
   c.stages()->draw().end_immediate(immediate.triangles_before() + triangles_of(immediate.mode(), immediate.vertices()));
+  track::end_materials(c);
   c.update_refining();
 }
 
-// The material is the same for all vertices of a refined draw: those so far are drawn before it changes.
-void restart_capture(Context& c, const DeferredMaterial& change) {
+// The vertices do not carry the parameter: those so far are drawn before it changes.
+void restart_capture(Context& c, const MaterialChange& change) {
   ImmediateMode& immediate = c.state().immediate();
   c.gl().End();
   end_capture(c);
@@ -68,32 +77,41 @@ void primitive_ended(Context& c) {
   if (immediate.end()) {
     end_capture(c);
   }
-  for (const DeferredMaterial& late : immediate.take_materials()) {
+  for (const MaterialChange& late : immediate.materials().take_deferred()) {
     late.call(c.gl(), late);
   }
 }
 
-void change_material(Context& c, const DeferredMaterial& change) {
-  ListCompilation& lists = c.state().lists();
+void change_material(Context& c, const MaterialChange& change) {
   ImmediateMode& immediate = c.state().immediate();
-  c.changes().forget_in_list();
-  if (lists.compiling()) {
-    lists.note_material(immediate.before_vertices());
-  } else if (immediate.capturing()) {
-    if (!replaces_fixed_function(c)) {
-      immediate.defer(change);
-      return;
-    }
-    const std::uint64_t step = vertices_of_primitive(immediate.mode());
-    const bool between_primitives =
-        immediate.vertices() == 0 || (step > 0 && immediate.vertices() % step == 0 && !immediate.restarted());
-    if (between_primitives) {
-      restart_capture(c, change);
-      return;
-    }
-    immediate.note_materials();
+  if (c.state().lists().compiling()) {
+    record_material(c, change);
+    return;
+  }
+  if (!immediate.open() || !c.refining()) {
+    change.call(c.gl(), change);
+    return;
+  }
+  if (immediate.capturing() && !replaces_fixed_function(c)) {
+    immediate.materials().defer(change);
+    return;
+  }
+  const MaterialSet parameters = change.parameters();
+  const bool carried = immediate.capturing() && (parameters & ~immediate.materials().carried()) == 0;
+  const std::uint64_t step = vertices_of_primitive(immediate.mode());
+  const bool between_primitives =
+      immediate.vertices() == 0 || (step > 0 && immediate.vertices() % step == 0 && !immediate.restarted());
+  if (!carried && between_primitives && immediate.capturing()) {
+    restart_capture(c, change);
+    return;
+  }
+  if (!between_primitives) {
+    immediate.materials().note(parameters);
   }
   change.call(c.gl(), change);
+  if (carried) {
+    carry_change(c, change, parameters);
+  }
 }
 
 bool replaces_fixed_function(Context& c) {
@@ -120,12 +138,7 @@ void Begin(Context& c, GLenum mode) {
   }
   immediate.restart_counts();
   if (immediate.begin(mode) && c.refining()) {
-    const bool joined = is_triangle_mode(mode) && vertices_of_primitive(mode) == 0;
-    if (joined && immediate.materials_vary() && materials_count(c)) {
-      track::leave(c, {.mode = mode, .issue = [] {}}, Cause::materials_vary);
-    } else {
-      begin_capture(c, mode);
-    }
+    begin_capture(c, mode);
   }
   c.gl().Begin(mode);
 }

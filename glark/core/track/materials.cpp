@@ -3,6 +3,7 @@
 //
 // Hooks of glMaterial. Between glBegin and glEnd, each vertex of the fixed function has its own material. A vertex program
 // sees the material from before glBegin.
+#include <algorithm>
 #include <cstring>
 
 #include "glark/core/track/track.h"
@@ -23,16 +24,47 @@ std::size_t values_of(GLenum name) {
   }
 }
 
+GLfloat component_of(GLenum, GLfloat value) { return value; }
+// OpenGL 4.6 compatibility, 2.3.5: integers of colours are signed normalised numbers.
+GLfloat component_of(GLenum name, GLint value) {
+  return name == GL_SHININESS ? static_cast<GLfloat>(value)
+                              : static_cast<GLfloat>(std::max(value / 2147483647.0, -1.0));
+}
+
+// CurrentValue::Again of an attribute that glark has read.
+void set_attribute(const gl::Dispatch& gl, GLuint attribute, const void* components) {
+  gl.VertexAttrib4fv(attribute, static_cast<const GLfloat*>(components));
+}
+
+CurrentValue value_of_attribute(const Context& c, GLuint attribute) {
+  CurrentValue value{.again = set_attribute, .index = attribute, .bytes = 4 * sizeof(GLfloat)};
+  std::array<GLfloat, 4> components{};
+  c.gl().GetVertexAttribfv(attribute, GL_CURRENT_VERTEX_ATTRIB, components.data());
+  std::memcpy(value.components.data(), components.data(), value.bytes);
+  return value;
+}
+
+// Calls `visit` with each parameter and its attribute.
+template <typename Visit>
+void for_each_attribute(const Context& c, MaterialSet parameters, Visit&& visit) {
+  const MaterialAttributes attributes = material_attributes(parameters, c.ark());
+  for_each_parameter(parameters, [&](int parameter) {
+    visit(parameter, static_cast<GLuint>(attributes[static_cast<std::size_t>(parameter)]));
+  });
+}
+
 template <typename Value>
-DeferredMaterial change_of(GLenum face, GLenum name, const Value* values, std::size_t count,
-                           void (*call)(const gl::Dispatch&, const DeferredMaterial&)) {
-  DeferredMaterial change{.call = call, .face = face, .name = name};
+MaterialChange change_of(GLenum face, GLenum name, const Value* values, std::size_t count,
+                           void (*call)(const gl::Dispatch&, const MaterialChange&)) {
+  MaterialChange change{.call = call, .face = face, .name = name};
   std::memcpy(change.words.data(), values, count * sizeof(Value));
+  std::transform(values, values + count, change.components.begin(),
+                 [name](Value value) { return component_of(name, value); });
   return change;
 }
 
 template <typename Value>
-std::array<Value, 4> values_in(const DeferredMaterial& change) {
+std::array<Value, 4> values_in(const MaterialChange& change) {
   std::array<Value, 4> values{};
   std::memcpy(values.data(), change.words.data(), sizeof(values));
   return values;
@@ -40,32 +72,92 @@ std::array<Value, 4> values_in(const DeferredMaterial& change) {
 
 }  // namespace
 
+namespace track {
+
+void begin_materials(Context& c, MaterialSet parameters) {
+  VertexMaterials& materials = c.state().immediate().materials();
+  CurrentValues& values = c.state().current_values();
+  materials.carry(parameters);
+  for_each_attribute(c, parameters, [&](int parameter, GLuint attribute) {
+    const CurrentValue* known = values.find(generic_slot(attribute));
+    materials.displaced(parameter) = known != nullptr ? *known : value_of_attribute(c, attribute);
+    values.set(generic_slot(attribute), materials.displaced(parameter));
+    std::array<GLfloat, 4> components{0, 0, 0, 1};
+    c.gl().GetMaterialfv(face_of(parameter), name_of(parameter), components.data());
+    c.gl().VertexAttrib4fv(attribute, components.data());
+  });
+}
+
+void end_materials(Context& c) {
+  VertexMaterials& materials = c.state().immediate().materials();
+  for_each_attribute(c, materials.carried(), [&](int parameter, GLuint attribute) {
+    const CurrentValue* known = c.state().current_values().find(generic_slot(attribute));
+    const CurrentValue& value = known != nullptr ? *known : materials.displaced(parameter);
+    value.again(c.gl(), value.index, value.components.data());
+  });
+  materials.carry(0);
+}
+
+void carry_change(Context& c, const MaterialChange& change, MaterialSet parameters) {
+  for_each_attribute(c, parameters, [&](int parameter, GLuint attribute) {
+    const bool refused = name_of(parameter) == GL_SHININESS && (change.components[0] < 0 || change.components[0] > 128);
+    if (!refused) {
+      c.gl().VertexAttrib4fv(attribute, change.components.data());
+    }
+  });
+}
+
+void record_material(Context& c, const MaterialChange& change) {
+  ListCompilation& lists = c.state().lists();
+  const bool before_vertices = c.state().immediate().before_vertices();
+  c.changes().forget_in_list();
+  lists.note_material(change.parameters(), before_vertices);
+  change.call(c.gl(), change);
+  if (!lists.in_primitive() || !is_triangle_mode(lists.primitive_mode())) {
+    return;
+  }
+  if (before_vertices && replaces_fixed_function(c)) {
+    lists.carry_materials(change.parameters());
+  }
+  carry_change(c, change, change.parameters() & lists.carried_materials());
+}
+
+// The list gives the attributes back as it found them.
+void record_materials_end(Context& c) {
+  for_each_attribute(c, c.state().lists().carried_materials(), [&](int, GLuint attribute) {
+    const CurrentValue value = value_of_attribute(c, attribute);
+    value.again(c.gl(), attribute, value.components.data());
+  });
+}
+
+}  // namespace track
+
 namespace hook {
 
 void Materialf(Context& c, GLenum face, GLenum name, GLfloat value) {
   track::change_material(c,
-                         change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const DeferredMaterial& change) {
+                         change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const MaterialChange& change) {
                            gl.Materialf(change.face, change.name, values_in<GLfloat>(change)[0]);
                          }));
 }
 
 void Materiali(Context& c, GLenum face, GLenum name, GLint value) {
   track::change_material(c,
-                         change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const DeferredMaterial& change) {
+                         change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const MaterialChange& change) {
                            gl.Materiali(change.face, change.name, values_in<GLint>(change)[0]);
                          }));
 }
 
 void Materialfv(Context& c, GLenum face, GLenum name, const GLfloat* values) {
   track::change_material(
-      c, change_of(face, name, values, values_of(name), [](const gl::Dispatch& gl, const DeferredMaterial& change) {
+      c, change_of(face, name, values, values_of(name), [](const gl::Dispatch& gl, const MaterialChange& change) {
         gl.Materialfv(change.face, change.name, values_in<GLfloat>(change).data());
       }));
 }
 
 void Materialiv(Context& c, GLenum face, GLenum name, const GLint* values) {
   track::change_material(
-      c, change_of(face, name, values, values_of(name), [](const gl::Dispatch& gl, const DeferredMaterial& change) {
+      c, change_of(face, name, values, values_of(name), [](const gl::Dispatch& gl, const MaterialChange& change) {
         gl.Materialiv(change.face, change.name, values_in<GLint>(change).data());
       }));
 }

@@ -23,7 +23,15 @@ void hand_back_feedback(Context& context);
 // GL has executed a glEnd.
 void primitive_ended(Context& context);
 // glMaterial, perhaps between glBegin and glEnd.
-void change_material(Context& context, const DeferredMaterial& change);
+void change_material(Context& context, const MaterialChange& change);
+// The vertices that follow carry these parameters of the material in attributes, until the capture ends.
+void begin_materials(Context& context, MaterialSet parameters);
+void end_materials(Context& context);
+// While a display list is compiled: glMaterial, and glEnd.
+void record_material(Context& context, const MaterialChange& change);
+void record_materials_end(Context& context);
+// Sets the attributes of these parameters as the change sets the parameters.
+void carry_change(Context& context, const MaterialChange& change, MaterialSet parameters);
 // Refined draws replace the fixed-function vertex stage, not a program.
 bool replaces_fixed_function(Context& context);
 

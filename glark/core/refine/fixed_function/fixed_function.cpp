@@ -9,9 +9,9 @@ namespace {
 
 // Fixed function gives a vertex the same position for every lighting, texturing and fog (OpenGL 2.1, appendix A.3).
 // Multipass applications test depth for equality. Without `invariant`, two of these shaders may differ in the last bit.
-constexpr std::string_view head = R"(#version 150 compatibility
-invariant gl_Position;
-)";
+constexpr std::string_view version = "#version 150 compatibility\n";
+constexpr std::string_view invariant_position = "invariant gl_Position;\n";
+constexpr std::string_view locations = "#extension GL_ARB_explicit_attrib_location : require\n";
 
 // GLSL leaves pow(0, 0) undefined; lighting takes it as 1.
 constexpr std::string_view power_function = R"(
@@ -100,7 +100,11 @@ std::string substitute(std::string_view text, const Substitutions& substitutions
 }
 
 std::string fixed_function_vertex_shader(const FixedFunctionState& state) {
-  std::string text(head);
+  std::string text(version);
+  const std::string inputs = material_declarations(state);
+  if (!inputs.empty()) text += locations;
+  text += invariant_position;
+  text += inputs;
   if (state.lighting) text += power_function;
   text += "\nvoid main() {\n  gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;\n";
   text += eye_space_statements(state);

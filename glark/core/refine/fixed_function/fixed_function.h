@@ -9,6 +9,7 @@
 #include <compare>
 #include <string>
 
+#include "glark/core/state/fixed_function/material_parameters.h"
 #include "glark/gl/types.h"
 
 namespace glark::refine {
@@ -44,6 +45,8 @@ struct FixedFunctionState {
   bool point_size = false;                         // point parameters attenuate
   bool program_point_size = false;                 // the application's GL_PROGRAM_POINT_SIZE, which the shader ignores
   std::array<TextureUnitState, fixed_function_texture_units> unit{};
+  // glMaterial is called between the vertices. Only with lighting.
+  core::MaterialAttributes material_attribute = core::no_material_attributes();
   auto operator<=>(const FixedFunctionState&) const = default;
 };
 
@@ -52,7 +55,7 @@ struct FixedFunctionState {
 // gl_PointSize. It reads no attribute that the state does not need. It does not clamp colours: GL_CLAMP_VERTEX_COLOR
 // acts after it.
 //
-// Not reproduced: glMaterial between the vertices of one draw (no GLSL attribute carries it). Where Mesa 22.3's fixed
+// Where Mesa 22.3's fixed
 // function differs from OpenGL 2.1, the shader follows OpenGL 2.1; fixed_function_test.cpp lists the differences.
 //
 // GL treats some state differently when a vertex shader is active. A caller that draws with the shader sets this state,

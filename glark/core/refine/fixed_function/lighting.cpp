@@ -11,13 +11,14 @@ namespace {
 
 struct Face {
   GLenum name;
+  int first_parameter;   // of the material
   const char* built_in;  // as in gl_FrontMaterial
   const char* local;     // prefix of the shader's own variables
   const char* sign;      // of the normal
 };
 
-constexpr Face front_face = {GL_FRONT, "Front", "front", ""};
-constexpr Face back_face = {GL_BACK, "Back", "back", "-"};
+constexpr Face front_face = {GL_FRONT, 0, "Front", "front", ""};
+constexpr Face back_face = {GL_BACK, core::parameters_of_face, "Back", "back", "-"};
 
 // Returns whether the material parameter follows gl_Color.
 bool follows_color(const FixedFunctionState& state, const Face& face, GLenum parameter) {
@@ -33,12 +34,31 @@ std::string member_of(GLenum parameter) {
     case GL_AMBIENT: return "ambient";
     case GL_DIFFUSE: return "diffuse";
     case GL_SPECULAR: return "specular";
+    case GL_SHININESS: return "shininess";
     default: return "emission";
   }
 }
 
+std::string input_of(const Face& face, GLenum parameter) {
+  return std::string("material_") + face.local + "_" + member_of(parameter);
+}
+
+// Returns whether each vertex has its own value of the parameter.
+bool is_input(const FixedFunctionState& state, const Face& face, GLenum parameter) {
+  for (int i = face.first_parameter; i < face.first_parameter + core::parameters_of_face; ++i) {
+    if (core::name_of(i) == parameter) return state.material_attribute[i] >= 0;
+  }
+  return false;
+}
+
+// Returns whether the parameter differs between vertices.
+bool varies(const FixedFunctionState& state, const Face& face, GLenum parameter) {
+  return follows_color(state, face, parameter) || is_input(state, face, parameter);
+}
+
 std::string material(const FixedFunctionState& state, const Face& face, GLenum parameter) {
   if (follows_color(state, face, parameter)) return "gl_Color";
+  if (is_input(state, face, parameter)) return input_of(face, parameter);
   return std::string("gl_") + face.built_in + "Material." + member_of(parameter);
 }
 
@@ -46,12 +66,13 @@ std::string material(const FixedFunctionState& state, const Face& face, GLenum p
 std::string product(const FixedFunctionState& state, const Face& face, int light, GLenum parameter) {
   const std::string index = "[" + std::to_string(light) + "].";
   const std::string member = member_of(parameter);
-  if (follows_color(state, face, parameter)) return "(gl_Color * gl_LightSource" + index + member + ").rgb";
+  if (varies(state, face, parameter))
+    return "(" + material(state, face, parameter) + " * gl_LightSource" + index + member + ").rgb";
   return std::string("gl_") + face.built_in + "LightProduct" + index + member + ".rgb";
 }
 
 std::string scene_color(const FixedFunctionState& state, const Face& face) {
-  if (!follows_color(state, face, GL_AMBIENT) && !follows_color(state, face, GL_EMISSION))
+  if (!varies(state, face, GL_AMBIENT) && !varies(state, face, GL_EMISSION))
     return std::string("gl_") + face.built_in + "LightModelProduct.sceneColor.rgb";
   return "(" + material(state, face, GL_EMISSION) + " + " + material(state, face, GL_AMBIENT) +
          " * gl_LightModel.ambient).rgb";
@@ -81,13 +102,13 @@ constexpr std::string_view light_vectors = R"(  {
 constexpr std::string_view face_of_light =
     R"(    $face_color += attenuation * ($ambient + max($sign normal_light, 0.0) * $diffuse);
     if ($sign normal_light > 0.0)
-      $face_specular += attenuation * power($sign normal_half, gl_$FaceMaterial.shininess) * $specular;
+      $face_specular += attenuation * power($sign normal_half, $shininess) * $specular;
 )";
 
 std::string lit_face(const FixedFunctionState& state, const Face& face, int light) {
   return substitute(face_of_light, {{"$face", face.local},
-                                    {"$Face", face.built_in},
                                     {"$sign ", face.sign},
+                                    {"$shininess", material(state, face, GL_SHININESS)},
                                     {"$ambient", product(state, face, light, GL_AMBIENT)},
                                     {"$diffuse", product(state, face, light, GL_DIFFUSE)},
                                     {"$specular", product(state, face, light, GL_SPECULAR)}});
@@ -117,6 +138,17 @@ bool any_light(const FixedFunctionState& state) {
 }
 
 }  // namespace
+
+std::string material_declarations(const FixedFunctionState& state) {
+  std::string text;
+  for (int i = 0; state.lighting && i < core::material_parameters; ++i) {
+    if (state.material_attribute[i] < 0) continue;
+    const Face& face = core::face_of(i) == GL_FRONT ? front_face : back_face;
+    text += "layout(location = " + std::to_string(state.material_attribute[i]) + ") in " +
+            (core::name_of(i) == GL_SHININESS ? "float " : "vec4 ") + input_of(face, core::name_of(i)) + ";\n";
+  }
+  return text;
+}
 
 Needs lighting_needs(const FixedFunctionState& state) {
   Needs needs;

@@ -30,6 +30,8 @@ using Substitutions = std::vector<std::pair<std::string_view, std::string>>;
 // `text` with every key replaced by its value; keys are tried in their order.
 std::string substitute(std::string_view text, const Substitutions& substitutions);
 
+// Declares the inputs that carry the material.
+std::string material_declarations(const FixedFunctionState& state);
 // gl_Front/BackColor and gl_Front/BackSecondaryColor of a lit vertex.
 Needs lighting_needs(const FixedFunctionState& state);
 std::string lighting_statements(const FixedFunctionState& state);

@@ -66,6 +66,16 @@ AttributeSource read_conventional(const gl::Dispatch& gl, int slot) {
   return source;
 }
 
+// The address of an array in client memory. The offset of its binding has only 32 bits in Mesa 22. Where an attribute
+// uses the binding of another one, the address is not known: 0.
+GLintptr client_address(const gl::Dispatch& gl, GLuint index, const AttributeSource& source) {
+  void* pointer = nullptr;
+  if (source.binding == index && source.relative_offset == 0) {
+    gl.GetVertexAttribPointerv(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
+  }
+  return reinterpret_cast<GLintptr>(pointer);
+}
+
 AttributeSource read_generic(const gl::Dispatch& gl, GLuint index) {
   const auto attribute = [&](GLenum name) {
     GLint value = 0;
@@ -88,7 +98,7 @@ AttributeSource read_generic(const gl::Dispatch& gl, GLuint index) {
   source.divisor = static_cast<GLuint>(value);
   GLint64 offset = 0;
   gl.GetInteger64i_v(GL_VERTEX_BINDING_OFFSET, source.binding, &offset);
-  source.offset = static_cast<GLintptr>(offset);
+  source.offset = source.buffer != 0 ? static_cast<GLintptr>(offset) : client_address(gl, index, source);
   return source;
 }
 

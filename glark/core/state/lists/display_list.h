@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "glark/core/state/arrays/current_values.h"
+#include "glark/core/state/fixed_function/material_parameters.h"
 #include "glark/core/state/lists/polygon_sides.h"
 #include "glark/gl/types.h"
 
@@ -19,6 +20,16 @@ namespace glark::core {
 struct VertexList {
   GLuint list = 0;
   bool offset = false;  // `list` is added to glListBase
+};
+
+// The parameters of the material that a segment sets between glBegin and glEnd.
+struct SegmentMaterials {
+  bool set = false;
+  MaterialSet varying = 0;  // set after the first vertex
+  MaterialSet carried = 0;  // the segment sets their attributes, too, from the first vertex on
+
+  // Some vertices inherit a material that the segment does not set.
+  bool inherited() const { return (varying & ~carried) != 0; }
 };
 
 // The effects of a segment's calls besides drawing.
@@ -36,8 +47,7 @@ struct SegmentEffects {
   bool touches_state = false;  // it sets state that refined draws depend on
   bool draws_shapes = false;   // it draws rectangles or evaluator meshes that are not refined
   bool changes_uniforms = false;
-  bool sets_materials = false;  // between glBegin and glEnd
-  bool materials_vary = false;  // after the first vertex
+  SegmentMaterials materials;
 
   void record(int slot, const CurrentValue& value, bool before_vertices) {
     if (slot < 0) {

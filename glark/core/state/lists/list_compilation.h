@@ -40,10 +40,14 @@ class ListCompilation {
     effects_.opaque = true;
     effects_.late |= !before_vertices;
   }
-  void note_material(bool before_vertices) {
-    effects_.sets_materials |= in_primitive_;
-    effects_.materials_vary |= in_primitive_ && !before_vertices;
+  // glMaterial sets these parameters.
+  void note_material(MaterialSet parameters, bool before_vertices) {
+    effects_.materials.set |= in_primitive_;
+    effects_.materials.varying |= in_primitive_ && !before_vertices ? parameters : 0;
   }
+  // Calls of the open segment set the attributes of these parameters.
+  void carry_materials(MaterialSet parameters) { effects_.materials.carried |= parameters; }
+  MaterialSet carried_materials() const { return effects_.materials.carried; }
   // A vertex after the first sets more attributes or components than those before.
   bool vertices_differ() const { return effects_.late; }
 

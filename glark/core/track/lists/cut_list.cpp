@@ -162,6 +162,7 @@ bool list_end(Context& c) {
     return false;
   }
   c.gl().End();
+  track::record_materials_end(c);
   if (lists.end_primitive()) {
     c.state().refresh();  // restart may have been enabled after glBegin
     close_segment(c, immediate_segment(c));

@@ -8,13 +8,13 @@
 namespace glark::core::track {
 namespace {
 
-// The vertices of the segment have several materials, or a material that the vertex program does not see yet.
-bool materials_differ(Context& c, const SegmentEffects& effects) {
-  if (!effects.sets_materials) {
+// The vertices of the segment have materials that no attribute carries, or that the vertex program does not see yet.
+bool materials_unknown(Context& c, const SegmentMaterials& materials) {
+  if (!materials.set) {
     return false;
   }
   c.state().refresh();
-  return replaces_fixed_function(c) ? effects.materials_vary && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE : true;
+  return !replaces_fixed_function(c) || (materials.inherited() && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE);
 }
 
 }  // namespace
@@ -65,10 +65,11 @@ void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
                       .tags_vary = segment.sets_tags,
                       .whole_polygons = segment.whole_polygons,
                       .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
+                      .materials = segment.effects.materials.varying,
                       .list_segment = segment.identity,
                       .segment = watched ? &segment : nullptr,
                       .issue = issue};
-  materials_differ(c, segment.effects) ? leave(c, call, Cause::materials_vary) : refine(c, call);
+  materials_unknown(c, segment.effects.materials) ? leave(c, call, Cause::materials_vary) : refine(c, call);
   if (!watched) {
     c.state().forget_current_values();
   }
