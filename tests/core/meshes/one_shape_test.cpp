@@ -308,6 +308,34 @@ TEST_F(OneShapeOf, APrepassBorrowsTheNormalsOfItsMesh) {
   for (const Picture& frame : frames) EXPECT_EQ(red_pixels(frame), 0);
 }
 
+// The outline of a drawing: the back faces of the mesh, larger, unlit, without normals.
+TEST_F(OneShapeOf, AnOutlineBorrowsTheNormalsOfItsMesh) {
+  const GLfloat scale = 1.1F;
+  const Ball alone(Source::buffer);
+  const Ball ball(Source::buffer);
+  glEnable(GL_COLOR_MATERIAL);
+  glColor3f(0, 1, 0);
+  const Picture inner = draw_frames(4, [&] { alone.draw(); })[3];
+  const std::vector<Picture> frames = draw_frames(4, [&] {
+    glColor3f(0, 1, 0);
+    ball.draw();
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glDisable(GL_LIGHTING);
+    glColor3f(1, 0, 0);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);  // without a projection, the eye looks along +z: the near side is the back side
+    glPushMatrix();
+    glScalef(scale, scale, scale);
+    ball.draw_positions();
+    glPopMatrix();
+    glPopAttrib();
+  });
+  const int ring = static_cast<int>((scale * scale - 1) * static_cast<GLfloat>(covered_pixels(inner)));
+  EXPECT_GT(covered_pixels(inner), round_pixels);
+  EXPECT_NEAR(covered_pixels(frames[3]), covered_pixels(inner) + ring, ring / 5);
+  EXPECT_NEAR(red_pixels(frames[3]), ring, ring / 5);
+}
+
 // What a program can read of its vertex array.
 std::vector<GLint64> array_state() {
   std::vector<GLint64> state;
