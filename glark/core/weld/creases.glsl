@@ -11,6 +11,7 @@
 // - The control points of an edge stay within half the least height of all triangles at this edge. Triangles without an
 //   area do not count.
 // - A triangle with one normal is meant to be flat. If this normal is not that of its face, its edges are straight.
+// - A piece in one plane that has the normal of the plane at a corner is the face of a body. Its boundary is straight.
 //
 // Angles come from the positions alone: a triangle lies on one side of its edge, in a direction that its winding does
 // not change. Two triangles in one plane have opposite directions, folded triangles have the same.
@@ -134,6 +135,61 @@ bool ends_at(int corner, vec3 along, vec3 direction, float turn) {
   return turn > least_turn && in_face * in_face <= most * most * (out_of_face * out_of_face + in_face * in_face);
 }
 
+// Returns whether the normal is that of its face. Opposite normals are the same.
+bool is_normal_of(int corner, vec3 face) {
+  const float least_cosine = 0.9994;  // 2 degrees: normals have few digits
+  precise float cosine = dot(glark_pn_unit(normal_of(corner)), face);
+  return abs(cosine) >= least_cosine;
+}
+
+// What the triangles beyond an edge say about a piece in one plane.
+struct Beyond {
+  bool bends;    // one of them lies in another plane
+  bool has_own;  // one of them has the normal of the plane at its third corner
+};
+
+Beyond beyond(int half_edge, vec3 face) {
+  const int most_sides = 8;
+  const float same = 0.999999;
+  const float opposite = -0.9998;  // 1 degree
+  Beyond found = Beyond(false, false);
+  vec3 direction = across(side_name(half_edge, before(cell_of(next_corner(half_edge)), cell_of(half_edge))));
+  uint side = tables[first_side(int(tables[edge_slots() + half_edge]))];
+  for (int count = 0; side != 0u && count < most_sides; ++count) {
+    vec3 other = across(side);
+    float cosine = dot(direction, other);
+    int place = int(side - 1u) >> 1;
+    if (other != vec3(0.0) && cosine < same) {
+      found.bends = found.bends || cosine > opposite;
+      found.has_own = found.has_own || is_normal_of(next_corner(next_corner(place)), face);
+    }
+    side = tables[next_side(place)];
+  }
+  found.bends = found.bends || side != 0u;
+  return found;
+}
+
+// A piece in one plane stands alone if all its other edges are boundaries. A facet of a smooth surface then leans away
+// from all of its normals, because the surface bends at each corner. The face of a body, as the roof of a house, has
+// some normals of its own, and others that are means with the walls.
+bool is_face_of_body(int half_edge) {
+  vec3 face = glark_pn_unit(face_of(half_edge).normal);
+  bool has_own = false;
+  int at = half_edge;
+  for (int i = 0; i < 3; ++i) {
+    if (!is_side(at)) {
+      return false;
+    }
+    Beyond found = beyond(at, face);
+    if (found.bends) {
+      return false;
+    }
+    has_own = has_own || found.has_own || is_normal_of(at, face);
+    at = next_corner(at);
+  }
+  return has_own;
+}
+
 // Finds the side that continues this one with the least angle. Sides that lie upon this one, as in sheets with two
 // faces, do not count. Without another side, the edge is a boundary.
 void mark_crease(uint own, vec3 direction) {
@@ -161,8 +217,9 @@ void mark_crease(uint own, vec3 direction) {
   if (straightest == none) {
     vec3 along = glark_pn_unit(place_of(high) - place_of(low));
     float turn = 2.0 - 2.0 * dot(glark_pn_unit(normal_of(low)), glark_pn_unit(normal_of(high)));
-    shared_low = is_mean_of_crease(low, along, direction) || ends_at(low, along, direction, turn);
-    shared_high = is_mean_of_crease(high, along, direction) || ends_at(high, along, direction, turn);
+    bool ends = is_face_of_body(int(own - 1u) >> 1);
+    shared_low = ends || is_mean_of_crease(low, along, direction) || ends_at(low, along, direction, turn);
+    shared_high = ends || is_mean_of_crease(high, along, direction) || ends_at(high, along, direction, turn);
   }
   if (side != 0u || (straightest > crease_cosine && shared_low)) {
     tables[steepness(low)] = 1u;

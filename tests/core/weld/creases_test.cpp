@@ -178,6 +178,33 @@ TEST_F(Creases, FacesDrawnAloneKeepTheirShape) {
   }
 }
 
+// The roof of a house whose walls are other draws. Its normals are its own at two corners. At the others, a wall pulls
+// them by fewer degrees than a crease has.
+TEST_F(Creases, ARoofStaysFlat) {
+  const std::array<Vector, 4> corners = {Vector{-1, -0.5F, 0}, {1, -0.5F, 0}, {1, 0.5F, 0}, {-1, 0.5F, 0}};
+  const Vector up{0, 0, 1};
+  for (const Vector& pulled : {Vector{0, -0.6F, 1}, {0.3F, -0.3F, 1}}) {
+    const std::array<Vector, 4> normals = {pulled, pulled, up, up};
+    SplitMesh roof;
+    roof.add({corners[0], corners[1], corners[2]}, {normals[0], normals[1], normals[2]});
+    roof.add({corners[0], corners[2], corners[3]}, {normals[0], normals[2], normals[3]});
+    EXPECT_EQ(bent_edges(weld(roof)), 0);
+    EXPECT_EQ(bent_edges(weld(rows_of(roof, 20))), 0);
+    SplitMesh half;
+    half.add(positions_of(roof, 0), normals_of(roof, 0));
+    expect_straight(half);
+  }
+}
+
+// A facet of a ball that is drawn alone has no normal of its own.
+TEST_F(Creases, AQuadOfABallStaysCurved) {
+  const float step = 3.14159265F / 8;
+  const SplitMesh zone = zone_of_sphere(8, 0, step);
+  SplitMesh quad;
+  for (const std::size_t t : {0, 1}) quad.add(positions_of(zone, t), normals_of(zone, t));
+  expect_unchanged(quad);
+}
+
 // A fin stands on a smooth surface and shares its normals. The sheet does not bend where the fin stands.
 TEST_F(Creases, TheGreatestAngleOfThreeSidesCounts) {
   SplitMesh mesh = bent_leaf();
