@@ -31,7 +31,8 @@ struct Record {
   bool tried = false;
   bool destroyed = false;    // the program destroyed it; GL keeps it while it is current
   int users = 0;             // threads in which it is current: 0 or 1, more if a thread ended without releasing it
-  bool ends_frames = false;  // it ends its frames itself
+  bool ends_frames = false;            // it has ended a frame itself
+  std::uint64_t own_frame = 0;         // Registry::frames_shown after that
   std::uint64_t frames_of_others = 0;  // Registry::frames_shown when its last frame ended
 };
 
@@ -104,10 +105,13 @@ void leave_current() {
 }
 
 // Widgets are drawn into textures by contexts of their own, and another context shows these textures. The frame of such
-// a context has ended if it becomes current after another context has shown one.
+// a context has ended if it becomes current after another context has shown one. A context that ends its frames itself
+// is no such context. But Blender swaps the buffers of each new context once.
 void end_frame_of_widget(Record& record) {
+  constexpr std::uint64_t long_ago = 8;  // frames; more than a program has windows
   const std::uint64_t shown = registry().frames_shown.load(std::memory_order_relaxed);
-  if (std::exchange(record.frames_of_others, shown) != shown && !record.ends_frames && record.context != nullptr)
+  const bool shows_itself = record.ends_frames && shown - record.own_frame < long_ago;
+  if (std::exchange(record.frames_of_others, shown) != shown && !shows_itself && record.context != nullptr)
     record.context->frame_finished();
 }
 
@@ -190,6 +194,7 @@ void current_ends_frame() {
   if (current.record == nullptr) return;
   current.record->ends_frames = true;
   if (!current_is_offscreen()) registry().frames_shown.fetch_add(1, std::memory_order_relaxed);
+  current.record->own_frame = registry().frames_shown.load(std::memory_order_relaxed);
 }
 
 Provider current_provider() { return current.record == nullptr ? Provider::glx : current.record->provider; }

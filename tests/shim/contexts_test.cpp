@@ -53,17 +53,21 @@ INSTANTIATE_TEST_SUITE_P(Cases, Contexts,
                          [](const auto& given) { return std::string(given.param.name); });
 
 // The context of the widget shows nothing itself. A mesh waits for two frames; the other four are curved.
-TEST(Widgets, TheirFramesEndWhenAnotherContextShowsThem) {
+void expect_draws(const std::string& program, int waiting, int refined) {
   const std::string file = testing::TempDir() + "widget" + std::to_string(getpid()) + ".json";
-  const Outcome outcome =
-      run_preloaded(PROGRAM_FOLDER "/shim_widget",
-                    "GLARK_ENABLE=1 GLARK_REFINE=smooth GLARK_LEVEL=2 GLARK_CONFIG=/dev/null GLARK_STATS=" + file);
+  const Outcome outcome = run_preloaded(
+      program, "GLARK_ENABLE=1 GLARK_REFINE=smooth GLARK_LEVEL=2 GLARK_CONFIG=/dev/null GLARK_STATS=" + file);
   if (outcome.status == 3) GTEST_SKIP() << "no such context here";
   EXPECT_EQ(outcome.output, "error 0\n");
   const nlohmann::json draws = nlohmann::json::parse(read_file(file))["draws"];
-  EXPECT_EQ(draws["refined"], 4);
-  EXPECT_EQ(draws["passed_through"]["mesh_waits"], 2);
+  EXPECT_EQ(draws["refined"], refined);
+  EXPECT_EQ(draws["passed_through"]["mesh_waits"], waiting);
   std::filesystem::remove(file);
 }
+
+TEST(Widgets, TheirFramesEndWhenAnotherContextShowsThem) { expect_draws(PROGRAM_FOLDER "/shim_widget", 2, 4); }
+
+// After eight frames of the other context, the swap at the start no longer counts.
+TEST(Widgets, ASwapAtTheStartDelaysThem) { expect_draws(PROGRAM_FOLDER "/shim_widget swapped", 9, 5); }
 
 }  // namespace glark::test

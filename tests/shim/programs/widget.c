@@ -3,6 +3,7 @@
 //
 // A toolkit: a widget is drawn by a context of its own, which shows nothing. Another context shows the window. Draws
 // one mesh with normals in each of six frames. Status 3: not here.
+//   shim_widget [swapped]: the context of the widget swaps its buffers once at the start; then there are 14 frames.
 #define GL_GLEXT_PROTOTYPES 1
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -62,11 +63,17 @@ static void make_mesh(void) {
   glTranslatef(0, 0, -3);
 }
 
-int main(void) {
+int main(int count, char** arguments) {
+  (void)arguments;
   open_display();
   const EGLSurface window = make_surface(), hidden = make_surface();
   const EGLContext shown = make_context(NULL), widget = make_context(shown);
-  for (int frame = 0; frame < 6; ++frame) {
+  if (count > 1) {
+    eglMakeCurrent(display, hidden, hidden, widget);
+    eglSwapBuffers(display, hidden);
+    eglMakeCurrent(display, window, window, shown);
+  }
+  for (int frame = 0; frame < (count > 1 ? 14 : 6); ++frame) {
     eglMakeCurrent(display, hidden, hidden, widget);
     if (frame == 0) make_mesh();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
