@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "glark/core/keep/client_arrays.h"
 #include "glark/core/state/arrays/buffer_stamps.h"
 #include "glark/core/state/arrays/current_values.h"
 #include "glark/core/state/arrays/vertex_arrays.h"
@@ -27,12 +28,19 @@ class DrawKey {
   void add(std::uint64_t low, std::uint64_t high) { words_.push_back(low | high << 32); }
   // False: the array is in client memory, which may change unseen.
   bool add_source(int slot, const AttributeSource& source) {
-    add(static_cast<std::uint64_t>(slot) | (source.normalized ? 0x100U : 0U) | (source.integer ? 0x200U : 0U) | 0x400U,
-        source.type);
-    add(static_cast<std::uint32_t>(source.size), source.divisor);
-    add(source.relative_offset, static_cast<std::uint32_t>(source.stride));
+    add_format(slot, source, 0x400U);
+    add(source.relative_offset);
     add(static_cast<std::uint64_t>(source.offset));
     return add_buffer(source.buffer, source.generation);
+  }
+  // An array in client memory, by the hash of what the draw reads of it.
+  void add_content(int slot, const AttributeSource& source, const ContentHash& content) {
+    add_format(slot, source, 0x2000U);
+    add_content(content);
+  }
+  void add_content(const ContentHash& content) {
+    add(content.low);
+    add(content.high);
   }
   bool add_buffer(GLuint buffer, std::uint64_t generation) {
     add(buffer);
@@ -62,6 +70,13 @@ class DrawKey {
   std::span<const GLuint> buffers() const { return buffers_; }
 
  private:
+  void add_format(int slot, const AttributeSource& source, std::uint64_t kind) {
+    add(static_cast<std::uint64_t>(slot) | (source.normalized ? 0x100U : 0U) | (source.integer ? 0x200U : 0U) | kind,
+        source.type);
+    add(static_cast<std::uint32_t>(source.size), source.divisor);
+    add(static_cast<std::uint32_t>(source.stride));
+  }
+
   std::vector<std::uint64_t> words_;
   std::vector<GLuint> buffers_;  // buffers that the draw reads
 };

@@ -27,6 +27,9 @@ bool watched(const gl::Dispatch& gl, const BufferStamps& stamps, GLuint buffer) 
   return (flags & GL_MAP_PERSISTENT_BIT) == 0 && stamps.trusted(buffer);
 }
 
+// Core profiles refuse arrays without a buffer: their addresses mean nothing.
+bool reads_client_memory(const Capabilities& capabilities) { return capabilities.api != Capabilities::Api::core; }
+
 }  // namespace
 
 // False: the draw reads an attribute that cannot be watched.
@@ -39,18 +42,44 @@ bool KeptDraws::add_arrays(const capture::CapturePlan& capture, const ArrayDraw&
   key_.add(draw.mode, draw.index_type);
   key_.add(static_cast<std::uint32_t>(draw.first), static_cast<std::uint32_t>(draw.count));
   key_.add(static_cast<std::uint32_t>(draw.instances), draw.base_instance);
-  if (draw.index_type != 0) {
-    key_.add(reinterpret_cast<std::uint64_t>(draw.indices));
-    key_.add(static_cast<std::uint32_t>(draw.base_vertex));
-    const BoundBuffer& elements = env_.state.arrays().element_buffer();
-    if (!key_.add_buffer(elements.name, elements.generation)) {
-      return false;
-    }
+  vertices_read_.reset();
+  if (draw.index_type == 0) {
+    vertices_read_ = vertices_read(draw, {});
+  } else if (!add_indices(draw)) {
+    return false;
   }
   const int lent = capture.lent ? generic_slot(capture.lent->attribute) : static_cast<int>(no_slot);
   return std::all_of(capture.inputs->begin(), capture.inputs->end(), [&](int slot) {
     return slot != no_slot && slot == lent ? key_.add_source(slot, capture.lent->source) : add_array_input(slot);
   });
+}
+
+bool KeptDraws::add_indices(const ArrayDraw& draw) {
+  key_.add(static_cast<std::uint32_t>(draw.base_vertex));
+  const BoundBuffer& elements = env_.state.arrays().element_buffer();
+  if (elements.name != 0) {
+    key_.add(reinterpret_cast<std::uint64_t>(draw.indices));
+    return key_.add_buffer(elements.name, elements.generation);
+  }
+  const std::span<const std::byte> indices = client_indices(draw);
+  if (indices.empty() || env_.bindings().primitive_restart_fixed || !reads_client_memory(env_.capabilities)) {
+    return false;
+  }
+  vertices_read_ = vertices_read(draw, indices);
+  key_.add_content(hash_of(indices));
+  return true;
+}
+
+bool KeptDraws::add_client_array(int slot, const AttributeSource& source) {
+  if (!vertices_read_ || !reads_client_memory(env_.capabilities)) {
+    return false;
+  }
+  const std::span<const std::byte> bytes = bytes_read(slot, source, *vertices_read_);
+  if (bytes.empty()) {
+    return false;
+  }
+  key_.add_content(slot, source, hash_of(bytes));
+  return true;
 }
 
 bool KeptDraws::add_array_input(int slot) {
@@ -70,7 +99,7 @@ bool KeptDraws::add_array_input(int slot) {
     key_.add_value(slot, env_.state.current_values());
     return true;
   }
-  return key_.add_source(slot, source);
+  return source.buffer != 0 ? key_.add_source(slot, source) : add_client_array(slot, source);
 }
 
 bool KeptDraws::add_segment(const std::vector<int>& inputs, const ListSegment& segment) {

@@ -6,12 +6,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "glark/core/capture/capture_plan.h"
 #include "glark/core/capture/draw_call.h"
 #include "glark/core/depth/depth_plan.h"
 #include "glark/core/depth/kept_instances.h"
+#include "glark/core/keep/client_arrays.h"
 #include "glark/core/keep/draw_cache.h"
 #include "glark/core/keep/draw_key.h"
 #include "glark/core/state/environment.h"
@@ -64,7 +66,9 @@ class KeptDraws {
  private:
   bool make_key(const DrawCall& call, const KeyFacts& facts);
   bool add_arrays(const capture::CapturePlan& capture, const ArrayDraw& draw);
+  bool add_indices(const ArrayDraw& draw);
   bool add_array_input(int slot);
+  bool add_client_array(int slot, const AttributeSource& source);
   bool add_segment(const std::vector<int>& inputs, const ListSegment& segment);
   void add_welded_words(const capture::Layout& layout);
   bool all_watched() const;
@@ -72,6 +76,7 @@ class KeptDraws {
   const Environment& env_;
   DrawCache cache_;
   DrawKey key_;  // scratch
+  std::optional<VertexRange> vertices_read_;  // by the draw whose key is made; empty: not known
 };
 
 }  // namespace glark::core
