@@ -9,9 +9,10 @@
 namespace glark::evaluate {
 namespace {
 
-int offset_of(const capture::Layout& layout, capture::Role role) {
-  const capture::Field* field = capture::find_role(layout.fields, role);
-  return field != nullptr ? field->offset : -1;
+constexpr std::uint64_t most_indices = std::numeric_limits<GLsizei>::max();
+
+GLsizeiptr bytes_of(std::uint64_t vertices, const VertexFormat& format) {
+  return static_cast<GLsizeiptr>(vertices) * format.words * 4;
 }
 
 }  // namespace
@@ -21,8 +22,7 @@ core::RefinedVerticesKey Evaluation::key_of(const core::DrawPlan& plan) const {
   return {.level = plan.depth.level,
           .refinement = derived.refinement,
           .shape_number = core::shape_number(env_.options, env_.ark, derived.refinement),
-          .position_offset = offset_of(derived.layout, capture::Role::position),
-          .normal_offset = offset_of(derived.layout, capture::Role::normal)};
+          .surface = derived.surface};
 }
 
 // The application's queries would count the evaluation, and its own transform feedback has a mode that ours changes.
@@ -59,33 +59,67 @@ const core::RefinedVertices* Evaluation::find(const core::DrawPlan& plan, const 
 }
 
 bool Evaluation::make(const core::DrawPlan& plan, core::DrawCache::Entry& entry) {
-  const VertexFormat format = vertex_format(plan.derived->layout.fields);
-  const std::uint32_t triangles = entry.triangles.count;
-  if (format.attributes.empty()) {
+  Mesh mesh{.format = vertex_format(plan.derived->layout.fields)};
+  if (mesh.format.attributes.empty()) {
     return false;
   }
-  const unsigned level = plan.depth.level;
-  const auto bytes = static_cast<GLsizeiptr>(triangles * lattice_points(level)) * format.words * 4;
-  if (triangles * lattice_indices(level) > std::numeric_limits<GLsizei>::max() ||
-      !parts_.kept.allocate_vertices(entry, bytes, grids_.bytes_with(level, triangles))) {
-    return false;
-  }
-  const GridIndices::Grid grid = grids_.ensure(env_.gl, parts_.pool.pool(), level, triangles);
-  if (grid.indices == 0 || !evaluate(plan, entry, grid)) {
+  if (!(plan.placed ? make_pieces(plan, entry, mesh) : make_grids(plan, entry, mesh))) {
     parts_.kept.drop_vertices(entry);
     return false;
   }
-  entry.vertices.vertex_array = make_vertex_array(env_.gl, format, entry.vertices.buffer, grid.indices);
-  entry.vertices.index_count = static_cast<GLsizei>(grid.index_count * triangles);
+  entry.vertices.vertex_array = make_vertex_array(env_.gl, mesh.format, entry.vertices.buffer, mesh.indices);
+  entry.vertices.index_count = static_cast<GLsizei>(mesh.index_count);
   return true;
+}
+
+// A uniform level of one piece a triangle. All draws of the level share the indices.
+bool Evaluation::make_grids(const core::DrawPlan& plan, core::DrawCache::Entry& entry, Mesh& mesh) {
+  const capture::CoarseTriangles& triangles = entry.triangles;
+  const unsigned level = plan.depth.level;
+  mesh.index_count = triangles.count * lattice_indices(level);
+  const core::DrawCache::VertexRoom room{bytes_of(triangles.count * lattice_points(level), mesh.format), 0};
+  if (mesh.index_count > most_indices ||
+      !parts_.kept.allocate_vertices(entry, room, grids_.bytes_with(level, triangles.count))) {
+    return false;
+  }
+  const GridIndices::Grid grid = grids_.ensure(env_.gl, parts_.pool.pool(), level, triangles.count);
+  mesh.indices = grid.indices;
+  const submit::PointDraw draw{
+      .first = grid.first_vertex,
+      .count = grid.vertex_count,
+      .instances = static_cast<GLsizei>(triangles.count),
+      .chunks = plan.capture.layout->chunk_count(),
+      .source = {triangles.buffer, triangles.offset, plan.capture.layout->triangle_words() * 4}};
+  return grid.indices != 0 && evaluate(plan, entry, {&draw, 1});
+}
+
+// Depths that vary, and levels that are cut into tiles.
+bool Evaluation::make_pieces(const core::DrawPlan& plan, core::DrawCache::Entry& entry, Mesh& mesh) {
+  const PieceBatches batches({env_.gl, parts_.pool.pool(), parts_.pool.number(), patterns_}, plan, entry);
+  mesh.index_count = batches.index_count();
+  if (!batches.complete() || mesh.index_count > most_indices || batches.vertex_count() > most_indices) {
+    return false;
+  }
+  const core::DrawCache::VertexRoom room{bytes_of(batches.vertex_count(), mesh.format),
+                                         static_cast<GLsizeiptr>(mesh.index_count * sizeof(std::uint32_t))};
+  if (!parts_.kept.allocate_vertices(entry, room, grids_.bytes())) {
+    return false;
+  }
+  mesh.indices = entry.vertices.indices.name();
+  batches.write_indices(env_.gl, entry.vertices.indices);
+  core::GpuBuffer points;
+  const std::vector<submit::PointDraw> draws = batches.point_draws(env_.gl, *plan.capture.layout, points);
+  const bool done = !draws.empty() && evaluate(plan, entry, draws);
+  points.release(env_.gl);
+  return done;
 }
 
 // Returns whether GL has written all vertices. It writes none in a conditional rendering that is off; such a draw is
 // refused until it changes.
 bool Evaluation::evaluate(const core::DrawPlan& plan, const core::DrawCache::Entry& entry,
-                          const GridIndices::Grid& grid) {
+                          std::span<const submit::PointDraw> draws) {
   const core::Bindings& b = env_.bindings();
-  const EvaluationProgram& program = programs_.find(plan.derived);
+  const EvaluationProgram& program = programs_.find(plan.derived, plan.placed);
   if (program.name == 0) {
     return false;
   }
@@ -95,9 +129,12 @@ bool Evaluation::evaluate(const core::DrawPlan& plan, const core::DrawCache::Ent
   if (b.primitive_restart) {
     env_.gl.Disable(GL_PRIMITIVE_RESTART);
   }
-  const std::uint32_t points = entry.triangles.count * static_cast<std::uint32_t>(grid.vertex_count);
+  std::uint32_t points = 0;
   parts_.capture.begin(program.name, b, capture::Count::checked, &entry.vertices.buffer, GL_POINTS);
-  points_.draw_points(parts_.pool.pool(), entry.triangles, *plan.capture.layout, grid.first_vertex, grid.vertex_count);
+  for (const submit::PointDraw& draw : draws) {
+    points += static_cast<std::uint32_t>(draw.count) * static_cast<std::uint32_t>(draw.instances);
+    points_.draw_points(parts_.pool.pool(), draw);
+  }
   const capture::CoarseTriangles written = parts_.capture.end(*plan.capture.layout, points, b);
   if (b.primitive_restart) {
     env_.gl.Enable(GL_PRIMITIVE_RESTART);

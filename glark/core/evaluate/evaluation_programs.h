@@ -23,11 +23,12 @@ class EvaluationPrograms {
   explicit EvaluationPrograms(const core::Environment& environment) : env_(environment) {}
 
   // Builds the program when it is first asked for. Wrap in an ErrorScope.
-  const EvaluationProgram& find(const std::shared_ptr<core::DerivedProgram>& derived);
+  // `placed`: pieces have a placement; the same for all draws with `derived`.
+  const EvaluationProgram& find(const std::shared_ptr<core::DerivedProgram>& derived, bool placed);
   void release();
 
  private:
-  EvaluationProgram build(const core::DerivedProgram& derived);
+  EvaluationProgram build(const core::DerivedProgram& derived, bool placed);
 
   const core::Environment& env_;
   std::map<std::weak_ptr<const core::DerivedProgram>, EvaluationProgram, std::owner_less<>> of_derived_;

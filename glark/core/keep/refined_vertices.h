@@ -6,6 +6,7 @@
 
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/refinement.h"
+#include "glark/core/state/programs/derived_program.h"
 
 namespace glark::core {
 
@@ -14,8 +15,7 @@ struct RefinedVerticesKey {
   unsigned level = 0;
   Refinement refinement = Refinement::linear_inputs;
   float shape_number = 0;
-  int position_offset = -1;  // of the inputs in a corner record that are curved: the first word; -1: none
-  int normal_offset = -1;
+  SurfaceWords surface;
   bool operator==(const RefinedVerticesKey&) const = default;
 };
 
@@ -24,15 +24,18 @@ struct RefinedVerticesKey {
 struct RefinedVertices {
   RefinedVerticesKey key;
   GpuBuffer buffer;
+  GpuBuffer indices;        // empty if draws of the level share an index buffer
   GLuint vertex_array = 0;  // 0: nothing is kept
   GLsizei index_count = 0;
   bool refused = false;  // with this key: there is no memory, or GL does not draw them
 
+  GLsizeiptr bytes() const { return buffer.size() + indices.size(); }
   void release(const gl::Dispatch& gl) {
     if (vertex_array != 0) {
       gl.DeleteVertexArrays(1, &vertex_array);
     }
     buffer.release(gl);
+    indices.release(gl);
     *this = {};
   }
 };

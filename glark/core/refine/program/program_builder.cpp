@@ -353,6 +353,8 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   slot->refinement = key.refinement;
   slot->corner_outputs = derivation.corner_outputs;
   find_uniforms(request, *slot);
+  slot->shape_fields = {request.discontinuity_field, request.scalar_tag_field, request.coordinate_field};
+  slot->surface = surface_words(request.layout, slot->shape_fields);
   slot->layout = std::move(request.layout);
   follow_uniforms(program, owner, slot);
   ++core::statistics().programs_derived;

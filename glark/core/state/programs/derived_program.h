@@ -71,12 +71,33 @@ struct AssemblyUniforms {
   std::uint64_t matrix_stamp = 0;
 };
 
+// Fields of a layout that shape the surface besides the position and the normal, by number. -1: there is none.
+struct ShapeFields {
+  int discontinuity = -1;
+  int scalar_tags = -1;
+  int coordinate = -1;  // of the displacement
+};
+
+// The same as first words in a corner record, for comparison. `unread` has bit i if the vertex stage does not read
+// field i.
+struct SurfaceWords {
+  int position = -1;
+  int normal = -1;
+  int discontinuity = -1;
+  int scalar_tags = -1;
+  int coordinate = -1;
+  std::uint64_t unread = 0;
+  bool operator==(const SurfaceWords&) const = default;
+};
+
 struct DerivedProgram {
   GLuint name = 0;
   Refinement refinement = Refinement::linear_inputs;
   capture::Layout layout;
-  GLint shape_number = -1;  // location of the uniform with ShapeNumber's value
-  GLint height_map = -1;    // locations of the uniforms of displacement
+  ShapeFields shape_fields;  // of the layout
+  SurfaceWords surface;      // the same
+  GLint shape_number = -1;   // location of the uniform with ShapeNumber's value
+  GLint height_map = -1;     // locations of the uniforms of displacement
   GLint height_channel = -1;
   GLint height_range = -1;
   GLint first_word = -1;        // location of its uniform; -1: the program reads no records from the storage block
