@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "glark/core/evaluate/uniform_watch.h"
+#include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/shape.h"
 
 namespace glark::evaluate {
@@ -17,12 +19,39 @@ GLsizeiptr bytes_of(std::uint64_t vertices, const VertexFormat& format) {
 
 }  // namespace
 
-core::RefinedVerticesKey Evaluation::key_of(const core::DrawPlan& plan) const {
+bool Evaluation::find_heights(core::HeightMap& heights) const {
+  const core::Displacement& displacement = env_.ark.displacement;
+  core::TextureStamps& textures = env_.share.textures;
+  textures.watch();
+  const core::TextureBindings::Unit unit = env_.state.textures().at(env_.gl, static_cast<GLuint>(displacement.unit));
+  heights = {.texture = unit.texture,
+             .sampler = unit.sampler,
+             .written = textures.state(unit.texture),
+             .unit = displacement.unit,
+             .channel = displacement.channel,
+             .scale = displacement.scale,
+             .bias = displacement.bias};
+  return unit.texture != 0 && textures.trusted(unit.texture);
+}
+
+std::optional<core::RefinedVerticesKey> Evaluation::key_of(const core::DrawPlan& plan) const {
   const core::DerivedProgram& derived = *plan.derived;
-  return {.level = plan.depth.level,
-          .refinement = derived.refinement,
-          .shape_number = core::shape_number(env_.options, env_.ark, derived.refinement),
-          .surface = derived.surface};
+  core::RefinedVerticesKey key{.level = plan.depth.level,
+                               .refinement = derived.refinement,
+                               .shape_number = core::shape_number(env_.options, env_.ark, derived.refinement),
+                               .surface = derived.surface,
+                               .heights = {}};
+  if (derived.height_map >= 0 && !find_heights(key.heights)) {
+    return std::nullopt;
+  }
+  if (!plan.program->refinement_source.empty()) {
+    if (plan.owner == nullptr || plan.owner->uniforms_stale) {
+      return std::nullopt;
+    }
+    key.shader = derived.number;
+    key.uniform_changes = derived.shape_uniforms != nullptr ? derived.shape_uniforms->changes.load() : 0;
+  }
+  return key;
 }
 
 // The application's queries would count the evaluation, and its own transform feedback has a mode that ours changes.
@@ -37,21 +66,21 @@ const core::RefinedVertices* Evaluation::find(const core::DrawPlan& plan, const 
     return nullptr;
   }
   core::DrawCache::Entry& entry = *kept.entry;
-  const core::RefinedVerticesKey key = key_of(plan);
-  if (!(entry.vertices.key == key)) {
+  const std::optional<core::RefinedVerticesKey> key = key_of(plan);
+  if (!key || !(entry.vertices.key == *key)) {
     parts_.kept.drop_vertices(entry);
-    entry.vertices.key = key;
+    entry.vertices.key = key.value_or(core::RefinedVerticesKey{});
     entry.reuses = entry.frames_reused = 0;  // programs that alternate between two levels keep neither
   }
   if (entry.vertices.vertex_array != 0) {
     return &entry.vertices;
   }
-  if (entry.vertices.refused || !entry.repeats_often() || !may_evaluate()) {
+  if (!key || entry.vertices.refused || !entry.repeats_often() || !may_evaluate()) {
     return nullptr;
   }
   core::ErrorScope errors(env_.errors);
   const bool made = make(plan, entry);
-  entry.vertices.key = key;
+  entry.vertices.key = *key;
   entry.vertices.refused = !made;
   env_.gl.BindVertexArray(env_.bindings().vertex_array);
   parts_.programs.use_application();
@@ -114,18 +143,36 @@ bool Evaluation::make_pieces(const core::DrawPlan& plan, core::DrawCache::Entry&
   return done;
 }
 
+// Gives the program the values of the derived one.
+void Evaluation::set_uniforms(const core::DrawPlan& plan, const EvaluationProgram& program) const {
+  core::DerivedProgram& derived = *plan.derived;
+  if (program.shape_number >= 0) {
+    env_.gl.ProgramUniform1f(program.name, program.shape_number,
+                             core::shape_number(env_.options, env_.ark, derived.refinement));
+  }
+  if (program.displacement.height_map >= 0) {
+    core::set_displacement(env_.gl, env_.ark.displacement, program.name, program.displacement);
+  }
+  if (plan.program->refinement_source.empty()) {
+    return;
+  }
+  core::DerivedProgram copy;
+  copy.name = program.name;
+  refine::map_uniform_locations(env_.gl, derived.name, copy);
+  refine::copy_uniform_values(env_.gl, derived.name, copy);
+  watch_uniforms(env_.gl, program.uniforms, *plan.program, derived);
+}
+
 // Returns whether GL has written all vertices. It writes none in a conditional rendering that is off; such a draw is
 // refused until it changes.
 bool Evaluation::evaluate(const core::DrawPlan& plan, const core::DrawCache::Entry& entry,
                           std::span<const submit::PointDraw> draws) {
   const core::Bindings& b = env_.bindings();
-  const EvaluationProgram& program = programs_.find(plan.derived, plan.placed);
+  const EvaluationProgram& program = programs_.find({plan.derived, plan.placed, plan.program->refinement_source});
   if (program.name == 0) {
     return false;
   }
-  if (program.shape_number >= 0) {
-    env_.gl.ProgramUniform1f(program.name, program.shape_number, entry.vertices.key.shape_number);
-  }
+  set_uniforms(plan, program);
   if (b.primitive_restart) {
     env_.gl.Disable(GL_PRIMITIVE_RESTART);
   }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "glark/core/capture/capture.h"
@@ -40,7 +41,9 @@ class Evaluation {
   void release();
 
  private:
-  core::RefinedVerticesKey key_of(const core::DrawPlan& plan) const;
+  // Nothing: something that the vertices depend on may change unseen.
+  std::optional<core::RefinedVerticesKey> key_of(const core::DrawPlan& plan) const;
+  bool find_heights(core::HeightMap& heights) const;
   bool may_evaluate() const;
   bool make(const core::DrawPlan& plan, core::DrawCache::Entry& entry);
   struct Mesh {
@@ -50,6 +53,7 @@ class Evaluation {
   };
   bool make_grids(const core::DrawPlan& plan, core::DrawCache::Entry& entry, Mesh& mesh);
   bool make_pieces(const core::DrawPlan& plan, core::DrawCache::Entry& entry, Mesh& mesh);
+  void set_uniforms(const core::DrawPlan& plan, const EvaluationProgram& program) const;
   bool evaluate(const core::DrawPlan& plan, const core::DrawCache::Entry& entry,
                 std::span<const submit::PointDraw> draws);
 

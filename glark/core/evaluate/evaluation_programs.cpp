@@ -9,8 +9,8 @@
 #include "glark/core/objects/shader.h"
 #include "glark/core/refine/attribute_locations.h"
 #include "glark/core/refine/derive.h"
+#include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/report/log.h"
-#include "glark/core/shape.h"
 
 namespace glark::evaluate {
 namespace {
@@ -48,35 +48,57 @@ GLuint link(const gl::Dispatch& gl, const EvaluationSource& source, const Inputs
 
 }  // namespace
 
-EvaluationProgram EvaluationPrograms::build(const core::DerivedProgram& derived, bool placed) {
+EvaluationProgram EvaluationPrograms::build(const Request& request) {
+  const core::DerivedProgram& derived = *request.derived;
   const capture::Language language = capture::language_of(env_.capabilities);
-  EvaluationSource source = evaluation_source({derived, core::constant_tags(env_.options), placed, language});
+  EvaluationSource source = evaluation_source(
+      {derived, core::constant_tags(env_.options), request.placed, request.refinement_source, language});
   const auto found = by_source_.find(source.vertex);
-  if (found != by_source_.end()) {
+  if (found != by_source_.end() && source.error.empty()) {
     return found->second;
   }
   EvaluationProgram program;
   std::string& error = source.error;
   if (error.empty()) {
-    program.name =
-        link(env_.gl, source, {derived.layout.chunk_count(), placed}, language == capture::Language::es, error);
+    const Inputs inputs{derived.layout.chunk_count(), request.placed};
+    program.name = link(env_.gl, source, inputs, language == capture::Language::es, error);
   }
   if (program.name != 0) {
-    program.shape_number = env_.gl.GetUniformLocation(program.name, refine::shape_number_uniform);
-  } else {
-    core::log(core::LogLevel::warning, "refined vertices are not kept: " + error);
+    find_uniforms(program, error);
+  }
+  if (program.name == 0) {
+    const bool own = !request.refinement_source.empty();
+    core::log(own ? core::LogLevel::info : core::LogLevel::warning, "refined vertices are not kept: " + error);
   }
   by_source_.emplace(std::move(source.vertex), program);
   return program;
 }
 
-const EvaluationProgram& EvaluationPrograms::find(const std::shared_ptr<core::DerivedProgram>& derived, bool placed) {
-  const auto found = of_derived_.find(derived);
+// Uniforms that are neither ours nor numbers may change unseen: a program with such a uniform is dropped.
+void EvaluationPrograms::find_uniforms(EvaluationProgram& program, std::string& error) const {
+  const auto location = [&](const char* name) { return env_.gl.GetUniformLocation(program.name, name); };
+  program.shape_number = location(refine::shape_number_uniform);
+  program.displacement = {location(refine::height_map_uniform), location(refine::height_channel_uniform),
+                          location(refine::height_range_uniform)};
+  std::optional<std::vector<std::string>> uniforms =
+      refine::plain_uniforms(env_.gl, program.name, refine::height_map_uniform);
+  if (!uniforms) {
+    error = "the refinement shader has textures, blocks or built-in uniforms";
+    env_.gl.DeleteProgram(program.name);
+    program = {};
+    return;
+  }
+  std::erase_if(*uniforms, [](const std::string& name) { return name.starts_with("glark_"); });
+  program.uniforms = std::move(*uniforms);
+}
+
+const EvaluationProgram& EvaluationPrograms::find(const Request& request) {
+  const auto found = of_derived_.find(request.derived);
   if (found != of_derived_.end()) {
     return found->second;
   }
   std::erase_if(of_derived_, [](const auto& entry) { return entry.first.expired(); });
-  return of_derived_.emplace(derived, build(*derived, placed)).first->second;
+  return of_derived_.emplace(request.derived, build(request)).first->second;
 }
 
 void EvaluationPrograms::release() {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glark/core/capture/layout.h"
@@ -24,7 +25,8 @@ struct EvaluationSource {
 struct EvaluationRequest {
   const core::DerivedProgram& derived;  // the layout, and what the surface depends on
   core::ScalarTags constant_tags;
-  bool placed = false;  // pieces have a placement
+  bool placed = false;                 // pieces have a placement
+  std::string_view refinement_source;  // the application's refinement shader, or empty
   capture::Language language = capture::Language::core;
 };
 EvaluationSource evaluation_source(const EvaluationRequest& request);

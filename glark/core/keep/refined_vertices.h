@@ -7,8 +7,21 @@
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/refinement.h"
 #include "glark/core/state/programs/derived_program.h"
+#include "glark/core/state/textures/texture_stamps.h"
 
 namespace glark::core {
+
+// The texture that displaces a draw, and how it is sampled.
+struct HeightMap {
+  GLuint texture = 0;  // 0: nothing is displaced
+  GLuint sampler = 0;
+  TextureStamps::State written;
+  GLint unit = 0;
+  unsigned channel = 0;
+  float scale = 0;
+  float bias = 0;
+  bool operator==(const HeightMap&) const = default;
+};
 
 // What refined vertices depend on, besides the key of the draw that they belong to.
 struct RefinedVerticesKey {
@@ -16,6 +29,9 @@ struct RefinedVerticesKey {
   Refinement refinement = Refinement::linear_inputs;
   float shape_number = 0;
   SurfaceWords surface;
+  HeightMap heights = {};
+  std::uint64_t shader = 0;           // the derived program's number, if it has a refinement shader of the application
+  std::uint64_t uniform_changes = 0;  // of this shader
   bool operator==(const RefinedVerticesKey&) const = default;
 };
 

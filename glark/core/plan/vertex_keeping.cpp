@@ -8,10 +8,9 @@ bool keeps_vertices(const DrawPlan& plan, const ContextOptions& options, bool ca
   const DerivedProgram& derived = *plan.derived;
   const depth::DepthPlan& depth = plan.depth;
   const bool same_depths = depth.adaptive ? depth.keeps_instances() && !depth.morphing : depth.level > 0;
-  const bool own_inputs = !plan.program->refinement_source.empty() || derived.height_map >= 0;
   const bool own_outputs = traits_of(derived.refinement).interpolates_outputs || derived.corner_outputs;
-  return options.kept_vertex_bytes > 0 && same_depths && !plan.polygons && !own_inputs && !own_outputs &&
-         !derived.stored() && plan.assembly == nullptr && !plan.program->counts_primitives && !captures;
+  return options.kept_vertex_bytes > 0 && same_depths && !plan.polygons && !own_outputs && !derived.stored() &&
+         plan.assembly == nullptr && !plan.program->counts_primitives && !captures;
 }
 
 }  // namespace glark::core

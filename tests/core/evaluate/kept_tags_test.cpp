@@ -78,8 +78,9 @@ TEST_F(KeptTags, DepthsOfEdges) {
 }
 
 TEST_F(KeptTags, DepthsWithEachInterior) {
+  glARKinit(6);
   tag_depths();
-  for (ShapeVertex& vertex : ball_.vertices()) vertex.tag = vertex.position[0] > 0 ? 4 : 0;
+  for (ShapeVertex& vertex : ball_.vertices()) vertex.tag = vertex.position[0] > 0 ? 6 : 0;
   ball_.write();
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   expect_seen([] { glARKParameteriARK(GL_PATTERN_INTERIOR_ARK, GL_SMOOTH_INTERIOR_ARK); });

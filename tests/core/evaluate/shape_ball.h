@@ -26,7 +26,10 @@ inline std::vector<ShapeVertex> shape_vertices() {
   std::vector<ShapeVertex> vertices;
   for (const auto& p : ball_corners()) {
     ShapeVertex vertex{p, p, {0, 0, 0, 1}, {0, 0, 0}, {0.5F + p[0] / 2, 0.5F + p[1] / 2}, 3};
-    if (p[0] > 0) vertex.discontinuity = {0.3F, 0.6F, -0.4F, 1};
+    if (p[0] > 0 || p[1] > 0) {
+      vertex.discontinuity = {0.3F, 0.6F, -0.4F, 1};
+      vertex.scalars = {1, 0.2F, 0};
+    }
     if (p[1] > 0) vertex.tag = 1;
     vertices.push_back(vertex);
   }

@@ -4,8 +4,11 @@
 // A program that was derived from a program of the application, to draw refined triangles in its place.
 #pragma once
 
+#include <atomic>
 #include <compare>
 #include <cstdint>
+#include <memory>
+#include <set>
 #include <vector>
 
 #include "glark/core/capture/record.h"
@@ -90,6 +93,19 @@ struct SurfaceWords {
   bool operator==(const SurfaceWords&) const = default;
 };
 
+// The uniforms of the application's refinement shader, and how often they were changed. Guarded by the program's mutex,
+// but for the count.
+struct ShapeUniforms {
+  std::set<GLint> locations;  // of the application, where its program declares them, too
+  std::atomic<std::uint64_t> changes{0};
+
+  void note(GLint location) {
+    if (location >= virtual_location_base || locations.contains(location)) {
+      changes.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+};
+
 struct DerivedProgram {
   GLuint name = 0;
   Refinement refinement = Refinement::linear_inputs;
@@ -107,6 +123,8 @@ struct DerivedProgram {
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
   std::vector<SubroutineTable> subroutines;
   AssemblyUniforms assembly;
+  std::uint64_t number = 0;                       // tells programs apart that have the same name one after the other
+  std::unique_ptr<ShapeUniforms> shape_uniforms;  // null: nobody asks for their changes
 
   bool stored() const { return first_word >= 0; }
 };
@@ -121,6 +139,13 @@ struct UniformMirror {
     const auto index = static_cast<std::size_t>(
         application >= virtual_location_base ? application - virtual_location_base : application);
     return application >= 0 && index < table.size() ? table[index] : -1;
+  }
+  // The same; the application changes the uniform.
+  GLint changed(GLint application) const {
+    if (derived->shape_uniforms != nullptr) {
+      derived->shape_uniforms->note(application);
+    }
+    return location(application);
   }
 };
 
