@@ -18,6 +18,7 @@
 #include "glark/core/state/gl_state.h"
 #include "glark/core/state/lists/state_changes.h"
 #include "glark/core/state/share_group.h"
+#include "glark/core/state/textures/texture_writes.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {
@@ -56,6 +57,7 @@ class Context final : private ProgramWatcher {
   const GlState& state() const { return state_; }
   // Notes writes of buffers, and calls that go straight to GL.
   BufferWrites writes() { return {state_.arrays(), state_.stamps(), share_->buffers}; }
+  TextureWrites textures() { return {gl_, state_, share_->textures}; }
   StateChanges changes() { return StateChanges(state_); }
   // Saves GL_ARK.
   AttributeStack& attribute_stack() { return attribute_stack_; }

@@ -145,7 +145,7 @@ bool RefinedDraw::draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept)
   ++statistics().draws_of_kept_vertices;
   const std::uint32_t triangles = kept.entry->triangles.count;
   statistics().coarse_triangles += triangles;
-  statistics().refined_triangles += std::uint64_t{triangles} << (2 * plan.depth.level);
+  statistics().refined_triangles += static_cast<std::uint64_t>(vertices->index_count) / 3;
   count_refined(plan);
   count_class(plan, std::nullopt, triangles);
   return true;

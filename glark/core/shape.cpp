@@ -11,17 +11,14 @@ float shape_number(const ContextOptions& options, const ArkState& ark, Refinemen
   return (options.transparent ? options.shape_numbers : ark.shape_numbers)[static_cast<std::size_t>(refinement)];
 }
 
-namespace {
-
-void set_displacement(const gl::Dispatch& gl, const Displacement& displacement, const DerivedProgram& derived) {
+void set_displacement(const gl::Dispatch& gl, const Displacement& displacement, GLuint program,
+                      const DisplacementUniforms& uniforms) {
   std::array<GLfloat, 4> channel{};
   channel.at(displacement.channel) = 1;
-  gl.ProgramUniform1i(derived.name, derived.height_map, displacement.unit);
-  gl.ProgramUniform4fv(derived.name, derived.height_channel, 1, channel.data());
-  gl.ProgramUniform2f(derived.name, derived.height_range, displacement.scale, displacement.bias);
+  gl.ProgramUniform1i(program, uniforms.height_map, displacement.unit);
+  gl.ProgramUniform4fv(program, uniforms.height_channel, 1, channel.data());
+  gl.ProgramUniform2f(program, uniforms.height_range, displacement.scale, displacement.bias);
 }
-
-}  // namespace
 
 void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& key) {
   if (options.transparent) {
@@ -41,7 +38,8 @@ void set_shape(const gl::Dispatch& gl, const ContextOptions& options, const ArkS
     gl.ProgramUniform1f(derived.name, derived.shape_number, shape_number(options, ark, derived.refinement));
   }
   if (derived.height_map >= 0) {
-    set_displacement(gl, ark.displacement, derived);
+    set_displacement(gl, ark.displacement, derived.name,
+                     {derived.height_map, derived.height_channel, derived.height_range});
   }
 }
 

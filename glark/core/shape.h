@@ -22,6 +22,14 @@ inline ScalarTags constant_tags(const ContextOptions& options) {
 void add_shape(const ContextOptions& options, const ArkState& ark, DerivedKey& key);
 // The value of the uniform that shapes the refinement's surface.
 float shape_number(const ContextOptions& options, const ArkState& ark, Refinement refinement);
+// Locations of the uniforms of displacement.
+struct DisplacementUniforms {
+  GLint height_map = -1;
+  GLint height_channel = -1;
+  GLint height_range = -1;
+};
+void set_displacement(const gl::Dispatch& gl, const Displacement& displacement, GLuint program,
+                      const DisplacementUniforms& uniforms);
 // Sets the uniforms of the shape number and of displacement, if the program has them.
 void set_shape(const gl::Dispatch& gl, const ContextOptions& options, const ArkState& ark,
                const DerivedProgram& derived);

@@ -26,7 +26,8 @@ DRAW_PATTERNS = ["glDraw*", "glMultiDraw*", "glMultiMode*", "glBegin", "glEnd", 
 CLASSES = {"draw", "track", "uniform", "count", "count_unseen", "attribute", "opaque", "write_target", "write_buffer", "write_pack",
            "write_gpu", "gpu_may_write", "external_target", "external_buffer", "array", "touch_vertex_array",
            "touch_framebuffer", "touch_fixed_function", "touch_matrices", "touch_any_matrix",
-           "touch_assembly", "hand", "pass", "extra"}
+           "touch_assembly", "texture_target", "texture_object", "texture_any", "texture_bind", "texture_attached",
+           "texture_deleted", "texture_unseen", "textures_unseen", "hand", "pass", "extra"}
 HOOKED = {"draw", "track", "array", "api"}
 # Class -> the call on the context after the real function, with the first of these parameters that the function has.
 TOUCH_CALLS = {
@@ -44,6 +45,14 @@ TOUCH_CALLS = {
     "touch_matrices": ("changes().touch_matrices", []),
     "touch_any_matrix": ("changes().touch_any_matrix", []),
     "touch_assembly": ("changes().touch_assembly", []),
+    "texture_target": ("textures().to_target", ["target"]),
+    "texture_object": ("textures().to_texture", ["texture"]),
+    "texture_any": ("textures().to_any", []),
+    "texture_bind": ("textures().bound", []),
+    "texture_attached": ("textures().attached", ["texture"]),
+    "texture_deleted": ("textures().deleted", []),
+    "texture_unseen": ("textures().never_trust", ["texture"]),
+    "textures_unseen": ("textures().never_trust_any", []),
 }
 # The current value that a function sets, by the start of the function's name.
 ATTRIBUTE_SLOTS = [
@@ -341,7 +350,7 @@ def uniform_body(command, real):
         "  if (state.lists().compiling()) { state.lists().note_uniforms(); return; }",
         "  if (!state.programs().mirroring()) return;",
         f"  for (const glark::core::UniformMirror& mirror : {mirrors})",
-        "    if (const GLint derived = mirror.location(location); derived >= 0)",
+        "    if (const GLint derived = mirror.changed(location); derived >= 0)",
         f"      here.gl->{twin}(mirror.program, derived, {values});",
         "}();",
     ]

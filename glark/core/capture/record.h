@@ -21,6 +21,7 @@ struct Field {
   bool is_array = false;    // declared as an array, even of one element
   int location = -1;        // generic attribute location; -1 for built-ins and system values
   bool made = false;        // no input: welding writes it (a normal from positions)
+  bool unread = false;      // the vertex stage has no such input: a tag of the vertices that shapes the surface
   Role role = Role::other;  // which field PN triangles take as position and normal
   int offset = 0;           // first word within the corner record
   int words = 0;            // words of the whole input: array_size * columns * rows

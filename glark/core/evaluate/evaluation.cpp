@@ -4,25 +4,54 @@
 
 #include <limits>
 
+#include "glark/core/evaluate/uniform_watch.h"
+#include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/shape.h"
 
 namespace glark::evaluate {
 namespace {
 
-int offset_of(const capture::Layout& layout, capture::Role role) {
-  const capture::Field* field = capture::find_role(layout.fields, role);
-  return field != nullptr ? field->offset : -1;
+constexpr std::uint64_t most_indices = std::numeric_limits<GLsizei>::max();
+
+GLsizeiptr bytes_of(std::uint64_t vertices, const VertexFormat& format) {
+  return static_cast<GLsizeiptr>(vertices) * format.words * 4;
 }
 
 }  // namespace
 
-core::RefinedVerticesKey Evaluation::key_of(const core::DrawPlan& plan) const {
+bool Evaluation::find_heights(core::HeightMap& heights) const {
+  const core::Displacement& displacement = env_.ark.displacement;
+  core::TextureStamps& textures = env_.share.textures;
+  textures.watch();
+  const core::TextureBindings::Unit unit = env_.state.textures().at(env_.gl, static_cast<GLuint>(displacement.unit));
+  heights = {.texture = unit.texture,
+             .sampler = unit.sampler,
+             .written = textures.state(unit.texture),
+             .unit = displacement.unit,
+             .channel = displacement.channel,
+             .scale = displacement.scale,
+             .bias = displacement.bias};
+  return unit.texture != 0 && textures.trusted(unit.texture);
+}
+
+std::optional<core::RefinedVerticesKey> Evaluation::key_of(const core::DrawPlan& plan) const {
   const core::DerivedProgram& derived = *plan.derived;
-  return {.level = plan.depth.level,
-          .refinement = derived.refinement,
-          .shape_number = core::shape_number(env_.options, env_.ark, derived.refinement),
-          .position_offset = offset_of(derived.layout, capture::Role::position),
-          .normal_offset = offset_of(derived.layout, capture::Role::normal)};
+  core::RefinedVerticesKey key{.level = plan.depth.level,
+                               .refinement = derived.refinement,
+                               .shape_number = core::shape_number(env_.options, env_.ark, derived.refinement),
+                               .surface = derived.surface,
+                               .heights = {}};
+  if (derived.height_map >= 0 && !find_heights(key.heights)) {
+    return std::nullopt;
+  }
+  if (!plan.program->refinement_source.empty()) {
+    if (plan.owner == nullptr || plan.owner->uniforms_stale) {
+      return std::nullopt;
+    }
+    key.shader = derived.number;
+    key.uniform_changes = derived.shape_uniforms != nullptr ? derived.shape_uniforms->changes.load() : 0;
+  }
+  return key;
 }
 
 // The application's queries would count the evaluation, and its own transform feedback has a mode that ours changes.
@@ -37,21 +66,21 @@ const core::RefinedVertices* Evaluation::find(const core::DrawPlan& plan, const 
     return nullptr;
   }
   core::DrawCache::Entry& entry = *kept.entry;
-  const core::RefinedVerticesKey key = key_of(plan);
-  if (!(entry.vertices.key == key)) {
+  const std::optional<core::RefinedVerticesKey> key = key_of(plan);
+  if (!key || !(entry.vertices.key == *key)) {
     parts_.kept.drop_vertices(entry);
-    entry.vertices.key = key;
+    entry.vertices.key = key.value_or(core::RefinedVerticesKey{});
     entry.reuses = entry.frames_reused = 0;  // programs that alternate between two levels keep neither
   }
   if (entry.vertices.vertex_array != 0) {
     return &entry.vertices;
   }
-  if (entry.vertices.refused || !entry.repeats_often() || !may_evaluate()) {
+  if (!key || entry.vertices.refused || !entry.repeats_often() || !may_evaluate()) {
     return nullptr;
   }
   core::ErrorScope errors(env_.errors);
   const bool made = make(plan, entry);
-  entry.vertices.key = key;
+  entry.vertices.key = *key;
   entry.vertices.refused = !made;
   env_.gl.BindVertexArray(env_.bindings().vertex_array);
   parts_.programs.use_application();
@@ -59,45 +88,100 @@ const core::RefinedVertices* Evaluation::find(const core::DrawPlan& plan, const 
 }
 
 bool Evaluation::make(const core::DrawPlan& plan, core::DrawCache::Entry& entry) {
-  const VertexFormat format = vertex_format(plan.derived->layout.fields);
-  const std::uint32_t triangles = entry.triangles.count;
-  if (format.attributes.empty()) {
+  Mesh mesh{.format = vertex_format(plan.derived->layout.fields)};
+  if (mesh.format.attributes.empty()) {
     return false;
   }
-  const unsigned level = plan.depth.level;
-  const auto bytes = static_cast<GLsizeiptr>(triangles * lattice_points(level)) * format.words * 4;
-  if (triangles * lattice_indices(level) > std::numeric_limits<GLsizei>::max() ||
-      !parts_.kept.allocate_vertices(entry, bytes, grids_.bytes_with(level, triangles))) {
-    return false;
-  }
-  const GridIndices::Grid grid = grids_.ensure(env_.gl, parts_.pool.pool(), level, triangles);
-  if (grid.indices == 0 || !evaluate(plan, entry, grid)) {
+  if (!(plan.placed ? make_pieces(plan, entry, mesh) : make_grids(plan, entry, mesh))) {
     parts_.kept.drop_vertices(entry);
     return false;
   }
-  entry.vertices.vertex_array = make_vertex_array(env_.gl, format, entry.vertices.buffer, grid.indices);
-  entry.vertices.index_count = static_cast<GLsizei>(grid.index_count * triangles);
+  entry.vertices.vertex_array = make_vertex_array(env_.gl, mesh.format, entry.vertices.buffer, mesh.indices);
+  entry.vertices.index_count = static_cast<GLsizei>(mesh.index_count);
   return true;
+}
+
+// A uniform level of one piece a triangle. All draws of the level share the indices.
+bool Evaluation::make_grids(const core::DrawPlan& plan, core::DrawCache::Entry& entry, Mesh& mesh) {
+  const capture::CoarseTriangles& triangles = entry.triangles;
+  const unsigned level = plan.depth.level;
+  mesh.index_count = triangles.count * lattice_indices(level);
+  const core::DrawCache::VertexRoom room{bytes_of(triangles.count * lattice_points(level), mesh.format), 0};
+  if (mesh.index_count > most_indices ||
+      !parts_.kept.allocate_vertices(entry, room, grids_.bytes_with(level, triangles.count))) {
+    return false;
+  }
+  const GridIndices::Grid grid = grids_.ensure(env_.gl, parts_.pool.pool(), level, triangles.count);
+  mesh.indices = grid.indices;
+  const submit::PointDraw draw{
+      .first = grid.first_vertex,
+      .count = grid.vertex_count,
+      .instances = static_cast<GLsizei>(triangles.count),
+      .chunks = plan.capture.layout->chunk_count(),
+      .source = {triangles.buffer, triangles.offset, plan.capture.layout->triangle_words() * 4}};
+  return grid.indices != 0 && evaluate(plan, entry, {&draw, 1});
+}
+
+// Depths that vary, and levels that are cut into tiles.
+bool Evaluation::make_pieces(const core::DrawPlan& plan, core::DrawCache::Entry& entry, Mesh& mesh) {
+  const PieceBatches batches({env_.gl, parts_.pool.pool(), parts_.pool.number(), patterns_}, plan, entry);
+  mesh.index_count = batches.index_count();
+  if (!batches.complete() || mesh.index_count > most_indices || batches.vertex_count() > most_indices) {
+    return false;
+  }
+  const core::DrawCache::VertexRoom room{bytes_of(batches.vertex_count(), mesh.format),
+                                         static_cast<GLsizeiptr>(mesh.index_count * sizeof(std::uint32_t))};
+  if (!parts_.kept.allocate_vertices(entry, room, grids_.bytes())) {
+    return false;
+  }
+  mesh.indices = entry.vertices.indices.name();
+  batches.write_indices(env_.gl, entry.vertices.indices);
+  core::GpuBuffer points;
+  const std::vector<submit::PointDraw> draws = batches.point_draws(env_.gl, *plan.capture.layout, points);
+  const bool done = !draws.empty() && evaluate(plan, entry, draws);
+  points.release(env_.gl);
+  return done;
+}
+
+// Gives the program the values of the derived one.
+void Evaluation::set_uniforms(const core::DrawPlan& plan, const EvaluationProgram& program) const {
+  core::DerivedProgram& derived = *plan.derived;
+  if (program.shape_number >= 0) {
+    env_.gl.ProgramUniform1f(program.name, program.shape_number,
+                             core::shape_number(env_.options, env_.ark, derived.refinement));
+  }
+  if (program.displacement.height_map >= 0) {
+    core::set_displacement(env_.gl, env_.ark.displacement, program.name, program.displacement);
+  }
+  if (plan.program->refinement_source.empty()) {
+    return;
+  }
+  core::DerivedProgram copy;
+  copy.name = program.name;
+  refine::map_uniform_locations(env_.gl, derived.name, copy);
+  refine::copy_uniform_values(env_.gl, derived.name, copy);
+  watch_uniforms(env_.gl, program.uniforms, *plan.program, derived);
 }
 
 // Returns whether GL has written all vertices. It writes none in a conditional rendering that is off; such a draw is
 // refused until it changes.
 bool Evaluation::evaluate(const core::DrawPlan& plan, const core::DrawCache::Entry& entry,
-                          const GridIndices::Grid& grid) {
+                          std::span<const submit::PointDraw> draws) {
   const core::Bindings& b = env_.bindings();
-  const EvaluationProgram& program = programs_.find(plan.derived);
+  const EvaluationProgram& program = programs_.find({plan.derived, plan.placed, plan.program->refinement_source});
   if (program.name == 0) {
     return false;
   }
-  if (program.shape_number >= 0) {
-    env_.gl.ProgramUniform1f(program.name, program.shape_number, entry.vertices.key.shape_number);
-  }
+  set_uniforms(plan, program);
   if (b.primitive_restart) {
     env_.gl.Disable(GL_PRIMITIVE_RESTART);
   }
-  const std::uint32_t points = entry.triangles.count * static_cast<std::uint32_t>(grid.vertex_count);
+  std::uint32_t points = 0;
   parts_.capture.begin(program.name, b, capture::Count::checked, &entry.vertices.buffer, GL_POINTS);
-  points_.draw_points(parts_.pool.pool(), entry.triangles, *plan.capture.layout, grid.first_vertex, grid.vertex_count);
+  for (const submit::PointDraw& draw : draws) {
+    points += static_cast<std::uint32_t>(draw.count) * static_cast<std::uint32_t>(draw.instances);
+    points_.draw_points(parts_.pool.pool(), draw);
+  }
   const capture::CoarseTriangles written = parts_.capture.end(*plan.capture.layout, points, b);
   if (b.primitive_restart) {
     env_.gl.Enable(GL_PRIMITIVE_RESTART);

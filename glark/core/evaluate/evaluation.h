@@ -6,9 +6,15 @@
 // no derived program, no instances, nothing evaluated again.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <span>
+
 #include "glark/core/capture/capture.h"
 #include "glark/core/evaluate/evaluation_programs.h"
 #include "glark/core/evaluate/grid_indices.h"
+#include "glark/core/evaluate/piece_batches.h"
+#include "glark/core/evaluate/piece_pattern.h"
 #include "glark/core/evaluate/vertex_format.h"
 #include "glark/core/keep/kept_draws.h"
 #include "glark/core/pattern/pool_in_use.h"
@@ -35,15 +41,27 @@ class Evaluation {
   void release();
 
  private:
-  core::RefinedVerticesKey key_of(const core::DrawPlan& plan) const;
+  // Nothing: something that the vertices depend on may change unseen.
+  std::optional<core::RefinedVerticesKey> key_of(const core::DrawPlan& plan) const;
+  bool find_heights(core::HeightMap& heights) const;
   bool may_evaluate() const;
   bool make(const core::DrawPlan& plan, core::DrawCache::Entry& entry);
-  bool evaluate(const core::DrawPlan& plan, const core::DrawCache::Entry& entry, const GridIndices::Grid& grid);
+  struct Mesh {
+    VertexFormat format;
+    GLuint indices = 0;
+    std::uint64_t index_count = 0;
+  };
+  bool make_grids(const core::DrawPlan& plan, core::DrawCache::Entry& entry, Mesh& mesh);
+  bool make_pieces(const core::DrawPlan& plan, core::DrawCache::Entry& entry, Mesh& mesh);
+  void set_uniforms(const core::DrawPlan& plan, const EvaluationProgram& program) const;
+  bool evaluate(const core::DrawPlan& plan, const core::DrawCache::Entry& entry,
+                std::span<const submit::PointDraw> draws);
 
   const core::Environment& env_;
   Parts parts_;
   EvaluationPrograms programs_;
   GridIndices grids_;
+  PiecePatterns patterns_;
   submit::SubmitStage points_;
 };
 

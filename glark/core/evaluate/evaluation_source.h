@@ -5,22 +5,30 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "glark/core/capture/layout.h"
 #include "glark/core/refinement.h"
+#include "glark/core/state/programs/derived_program.h"
 
 namespace glark::evaluate {
 
 struct EvaluationSource {
   std::string vertex;                 // empty: it cannot be made
-  std::vector<std::string> varyings;  // the inputs, in the order of the record
+  std::vector<std::string> varyings;  // the inputs of the vertex stage, in the order of copied_fields()
   std::string error;
 };
 
 // The program is derived like those of the application, from a vertex stage that copies its inputs to its outputs. So
 // both have the same inputs at a refined vertex, to the bit.
-EvaluationSource evaluation_source(const capture::Layout& layout, core::Refinement refinement,
-                                   const core::ScalarTags& tags, capture::Language language);
+struct EvaluationRequest {
+  const core::DerivedProgram& derived;  // the layout, and what the surface depends on
+  core::ScalarTags constant_tags;
+  bool placed = false;                 // pieces have a placement
+  std::string_view refinement_source;  // the application's refinement shader, or empty
+  capture::Language language = capture::Language::core;
+};
+EvaluationSource evaluation_source(const EvaluationRequest& request);
 
 }  // namespace glark::evaluate

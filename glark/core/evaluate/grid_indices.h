@@ -31,6 +31,7 @@ class GridIndices {
     GLsizei vertex_count = 0;
   };
 
+  GLsizeiptr bytes() const { return bytes_with(0, 0); }  // of all index buffers
   // The bytes of all index buffers, once `level` has room for so many coarse triangles.
   GLsizeiptr bytes_with(unsigned level, std::uint32_t triangles) const;
   // Needs an ErrorScope.

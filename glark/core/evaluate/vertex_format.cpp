@@ -19,7 +19,7 @@ void add_field(const capture::Field& field, VertexFormat& format) {
   for (int column = 0; column < columns; ++column) {
     const int slot = capture::is_builtin(field) ? core::slot_of_builtin(field.name)
                                                 : core::generic_slot(static_cast<GLuint>(field.location + column));
-    format.attributes.push_back({slot, components_of(slot, rows), field.offset + column * rows});
+    format.attributes.push_back({slot, components_of(slot, rows), format.words + column * rows});
   }
 }
 
@@ -62,9 +62,15 @@ bool has_array(const VertexAttribute& attribute) {
 
 }  // namespace
 
+std::vector<capture::Field> copied_fields(const std::vector<capture::Field>& fields) {
+  std::vector<capture::Field> copied = fields;
+  std::erase_if(copied, [](const capture::Field& field) { return field.unread; });
+  return copied;
+}
+
 VertexFormat vertex_format(const std::vector<capture::Field>& fields) {
   VertexFormat format;
-  for (const capture::Field& field : fields) {
+  for (const capture::Field& field : copied_fields(fields)) {
     if (capture::is_integer(field.type) || capture::is_wide(field.type) || capture::columns_of(field.type) == 0) {
       return {};
     }

@@ -24,6 +24,8 @@ struct VertexFormat {
   int words = 0;                            // of a refined vertex
 };
 
+// Fields that the vertex stage reads. Refined vertices hold these.
+std::vector<capture::Field> copied_fields(const std::vector<capture::Field>& fields);
 VertexFormat vertex_format(const std::vector<capture::Field>& fields);
 
 // Makes a vertex array of ours. Leaves it bound; restores all other bindings.

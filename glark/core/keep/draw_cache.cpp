@@ -102,13 +102,19 @@ bool DrawCache::allocate(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes)
   return done;
 }
 
-bool DrawCache::allocate_vertices(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes, GLsizeiptr budget) {
+bool DrawCache::allocate_vertices(const gl::Dispatch& gl, Entry& entry, const VertexRoom& room, GLsizeiptr budget) {
+  const GLsizeiptr bytes = room.vertices + room.indices;
   for (auto at = entries_.rbegin(); at != entries_.rend() && vertex_bytes_ + bytes > budget; ++at) {
     if (&*at != &entry && !repeats(*at)) {
       drop_vertices(gl, *at);
     }
   }
-  if (vertex_bytes_ + bytes > budget || !entry.vertices.buffer.allocate(gl, bytes, nullptr, GL_STATIC_COPY)) {
+  RefinedVertices& vertices = entry.vertices;
+  if (vertex_bytes_ + bytes > budget || !vertices.buffer.allocate(gl, room.vertices, nullptr, GL_STATIC_COPY)) {
+    return false;
+  }
+  if (room.indices > 0 && !vertices.indices.allocate(gl, room.indices, nullptr, GL_STATIC_DRAW)) {
+    vertices.buffer.release(gl);
     return false;
   }
   vertex_bytes_ += bytes;
@@ -116,7 +122,7 @@ bool DrawCache::allocate_vertices(const gl::Dispatch& gl, Entry& entry, GLsizeip
 }
 
 void DrawCache::drop_vertices(const gl::Dispatch& gl, Entry& entry) {
-  vertex_bytes_ -= entry.vertices.buffer.size();
+  vertex_bytes_ -= entry.vertices.bytes();
   entry.vertices.release(gl);
 }
 
@@ -136,11 +142,10 @@ void DrawCache::release(const gl::Dispatch& gl) {
 std::vector<GLuint> DrawCache::take_buffers() {
   std::vector<GLuint> names;
   for (const Entry& entry : entries_) {
-    if (entry.buffer.name() != 0) {
-      names.push_back(entry.buffer.name());
-    }
-    if (entry.vertices.buffer.name() != 0) {
-      names.push_back(entry.vertices.buffer.name());
+    for (const GpuBuffer* buffer : {&entry.buffer, &entry.vertices.buffer, &entry.vertices.indices}) {
+      if (buffer->name() != 0) {
+        names.push_back(buffer->name());
+      }
     }
   }
   entries_.clear();

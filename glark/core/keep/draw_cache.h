@@ -53,9 +53,13 @@ class DrawCache {
   bool make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeiptr bytes);
   // Gives the entry a buffer of its own of `bytes`; false without memory. Wrap in an ErrorScope.
   bool allocate(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes);
-  // Gives the entry a buffer for `bytes` of refined vertices. Drops vertices of draws that are no longer repeated. False:
-  // the others fill the budget, or there is no memory. Wrap in an ErrorScope.
-  bool allocate_vertices(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes, GLsizeiptr budget);
+  struct VertexRoom {
+    GLsizeiptr vertices = 0;  // bytes
+    GLsizeiptr indices = 0;   // bytes; 0: in a buffer that draws share
+  };
+  // Gives the entry buffers for its refined vertices. Drops vertices of draws that are no longer repeated. False: the
+  // others fill the budget, or there is no memory. Wrap in an ErrorScope.
+  bool allocate_vertices(const gl::Dispatch& gl, Entry& entry, const VertexRoom& room, GLsizeiptr budget);
   void drop_vertices(const gl::Dispatch& gl, Entry& entry);
   // Drops entries that no draw of the last frames used.
   void frame_finished(const gl::Dispatch& gl);

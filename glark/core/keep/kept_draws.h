@@ -52,10 +52,10 @@ class KeptDraws {
   void keep_instances(DrawCache::Entry& entry, const depth::BinnedInstances& instances,
                       const depth::InstanceExtent& extent, const capture::CoarseTriangles& triangles);
 
-  // See DrawCache. `index_bytes`: what the indices take of the user's budget.
-  bool allocate_vertices(DrawCache::Entry& entry, GLsizeiptr bytes, GLsizeiptr index_bytes) {
+  // See DrawCache. `shared_bytes`: what the index buffers that draws share take of the user's budget.
+  bool allocate_vertices(DrawCache::Entry& entry, const DrawCache::VertexRoom& room, GLsizeiptr shared_bytes) {
     const auto budget = static_cast<GLsizeiptr>(env_.options.kept_vertex_bytes);
-    return cache_.allocate_vertices(env_.gl, entry, bytes, budget - index_bytes);
+    return cache_.allocate_vertices(env_.gl, entry, room, budget - shared_bytes);
   }
   void drop_vertices(DrawCache::Entry& entry) { cache_.drop_vertices(env_.gl, entry); }
 

@@ -6,16 +6,32 @@
 
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/refinement.h"
+#include "glark/core/state/programs/derived_program.h"
+#include "glark/core/state/textures/texture_stamps.h"
 
 namespace glark::core {
+
+// The texture that displaces a draw, and how it is sampled.
+struct HeightMap {
+  GLuint texture = 0;  // 0: nothing is displaced
+  GLuint sampler = 0;
+  TextureStamps::State written;
+  GLint unit = 0;
+  unsigned channel = 0;
+  float scale = 0;
+  float bias = 0;
+  bool operator==(const HeightMap&) const = default;
+};
 
 // What refined vertices depend on, besides the key of the draw that they belong to.
 struct RefinedVerticesKey {
   unsigned level = 0;
   Refinement refinement = Refinement::linear_inputs;
   float shape_number = 0;
-  int position_offset = -1;  // of the inputs in a corner record that are curved: the first word; -1: none
-  int normal_offset = -1;
+  SurfaceWords surface;
+  HeightMap heights = {};
+  std::uint64_t shader = 0;           // the derived program's number, if it has a refinement shader of the application
+  std::uint64_t uniform_changes = 0;  // of this shader
   bool operator==(const RefinedVerticesKey&) const = default;
 };
 
@@ -24,15 +40,18 @@ struct RefinedVerticesKey {
 struct RefinedVertices {
   RefinedVerticesKey key;
   GpuBuffer buffer;
+  GpuBuffer indices;        // empty if draws of the level share an index buffer
   GLuint vertex_array = 0;  // 0: nothing is kept
   GLsizei index_count = 0;
   bool refused = false;  // with this key: there is no memory, or GL does not draw them
 
+  GLsizeiptr bytes() const { return buffer.size() + indices.size(); }
   void release(const gl::Dispatch& gl) {
     if (vertex_array != 0) {
       gl.DeleteVertexArrays(1, &vertex_array);
     }
     buffer.release(gl);
+    indices.release(gl);
     *this = {};
   }
 };

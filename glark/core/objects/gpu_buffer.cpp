@@ -43,13 +43,14 @@ void GpuBuffer::write(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, 
   gl.BufferSubData(GL_COPY_WRITE_BUFFER, offset, size, data);
 }
 
-void GpuBuffer::read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const {
+bool GpuBuffer::read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const {
   const CopyWriteBinding binding(gl, name_);
   const void* mapped = gl.MapBufferRange(GL_COPY_WRITE_BUFFER, offset, size, GL_MAP_READ_BIT);
-  if (mapped != nullptr) {
-    std::memcpy(data, mapped, static_cast<std::size_t>(size));
-    gl.UnmapBuffer(GL_COPY_WRITE_BUFFER);
+  if (mapped == nullptr) {
+    return false;
   }
+  std::memcpy(data, mapped, static_cast<std::size_t>(size));
+  return gl.UnmapBuffer(GL_COPY_WRITE_BUFFER) == GL_TRUE;
 }
 
 void GpuBuffer::copy_from(const gl::Dispatch& gl, GLuint buffer, GLintptr from, GLintptr to, GLsizeiptr size) const {

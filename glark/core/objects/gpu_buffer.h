@@ -31,7 +31,8 @@ class GpuBuffer {
   // Grows to at least `size`, and by at least half. The contents are lost.
   bool reserve(const gl::Dispatch& gl, GLsizeiptr size, GLenum usage);
   void write(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, const void* data) const;
-  void read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const;
+  // False: GL cannot map the buffer, and `data` stays.
+  bool read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const;
   void copy_from(const gl::Dispatch& gl, GLuint buffer, GLintptr from, GLintptr to, GLsizeiptr size) const;
   void release(const gl::Dispatch& gl);
 

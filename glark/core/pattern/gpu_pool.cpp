@@ -73,8 +73,10 @@ bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level, bool nested) {
 
 std::vector<std::uint16_t> GpuPool::read_indices(const gl::Dispatch& gl, const Piece& piece) const {
   std::vector<std::uint16_t> indices(piece.index_count);
-  indices_.read(gl, static_cast<GLintptr>(piece.first_index) * 2, static_cast<GLsizeiptr>(indices.size()) * 2,
-                indices.data());
+  if (!indices_.read(gl, static_cast<GLintptr>(piece.first_index) * 2, static_cast<GLsizeiptr>(indices.size()) * 2,
+                     indices.data())) {
+    indices.clear();
+  }
   return indices;
 }
 

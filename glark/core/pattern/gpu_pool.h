@@ -26,7 +26,7 @@ class GpuPool {
   GLuint indices() const { return indices_.name(); }    // uint16
   GLuint patches() const { return patches_.name(); }    // vec4: the tiles of uniform levels, see first_tile()
   const Piece& piece(int index) const { return pieces_[static_cast<std::size_t>(index)]; }
-  // Reads the indices of a piece back. For rare paths.
+  // Reads the indices of a piece back; none if GL cannot map them. For rare paths.
   std::vector<std::uint16_t> read_indices(const gl::Dispatch& gl, const Piece& piece) const;
   GLsizeiptr gpu_bytes() const { return vertices_.size() + indices_.size() + patches_.size(); }
 

@@ -6,12 +6,10 @@ namespace glark::core {
 
 bool keeps_vertices(const DrawPlan& plan, const ContextOptions& options, bool captures) {
   const DerivedProgram& derived = *plan.derived;
-  const RefinementTraits& refinement = traits_of(derived.refinement);
-  const bool one_grid = !plan.depth.adaptive && plan.depth.level > 0 && !plan.placed && !plan.polygons;
-  const bool own_inputs = !plan.program->refinement_source.empty() || derived.height_map >= 0 ||
-                          (refinement.takes_tags && !options.transparent);
-  const bool own_outputs = refinement.interpolates_outputs || derived.corner_outputs;
-  return options.kept_vertex_bytes > 0 && one_grid && !own_inputs && !own_outputs && !derived.stored() &&
+  const depth::DepthPlan& depth = plan.depth;
+  const bool same_depths = depth.adaptive ? depth.keeps_instances() && !depth.morphing : depth.level > 0;
+  const bool own_outputs = traits_of(derived.refinement).interpolates_outputs || derived.corner_outputs;
+  return options.kept_vertex_bytes > 0 && same_depths && !plan.polygons && !own_outputs && !derived.stored() &&
          plan.assembly == nullptr && !plan.program->counts_primitives && !captures;
 }
 

@@ -17,9 +17,11 @@ class AttributeStack {
   // Nothing is pushed onto a stack of `limit` entries: GL refuses that call.
   void push(GLbitfield mask, bool ark_enabled, std::size_t limit) {
     if (entries_.size() < limit) {
-      entries_.push_back({(mask & GL_ENABLE_BIT) != 0, ark_enabled});
+      entries_.push_back({(mask & GL_ENABLE_BIT) != 0, (mask & GL_TEXTURE_BIT) != 0, ark_enabled});
     }
   }
+  // Returns whether pop() gives textures and their bindings the values of earlier. True also without an entry.
+  bool restores_textures() const { return entries_.empty() || entries_.back().has_textures; }
   // The value of GL_ARK to restore, if the entry has saved one.
   std::optional<bool> pop() {
     if (entries_.empty()) {
@@ -33,6 +35,7 @@ class AttributeStack {
  private:
   struct Entry {
     bool has_enables;
+    bool has_textures;
     bool ark_enabled;
   };
   std::vector<Entry> entries_;

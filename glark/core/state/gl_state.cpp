@@ -19,6 +19,7 @@ void GlState::forget() {
   forget_bindings();
   arrays_.vertex_arrays().forget_current();
   framebuffers_ = {};
+  textures_.changed();
   fixed_function_.touch();
   lists_.note_state_change();
 }

@@ -20,6 +20,7 @@
 #include "glark/core/state/query_surplus.h"
 #include "glark/core/state/share_group.h"
 #include "glark/core/state/stamps.h"
+#include "glark/core/state/textures/texture_bindings.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {
@@ -63,6 +64,7 @@ class GlState {
     bindings_stale_ |= bindings_.clamps_by_framebuffer;
   }
   Framebuffers& framebuffers() { return framebuffers_; }
+  TextureBindings& textures() { return textures_; }
   FixedFunctionChanges& fixed_function() { return fixed_function_; }
   Programs& programs() { return programs_; }
   AssemblyState& assembly() { return assembly_; }
@@ -88,6 +90,7 @@ class GlState {
   ArrayState arrays_;
   CurrentValues current_values_;
   Framebuffers framebuffers_;
+  TextureBindings textures_;
   FixedFunctionChanges fixed_function_;
   Programs programs_;
   AssemblyState assembly_;

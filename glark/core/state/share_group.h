@@ -17,6 +17,7 @@
 #include "glark/core/state/lists/display_list.h"
 #include "glark/core/state/programs/program.h"
 #include "glark/core/state/programs/program_binaries.h"
+#include "glark/core/state/textures/texture_stamps.h"
 
 namespace glark::core {
 
@@ -33,6 +34,7 @@ struct ShareGroup {
   std::vector<Programs*> contexts;     // one for each context that lives
   GLuint next_list_name = 0x60000000;  // for our list segments: far from the names that applications use
   BufferStamps buffers;
+  TextureStamps textures;
   std::atomic<std::uint64_t> contexts_made{0};  // so far; gives each context its range of stamps
   std::vector<GLuint> orphaned_buffers;         // left by contexts that could not delete them; guarded by `mutex`
   std::atomic<bool> any_derived{false};

@@ -99,12 +99,21 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
   }
 }
 
-void SubmitStage::draw_points(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles,
-                              const capture::Layout& layout, GLint first, GLsizei count) {
-  bind_vertex_array(layout.chunk_count(), Source::whole, pool.indices());
+void SubmitStage::draw_points(const pattern::GpuPool& pool, const PointDraw& draw) {
+  const InstanceSource& from = draw.source;
+  const Source source = from.patches == 0 ? Source::whole : from.one_patch ? Source::uniform : Source::binned;
+  bind_vertex_array(draw.chunks, source, draw.indices != 0 ? draw.indices : pool.indices());
   gl_.BindVertexBuffer(lattice_binding, pool.vertices(), 0, sizeof(pattern::LatticeVertex));
-  gl_.BindVertexBuffer(record_binding, triangles.buffer, triangles.offset, layout.triangle_words() * 4);
-  gl_.DrawArraysInstanced(GL_POINTS, first, count, static_cast<GLsizei>(triangles.count));
+  gl_.BindVertexBuffer(record_binding, from.records, from.records_offset, from.record_stride);
+  if (from.patches != 0) {
+    gl_.BindVertexBuffer(patch_binding, from.patches, from.patches_offset, patch_bytes);
+  }
+  if (draw.indices == 0) {
+    gl_.DrawArraysInstanced(GL_POINTS, draw.first, draw.count, draw.instances);
+    return;
+  }
+  gl_.DrawElementsInstanced(GL_POINTS, draw.count, GL_UNSIGNED_SHORT,
+                            index_offset(static_cast<std::uint32_t>(draw.first)), draw.instances);
 }
 
 void SubmitStage::draw_binned(const pattern::GpuPool& pool, const depth::BinnedInstances& bins, BinnedInputs inputs) {

@@ -26,6 +26,26 @@ struct UniformDraw {
   const core::GpuBuffer* count_command = nullptr;  // for a count on the GPU
 };
 
+// Where the instances of a piece have their coarse records and their placements.
+struct InstanceSource {
+  GLuint records = 0;
+  GLintptr records_offset = 0;
+  GLsizei record_stride = 0;  // bytes
+  GLuint patches = 0;         // 0: the piece covers the triangle
+  GLintptr patches_offset = 0;
+  bool one_patch = false;  // all instances share the first patch
+};
+
+// Vertices of a piece as points: all of the first instance, then all of the next one.
+struct PointDraw {
+  GLuint indices = 0;  // a buffer of uint16: numbers of vertices in the pool; 0: vertices [first, first + count)
+  GLint first = 0;     // index in the buffer, or vertex
+  GLsizei count = 0;
+  GLsizei instances = 0;
+  int chunks = 0;  // of a record
+  InstanceSource source;
+};
+
 class SubmitStage {
  public:
   explicit SubmitStage(const gl::Dispatch& gl) : gl_(gl) {}
@@ -33,10 +53,8 @@ class SubmitStage {
   // Draws every coarse triangle at the same level, with one instanced draw for each tile of the level. Binds a vertex
   // array of ours. With a count on the GPU, also binds GL_DRAW_INDIRECT_BUFFER.
   void draw_uniform(const pattern::GpuPool& pool, const UniformDraw& draw);
-  // Draws the vertices of a uniform level as points: all of the first coarse triangle, then all of the next one.
-  // `first`, `count`: the vertices of the level in the pool.
-  void draw_points(const pattern::GpuPool& pool, const capture::CoarseTriangles& triangles,
-                   const capture::Layout& layout, GLint first, GLsizei count);
+  // Binds a vertex array of ours.
+  void draw_points(const pattern::GpuPool& pool, const PointDraw& draw);
   struct BinnedInputs {
     int chunks = 0;      // chunks of a record that are attributes of the program
     GLuint numbers = 0;  // a buffer of 0, 1, 2, ..., if the program takes the number of the instance

@@ -15,6 +15,9 @@ void push(Context& c, GLbitfield mask) {
 }
 
 void pop(Context& c) {
+  if (c.attribute_stack().restores_textures()) {
+    c.textures().to_any();
+  }
   if (const std::optional<bool> enabled = c.attribute_stack().pop()) {
     c.ark().enabled = *enabled;
     c.update_refining();

@@ -3,6 +3,7 @@
 //
 // Frames of many draws that do not change. Compares a scene with the same scene refined beforehand. Measures what
 // refinement adds to each of many small draws, for all ways in which programs repeat draws.
+#include <algorithm>
 #include <memory>
 
 #include "tests/bench/cases/case.h"
@@ -13,19 +14,23 @@
 namespace glark::bench {
 namespace {
 
-constexpr int columns = 20;
-constexpr int rows = 10;
-constexpr int objects = columns * rows;
+// Objects stand side by side.
+struct Grid {
+  int columns = 20;
+  int rows = 10;
+  int objects() const { return columns * rows; }
+};
+constexpr Grid few;
+constexpr Grid many{40, 25};
 constexpr unsigned pool_level = 6;
 
-// Moves the mesh, so that the objects stand side by side.
-Mesh placed(Mesh mesh, int object) {
-  constexpr float size = 0.05F;
-  const float x = 0.1F * (static_cast<float>(object % columns) - 0.5F * (columns - 1));
-  const int row = object / columns;
-  const float y = 0.2F * (static_cast<float>(row) - 0.5F * (rows - 1));
+Mesh placed(Mesh mesh, const Grid& grid, int object) {
+  const float width = 2.0F / static_cast<float>(grid.columns);
+  const float height = 2.0F / static_cast<float>(grid.rows);
+  const float x = width * (static_cast<float>(object % grid.columns) - 0.5F * static_cast<float>(grid.columns - 1));
+  const float y = height * (static_cast<float>(object / grid.columns) - 0.5F * static_cast<float>(grid.rows - 1));
   for (Vertex& vertex : mesh.vertices) {
-    for (float& coordinate : vertex.position) coordinate *= size;
+    for (float& coordinate : vertex.position) coordinate *= 0.5F * width;
     vertex.position[0] += x;
     vertex.position[1] += y;
   }
@@ -51,16 +56,22 @@ GLuint compile_list(const Mesh& mesh) {
 
 class Scene {
  public:
-  Scene(int triangles, unsigned level, Shading shading, View view, Way way, bool tagged = false)
-      : shading_(shading), view_(view), way_(way) {
+  struct Objects {
+    Grid grid = few;
+    int triangles = 0;   // of each
+    unsigned level = 0;  // they are refined beforehand
+    bool tagged = false;
+  };
+  Scene(const Objects& what, Shading shading, View view, Way way) : shading_(shading), view_(view), way_(way) {
+    const int triangles = what.triangles;
     const Mesh sphere = triangles >= 20 ? make_sphere(triangles)
                                         : first_triangles(make_sphere(20), static_cast<std::size_t>(triangles));
-    for (int object = 0; object < objects; ++object) {
-      const Mesh mesh = refine(placed(sphere, object), level);
+    for (int object = 0; object < what.grid.objects(); ++object) {
+      const Mesh mesh = refine(placed(sphere, what.grid, object), what.level);
       if (way == Way::lists) {
         lists_.push_back(compile_list(mesh));
       } else {
-        std::vector<std::uint8_t> tags(tagged ? mesh.vertices.size() : 0);
+        std::vector<std::uint8_t> tags(what.tagged ? mesh.vertices.size() : 0);
         for (std::size_t i = 0; i < tags.size(); ++i) tags[i] = static_cast<std::uint8_t>(1 + i % 3);
         subjects_.push_back(std::make_unique<Subject>(mesh, shading, view, tags));
       }
@@ -87,9 +98,10 @@ class Scene {
             [this] { draw(); }};
   }
   void draw() const {
-    for (int object = 0; object < objects; ++object) {
-      const auto number = static_cast<std::size_t>(object);
-      if (shading_ == Shading::fixed_function) glColor3f(1, 0.5F, static_cast<float>(object) / objects);
+    const std::size_t objects = std::max(subjects_.size(), lists_.size());
+    for (std::size_t number = 0; number < objects; ++number) {
+      if (shading_ == Shading::fixed_function)
+        glColor3f(1, 0.5F, static_cast<float>(number) / static_cast<float>(objects));
       switch (way_) {
         case Way::arrays: subjects_[number]->draw_by_array(); break;
         case Way::pointers: subjects_[number]->draw_by_pointers(); break;
@@ -110,22 +122,34 @@ std::string name_of(Shading shading, Way way) {
   return std::string(shading == Shading::glsl ? "glsl/" : "fixed/") + ways[static_cast<int>(way)];
 }
 
-// Compares a frame of objects with 100 triangles each with a frame of the refined objects.
-void run_static(Shading shading, Way way, unsigned level, Report& report, const Effort& effort) {
-  constexpr int triangles = 100;
+struct StaticScene {
+  const char* prefix;
+  Grid grid;
+  int triangles;  // of each object
+  double goal;
+
+  std::string name(Shading shading, Way way, unsigned level) const {
+    return prefix + name_of(shading, way) + "/level" + std::to_string(level);
+  }
+};
+constexpr StaticScene large_objects{"scene/", few, 100, 0.8};
+constexpr StaticScene small_objects{"scene/many/", many, 12, 1 / 1.15};
+
+// Compares a frame of objects with a frame of the refined objects.
+void run_static(const StaticScene& scene, Shading shading, Way way, unsigned level, Report& report,
+                const Effort& effort) {
   glARKinit(pool_level);
-  const Scene coarse(triangles, 0, shading, View::sphere, way);
-  const Scene fine(triangles, level, shading, View::sphere, way);
-  const std::string name = "scene/" + name_of(shading, way) + "/level" + std::to_string(level);
+  const Scene coarse({scene.grid, scene.triangles}, shading, View::sphere, way);
+  const Scene fine({scene.grid, scene.triangles, level}, shading, View::sphere, way);
+  const std::string name = scene.name(shading, way, level);
   expect_same(name, coarse.refined(level), fine.as_is());
   Effort longer = effort;
   longer.total_seconds *= 2;
   const auto times = interleave({coarse.refined(level), fine.as_is()}, longer);
-  constexpr double goal = 0.8;
   report.add({name + "/static",
               "",
               Goal::at_least,
-              goal,
+              scene.goal,
               speed_ratio(times[1], times[0]),
               "x",
               {{"refined_ms", times[0].median() * 1e3},
@@ -136,10 +160,10 @@ void run_static(Shading shading, Way way, unsigned level, Report& report, const 
 // Each draw has two culled triangles, so only the cost of the draw itself remains.
 void run_small(Shading shading, Way way, bool tagged, Report& report, const Effort& effort) {
   glARKinit(pool_level);
-  const Scene scene(2, 0, shading, View::culled, way, tagged);
+  const Scene scene({.triangles = 2, .tagged = tagged}, shading, View::culled, way);
   const auto times = interleave({tagged ? scene.tagged() : scene.refined(1), scene.as_is()}, effort);
   constexpr double most = 15;
-  constexpr double us = 1e6 / objects;
+  const double us = 1e6 / few.objects();
   report.add({"scene/small/" + name_of(shading, way) + (tagged ? "/adaptive" : "") + "/added",
               "",
               Goal::at_most,
@@ -152,19 +176,25 @@ void run_small(Shading shading, Way way, bool tagged, Report& report, const Effo
 }  // namespace
 
 void add_scene_cases(std::vector<Case>& cases) {
-  const auto add_static = [&](Shading shading, Way way) {
-    for (const unsigned level : {2U, 3U}) {
-      cases.push_back({"scene/" + name_of(shading, way) + "/level" + std::to_string(level),
-                       [=](Report& report, const Effort& effort) { run_static(shading, way, level, report, effort); }});
-    }
+  const auto add_static = [&](const StaticScene& scene, Shading shading, Way way, unsigned level) {
+    cases.push_back({scene.name(shading, way, level), [=, &scene](Report& report, const Effort& effort) {
+                       run_static(scene, shading, way, level, report, effort);
+                     }});
   };
   const auto add_small = [&](Shading shading, Way way, bool tagged) {
     cases.push_back({"scene/small/" + name_of(shading, way) + (tagged ? "/adaptive" : ""),
                      [=](Report& report, const Effort& effort) { run_small(shading, way, tagged, report, effort); }});
   };
-  add_static(Shading::glsl, Way::arrays);
-  add_static(Shading::fixed_function, Way::arrays);
-  add_static(Shading::fixed_function, Way::lists);
+  for (const unsigned level : {2U, 3U}) {
+    add_static(large_objects, Shading::glsl, Way::arrays, level);
+    add_static(large_objects, Shading::fixed_function, Way::arrays, level);
+    add_static(large_objects, Shading::fixed_function, Way::lists, level);
+  }
+  for (const Way way : {Way::arrays, Way::pointers}) {
+    add_static(small_objects, Shading::glsl, way, 2);
+    add_static(small_objects, Shading::fixed_function, way, 2);
+  }
+  add_static(small_objects, Shading::fixed_function, Way::lists, 2);
   for (const Shading shading : {Shading::glsl, Shading::fixed_function}) {
     add_small(shading, Way::arrays, false);
     add_small(shading, Way::pointers, false);

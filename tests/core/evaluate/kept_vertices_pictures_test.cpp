@@ -8,25 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/core/evaluate/kept_pictures.h"
 #include "tests/core/meshes/ball.h"
 #include "tests/core/support/kept_scene.h"
 #include "tests/core/support/state_snapshot.h"
 
 namespace glark::core::test {
 namespace {
-
-// `draw` shows what it showed before its vertices were kept.
-Picture expect_same_picture(const std::function<void()>& draw) {
-  const Picture first = picture_of(draw);
-  EXPECT_GT(differing_pixels(first, Picture(first.size(), 0)), visible_pixels);
-  const GLuint triangles = generated_primitives;
-  repeat_often(draw);
-  Picture kept = picture_of(draw);
-  EXPECT_EQ(differing_pixels(first, kept), 0);
-  EXPECT_EQ(generated_primitives, triangles);
-  EXPECT_EQ(pending_errors(), "");
-  return kept;
-}
 
 // After `change`, the picture equals the unrefined one: nothing is drawn that was kept before.
 void expect_change_seen(const std::function<void()>& draw, const std::function<void()>& change) {

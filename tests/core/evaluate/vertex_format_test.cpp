@@ -40,6 +40,14 @@ TEST(VertexFormat, IsEmptyWithInputsThatAreNoFloatsOrNoAttributes) {
   EXPECT_TRUE(format_of({position, {.name = "gl_VertexID", .type = GL_INT}}).attributes.empty());
 }
 
+TEST(VertexFormat, LeavesOutWhatTheVertexStageDoesNotRead) {
+  const VertexFormat format = format_of({{.name = "p", .type = GL_FLOAT_VEC3, .location = 0},
+                                         {.name = "tags", .type = GL_FLOAT_VEC4, .location = 14, .unread = true},
+                                         {.name = "c", .type = GL_FLOAT_VEC2, .location = 1}});
+  EXPECT_EQ(format.attributes, (std::vector<VertexAttribute>{{0, 3, 0}, {1, 2, 3}}));
+  EXPECT_EQ(format.words, 5);
+}
+
 TEST(LatticePoints, AreThoseOfATriangularGrid) {
   EXPECT_EQ(lattice_points(0), 3U);
   EXPECT_EQ(lattice_points(1), 6U);

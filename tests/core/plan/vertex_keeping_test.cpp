@@ -24,37 +24,48 @@ class VertexKeeping : public testing::Test {
 TEST_F(VertexKeeping, KeepsAUniformLevelOfInputs) {
   for (const RefinementTraits& row : refinements) {
     plan.derived->refinement = row.refinement;
-    EXPECT_EQ(keeps(), !row.interpolates_outputs && !row.takes_tags) << row.word;
+    EXPECT_EQ(keeps(), !row.interpolates_outputs) << row.word;
   }
 }
 
-TEST_F(VertexKeeping, KeepsTagsThatAreTheSameForAllVertices) {
-  plan.derived->refinement = Refinement::scalar_tagged_pn;
+TEST_F(VertexKeeping, NeedsALevel) {
+  plan.depth.level = 0;
   EXPECT_FALSE(keeps());
-  options.transparent = true;
+}
+
+TEST_F(VertexKeeping, KeepsTilesOfADeepLevel) {
+  plan.depth.level = 9;
+  plan.placed = true;
   EXPECT_TRUE(keeps());
 }
 
-TEST_F(VertexKeeping, NeedsOneGridATriangle) {
+TEST_F(VertexKeeping, KeepsDepthsThatDoNotChange) {
   plan.depth.level = 0;
+  plan.depth.adaptive = plan.placed = true;
+  EXPECT_TRUE(keeps());
+  plan.depth.measured = true;
   EXPECT_FALSE(keeps());
-  plan.depth.level = 2;
-  plan.depth.adaptive = true;
+  plan.depth.measured = false;
+  plan.depth.coarse = true;
   EXPECT_FALSE(keeps());
-  plan.depth.adaptive = false;
-  plan.placed = true;
+}
+
+// Vertices that move between levels have mixed outputs.
+TEST_F(VertexKeeping, NeedsVerticesThatDoNotMove) {
+  plan.depth.adaptive = plan.depth.morphing = true;
   EXPECT_FALSE(keeps());
-  plan.placed = false;
+}
+
+TEST_F(VertexKeeping, NeedsWholeTriangles) {
   plan.polygons.emplace();
   EXPECT_FALSE(keeps());
 }
 
-TEST_F(VertexKeeping, NeedsInputsThatDependOnTheCaptureAlone) {
+// Whether something behind them changes unseen is known later.
+TEST_F(VertexKeeping, KeepsDisplacementAndRefinementShaders) {
   program.refinement_source = "void refine() {}";
-  EXPECT_FALSE(keeps());
-  program.refinement_source.clear();
   plan.derived->height_map = 3;
-  EXPECT_FALSE(keeps());
+  EXPECT_TRUE(keeps());
 }
 
 TEST_F(VertexKeeping, NeedsTheOutputsOfTheOwnProgram) {

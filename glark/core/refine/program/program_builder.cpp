@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 
 #include "glark/core/objects/shader.h"
@@ -349,10 +350,14 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
     return nullptr;
   }
   slot = std::make_shared<core::DerivedProgram>();
+  static std::atomic<std::uint64_t> numbers{0};
   slot->name = name;
+  slot->number = ++numbers;
   slot->refinement = key.refinement;
   slot->corner_outputs = derivation.corner_outputs;
   find_uniforms(request, *slot);
+  slot->shape_fields = {request.discontinuity_field, request.scalar_tag_field, request.coordinate_field};
+  slot->surface = surface_words(request.layout, slot->shape_fields);
   slot->layout = std::move(request.layout);
   follow_uniforms(program, owner, slot);
   ++core::statistics().programs_derived;

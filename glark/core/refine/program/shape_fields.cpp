@@ -24,7 +24,7 @@ int field_at(std::vector<capture::Field>& fields, int location, GLenum type, con
   };
   const auto found = std::find_if(fields.begin(), fields.end(), covers);
   if (found == fields.end()) {
-    fields.push_back({.name = name, .type = type, .location = location});
+    fields.push_back({.name = name, .type = type, .location = location, .unread = true});
     return static_cast<int>(fields.size()) - 1;
   }
   return is_vector(*found, type == GL_FLOAT_VEC2) ? static_cast<int>(found - fields.begin()) : -1;
@@ -80,6 +80,22 @@ void add_shape_fields(std::vector<capture::Field>& fields, const core::DerivedKe
   request.discontinuity_field = field_at(fields, key.discontinuity_attribute, GL_FLOAT_VEC4, "glark_discontinuity");
   request.scalar_tag_field = field_at(fields, key.scalar_tag_attribute, GL_FLOAT_VEC3, "glark_scalar_tags");
   request.coordinate_field = coordinate_field(fields, key);
+}
+
+core::SurfaceWords surface_words(const capture::Layout& layout, const core::ShapeFields& fields) {
+  const auto word_of = [&](int field) {
+    return field >= 0 ? layout.fields[static_cast<std::size_t>(field)].offset : -1;
+  };
+  const capture::Field* const position = capture::find_role(layout.fields, capture::Role::position);
+  core::SurfaceWords words{.position = position != nullptr ? position->offset : -1,
+                           .normal = capture::normal_offset(layout.fields),
+                           .discontinuity = word_of(fields.discontinuity),
+                           .scalar_tags = word_of(fields.scalar_tags),
+                           .coordinate = word_of(fields.coordinate)};
+  for (std::size_t i = 0; i < layout.fields.size(); ++i) {
+    words.unread |= std::uint64_t{layout.fields[i].unread} << i;
+  }
+  return words;
 }
 
 }  // namespace glark::refine

@@ -16,4 +16,6 @@ namespace glark::refine {
 void add_shape_fields(std::vector<capture::Field>& fields, const core::DerivedKey& key, bool fixed_function,
                       DeriveRequest& request);
 
+core::SurfaceWords surface_words(const capture::Layout& layout, const core::ShapeFields& fields);
+
 }  // namespace glark::refine

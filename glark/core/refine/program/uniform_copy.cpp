@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "glark/core/capture/layout.h"
+
 namespace glark::refine {
 namespace {
 
@@ -276,6 +278,30 @@ void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::Derive
       }
     }
   }
+}
+
+std::optional<std::vector<std::string>> plain_uniforms(const gl::Dispatch& gl, GLuint program, const std::string& but) {
+  for (const GLenum blocks : {GL_UNIFORM_BLOCK, GL_SHADER_STORAGE_BLOCK, GL_ATOMIC_COUNTER_BUFFER}) {
+    GLint count = 0;
+    gl.GetProgramInterfaceiv(program, blocks, GL_ACTIVE_RESOURCES, &count);
+    if (count > 0) {
+      return std::nullopt;
+    }
+  }
+  std::vector<std::string> names;
+  for (const ActiveUniform& uniform : active_uniforms(gl, program)) {
+    if (uniform.name == but) {
+      continue;
+    }
+    const bool boolean = uniform.type == GL_BOOL || (uniform.type >= GL_BOOL_VEC2 && uniform.type <= GL_BOOL_VEC4);
+    if (uniform.name.starts_with("gl_") || (!boolean && capture::words_of(uniform.type) == 0)) {
+      return std::nullopt;
+    }
+    for (GLint element = 0; element < uniform.size; ++element) {
+      names.push_back(element_name(uniform, element));
+    }
+  }
+  return names;
 }
 
 void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names,

@@ -4,6 +4,7 @@
 // Makes the uniforms, blocks and outputs of a derived program agree with the application's program.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string
 
 // Values of all uniforms outside blocks, and the bindings of uniform and storage blocks.
 void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::DerivedProgram& derived);
+// The names of all uniforms of the default block, element by element. Nothing if the program has a uniform that is no
+// number, that is built in, or that lies in a block; `but` may be anything.
+std::optional<std::vector<std::string>> plain_uniforms(const gl::Dispatch& gl, GLuint program, const std::string& but);
 void copy_block_bindings(const gl::Dispatch& gl, GLuint from, GLuint to);
 
 }  // namespace glark::refine

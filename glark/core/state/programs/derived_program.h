@@ -4,8 +4,11 @@
 // A program that was derived from a program of the application, to draw refined triangles in its place.
 #pragma once
 
+#include <atomic>
 #include <compare>
 #include <cstdint>
+#include <memory>
+#include <set>
 #include <vector>
 
 #include "glark/core/capture/record.h"
@@ -71,12 +74,46 @@ struct AssemblyUniforms {
   std::uint64_t matrix_stamp = 0;
 };
 
+// Fields of a layout that shape the surface besides the position and the normal, by number. -1: there is none.
+struct ShapeFields {
+  int discontinuity = -1;
+  int scalar_tags = -1;
+  int coordinate = -1;  // of the displacement
+};
+
+// The same as first words in a corner record, for comparison. `unread` has bit i if the vertex stage does not read
+// field i.
+struct SurfaceWords {
+  int position = -1;
+  int normal = -1;
+  int discontinuity = -1;
+  int scalar_tags = -1;
+  int coordinate = -1;
+  std::uint64_t unread = 0;
+  bool operator==(const SurfaceWords&) const = default;
+};
+
+// The uniforms of the application's refinement shader, and how often they were changed. Guarded by the program's mutex,
+// but for the count.
+struct ShapeUniforms {
+  std::set<GLint> locations;  // of the application, where its program declares them, too
+  std::atomic<std::uint64_t> changes{0};
+
+  void note(GLint location) {
+    if (location >= virtual_location_base || locations.contains(location)) {
+      changes.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+};
+
 struct DerivedProgram {
   GLuint name = 0;
   Refinement refinement = Refinement::linear_inputs;
   capture::Layout layout;
-  GLint shape_number = -1;  // location of the uniform with ShapeNumber's value
-  GLint height_map = -1;    // locations of the uniforms of displacement
+  ShapeFields shape_fields;  // of the layout
+  SurfaceWords surface;      // the same
+  GLint shape_number = -1;   // location of the uniform with ShapeNumber's value
+  GLint height_map = -1;     // locations of the uniforms of displacement
   GLint height_channel = -1;
   GLint height_range = -1;
   GLint first_word = -1;        // location of its uniform; -1: the program reads no records from the storage block
@@ -86,6 +123,8 @@ struct DerivedProgram {
   std::vector<GLint> virtual_location_of;  // by location - virtual_location_base
   std::vector<SubroutineTable> subroutines;
   AssemblyUniforms assembly;
+  std::uint64_t number = 0;                       // tells programs apart that have the same name one after the other
+  std::unique_ptr<ShapeUniforms> shape_uniforms;  // null: nobody asks for their changes
 
   bool stored() const { return first_word >= 0; }
 };
@@ -100,6 +139,13 @@ struct UniformMirror {
     const auto index = static_cast<std::size_t>(
         application >= virtual_location_base ? application - virtual_location_base : application);
     return application >= 0 && index < table.size() ? table[index] : -1;
+  }
+  // The same; the application changes the uniform.
+  GLint changed(GLint application) const {
+    if (derived->shape_uniforms != nullptr) {
+      derived->shape_uniforms->note(application);
+    }
+    return location(application);
   }
 };
 
