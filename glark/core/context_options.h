@@ -34,13 +34,14 @@ struct AttributeRoles {
   bool operator==(const AttributeRoles&) const = default;
 };
 
-// How edge depths are measured where the application gives no tags. 0 turns a measure off. With two measures, an edge
-// takes the lesser depth.
+// How edge depths are measured where the application gives no tags. 0 turns a measure off. With several measures, an
+// edge takes the least depth.
 struct EdgeMeasure {
   float pixels = 0;     // longest segment of an edge on the screen
   float degrees = 0;    // greatest angle between the normals at the ends of a segment
+  float error = 0;      // greatest distance of an edge's curve from its segments on the screen, in pixels
   unsigned budget = 0;  // most refined triangles in a frame; 0: no limit
-  bool on() const { return pixels > 0 || degrees > 0; }
+  bool on() const { return pixels > 0 || degrees > 0 || error > 0; }
   bool operator==(const EdgeMeasure&) const = default;
 };
 

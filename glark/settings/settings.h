@@ -63,6 +63,7 @@ std::optional<core::Refinement> parse_refinement(std::string_view text);
 std::optional<float> parse_shape_number(const core::ShapeNumber& number, std::string_view text);
 std::optional<float> parse_edge_pixels(std::string_view text);
 std::optional<float> parse_curvature(std::string_view text);
+std::optional<float> parse_screen_error(std::string_view text);
 std::optional<float> parse_crease(std::string_view text);
 std::optional<unsigned> parse_budget(std::string_view text);
 std::optional<std::uint64_t> parse_megabytes(std::string_view text);  // as bytes

@@ -160,13 +160,18 @@ constexpr std::array first_settings{
             "Refine each edge by the angle between the normals at its ends, into segments that turn by at most DEGREES",
             "Replaces --level. With --edge-pixels too, an edge gets the lesser of both depths.",
             [](Settings& s, std::string_view text) { return assign(parse_curvature(text), s.context.measure.degrees); }},
+    Setting{depth, "screen-error", "GLARK_SCREEN_ERROR", Kind::value, "P", "a number from 0.01 to 1000, or 0 for none,", "0", "off",
+            "Refine each edge until its curve leaves its segments by at most P pixels on the screen",
+            "Replaces --level. Straight edges stay as they are, and so do edges that nobody sees. With --edge-pixels or --curvature "
+            "too, an edge gets the least depth.",
+            [](Settings& s, std::string_view text) { return assign(parse_screen_error(text), s.context.measure.error); }},
     Setting{depth, "budget", "GLARK_BUDGET", Kind::value, "N", "a number of triangles up to 1000000000, or 0 for none,", "0", "none",
-            "Coarsen --edge-pixels and --curvature when a frame has more than N refined triangles",
+            "Coarsen --edge-pixels, --curvature and --screen-error when a frame has more than N refined triangles",
             "With a --refine that curves triangles, the budget goes to what curves: flat triangles, backgrounds, and passes "
             "without colours do not count.",
             [](Settings& s, std::string_view text) { return assign(parse_budget(text), s.context.measure.budget); }},
     Setting{depth, "geomorph", "GLARK_GEOMORPH", Kind::toggle, "", switch_needed, "0", "off",
-            "Move vertices smoothly between the levels of --edge-pixels and --curvature, so that no vertex pops up",
+            "Move vertices smoothly between the levels of --edge-pixels, --curvature and --screen-error, so that no vertex pops up",
             "With a --budget, depths change slowly, so that some frames may exceed the budget.",
             [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.geomorph); }},
 

@@ -99,6 +99,10 @@ std::optional<float> parse_curvature(std::string_view text) {
   return text == "0" ? std::optional<float>(0) : parse_decimal(text, 0.5F, 180);
 }
 
+std::optional<float> parse_screen_error(std::string_view text) {
+  return text == "0" ? std::optional<float>(0) : parse_decimal(text, 0.01F, 1000);
+}
+
 std::optional<float> parse_crease(std::string_view text) { return parse_decimal(text, 0, 180); }
 
 std::optional<unsigned> parse_budget(std::string_view text) {

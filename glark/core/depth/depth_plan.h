@@ -15,6 +15,23 @@ struct BudgetPlan {
   bool counted = true;       // the triangles of this draw count
 };
 
+inline constexpr int corners_only = 3;
+inline constexpr int points_of_cubics = 10;
+inline constexpr int points_of_any_curve = 13;
+
+// The program that gives positions on the screen (measure/screen_positions.h).
+struct ScreenProgram {
+  GLuint name = 0;  // 0: the screen is not measured
+  int points = corners_only;
+  // For more points than corners:
+  GLuint lattice = 0;      // attribute locations
+  GLuint first_chunk = 0;
+  GLint first_word = -1;   // location of the uniform; >= 0: the program reads records from a storage block
+  GLuint records_binding = 0;
+
+  bool measures_curves() const { return points > corners_only; }
+};
+
 // How deep the edges of a draw are refined, and by which patterns.
 struct DepthPlan {
   bool adaptive = false;  // each edge has a depth of its own; otherwise every edge has depth `level`
@@ -26,8 +43,8 @@ struct DepthPlan {
   pattern::Interior interior = pattern::Interior::minimum;
   core::EdgeMeasure measure;  // the measure of a measured draw
   BudgetPlan budget;
-  GLuint corner_program = 0;  // gives the screen positions of the corners; 0: the screen is not measured
-  int normal_offset = -1;     // first word of the normal in a corner; -1: normals are not measured
+  ScreenProgram screen;
+  int normal_offset = -1;  // first word of the normal in a corner; -1: normals are not measured
 
   int depth_steps() const { return morphing ? pattern::morph_steps : 1; }
   // Measured depths change with the camera, so the capture is kept instead of the sorted instances.

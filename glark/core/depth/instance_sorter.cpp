@@ -30,39 +30,55 @@ bool InstanceSorter::reserve_numbers() {
 }
 
 bool InstanceSorter::has_room(const SortRoom& room) const {
-  return prepared_for_ == pool_.number() && ordered_.has_room(room.layout, room.triangles) &&
+  return prepared_for_ == pool_.number() && ordered_.has_room(room.layout, room.triangles, room.plan.screen.measures_curves()) &&
          bins_.has_room(room.layout, room.triangles, room.plan.deepest) &&
-         (!room.plan.measured || measure_.has_room(room.triangles)) && (!room.numbered || has_numbers());
+         (!room.plan.measured || measure_.has_room(room.triangles, room.plan.screen.points)) && (!room.numbered || has_numbers());
 }
 
 bool InstanceSorter::reserve(const SortRoom& room) {
   if (prepared_for_ != pool_.number() && bins_.prepare(pool_.pool())) {
     prepared_for_ = pool_.number();
   }
-  ordered_.reserve(room.layout, room.triangles);  // if that fails, all draws go through the bins
+  ordered_.reserve(room.layout, room.triangles, room.plan.screen.measures_curves());  // if that fails, all draws go through the bins
   return prepared_for_ == pool_.number() && bins_.reserve(room.layout, room.triangles, room.plan.deepest) &&
-         (!room.plan.measured || measure_.reserve(room.triangles)) && (!room.numbered || reserve_numbers());
+         (!room.plan.measured || measure_.reserve(room.triangles, room.plan.screen.points)) && (!room.numbered || reserve_numbers());
 }
 
 bool InstanceSorter::takes_in_order(const SortRequest& request) const {
   return request.plan.interior != pattern::Interior::smooth && !request.stored &&
-         ordered_.takes(request.layout, request.triangles, request.plan.deepest);
+         ordered_.takes(request.layout, request.triangles, request.plan);
 }
+
+namespace {
+
+// The application's queries have counted the points that were measured on the screen.
+std::int64_t primitives_of_capture(const ScreenProgram& program, std::int64_t triangles) {
+  if (program.name == 0) {
+    return 0;
+  }
+  return program.measures_curves() ? (triangles + 2) / 3 * program.points : triangles;
+}
+
+}  // namespace
 
 BinnedInstances InstanceSorter::sort(const SortRequest& request) {
   const core::Bindings& b = env_.bindings();
   const DepthPlan& plan = request.plan;
   counted_ = true;
   const unsigned deepest = plan.coarse ? 0 : pool_.pool().max_level();
-  const MeasureRequest measured{&request.layout, request.triangles,  plan.corner_program, plan.normal_offset,
-                                deepest,         plan.depth_steps(), plan.budget};
+  const MeasureRequest measured{.layout = &request.layout,
+                                .triangles = request.triangles,
+                                .screen = plan.screen,
+                                .normal_offset = plan.normal_offset,
+                                .by_length = plan.measure.pixels > 0,
+                                .pool_level = deepest,
+                                .depth_steps = plan.depth_steps(),
+                                .budget = plan.budget};
   EdgeEnds ends;
   if (plan.measured) {
     ends = measure_.find_ends(measured, plan.measure, bins_.work_buffer(), b);
   }
-  // The application's queries have counted the corners that were measured on the screen.
-  const std::uint64_t measured_corners = plan.corner_program != 0 ? request.triangles.count : 0;
-  capture::add_surplus(env_.state, static_cast<std::int64_t>(measured_corners));
+  capture::add_surplus(env_.state, primitives_of_capture(plan.screen, request.triangles.count));
   return takes_in_order(request) ? ordered_.sort({measured, ends, bins_.work_buffer(), request.tags_are_edge_depths}, b)
                                  : sort_in_bins(request, measured);
 }

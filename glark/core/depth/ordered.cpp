@@ -18,8 +18,10 @@ constexpr const char* uniform_names[] = {
     "record_offset",   "corner_words",     "tag_offset",        "tags_are_edge_depths",
     "triangle_count",  "pool_level",       "normal_offset",     "on_screen",
     "depth_steps",     "turn_offset",      "straight_position", "straight_position_words",
-    "straight_normal", "straight_control", "counted",           "half_size"};
-constexpr std::size_t half_size = 15;
+    "straight_normal", "straight_control", "counted",           "by_length",
+    "point_count",     "culled_side",      "half_size"};
+constexpr std::size_t culled_side_uniform = 17;
+constexpr std::size_t half_size = 18;
 constexpr int most_triangles = 128;                               // the size of a work group that GL and ES guarantee
 constexpr std::uint32_t group_sizes[] = {8, 32, most_triangles};  // idle invocations are not free
 constexpr int most_instances = 4;                                 // of one triangle that is not deeper than a tile
@@ -34,50 +36,55 @@ GLsizeiptr bytes_for(const capture::Layout& layout) {
 
 }  // namespace
 
-void OrderedStage::prepare() {
-  prepared_ = true;
-  for (std::size_t i = 0; i < passes_.size(); ++i) {
+void OrderedStage::Passes::release(const gl::Dispatch& gl) {
+  for (core::ComputePass& pass : by_size) {
+    pass.release(gl);
+  }
+}
+
+void OrderedStage::prepare(bool curves) {
+  Passes& made = passes(curves);
+  made.prepared = true;
+  for (std::size_t i = 0; i < made.by_size.size(); ++i) {
     const core::ComputeText text{.what = "the pass for small draws",
                                  .source = ordered_source,
                                  .es = language_ == capture::Language::es,
                                  .defines = {{"GLARK_DEPTHS", core::max_supported_level + 1},
                                              {"GLARK_GROUP", group_sizes[i]},
                                              {"GLARK_TRIANGLES", most_triangles},
-                                             {"GLARK_INSTANCES", most_instances}},
+                                             {"GLARK_INSTANCES", most_instances},
+                                             {"GLARK_CURVES", curves ? 1U : 0U}},
                                  .failure = core::LogLevel::warning};
-    if (!passes_[i].build(gl_, text, uniform_names)) {
-      drop_programs();
+    if (!made.by_size[i].build(gl_, text, uniform_names)) {
+      made.release(gl_);
       return;
     }
   }
 }
 
-void OrderedStage::drop_programs() {
-  for (core::ComputePass& pass : passes_) {
-    pass.release(gl_);
-  }
+bool OrderedStage::has_room(const capture::Layout& layout, std::uint32_t triangles, bool curves) const {
+  const Passes& made = passes(curves);
+  return triangles > most_triangles || (made.prepared && (!made.built() || bytes_for(layout) <= result_.size()));
 }
 
-bool OrderedStage::has_room(const capture::Layout& layout, std::uint32_t triangles) const {
-  return triangles > most_triangles || (prepared_ && (!passes_[0].built() || bytes_for(layout) <= result_.size()));
-}
-
-void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangles) {
+void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangles, bool curves) {
   if (triangles > most_triangles) {
     return;
   }
-  if (!prepared_) {
-    prepare();
+  Passes& made = passes(curves);
+  if (!made.prepared) {
+    prepare(curves);
   }
-  if (passes_[0].built() && !result_.reserve(gl_, bytes_for(layout), GL_DYNAMIC_COPY)) {
-    drop_programs();
+  if (made.built() && !result_.reserve(gl_, bytes_for(layout), GL_DYNAMIC_COPY)) {
+    made.release(gl_);
   }
 }
 
 bool OrderedStage::takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles,
-                         unsigned deepest) const {
-  return passes_[0].built() && !triangles.count_on_gpu && triangles.count <= most_triangles &&
-         deepest <= static_cast<unsigned>(pattern::tile_level) && bytes_for(layout) <= result_.size();
+                         const DepthPlan& plan) const {
+  return passes(plan.screen.measures_curves()).built() && !triangles.count_on_gpu &&
+         triangles.count <= most_triangles && plan.deepest <= static_cast<unsigned>(pattern::tile_level) &&
+         bytes_for(layout) <= result_.size();
 }
 
 BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bindings& bindings) {
@@ -89,7 +96,9 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
     gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i]);
   }
   const auto group = std::lower_bound(std::begin(group_sizes), std::end(group_sizes), triangles.count);
-  const core::ComputePass& pass = passes_[static_cast<std::size_t>(group - std::begin(group_sizes))];
+  const MeasureRequest& measure = request.measure;
+  const core::ComputePass& pass =
+      passes(measure.screen.measures_curves()).by_size[static_cast<std::size_t>(group - std::begin(group_sizes))];
   pass.use(gl_);
   const auto straight = straight_edge_words(request.measure);
   const GLint values[] = {static_cast<GLint>(triangles.offset / 4),
@@ -99,15 +108,18 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
                           static_cast<GLint>(triangles.count),
                           static_cast<GLint>(request.measure.pool_level),
                           request.measure.normal_offset,
-                          request.measure.corner_program != 0 ? 1 : 0,
+                          request.measure.screen.name != 0 ? 1 : 0,
                           request.measure.depth_steps,
                           layout.turn_offset,
                           straight[0],
                           straight[1],
                           straight[2],
                           straight[3],
-                          request.measure.budget.counted ? 1 : 0};
+                          request.measure.budget.counted ? 1 : 0,
+                          measure.by_length ? 1 : 0,
+                          measure.screen.points};
   pass.set_integers(gl_, values);
+  gl_.Uniform1f(pass.location(culled_side_uniform), static_cast<float>(culled_side(bindings)));
   gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   gl_.DispatchCompute(1, 1, 1);
   gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
@@ -130,8 +142,10 @@ InstanceExtent OrderedStage::extent(const BinnedInstances& sorted) const {
 }
 
 void OrderedStage::release() {
-  drop_programs();
-  prepared_ = false;
+  for (Passes& made : passes_) {
+    made.release(gl_);
+    made.prepared = false;
+  }
   result_.release(gl_);
 }
 

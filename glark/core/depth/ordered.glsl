@@ -4,7 +4,7 @@
 // Computes edge depths, instances and commands of a draw of few triangles in one work group. The order of the triangles
 // is kept: each triangle has an invocation, each instance a command.
 // The includer supplies #version, GLARK_DEPTHS, GLARK_GROUP (size of the work group), GLARK_TRIANGLES (greatest size of
-// a work group) and GLARK_INSTANCES (most instances of one triangle).
+// a work group), GLARK_INSTANCES (most instances of one triangle) and GLARK_CURVES (1: curves are measured).
 #include "glark/core/pattern/pieces.glsl.h"
 
 layout(local_size_x = GLARK_GROUP) in;
@@ -31,13 +31,17 @@ uniform int normal_offset;  // in a corner; < 0: normals are not measured
 uniform int on_screen;
 uniform int counted;  // the triangles count for the budget
 uniform vec2 half_size;
+#if GLARK_CURVES
+shared uint shown[3 * GLARK_GROUP];  // by edge: it belongs to a triangle that can be seen
 
-float pixel_limit(int depth) { return limits[1 + depth]; }
-float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
+void show_edge(int first) { shown[first] = 1u; }
+bool is_edge_shown(int first) { return shown[first] != 0u; }
+#endif
 
 int corner_count() { return 3 * triangle_count; }
 
 #include "glark/core/depth/edge_steps.glsl"
+#include "glark/core/depth/measure/limits.glsl"
 #include "glark/core/depth/measure/edge_depth.glsl"
 #include "glark/core/depth/measure/measured_edge.glsl"
 #include "glark/core/depth/measure/straight_edge.glsl"
@@ -108,6 +112,16 @@ void main() {
     refined_triangles = 0u;
     budget_triangles = 0u;
   }
+#if GLARK_CURVES
+  for (int edge = 0; edge < 3; ++edge) {
+    shown[3 * triangle + edge] = 0u;
+  }
+  barrier();
+  if (triangle < triangle_count) {
+    show_edges(triangle);
+  }
+  barrier();
+#endif
   if (triangle < triangle_count) {
     expand(triangle);
   }

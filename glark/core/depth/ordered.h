@@ -28,12 +28,12 @@ class OrderedStage {
  public:
   OrderedStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
 
-  // Compiles the pass when first called. Rare path: wrap in an ErrorScope.
-  void reserve(const capture::Layout& layout, std::uint32_t triangles);
+  // Compiles the pass when first called; another one for `curves` (ScreenProgram). Rare path: wrap in an ErrorScope.
+  void reserve(const capture::Layout& layout, std::uint32_t triangles, bool curves);
   // Returns whether reserve() would change nothing.
-  bool has_room(const capture::Layout& layout, std::uint32_t triangles) const;
+  bool has_room(const capture::Layout& layout, std::uint32_t triangles, bool curves) const;
   // Returns whether this stage handles the draw. The draw must have a minimum interior.
-  bool takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles, unsigned deepest) const;
+  bool takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const DepthPlan& plan) const;
   // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. Valid until the next call.
   BinnedInstances sort(const OrderedRequest& request, const core::Bindings& bindings);
   // The size of the result of sort(); reads back.
@@ -41,13 +41,21 @@ class OrderedStage {
   void release();
 
  private:
-  void prepare();
-  void drop_programs();
+  // The passes by size of the work group; built together.
+  struct Passes {
+    bool prepared = false;
+    std::array<core::ComputePass, 3> by_size;
+
+    bool built() const { return by_size[0].built(); }
+    void release(const gl::Dispatch& gl);
+  };
+  void prepare(bool curves);
+  Passes& passes(bool curves) { return passes_[curves ? 1 : 0]; }
+  const Passes& passes(bool curves) const { return passes_[curves ? 1 : 0]; }
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  bool prepared_ = false;
-  std::array<core::ComputePass, 3> passes_;  // by size of the work group; built together
+  std::array<Passes, 2> passes_;  // without and with curves
   core::GpuBuffer result_;
 };
 

@@ -18,6 +18,7 @@
 #include "glark/core/plan/unrefined/exemptions.h"
 #include "glark/core/plan/unrefined/state_check.h"
 #include "glark/core/plan/vertex_keeping.h"
+#include "glark/core/refine/attribute_locations.h"
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/report/log.h"
 #include "glark/core/shape.h"
@@ -271,7 +272,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .morphing = depth.morphing});
   key.normal_attribute = normal.attribute;
   key.instanced = instanced;
-  add_welded_words(key, depth.measured && (depth.measure.degrees > 0 || depth.budget.curves_only));
+  add_welded_words(key, depth.measured && (depth.measure.degrees > 0 || depth.measure.error > 0 || depth.budget.curves_only));
   plan.derived = derived(plan, key);
   choose_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {
@@ -296,7 +297,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   if (!parts_.feedback.ours()) {
     polygons_.follow_drawn_diagonal(call, plan);
   }
-  if (const std::optional<Cause> cause = find_corner_program(plan)) {
+  if (const std::optional<Cause> cause = find_screen_program(plan, key)) {
     return cause;
   }
   const CapturePrograms::Entry& capture = parts_.programs.capture().find(plan.derived);
@@ -339,7 +340,7 @@ void Planner::tell_notes(Program& program, DrawNoteFacts facts) const {
 
 // A draw stays unwelded if its tables would be too large, or if its record with welded words would have to be stored
 // and cannot be. It is still refined.
-void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangles) {
+void Planner::choose_weld(DrawPlan& plan, DerivedKey& key, std::uint64_t triangles) {
   if (plan.derived == nullptr || !key.welded) {
     return;
   }
@@ -369,7 +370,8 @@ void Planner::choose_weld(DrawPlan& plan, DerivedKey key, std::uint64_t triangle
                           (layout.tagged && capture::find_role(layout.fields, capture::Role::position) != nullptr));
 }
 
-std::optional<Cause> Planner::find_corner_program(DrawPlan& plan) {
+// `key`: of the derived program. Programs that give several points of a triangle refine their inputs as it does.
+std::optional<Cause> Planner::find_screen_program(DrawPlan& plan, const DerivedKey& key) {
   const EdgeMeasure& wanted = plan.depth.measure;
   if (!plan.depth.measured) {
     return std::nullopt;
@@ -378,11 +380,23 @@ std::optional<Cause> Planner::find_corner_program(DrawPlan& plan) {
     plan.depth.normal_offset = capture::normal_offset(plan.capture.layout->fields);
   }
   if (measures_screen(wanted, *plan.program)) {
-    plan.corners = derived(plan, DerivedKey{.at_corner = true});
+    DerivedKey at_points = key;
+    at_points.at_points = true;
+    at_points.morphing = false;
+    plan.corners = derived(plan, wanted.error > 0 ? at_points : DerivedKey{.at_corner = true});
     if (plan.corners == nullptr) {
       return Cause::program_not_derived;
     }
-    plan.depth.corner_program = plan.corners->name;
+    plan.depth.screen = {.name = plan.corners->name};
+    if (wanted.error > 0) {
+      plan.depth.screen = {.name = plan.corners->name,
+                           .points = has_cubic_edges(*plan.program, *plan.derived) ? depth::points_of_cubics
+                                                                                   : depth::points_of_any_curve,
+                           .lattice = refine::lattice_location,
+                           .first_chunk = refine::first_chunk_location,
+                           .first_word = plan.corners->first_word,
+                           .records_binding = refine::records_binding};
+    }
   }
   return std::nullopt;
 }

@@ -116,6 +116,7 @@ class Deriver {
     plan_.placed = request_.placed;
     plan_.stored = request_.stored;
     plan_.at_corner = request_.at_corner;
+    plan_.at_points = request_.at_points;
     plan_.chunk_count = plan_.at_corner ? request_.layout.corner_chunk_count() : request_.layout.chunk_count();
     for (const VertexUnit& unit : units_) {
       plan_.structures.insert(plan_.structures.end(), unit.interface.structures.begin(),
@@ -132,6 +133,9 @@ class Deriver {
     }
     plan_refinement();
     plan_.outputs = collect_outputs(units_, plan_.main_unit, request_.outputs);
+    if (plan_.at_points) {
+      std::erase_if(plan_.outputs, [](const OutputVariable& output) { return output.path != "gl_Position"; });
+    }
     plan_morphing();
     if (!plan_.interpolates_outputs()) {
       std::erase_if(plan_.outputs, [&](const OutputVariable& output) {

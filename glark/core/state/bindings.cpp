@@ -54,6 +54,7 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
       channels[0] != GL_FALSE || channels[1] != GL_FALSE || channels[2] != GL_FALSE || channels[3] != GL_FALSE;
   b.cull_face = gl.IsEnabled(GL_CULL_FACE) != GL_FALSE;
   b.culled_face = static_cast<GLenum>(get(gl, GL_CULL_FACE_MODE));
+  b.front_face = static_cast<GLenum>(get(gl, GL_FRONT_FACE));
   GLfloat viewport[4] = {0, 0, 0, 0};
   gl.GetFloatv(GL_VIEWPORT, viewport);
   b.viewport = {viewport[2], viewport[3]};

@@ -51,6 +51,7 @@ struct Bindings {
   GLenum back_polygon_mode = GL_FILL;
   bool cull_face = false;
   GLenum culled_face = GL_BACK;  // glCullFace
+  GLenum front_face = GL_CCW;
   GLenum shade_model = GL_SMOOTH;
   bool clamp_vertex_color = true;      // compatibility only
   bool clamps_by_framebuffer = false;  // GL_FIXED_ONLY: not if the framebuffer has floating-point colours

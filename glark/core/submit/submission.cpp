@@ -23,6 +23,9 @@ void Submission::begin(const core::DrawPlan& plan, bool indirect) const {
   if (plan.owner != nullptr) {
     parts_.programs.derived().copy_stale_uniforms(*plan.owner);
   }
+  if (plan.corners != nullptr) {
+    core::set_shape(env_.gl, env_.options, env_.ark, *plan.corners);
+  }
   if (plan.assembly != nullptr) {
     parts_.programs.assembly().upload(*plan.assembly, *plan.derived);
     if (plan.corners != nullptr) {

@@ -262,6 +262,13 @@ void CullFace(Context& c, GLenum face) {
   }
 }
 
+void FrontFace(Context& c, GLenum mode) {
+  c.gl().FrontFace(mode);
+  if (track::executes(c) && (mode == GL_CW || mode == GL_CCW) && !c.state().immediate().open()) {
+    c.state().bindings().front_face = mode;
+  }
+}
+
 void ProvokingVertex(Context& c, GLenum mode) {
   c.gl().ProvokingVertex(mode);
   if (track::executes(c) && (mode == GL_FIRST_VERTEX_CONVENTION || mode == GL_LAST_VERTEX_CONVENTION)) {

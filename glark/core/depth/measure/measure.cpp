@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "glark/core/depth/measure/measuring_pass.h"
+
 namespace glark::depth {
 namespace {
 
@@ -12,54 +14,55 @@ constexpr char measure_source[] =
     ;
 
 // Uniforms of the pass that makes the limits.
-constexpr const char* limit_names[] = {"pixels", "radians_of_turn", "budget", "restart", "most_change"};
-enum LimitUniform : std::size_t { pixels, radians_of_turn, budget, restart_limits, most_change };
+constexpr const char* limit_names[] = {"pixels", "radians_of_turn", "error", "budget", "restart", "most_change"};
+enum LimitUniform : std::size_t { pixels, radians_of_turn, error, budget, restart_limits, most_change };
 
 // Uniforms of the pass that measures; all but the last are integers.
 constexpr const char* depth_names[] = {"record_offset",   "corner_words",      "normal_offset",
                                        "first_depth",     "triangle_bound",    "pool_level",
                                        "on_screen",       "packed_bits",       "depth_steps",
                                        "turn_offset",     "straight_position", "straight_position_words",
-                                       "straight_normal", "straight_control",  "half_size"};
-constexpr std::size_t half_size = 14;
+                                       "straight_normal", "straight_control",  "by_length",
+                                       "point_count",     "shown_stamp",       "half_size"};
+constexpr std::size_t half_size = 17;
 
-constexpr int depths = static_cast<int>(core::max_supported_level) + 1;
-constexpr GLsizeiptr limit_bytes = 4 * (1 + 2 * depths);
-constexpr GLsizeiptr bytes_a_triangle = 3 * 16 + 4;
+constexpr GLsizeiptr limit_bytes = 4 * (1 + 4 * limit_depths);
 constexpr float most_change_while_morphing =
     1.0F / 16;  // of a level in a frame: at 60 frames a second, a quarter of a second
 
-// Positions come first. The place of the depths depends only on the room, not on the number of triangles.
-GLintptr first_depth(const core::GpuBuffer& ends) { return ends.size() / bytes_a_triangle * 3 * 16; }
-
 }  // namespace
 
-bool MeasureStage::compile() {
-  const auto text = [this](std::uint64_t pass) {
-    return core::ComputeText{.what = "a measuring pass",
-                             .source = measure_source,
-                             .es = language_ == capture::Language::es,
-                             .defines = {{"GLARK_PASS", pass}, {"GLARK_DEPTHS", depths}}};
-  };
-  return limits_pass_.build(gl_, text(0), limit_names) && depth_pass_.build(gl_, text(1), depth_names);
+core::ComputeText measuring_pass(capture::Language language, std::uint64_t pass, bool curves) {
+  return {.what = "a measuring pass",
+          .source = measure_source,
+          .es = language == capture::Language::es,
+          .defines = {{"GLARK_PASS", pass}, {"GLARK_DEPTHS", limit_depths}, {"GLARK_CURVES", curves ? 1U : 0U}}};
 }
 
-// Tries to compile only once.
-bool MeasureStage::prepare() {
-  if (feedback_ != 0) {
-    return limits_pass_.built() && depth_pass_.built() && limits_.name() != 0;
+// Tries to compile each pass only once.
+bool MeasureStage::prepare(bool curves) {
+  if (limits_.name() == 0 && !tried_[0] && !tried_[1]) {
+    limits_pass_.build(gl_, measuring_pass(language_, 0, false), limit_names);
+    limits_.allocate(gl_, limit_bytes, nullptr, GL_DYNAMIC_COPY);
   }
-  gl_.GenTransformFeedbacks(1, &feedback_);
-  gl_.GenVertexArrays(1, &vertex_array_);
-  return compile() && limits_.allocate(gl_, limit_bytes, nullptr, GL_DYNAMIC_COPY);
+  core::ComputePass& pass = depth_passes_[curves ? 1 : 0];
+  bool& tried = tried_[curves ? 1 : 0];
+  if (!tried) {
+    tried = true;
+    pass.build(gl_, measuring_pass(language_, 1, curves), depth_names);
+  }
+  return limits_pass_.built() && limits_.name() != 0 && pass.built();
 }
 
-bool MeasureStage::has_room(std::uint32_t triangles) const {
-  return limits_.name() != 0 && GLsizeiptr{triangles} * bytes_a_triangle <= ends_.size();
+bool MeasureStage::has_room(std::uint32_t triangles, int points) const {
+  const bool curves = points > corners_only;
+  return limits_.name() != 0 && tried_[curves ? 1 : 0] && positions_.has_room(triangles, points) &&
+         (!curves || shown_.has_room(triangles));
 }
 
-bool MeasureStage::reserve(std::uint32_t triangles) {
-  return prepare() && ends_.reserve(gl_, GLsizeiptr{triangles} * bytes_a_triangle, GL_DYNAMIC_COPY);
+bool MeasureStage::reserve(std::uint32_t triangles, int points) {
+  const bool curves = points > corners_only;
+  return prepare(curves) && positions_.reserve(triangles, points) && (!curves || shown_.reserve(triangles));
 }
 
 // The limits change only between frames, so that every pass over the same geometry gets the same depths.
@@ -75,6 +78,7 @@ void MeasureStage::update_limits(const core::EdgeMeasure& rule, bool morphs, GLu
   limits_pass_.use(gl_);
   gl_.Uniform1f(limits_pass_.location(pixels), rule.pixels);
   gl_.Uniform1f(limits_pass_.location(radians_of_turn), rule.degrees * std::numbers::pi_v<float> / 180.0F);
+  gl_.Uniform1f(limits_pass_.location(error), rule.error);
   gl_.Uniform1i(limits_pass_.location(budget), static_cast<GLint>(rule.budget));
   gl_.Uniform1i(limits_pass_.location(restart_limits), restart ? 1 : 0);
   gl_.Uniform1f(limits_pass_.location(most_change), morphs ? most_change_while_morphing : 0.0F);
@@ -82,45 +86,13 @@ void MeasureStage::update_limits(const core::EdgeMeasure& rule, bool morphs, GLu
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void MeasureStage::capture_positions(const MeasureRequest& request, const core::Bindings& bindings) {
-  const capture::Layout& layout = *request.layout;
-  gl_.UseProgram(request.corner_program);
-  gl_.BindVertexArray(vertex_array_);
-  const int chunks = layout.corner_chunk_count();
-  for (int chunk = enabled_chunks_; chunk < chunks; ++chunk) {
-    const auto location = static_cast<GLuint>(chunk);
-    gl_.EnableVertexAttribArray(location);
-    gl_.VertexAttribFormat(location, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(chunk * 16));
-    gl_.VertexAttribBinding(location, 0);
-  }
-  for (int chunk = chunks; chunk < enabled_chunks_; ++chunk) {
-    gl_.DisableVertexAttribArray(static_cast<GLuint>(chunk));
-  }
-  enabled_chunks_ = chunks;
-  gl_.BindVertexBuffer(0, request.triangles.buffer, request.triangles.offset, layout.corner_words * 4);
-  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
-  gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, ends_.name(), 0, first_depth(ends_));
-  gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER,
-                 bindings.feedback_buffer);  // only the generic binding point: the indexed one belongs to the object
-  if (!bindings.rasterizer_discard) {
-    gl_.Enable(GL_RASTERIZER_DISCARD);
-  }
-  gl_.BeginTransformFeedback(GL_TRIANGLES);
-  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * request.triangles.count));
-  gl_.EndTransformFeedback();
-  if (!bindings.rasterizer_discard) {
-    gl_.Disable(GL_RASTERIZER_DISCARD);
-  }
-  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
-}
-
 EdgeEnds MeasureStage::find_ends(const MeasureRequest& request, const core::EdgeMeasure& rule, GLuint work,
                                  const core::Bindings& bindings) {
-  if (request.corner_program != 0) {
-    capture_positions(request, bindings);  // with the storage buffers of the application still bound
+  if (request.screen.name != 0) {  // with the storage buffers of the application still bound
+    positions_.capture({*request.layout, request.triangles, request.screen}, bindings);
   }
   update_limits(rule, request.depth_steps > 1, work);
-  return {ends_.name(), limits_.name()};
+  return {positions_.buffer(), limits_.name()};
 }
 
 std::array<GLint, straight_edge_uniforms> straight_edge_words(const MeasureRequest& request) {
@@ -133,11 +105,15 @@ std::array<GLint, straight_edge_uniforms> straight_edge_words(const MeasureReque
 }
 
 MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::Bindings& bindings) {
-  const MeasuredDepths result{ends_.name(), first_depth(ends_), request.depth_steps == 1 ? 4 : 10};
+  const bool curves = request.screen.measures_curves();
+  const MeasuredDepths result{positions_.buffer(), positions_.words_offset(request.screen.points),
+                              request.depth_steps == 1 ? 4 : 10};
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
-  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, ends_.name());
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, positions_.buffer());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, limits_.name());
-  depth_pass_.use(gl_);
+  const GLint stamp = curves ? shown_.mark({*request.layout, request.triangles, request.screen.points}, bindings) : 0;
+  const core::ComputePass& pass = depth_passes_[curves ? 1 : 0];
+  pass.use(gl_);
   const auto straight = straight_edge_words(request);
   const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
                           request.layout->corner_words,
@@ -145,33 +121,34 @@ MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::
                           static_cast<GLint>(result.offset / 4),
                           static_cast<GLint>(request.triangles.count),
                           static_cast<GLint>(request.pool_level),
-                          request.corner_program != 0 ? 1 : 0,
+                          request.screen.name != 0 ? 1 : 0,
                           result.bits,
                           request.depth_steps,
                           request.layout->turn_offset,
                           straight[0],
                           straight[1],
                           straight[2],
-                          straight[3]};
-  depth_pass_.set_integers(gl_, values);
-  gl_.Uniform2f(depth_pass_.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
+                          straight[3],
+                          request.by_length ? 1 : 0,
+                          request.screen.points,
+                          stamp};
+  pass.set_integers(gl_, values);
+  gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   core::ComputePass::dispatch(gl_, request.triangles.count);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return result;
 }
 
 void MeasureStage::release() {
-  if (feedback_ != 0) {
-    gl_.DeleteTransformFeedbacks(1, &feedback_);
-    gl_.DeleteVertexArrays(1, &vertex_array_);
-    feedback_ = 0;
-  }
   limits_pass_.release(gl_);
-  depth_pass_.release(gl_);
-  enabled_chunks_ = 0;
+  for (core::ComputePass& pass : depth_passes_) {
+    pass.release(gl_);
+  }
+  tried_ = {};
   rule_ = core::EdgeMeasure{};
   limits_.release(gl_);
-  ends_.release(gl_);
+  positions_.release();
+  shown_.release();
 }
 
 }  // namespace glark::depth

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Edge depths without tags. GLARK_PASS: 0 the limits of this frame, 1 the depths of the edges of one draw.
-// The includer supplies #version and GLARK_PASS.
+// Edge depths without tags. GLARK_PASS: 0 the limits of this frame, 1 the depths of the edges of one draw, 2 the edges
+// of triangles that can be seen. The includer supplies #version, GLARK_PASS and GLARK_CURVES (1: curves are measured).
 //
-// The limits: word 0 is the coarseness (float: how many depths the budget takes away). Then come a pixel limit and a
-// cosine limit for each depth (edge_depth.glsl).
+// The limits: word 0 is the coarseness (float: how many depths the budget takes away). Then come for each depth a pixel
+// limit and a cosine limit (edge_depth.glsl), an error limit and a share (screen_error.glsl).
 #if GLARK_PASS == 0
 
 layout(local_size_x = 1) in;
@@ -15,6 +15,7 @@ layout(std430, binding = 1) buffer Work { uint work[]; };  // bins.glsl; word 2 
 
 uniform float pixels;
 uniform float radians_of_turn;
+uniform float error;  // in pixels
 uniform int budget;  // 0: none
 uniform int restart;
 uniform float most_change;  // of the coarseness, from one frame to the next; 0: no limit
@@ -52,6 +53,9 @@ void main() {
     float cosine = cos(min(radians_of_turn * segments, pi));
     limits[1 + depth] = longest * longest;
     limits[1 + GLARK_DEPTHS + depth] = radians_of_turn * segments < pi ? cosine * abs(cosine) : -2.0;
+    float farthest = min(error * (4.0 / 3.0) * segments * segments, 1e9);
+    limits[1 + 2 * GLARK_DEPTHS + depth] = farthest * farthest;
+    limits[1 + 3 * GLARK_DEPTHS + depth] = 3.0 - 1.8 * exp2(-float(depth));
   }
 }
 
@@ -72,13 +76,18 @@ uniform int pool_level;
 uniform int on_screen;
 uniform int packed_bits;
 uniform vec2 half_size;
+#if GLARK_CURVES
+uniform int shown_stamp;  // 0: all edges are shown
+layout(std430, binding = 3) buffer Shown { uint shown[]; };  // the stamp, for each edge that is shown
 
-float pixel_limit(int depth) { return limits[1 + depth]; }
-float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
+void show_edge(int first) { shown[first] = uint(shown_stamp); }
+bool is_edge_shown(int first) { return shown_stamp == 0 || shown[first] == uint(shown_stamp); }
+#endif
 
 int corner_count() { return 3 * triangle_bound; }
 
 #include "glark/core/depth/edge_steps.glsl"
+#include "glark/core/depth/measure/limits.glsl"
 #include "glark/core/depth/measure/edge_depth.glsl"
 #include "glark/core/depth/measure/measured_edge.glsl"
 #include "glark/core/depth/measure/straight_edge.glsl"
@@ -88,6 +97,9 @@ void main() {
   if (triangle >= triangle_bound) {
     return;
   }
+#if GLARK_PASS == 2
+  show_edges(triangle);
+#else
   uint depths = 0u;
   bool is_flat = true;
   for (int edge = 0; edge < 3; ++edge) {
@@ -99,6 +111,7 @@ void main() {
     }
   }
   ends[first_depth + triangle] = depths | (is_flat ? 0x80000000u : 0u);
+#endif
 }
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Measured edge depths: from the length of an edge on the screen, and from the normals at its ends. All passes run on
-// the GPU: the captured corners run through the application's vertex stage, and a compute pass compares the two ends of
-// each edge.
+// Measured edge depths: from the length of an edge on the screen, from the normals at its ends, and from the distance
+// between its curve and its chord on the screen. All passes run on the GPU: the captured corners run through the
+// application's vertex stage, and a compute pass compares the two ends of each edge.
 #pragma once
 
 #include <array>
@@ -13,6 +13,8 @@
 #include "glark/core/context_options.h"
 #include "glark/core/depth/depth_plan.h"
 #include "glark/core/depth/measure/measured_depths.h"
+#include "glark/core/depth/measure/screen_positions.h"
+#include "glark/core/depth/measure/shown_edges.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/bindings.h"
@@ -23,8 +25,9 @@ namespace glark::depth {
 struct MeasureRequest {
   const capture::Layout* layout = nullptr;
   capture::CoarseTriangles triangles;
-  GLuint corner_program = 0;  // gives gl_Position of one captured corner; 0: the screen is not measured
-  int normal_offset = -1;     // of the normal in a captured corner; -1: normals are not measured
+  ScreenProgram screen = {};
+  int normal_offset = -1;  // of the normal in a captured corner; -1: normals are not measured
+  bool by_length = true;   // of the edge on the screen, if the screen is measured
   unsigned pool_level = 0;
   int depth_steps = 1;  // steps per level: 1, or pattern::morph_steps
   BudgetPlan budget = {};
@@ -36,14 +39,16 @@ std::array<GLint, straight_edge_uniforms> straight_edge_words(const MeasureReque
 
 class MeasureStage {
  public:
-  MeasureStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+  MeasureStage(const gl::Dispatch& gl, capture::Language language)
+      : gl_(gl), language_(language), positions_(gl), shown_(gl, language) {}
 
-  bool has_room(std::uint32_t triangles) const;
+  // `points`: ScreenProgram::points.
+  bool has_room(std::uint32_t triangles, int points) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
-  bool reserve(std::uint32_t triangles);
+  bool reserve(std::uint32_t triangles, int points);
   // Called when a frame has ended. With a budget, the frame's number of triangles decides how coarse the next frame is.
   void frame_finished() { frame_finished_ = true; }
-  // `work`: BinStage::work_buffer(). Changes the program, the vertex array and the storage buffer bindings 0 to 2,
+  // `work`: BinStage::work_buffer(). Changes the program, the vertex array and the storage buffer bindings 0 to 3,
   // which the caller restores. The ends are valid until the next call.
   EdgeEnds find_ends(const MeasureRequest& request, const core::EdgeMeasure& rule, GLuint work,
                      const core::Bindings& bindings);
@@ -52,20 +57,17 @@ class MeasureStage {
   void release();
 
  private:
-  bool compile();
-  bool prepare();
+  bool prepare(bool curves);
   void update_limits(const core::EdgeMeasure& rule, bool morphs, GLuint work);
-  void capture_positions(const MeasureRequest& request, const core::Bindings& bindings);
 
   const gl::Dispatch& gl_;
   capture::Language language_;
   core::ComputePass limits_pass_;
-  core::ComputePass depth_pass_;
+  std::array<core::ComputePass, 2> depth_passes_;  // without and with curves
+  std::array<bool, 2> tried_{};
   core::GpuBuffer limits_;
-  core::GpuBuffer ends_;  // four words for each corner, then a word for each triangle
-  GLuint feedback_ = 0;
-  GLuint vertex_array_ = 0;
-  int enabled_chunks_ = 0;
+  ScreenPositions positions_;
+  ShownEdges shown_;
   core::EdgeMeasure rule_;  // the limits are made for this rule
   bool frame_finished_ = false;
 };

@@ -2,13 +2,25 @@
 // SPDX-License-Identifier: MIT
 //
 // The measured depth, in steps, between two captured corners, for measure.glsl and ordered.glsl. Both declare
-// `records`, `ends`, `corner_count()` and the uniforms.
+// `records`, `ends`, `corner_count()` and the uniforms. With GLARK_CURVES, they also declare
+//   void show_edge(int first)       called for each edge of a triangle that can be seen; `first` names the edge
+//   bool is_edge_shown(int first)   after all calls of show_edge()
 
 uniform int turn_offset;  // in a corner; < 0: each side of an edge is measured by itself
+
+#if GLARK_CURVES
+#include "glark/core/depth/measure/screen_error.glsl"
+#include "glark/core/depth/measure/curve_points.glsl"
+#include "glark/core/depth/measure/hidden_triangle.glsl"
+
+uniform int by_length;  // the lengths of edges on the screen are measured
+#else
+const int by_length = 1;
 
 vec4 position_of(int corner) {
   return uintBitsToFloat(uvec4(ends[4 * corner], ends[4 * corner + 1], ends[4 * corner + 2], ends[4 * corner + 3]));
 }
+#endif
 
 vec3 normal_at(int corner, int offset) {
   int word = record_offset + corner * corner_words + offset;
@@ -28,10 +40,28 @@ ivec2 side_that_turns_most(int begin, int end) {
   return ivec2(first, first % 3 == 2 ? first - 2 : first + 1);
 }
 
+#if GLARK_CURVES
+void show_edges(int triangle) {
+  if (is_hidden(triangle)) {
+    return;
+  }
+  for (int edge = 0; edge < 3; ++edge) {
+    int from = 3 * triangle + edge;
+    show_edge(side_that_turns_most(from, 3 * triangle + (edge == 2 ? 0 : edge + 1)).x);
+  }
+}
+#endif
+
 int measured_steps(int a, int b) {
   int steps = pool_level * depth_steps;
-  if (on_screen != 0) {
-    steps = glark_steps_on_screen(position_of(a), position_of(b), half_size, pool_level);
+#if GLARK_CURVES
+  if (turn_offset >= 0 && !is_edge_shown(side_that_turns_most(a, b).x)) {
+    return 0;
+  }
+  steps = steps_by_error(a, b, half_size, pool_level);
+#endif
+  if (on_screen != 0 && by_length != 0) {
+    steps = min(steps, glark_steps_on_screen(position_of(a), position_of(b), half_size, depth_of(steps)));
   }
   if (normal_offset >= 0) {
     ivec2 side = side_that_turns_most(a, b);

@@ -53,13 +53,22 @@ EdgeMeasure edge_measure(const ContextOptions& options, const ArkState& ark) {
 
 // If there is a geometry shader, the vertex stage may not know where its vertices are on the screen.
 bool measures_screen(const EdgeMeasure& wanted, const Program& program) {
-  return wanted.pixels > 0 && !program.has_stage(GL_GEOMETRY_SHADER);
+  return (wanted.pixels > 0 || wanted.error > 0) && !program.has_stage(GL_GEOMETRY_SHADER);
 }
 
 bool can_measure(const EdgeMeasure& wanted, const Program& program, bool subroutines) {
   // The program of the corners would have to choose the same subroutines.
   return !subroutines &&
          (measures_screen(wanted, program) || (wanted.degrees > 0 && capture::normal_offset(program.fields) >= 0));
+}
+
+bool has_cubic_edges(const Program& program, const DerivedProgram& derived) {
+  if (traits_of(derived.refinement).interpolates_outputs) {
+    return true;
+  }
+  const refine::OutputVariation* const position = program.traits.variation.position();
+  return program.refinement_source.empty() && derived.height_map < 0 &&
+         (position == nullptr || position->variation <= refine::Variation::affine);
 }
 
 bool takes_tags(const DepthFacts& facts) {

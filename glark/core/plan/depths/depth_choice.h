@@ -17,6 +17,9 @@ EdgeMeasure edge_measure(const ContextOptions& options, const ArkState& ark);
 bool can_measure(const EdgeMeasure& wanted, const Program& program, bool subroutines);
 bool measures_screen(const EdgeMeasure& wanted, const Program& program);
 
+// Returns whether the edges of refined triangles are cubics on their way to the screen, or of a lesser degree.
+bool has_cubic_edges(const Program& program, const DerivedProgram& derived);
+
 struct DepthFacts {
   const ContextOptions& options;
   const ArkState& ark;

@@ -53,12 +53,13 @@ std::string element_name(const InputVariable& input, int element) {
   return input.field.is_array ? input.global + "[" + std::to_string(element) + "]" : input.global;
 }
 
-// With a placement, instances count over all bins. The first one of a bin is its base instance, which GLSL ES cannot
+// At points, each vertex is a triangle. With a placement, instances count over all bins. The first one of a bin is its base instance, which GLSL ES cannot
 // read.
 std::string storage_declarations(const EpiloguePlan& plan) {
   const std::string layout = plan.version.es ? "std430, binding = " + std::to_string(records_binding) : "std430";
   const bool numbered = plan.placed && plan.version.es;
-  const std::string instance = numbered      ? std::string("int(") + instance_input + ")"
+  const std::string instance = plan.at_points ? "gl_VertexID"
+                               : numbered      ? std::string("int(") + instance_input + ")"
                                : plan.placed ? "(gl_InstanceID + gl_BaseInstanceARB)"
                                              : "gl_InstanceID";
   return (numbered ? std::string("in highp uint ") + instance_input + ";\n" : "") + "layout(" + layout +

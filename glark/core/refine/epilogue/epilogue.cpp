@@ -153,9 +153,11 @@ std::string enable_where_present(const std::string& extension) {
   return "#ifdef " + extension + "\n#extension " + extension + " : enable\n#endif\n";
 }
 
-std::string storage_extensions(const GlslVersion& version) {
+std::string storage_extensions(const EpiloguePlan& plan) {
+  const GlslVersion& version = plan.version;
   if (version.es) return {};
-  return (version.number < 140
+  return (plan.at_points && version.number < 130 ? enable_where_present("GL_EXT_gpu_shader4") : "") +
+         (version.number < 140
               ? enable_where_present("GL_ARB_draw_instanced") + enable_where_present("GL_ARB_uniform_buffer_object")
               : "") +
          (version.number < 430 ? enable_where_present("GL_ARB_shader_storage_buffer_object") : "") +
@@ -170,7 +172,7 @@ std::string epilogue_header(const EpiloguePlan& plan, const IdentifierSet& appli
   const GlslVersion& version = plan.version;
   std::string text;
   if (uses_integers(plan) && !version.at_least(330, 300)) text += enable_where_present("GL_ARB_shader_bit_encoding");
-  if (plan.stored) text += storage_extensions(version);
+  if (plan.stored) text += storage_extensions(plan);
   if (plan.displaced() && !version.at_least(130, 300)) text += enable_where_present("GL_EXT_gpu_shader4");
   if (version.at_least(400, 320)) return text + "#define @precise precise\n";
   const bool words_are_free =

@@ -43,6 +43,7 @@ struct EpiloguePlan {
   GlslVersion version;
   core::Refinement refinement = core::Refinement::linear_inputs;
   bool at_corner = false;  // see DeriveRequest
+  bool at_points = false;  // see DeriveRequest
   bool placed = true;
   bool stored = false;
   int provoking_corner = 2;

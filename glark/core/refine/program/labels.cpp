@@ -39,6 +39,7 @@ std::string kind_of(const core::DerivedKey& key) {
   kind += key.welded && traits.curves_positions ? "-welded" : "";
   kind += key.border ? "-border" : "";
   kind += key.placed ? "-placed" : "";
+  kind += key.at_points ? "-points" : "";
   kind += key.morphing ? "-morphing" : "";
   kind += key.flat_colors ? "-flat" : "";
   kind += key.provoking_corner == 0 ? "-first" : "";

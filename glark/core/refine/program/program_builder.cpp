@@ -173,9 +173,9 @@ void ProgramBuilder::check_inputs(core::Program& program) const {
 }
 
 // Positions need the vertex stage alone; OpenGL ES links it only beside a fragment stage, which never runs.
-bool ProgramBuilder::needs_stage(GLenum stage, bool at_corner) const {
+bool ProgramBuilder::needs_stage(GLenum stage, bool positions_only) const {
   const bool es = traits_.language == capture::Language::es;
-  return at_corner ? es && stage == GL_FRAGMENT_SHADER : stage != GL_VERTEX_SHADER;
+  return positions_only ? es && stage == GL_FRAGMENT_SHADER : stage != GL_VERTEX_SHADER;
 }
 
 void ProgramBuilder::bind_inputs(GLuint name, const core::DerivedKey& key) const {
@@ -201,16 +201,16 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
     shaders.push_back(core::compile_shader(gl_, GL_VERTEX_SHADER, source, error));
   }
   for (const core::StageSource& stage : program.stages) {
-    if (needs_stage(stage.stage, key.at_corner)) {
+    if (needs_stage(stage.stage, key.positions_only())) {
       shaders.push_back(core::compile_shader(gl_, stage.stage, *stage.source, error));
     }
   }
   const bool es = traits_.language == capture::Language::es;
-  if (key.at_corner && !(es && program.has_stage(GL_FRAGMENT_SHADER))) {
+  if (key.positions_only() && !(es && program.has_stage(GL_FRAGMENT_SHADER))) {
     shaders.push_back(core::compile_shader(gl_, GL_FRAGMENT_SHADER, core::idle_fragment_shader(es), error));
   }
   bind_inputs(name, key);
-  if (key.at_corner) {
+  if (key.positions_only()) {
     const char* const varying = "gl_Position";
     gl_.TransformFeedbackVaryings(name, 1, &varying, GL_INTERLEAVED_ATTRIBS);
   } else if (settings_of != 0) {
@@ -263,7 +263,8 @@ DeriveRequest ProgramBuilder::request_for(core::Program& program, const core::De
   request.layout = capture::make_layout(std::move(fields), key.tagged, welded);
   request.refinement = key.refinement;
   request.at_corner = key.at_corner;
-  request.placed = key.placed;
+  request.at_points = key.at_points;
+  request.placed = key.placed && !key.at_points;
   request.morphing = key.morphing;
   request.provoking_corner = key.provoking_corner;
   request.outputs = {key.flat_colors, key.clamp_colors, words_of_positions(sources_of(program, GL_GEOMETRY_SHADER))};

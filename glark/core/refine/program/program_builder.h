@@ -64,7 +64,7 @@ class ProgramBuilder {
                           GLuint settings_of, const core::DerivedKey& key, std::string& error) const;
   void check_inputs(core::Program& program) const;
   void bind_inputs(GLuint name, const core::DerivedKey& key) const;
-  bool needs_stage(GLenum stage, bool at_corner) const;
+  bool needs_stage(GLenum stage, bool positions_only) const;
   int most_chunks(bool placed) const;
   capture::WeldedWords welded_words(const core::Program& program, const std::vector<capture::Field>& fields,
                                     int coordinate_field, const core::DerivedKey& key) const;

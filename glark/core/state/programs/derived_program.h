@@ -34,6 +34,7 @@ struct DerivedKey {
   bool clamp_colors = false;
   bool tagged = false;
   bool at_corner = false;             // no refinement: gives the position of each captured corner, for measured depths
+  bool at_points = false;             // gives the position of some refined vertices, for measured depths
   int discontinuity_attribute = -1;   // location of the tags; -1: vertices carry none
   int scalar_tag_attribute = -1;      // location of the tags; -1: vertices carry none
   int normal_attribute = own_normal;  // location of normals that the stage does not read
@@ -46,6 +47,7 @@ struct DerivedKey {
   bool border = false;  // the normals and texture coordinates that displacement takes on edges
   bool turns = false;   // the greatest turn of the normals along each edge, of all its sides
   bool placed = true;   // pieces have a placement (patch); only a uniform level of one piece a triangle needs none
+  bool positions_only() const { return at_corner || at_points; }
   auto operator<=>(const DerivedKey&) const = default;
 };
 

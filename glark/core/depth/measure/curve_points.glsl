@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The points of refined triangles that the point program writes to `ends` (positions.h). Point by point: first that
+// point of all triangles. Vertices come in threes, so the last one or two triangles follow behind.
+//
+// Points of a triangle: its corners; the points at 1/4 and 3/4 of edge 0, then of edges 1 and 2; the centre; if there
+// are 13, the middles of the edges. Edge 0 begins at corner 0.
+
+uniform int point_count;  // of a triangle: 10 or 13
+
+const int first_quarter = 3;
+const int centre = 9;
+const int first_middle = 10;
+
+vec4 point_of(int point, int triangle) {
+  int triangles = corner_count() / 3;
+  int whole = triangles - triangles % 3;
+  int at = triangle < whole ? point * whole + triangle : point_count * whole + 3 * point + (triangle - whole);
+  return uintBitsToFloat(uvec4(ends[4 * at], ends[4 * at + 1], ends[4 * at + 2], ends[4 * at + 3]));
+}
+
+vec4 position_of(int corner) { return point_of(corner % 3, corner / 3); }
+
+// The depth of the edge that begins at corner a and ends at corner b of its triangle.
+int steps_by_error(int a, int b, vec2 half_size, int deepest) {
+  int triangle = a / 3;
+  int edge = a % 3;
+  float eye_distance = max(half_size.x, half_size.y);
+  vec3 unit = vec3(half_size, eye_distance);
+  precise vec3 end_a = point_of(edge, triangle).xyw * unit;
+  precise vec3 end_b = point_of(b % 3, triangle).xyw * unit;
+  precise vec3 quarter_a = point_of(first_quarter + 2 * edge, triangle).xyw * unit;
+  precise vec3 quarter_b = point_of(first_quarter + 2 * edge + 1, triangle).xyw * unit;
+  bool has_middle = point_count > first_middle;
+  precise vec3 middle = has_middle ? point_of(first_middle + edge, triangle).xyw * unit : vec3(0.0);
+  float scale = glark_scale_of(max(glark_largest(end_a), glark_largest(end_b)));
+  return glark_steps_of_curve(glark_Curve(end_a * scale, end_b * scale, quarter_a * scale, quarter_b * scale,
+                                          middle * scale, has_middle), eye_distance, deepest);
+}

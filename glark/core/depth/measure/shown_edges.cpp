@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/core/depth/measure/shown_edges.h"
+
+#include <limits>
+#include <vector>
+
+#include "glark/core/depth/measure/measuring_pass.h"
+
+namespace glark::depth {
+namespace {
+
+constexpr const char* uniform_names[] = {"record_offset", "corner_words", "triangle_bound", "turn_offset",
+                                         "point_count",   "shown_stamp",  "culled_side",    "half_size"};
+constexpr std::size_t culled_side_uniform = 6;
+constexpr std::size_t half_size = 7;
+constexpr GLsizeiptr bytes_a_triangle = 3 * 4;
+
+}  // namespace
+
+int culled_side(const core::Bindings& bindings) {
+  if (!bindings.cull_face || bindings.culled_face == GL_FRONT_AND_BACK) {
+    return 0;
+  }
+  return (bindings.culled_face == GL_BACK) == (bindings.front_face == GL_CCW) ? 1 : -1;
+}
+
+bool ShownEdges::has_room(std::uint32_t triangles) const {
+  return pass_.built() && GLsizeiptr{triangles} * bytes_a_triangle <= marks_.size();
+}
+
+bool ShownEdges::reserve(std::uint32_t triangles) {
+  if (!tried_) {
+    tried_ = true;
+    pass_.build(gl_, measuring_pass(language_, 2, true), uniform_names);
+  }
+  if (!pass_.built()) {
+    return false;
+  }
+  if (has_room(triangles)) {
+    return true;
+  }
+  const std::vector<std::uint32_t> none(std::size_t{triangles} * 3 + std::size_t{triangles}, 0U);
+  return marks_.allocate(gl_, static_cast<GLsizeiptr>(none.size() * sizeof(none[0])), none.data(), GL_DYNAMIC_COPY);
+}
+
+GLint ShownEdges::mark(const ShownRequest& request, const core::Bindings& bindings) {
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, marks_.name());
+  if (request.layout.turn_offset < 0) {
+    return 0;
+  }
+  stamp_ = stamp_ == std::numeric_limits<GLint>::max() ? 1 : stamp_ + 1;
+  pass_.use(gl_);
+  const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
+                          request.layout.corner_words,
+                          static_cast<GLint>(request.triangles.count),
+                          request.layout.turn_offset,
+                          request.points,
+                          stamp_};
+  pass_.set_integers(gl_, values);
+  gl_.Uniform1f(pass_.location(culled_side_uniform), static_cast<float>(culled_side(bindings)));
+  gl_.Uniform2f(pass_.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
+  core::ComputePass::dispatch(gl_, request.triangles.count);
+  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  return stamp_;
+}
+
+void ShownEdges::release() {
+  pass_.release(gl_);
+  tried_ = false;
+  marks_.release(gl_);
+}
+
+}  // namespace glark::depth

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Which edges belong to a triangle that can be seen (hidden_triangle.glsl). The others need no depth.
+#pragma once
+
+#include <cstdint>
+
+#include "glark/core/capture/coarse_triangles.h"
+#include "glark/core/capture/layout.h"
+#include "glark/core/objects/compute_pass.h"
+#include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/state/bindings.h"
+
+namespace glark::depth {
+
+// 1: GL culls triangles that go clockwise on the screen; -1: counter-clockwise; 0: neither, or both.
+int culled_side(const core::Bindings& bindings);
+
+struct ShownRequest {
+  const capture::Layout& layout;
+  capture::CoarseTriangles triangles;
+  int points = 0;  // ScreenProgram::points
+};
+
+class ShownEdges {
+ public:
+  ShownEdges(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+
+  bool has_room(std::uint32_t triangles) const;
+  // Compiles the pass when first called; false without memory. Rare path: wrap in an ErrorScope.
+  bool reserve(std::uint32_t triangles);
+  // Binds the marks to storage binding 3, where the depth pass reads them. The caller has bound the records and the
+  // positions to 0 and 1. Returns the mark of a shown edge. 0: nobody knows the sides of an edge, so all are shown.
+  GLint mark(const ShownRequest& request, const core::Bindings& bindings);
+  void release();
+
+ private:
+  const gl::Dispatch& gl_;
+  capture::Language language_;
+  core::ComputePass pass_;
+  bool tried_ = false;
+  core::GpuBuffer marks_;  // a word for each corner
+  GLint stamp_ = 0;        // of the last draw: older marks need not be cleared
+};
+
+}  // namespace glark::depth
