@@ -56,7 +56,8 @@ int become(const std::string& program, char** argv) {
   const std::optional<std::string> file = find_program(program);
   if (!file) {
     std::fprintf(stderr,
-                 "glark: the program %s, which has this command, is not beside glark; install glark completely\n",
+                 "glark: the program %s, which has this command, is not beside glark; install glark completely "
+                 "(Debian package glark-tools)\n",
                  program.c_str());
     return exit_not_found;
   }

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace variable = settings::variable;
 
-constexpr char library_name[] = "libGLARK.so";
+constexpr char library_name[] = "libGLARK.so." GLARK_SOVERSION;
 
 std::optional<fs::path> find_library() {
   if (const char* wanted = std::getenv(variable::library); wanted != nullptr && *wanted != '\0') {
@@ -30,7 +30,7 @@ std::optional<fs::path> find_library() {
   }
   std::error_code error;
   const fs::path prefix = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
-  for (const fs::path folder : {"lib", "lib/glark", GLARK_LIBRARY_FOLDER, GLARK_LIBRARY_FOLDER "/glark"})
+  for (const fs::path folder : {"lib", GLARK_LIBRARY_FOLDER})
     if (const fs::path file = prefix / folder / library_name; fs::exists(file)) return file;
   say(fmt::format("{} is not in {}; install glark completely or set {} to the file", library_name,
                   (prefix / "lib").string(), variable::library));

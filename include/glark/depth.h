@@ -25,7 +25,7 @@ namespace glark::depth {
 
 using Vector = std::array<float, 3>;
 
-class Error : public ArgumentError {
+class GLARK_EXPORT Error : public ArgumentError {
  public:
   using ArgumentError::ArgumentError;
 };
@@ -69,7 +69,7 @@ struct Budget {
   bool kept = false;            // false: even the coarse mesh exceeds the budget
 };
 
-class Tagger {
+class GLARK_EXPORT Tagger {
  public:
   // triangles: three vertices each. They are copied. Throws Error for a number of indices that is not a multiple of
   // three, an index beyond the vertices, or a level above 11. Triangles may be degenerate, repeated or non-manifold.
@@ -124,7 +124,7 @@ class Tagger {
   Budget keep_budget(std::uint64_t triangles, std::span<float> tags, EdgeRule rule = EdgeRule::rounded) const;
 
  private:
-  struct State;
+  struct GLARK_PRIVATE State;
 
   float clamped(float tag) const;
   std::uint64_t count_refined(std::span<const float> tags, float bias, EdgeRule rule) const;

@@ -32,7 +32,7 @@ namespace glark::pn {
 enum class Element { vertex, triangle, crease, array, option };
 
 // An error in an argument, and the element that has it.
-class Error : public ElementError<Element> {
+class GLARK_EXPORT Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
 };
@@ -88,7 +88,7 @@ struct TaggedMesh {
 // All results are finite.
 // Errors: Error for an array of the wrong size, an index beyond the vertices, a position that is not finite, a crease
 // that is no edge, or an option out of its range.
-TaggedMesh derive_tags(const Mesh& mesh, const Options& options = {});
+GLARK_EXPORT TaggedMesh derive_tags(const Mesh& mesh, const Options& options = {});
 
 struct Corner {
   std::array<float, 3> position;
@@ -104,7 +104,7 @@ struct Sample {
 
 // Evaluates the triangle at barycentric coordinates (w, u, v), the weights of corners 0, 1 and 2. This is the
 // computation of the GPU (11.R.7 of the extension), in double precision.
-Sample evaluate(const std::array<Corner, 3>& corners, const std::array<double, 3>& barycentric);
+GLARK_EXPORT Sample evaluate(const std::array<Corner, 3>& corners, const std::array<double, 3>& barycentric);
 
 }  // namespace glark::pn
 

@@ -43,7 +43,7 @@ namespace glark::qas {
 enum class Element { mesh, vertex, triangle, crease, array };
 
 // An error in an argument, and the element that has it.
-class Error : public ElementError<Element> {
+class GLARK_EXPORT Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
 };
@@ -105,7 +105,7 @@ struct Sample {
 };
 
 // The limit step. Only one thread at a time may call update(); the const functions are safe from several threads.
-class Surface {
+class GLARK_EXPORT Surface {
  public:
   // Errors: Error for an array that is not made of whole triangles or creases, an index beyond the vertices, a crease
   // that is no edge, more than 2^26 triangles, or splits above 1.
@@ -149,13 +149,13 @@ class Surface {
   Sample evaluate_quartic(std::size_t triangle, std::array<float, 3> barycentric) const;
 
  private:
-  struct State;
+  struct GLARK_PRIVATE State;
   std::unique_ptr<State> state_;
 };
 
 // Loop's limit surface itself, evaluated at any parameter. It is the reference for Surface, and a slow refinement.
 // Source: Boubekeur 2007, ch. 7.5; J. Stam, Evaluation of Loop Subdivision Surfaces, 1999.
-class LoopSurface {
+class GLARK_EXPORT LoopSurface {
  public:
   // Errors: as Surface.
   explicit LoopSurface(const Mesh& mesh);
@@ -173,7 +173,7 @@ class LoopSurface {
   void refine(unsigned level, std::span<Sample> samples, unsigned threads = 0) const;
 
  private:
-  struct State;
+  struct GLARK_PRIVATE State;
   std::unique_ptr<State> state_;
 };
 
@@ -191,11 +191,12 @@ struct ShaderInputs {
 // Returns GLSL for glRefinementShaderSourceARK, for version 1.20 and later. Points on an edge are computed only from
 // the three points of the edge, and symmetrically in its ends. So patches that share an edge meet bit by bit, for any
 // depths inside.
-std::string refinement_shader(const ShaderInputs& inputs = {});
+GLARK_EXPORT std::string refinement_shader(const ShaderInputs& inputs = {});
 
 // As refinement_shader(), for the corners of write_quartic_corners(). The inputs are two mat4. The vertex stage reads
 // column 0. Without normals (""), the positions have the same bits.
-std::string quartic_refinement_shader(const std::string& points = "points", const std::string& normals = "normals");
+GLARK_EXPORT std::string quartic_refinement_shader(const std::string& points = "points",
+                                                   const std::string& normals = "normals");
 
 }  // namespace glark::qas
 

@@ -64,7 +64,7 @@ struct Reconstructed {
 };
 
 // Errors: vstree::Error, as from vstree::Tree.
-Reconstructed reconstruct(const vstree::PointSet& points, const ReconstructOptions& options = {});
+GLARK_EXPORT Reconstructed reconstruct(const vstree::PointSet& points, const ReconstructOptions& options = {});
 
 }  // namespace glark::reconstruct
 

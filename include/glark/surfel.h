@@ -41,7 +41,7 @@ inline constexpr std::uint32_t none = 0xFFFFFFFFU;
 enum class Element { cloud, point, normal, option, view };
 
 // Names the wrong element of an argument, and the fault.
-class Error : public ElementError<Element> {
+class GLARK_EXPORT Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
 };
@@ -127,7 +127,7 @@ struct Range {
 
 // Only one thread at a time may call update(). All other functions are const; threads may call them together while none
 // calls update().
-class Strips {
+class GLARK_EXPORT Strips {
  public:
   // Errors: Error for arrays that are not three coordinates for each point, coordinates that are not finite or above
   // 1e18, 2^32 - 1 points or more, options out of range.
@@ -157,7 +157,7 @@ class Strips {
   std::vector<Range> update(const Cloud& cloud, std::span<const std::uint32_t> moved);
 
  private:
-  struct State;
+  struct GLARK_PRIVATE State;
   std::unique_ptr<State> state_;
 };
 

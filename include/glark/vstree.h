@@ -38,7 +38,7 @@ namespace glark::vstree {
 enum class Element { option, array, point, triangle };
 
 // An error in an argument, the element that has it, and the remedy.
-class Error : public ElementError<Element> {
+class GLARK_EXPORT Error : public ElementError<Element> {
  public:
   Error(Element element, std::size_t index, const std::string& what);
 };
@@ -104,7 +104,7 @@ struct Node {
            static_cast<unsigned>((of_four_bits >> (4 * (bits >> 4U))) & 15U);
   }
   // Returns the child for an octant or quadrant that has samples.
-  std::uint32_t child(unsigned which) const;
+  GLARK_EXPORT std::uint32_t child(unsigned which) const;
   std::uint32_t size() const { return end - begin; }
 };
 
@@ -117,7 +117,7 @@ struct Frame {
   std::uint32_t node = 0;
 };
 
-class Tree {
+class GLARK_EXPORT Tree {
  public:
   // Reads the arrays only during the call. Errors: Error for an array of the wrong size, a number that is not finite or
   // too large, an option out of its range, more than 2^31 samples.
@@ -140,7 +140,7 @@ class Tree {
   std::uint32_t leaf_of(const std::array<float, 3>& position) const;
 
  private:
-  struct State;
+  struct GLARK_PRIVATE State;
   std::unique_ptr<State> state_;
 };
 
@@ -156,7 +156,7 @@ struct NormalOptions {
 // the nearest neighbours extend least. Samples at one position count once. With fewer than three positions, or with
 // positions on a line, the normal is zero.
 // Source: H. Hoppe et al., Surface Reconstruction from Unorganized Points, 1992. Errors: as Tree.
-std::vector<float> estimate_normals(const PointSet& points, const NormalOptions& options = {});
+GLARK_EXPORT std::vector<float> estimate_normals(const PointSet& points, const NormalOptions& options = {});
 
 // The caller owns the arrays.
 struct Mesh {
@@ -204,7 +204,7 @@ struct Simplified {
 // opposite orientation. The result has the vertices that its triangles use, or all clusters of a point set.
 // Source: Boubekeur 2007, ch. 3.3; P. Lindstrom, Out-of-Core Simplification of Large Polygonal Models, 2000.
 // Errors: as Tree, and Error for an index that is no point.
-Simplified simplify(const Mesh& mesh, const SimplifyOptions& options = {});
+GLARK_EXPORT Simplified simplify(const Mesh& mesh, const SimplifyOptions& options = {});
 
 }  // namespace glark::vstree
 

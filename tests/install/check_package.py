@@ -65,14 +65,36 @@ class Package(unittest.TestCase):
         self.run_checked(CC, "-I.", PROGRAMS / "readme.c", "-o", "readme", *self.flags("--cflags", "--libs", "glark", "osmesa"), "-lm")
         self.expect_refined(self.folder / "readme", LD_LIBRARY_PATH=str(self.libraries))
 
+    def compile_and_run(self, source, program, *compiler):
+        flags = self.flags("--cflags", "--libs", f"glark-{source.stem}")
+        self.run_checked(*compiler, source, "-o", program, *flags, "-lm")
+        self.run_checked(self.folder / program, LD_LIBRARY_PATH=str(self.libraries))
+
     def test_clients_by_pkg_config(self):
         def check(name):
-            flags = self.flags("--cflags", "--libs", f"glark-{name}")
-            self.run_checked(CXX, "-std=c++20", PROGRAMS / f"{name}.cpp", "-o", name, *flags)
-            self.run_checked(self.folder / name)
+            self.compile_and_run(PROGRAMS / f"{name}.cpp", f"{name}_cpp", CXX, "-std=c++20")
+            self.compile_and_run(PROGRAMS / "c" / f"{name}.c", f"{name}_c", CC, "-std=c99", "-pedantic", "-Wall", "-Werror")
 
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             list(pool.map(check, COMPONENTS))
+
+    def test_older_cpp_is_told_what_to_do(self):
+        for name in COMPONENTS:
+            source = self.folder / f"old_{name}.cpp"
+            source.write_text(f"#include <glark/{name}.h>\n")
+            done = subprocess.run([CXX, "-std=c++17", "-c", source, *self.flags("--cflags", f"glark-{name}")], env=self.environment,
+                                  cwd=self.folder, capture_output=True, text=True)
+            self.assertIn("the C++ headers of glark need C++20: compile with -std=c++20", done.stderr)
+
+    def test_shared_libraries_export_what_is_public(self):
+        for name in COMPONENTS:
+            library = self.libraries / f"libglark-{name}.so.0"
+            dynamic = self.run_checked("readelf", "--dynamic", "--wide", library)
+            self.assertIn(f"[libglark-{name}.so.0]", dynamic)
+            symbols = self.run_checked("nm", "--dynamic", "--defined-only", "--demangle", library).splitlines()
+            own = re.compile(r"(glark_|glark::|(typeinfo|typeinfo name|vtable) for glark::)")
+            self.assertEqual([], [line for line in symbols if not own.match(line.split(maxsplit=2)[2])])
+            self.assertEqual([], [line for line in symbols if "::State::" in line])
 
     def test_cmake(self):
         build = self.folder / "build"
@@ -83,6 +105,7 @@ class Package(unittest.TestCase):
         self.expect_refined(build / "readme")
         if COMPONENTS:
             self.run_checked(build / "client")
+            self.run_checked(build / "client_static")
 
     def test_registry(self):
         self.assertIn("GL_ARK", pathlib.Path(self.flags("--variable=registry", "glark")[0]).read_text())
@@ -90,11 +113,18 @@ class Package(unittest.TestCase):
     def test_headers_are_all_installed(self):
         """Every public header is there, unless its client library was not built."""
         source = HERE.parents[1] / "include"
-        wanted = {f"glark/{name}.h" for name in COMPONENTS} | {"GL/glark.h", "GL/glark_version.h", "glark/error.h"}
+        wanted = {"GL/glark.h", "GL/glark_version.h", "glark/error.h", "glark/export.h", "glark/c/types.h"}
+        wanted |= {f"{folder}/{name}.h" for name in COMPONENTS for folder in ("glark", "glark/c")}
         installed = {str(file.relative_to(self.prefix / "include")) for file in (self.prefix / "include").rglob("*.h")}
         self.assertEqual(wanted, installed)
         self.assertLessEqual({str(file.relative_to(source)) for file in source.rglob("*.h")} - installed,
-                             {f"glark/{name}.h" for name in ("depth", "pn", "qas", "reconstruct", "surfel", "vstree")})
+                             {f"{folder}/{name}.h" for name in ("depth", "pn", "qas", "reconstruct", "surfel", "vstree")
+                              for folder in ("glark", "glark/c")})
+
+    def test_version_of_the_debian_packages(self):
+        newest = (HERE.parents[1] / "debian/changelog").read_text().splitlines()[0]
+        version = self.run_checked(self.prefix / "bin/glark", "--version").split()[1]
+        self.assertTrue(newest.startswith(f"glark ({version})"), newest)
 
     def test_nothing_names_the_build(self):
         for file in [*self.packages.glob("*.pc"), *self.libraries.rglob("*.cmake")]:

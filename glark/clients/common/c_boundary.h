@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// From C to C++ and back, for the c_api.cpp of every client library: arrays become spans, exceptions become codes.
+#pragma once
+
+#include <glark/c/types.h>
+#include <glark/error.h>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glark::c {
+
+// Returns `pointer`. Throws ArgumentError, which names the argument, if it is NULL.
+template <class T>
+T& needed(T* pointer, const char* name) {
+  if (pointer == nullptr) {
+    throw ArgumentError("glark: the argument " + std::string(name) + " is NULL; pass its address");
+  }
+  return *pointer;
+}
+
+template <class T>
+std::span<T> span_of(T* data, std::size_t count) {
+  if (data == nullptr && count > 0) {
+    throw ArgumentError("glark: an array of " + std::to_string(count) + " elements is NULL; pass its address");
+  }
+  return {data, count};
+}
+inline std::span<const float> span_of(const glark_floats& array) { return span_of(array.data, array.count); }
+inline std::span<const std::uint32_t> span_of(const glark_indices& array) { return span_of(array.data, array.count); }
+inline std::span<const std::uint8_t> span_of(const glark_bytes& array) { return span_of(array.data, array.count); }
+inline std::span<float> span_of(const glark_float_output& array) { return span_of(array.data, array.count); }
+
+inline glark_floats array_of(std::span<const float> span) { return {span.data(), span.size()}; }
+inline glark_indices array_of(std::span<const std::uint32_t> span) { return {span.data(), span.size()}; }
+inline glark_bytes array_of(std::span<const std::uint8_t> span) { return {span.data(), span.size()}; }
+
+inline glark_code fail(glark_error* error, glark_code code, std::string_view message, int element = GLARK_NO_ELEMENT,
+                       std::size_t index = 0) {
+  if (error != nullptr) {
+    error->code = code;
+    error->element = element;
+    error->index = index;
+    const std::size_t length = std::min(message.size(), std::size_t{GLARK_MESSAGE_SIZE} - 1);
+    std::copy_n(message.data(), length, error->message);
+    error->message[length] = '\0';
+  }
+  return code;
+}
+
+// Runs `step`, and returns how it ended. `LibraryError` is the library's Error, which names an element.
+template <class LibraryError, class Step>
+glark_code guarded(glark_error* error, const Step& step) {
+  try {
+    step();
+    return fail(error, GLARK_SUCCESS, "");
+  } catch (const LibraryError& bad) {
+    if constexpr (requires { bad.element(); }) {
+      return fail(error, GLARK_BAD_ARGUMENT, bad.what(), static_cast<int>(bad.element()), bad.index());
+    }
+    return fail(error, GLARK_BAD_ARGUMENT, bad.what());
+  } catch (const ArgumentError& bad) {
+    return fail(error, GLARK_BAD_ARGUMENT, bad.what());
+  } catch (const std::bad_alloc&) {
+    return fail(error, GLARK_OUT_OF_MEMORY, "glark: there is not enough memory; use less data");
+  } catch (const std::exception& other) {
+    return fail(error, GLARK_INTERNAL_ERROR, other.what());
+  }
+}
+
+}  // namespace glark::c

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <glark/qas.h>
+
+#include "glark/python/arrays.h"
+
+namespace glark::python {
+namespace {
+
+using qas::LoopSurface;
+using qas::Surface;
+
+constexpr std::array schemes = {std::pair{"loop", qas::Scheme::loop},
+                                std::pair{"butterfly", qas::Scheme::modified_butterfly}};
+
+qas::Mesh mesh_of(std::size_t vertices, const Array<std::uint32_t>& triangles,
+                  const OptionalArray<std::uint32_t>& creases) {
+  return {
+      .vertex_count = vertices, .triangles = rows(triangles, 3, "triangles"), .creases = rows(creases, 2, "creases")};
+}
+
+py::array_t<float> vectors(std::span<const qas::Vector> values, py::handle owner) {
+  return view(std::span(reinterpret_cast<const float*>(values.data()), 4 * values.size()), 4, owner);
+}
+
+// `Corner` consists of floats only.
+template <class Corner, class Write>
+py::array_t<float> corners(std::size_t count, const Write& write) {
+  constexpr std::size_t numbers = sizeof(Corner) / sizeof(float);
+  std::vector<float> result(numbers * count);
+  write(std::span(reinterpret_cast<Corner*>(result.data()), count));
+  return owned(std::move(result), numbers);
+}
+
+py::tuple sample_of(const qas::Sample& sample) { return py::make_tuple(sample.position, sample.normal); }
+
+py::tuple refine(const LoopSurface& surface, std::size_t triangles, unsigned level, unsigned threads) {
+  const std::size_t side = (std::size_t{1} << std::min(level, 11U)) + 1;
+  std::vector<qas::Sample> samples(triangles * side * (side + 1) / 2);
+  without_gil([&] { surface.refine(level, samples, threads); });
+  std::vector<float> positions;
+  std::vector<float> normals;
+  positions.reserve(3 * samples.size());
+  normals.reserve(3 * samples.size());
+  for (const qas::Sample& sample : samples) {
+    positions.insert(positions.end(), sample.position.begin(), sample.position.end());
+    normals.insert(normals.end(), sample.normal.begin(), sample.normal.end());
+  }
+  return py::make_tuple(owned(std::move(positions), 3), owned(std::move(normals), 3));
+}
+
+// LoopSurface does not tell its number of triangles.
+struct Loop {
+  LoopSurface surface;
+  std::size_t triangles;
+};
+
+void bind_surface(py::module_& module) {
+  py::class_<Surface>(module, "Surface", "A subdivision surface as quadratic patches, updated in real time.")
+      .def(py::init([](std::size_t vertices, const Array<std::uint32_t>& triangles,
+                       const OptionalArray<std::uint32_t>& creases, const std::string& scheme, unsigned splits,
+                       unsigned threads) {
+             const qas::Mesh mesh = mesh_of(vertices, triangles, creases);
+             const qas::Options options{named(scheme, "scheme", schemes), splits, threads};
+             return without_gil([&] { return std::make_unique<Surface>(mesh, options); });
+           }),
+           py::arg("vertices"), py::arg("triangles"), py::arg("creases") = py::none(), py::kw_only(),
+           py::arg("scheme") = "loop", py::arg("splits") = 0, py::arg("threads") = 0,
+           "vertices: their number. triangles: (triangles, 3). creases: (creases, 2). scheme: 'loop' or 'butterfly'.")
+      .def(
+          "update",
+          [](Surface& surface, const Array<float>& positions) {
+            const auto points = rows(positions, 3, "positions");
+            without_gil([&] { surface.update(points); });
+          },
+          py::arg("positions"), "positions: (vertices, 3). Arrays that were taken before show the new values.")
+      .def_property_readonly(
+          "limit_positions", [](py::object self) { return vectors(self.cast<Surface&>().limit_positions(), self); },
+          "(points, 4) float32: x, y, z, 1")
+      .def_property_readonly(
+          "limit_normals", [](py::object self) { return vectors(self.cast<Surface&>().limit_normals(), self); },
+          "(points, 4) float32: x, y, z, 0")
+      .def(
+          "corners",
+          [](const Surface& surface) {
+            return corners<qas::Corner>(surface.corner_count(), [&](auto all) { surface.write_corners(all); });
+          },
+          "(corners, 12) float32: position, edge_position, normal, edge_normal; three corners for each patch")
+      .def(
+          "quartic_corners",
+          [](const Surface& surface) {
+            return corners<qas::QuarticCorner>(surface.quartic_corner_count(),
+                                               [&](auto all) { surface.write_quartic_corners(all); });
+          },
+          "(corners, 32) float32: four points and four normals of four numbers; only with splits=1")
+      .def(
+          "evaluate",
+          [](const Surface& surface, std::size_t patch, const std::array<float, 3>& barycentric) {
+            return sample_of(surface.evaluate(patch, barycentric));
+          },
+          py::arg("patch"), py::arg("barycentric"), "The position and the normal at (w, u, v).");
+}
+
+}  // namespace
+
+void bind_qas(py::module_& parent) {
+  py::module_ module = parent.def_submodule("qas", "Subdivision surfaces in real time.");
+  bind_surface(module);
+  py::class_<Loop>(module, "LoopSurface", "The exact limit surface of Loop's scheme.")
+      .def(py::init([](std::size_t vertices, const Array<std::uint32_t>& triangles,
+                       const OptionalArray<std::uint32_t>& creases) {
+             const qas::Mesh mesh = mesh_of(vertices, triangles, creases);
+             return Loop{LoopSurface(mesh), mesh.triangles.size() / 3};
+           }),
+           py::arg("vertices"), py::arg("triangles"), py::arg("creases") = py::none())
+      .def(
+          "update",
+          [](Loop& loop, const Array<float>& positions) { loop.surface.update(rows(positions, 3, "positions")); },
+          py::arg("positions"))
+      .def(
+          "evaluate",
+          [](const Loop& loop, std::size_t triangle, const std::array<float, 3>& barycentric) {
+            return sample_of(loop.surface.evaluate(triangle, barycentric));
+          },
+          py::arg("triangle"), py::arg("barycentric"))
+      .def(
+          "refine",
+          [](const Loop& loop, unsigned level, unsigned threads) {
+            return refine(loop.surface, loop.triangles, level, threads);
+          },
+          py::arg("level"), py::arg("threads") = 0,
+          "Positions and normals of all triangles at the vertices of the uniform pattern of a level, 0 to 11.");
+  const qas::ShaderInputs names;
+  module.def(
+      "refinement_shader",
+      [](const std::string& position, const std::string& edge_position, const std::string& normal,
+         const std::string& edge_normal) {
+        return qas::refinement_shader({position, edge_position, normal, edge_normal});
+      },
+      py::arg("position") = names.position, py::arg("edge_position") = names.edge_position,
+      py::arg("normal") = names.normal, py::arg("edge_normal") = names.edge_normal,
+      "The GLSL text for glRefinementShaderSourceARK.");
+  module.def("quartic_refinement_shader", &qas::quartic_refinement_shader, py::arg("points") = "points",
+             py::arg("normals") = "normals");
+}
+
+}  // namespace glark::python

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <glark/reconstruct.h>
+
+#include "glark/python/arrays.h"
+
+namespace glark::python {
+
+using reconstruct::Reconstructed;
+
+void bind_reconstruct(py::module_& module) {
+  py::class_<Reconstructed>(module, "Reconstructed", "A mesh from points.")
+      .def_property_readonly("positions", [](py::object s) { return view(s.cast<Reconstructed&>().positions, 3, s); })
+      .def_property_readonly("normals", [](py::object s) { return view(s.cast<Reconstructed&>().normals, 3, s); })
+      .def_property_readonly("colours",
+                             [](py::object s) { return view_or_none(s.cast<Reconstructed&>().colours, 3, s); })
+      .def_property_readonly("triangles", [](py::object s) { return view(s.cast<Reconstructed&>().triangles, 3, s); })
+      .def_readonly("base_vertices", &Reconstructed::base_vertices)
+      .def_readonly("base_triangles", &Reconstructed::base_triangles)
+      .def_readonly("levels", &Reconstructed::levels)
+      .def_readonly("node_side", &Reconstructed::node_side)
+      .def_readonly("noise", &Reconstructed::noise, "root mean square distance of the samples from the nodes' planes")
+      .def_readonly("left_out", &Reconstructed::left_out, "the number of parts that were left out");
+  const reconstruct::ReconstructOptions defaults;
+  module.def(
+      "reconstruct",
+      [](const Array<float>& positions, const OptionalArray<float>& normals, const OptionalArray<std::uint8_t>& colours,
+         float threshold, float error, unsigned levels, float node_samples, float delta_a, float delta_d,
+         float least_part, std::uint32_t gap_edges, unsigned threads) {
+        const vstree::PointSet points{.positions = rows(positions, 3, "positions"),
+                                      .normals = rows(normals, 3, "normals"),
+                                      .colours = rows(colours, 3, "colours")};
+        const reconstruct::ReconstructOptions options{threshold, error,      levels,    node_samples, delta_a,
+                                                      delta_d,   least_part, gap_edges, threads};
+        return without_gil([&] { return reconstruct::reconstruct(points, options); });
+      },
+      py::arg("positions"), py::arg("normals") = py::none(), py::arg("colours") = py::none(), py::kw_only(),
+      py::arg("threshold") = defaults.threshold, py::arg("error") = defaults.error, py::arg("levels") = defaults.levels,
+      py::arg("node_samples") = defaults.node_samples, py::arg("delta_a") = defaults.delta_a,
+      py::arg("delta_d") = defaults.delta_d, py::arg("least_part") = defaults.least_part,
+      py::arg("gap_edges") = defaults.gap_edges, py::arg("threads") = 0,
+      "A mesh from points.\n\n"
+      "positions: (points, 3). normals: (points, 3), towards the outside; estimated if they are missing.\n"
+      "error: how near the mesh is to the samples, relative to the diagonal; 0: as dense as the samples.\n"
+      "levels: the most levels of refinement, 0 to 6. least_part: parts with less of the area are left out.");
+}
+
+}  // namespace glark::python

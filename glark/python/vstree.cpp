@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include <glark/vstree.h>
+
+#include "glark/python/arrays.h"
+
+namespace glark::python {
+namespace {
+
+using vstree::Clustering;
+using vstree::Metric;
+using vstree::Representative;
+using vstree::Simplified;
+using vstree::Tree;
+
+constexpr std::array metrics = {std::pair{"l2", Metric::l2}, std::pair{"l21", Metric::l21},
+                                std::pair{"qef", Metric::qef}, std::pair{"density", Metric::density}};
+constexpr std::array clusterings = {std::pair{"vstree", Clustering::volume_surface},
+                                    std::pair{"octree", Clustering::octree}, std::pair{"grid", Clustering::grid}};
+constexpr std::array representatives = {std::pair{"qef", Representative::qef},
+                                        std::pair{"centroid", Representative::centroid}};
+
+void bind_tree(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(vstree::Node, begin, end, first_child, frame, error, kind, level, children, joined);
+  PYBIND11_NUMPY_DTYPE(vstree::Frame, origin, u, v, normal, low, size, node);
+  py::class_<Tree>(module, "Tree", "A volume-surface tree over samples of a surface.")
+      .def(py::init([](const Array<float>& positions, const OptionalArray<float>& normals, bool surface,
+                       const std::string& metric, float threshold, float delta_a, float delta_d,
+                       std::uint32_t least_samples, std::uint32_t most_leaves, unsigned threads) {
+             const vstree::PointSet points{.positions = rows(positions, 3, "positions"),
+                                           .normals = rows(normals, 3, "normals")};
+             const vstree::Options options{
+                 surface, named(metric, "metric", metrics), threshold, delta_a, delta_d, least_samples, most_leaves,
+                 threads};
+             return without_gil([&] { return std::make_unique<Tree>(points, options); });
+           }),
+           py::arg("positions"), py::arg("normals") = py::none(), py::kw_only(), py::arg("surface") = true,
+           py::arg("metric") = "l2", py::arg("threshold") = 1e-4F, py::arg("delta_a") = 0.0F,
+           py::arg("delta_d") = 0.25F, py::arg("least_samples") = 1, py::arg("most_leaves") = 0, py::arg("threads") = 0,
+           "positions: (points, 3). normals: (points, 3); estimated if they are missing.\n"
+           "metric: 'l2', 'l21', 'qef' or 'density'. threshold: a node with this error or less is a leaf; relative to "
+           "the\n"
+           "diagonal of the bounding box. most_leaves: if not 0, replaces the threshold. threads: 0 for all.")
+      .def_property_readonly(
+          "nodes", [](py::object self) { return view(self.cast<Tree&>().nodes(), 1, self); },
+          "(nodes,) records: begin, end, first_child, frame, error, kind, level, children, joined. The root is the "
+          "first;\n"
+          "a leaf has first_child 0. kind: 0 volume, 1 transition, 2 surface")
+      .def_property_readonly(
+          "frames", [](py::object self) { return view(self.cast<Tree&>().frames(), 1, self); },
+          "(frames,) records: origin, u, v, normal, low, size, node")
+      .def_property_readonly(
+          "order", [](py::object self) { return view(self.cast<Tree&>().order(), 1, self); },
+          "(points,) uint32: node i has the samples order[begin:end]")
+      .def_property_readonly("leaf_count", &Tree::leaf_count)
+      .def_property_readonly("bytes", &Tree::bytes)
+      .def_property_readonly("diagonal", &Tree::diagonal)
+      .def(
+          "leaf_of",
+          [](const Tree& tree, const std::array<float, 3>& position) -> std::optional<std::uint32_t> {
+            const std::uint32_t leaf = tree.leaf_of(position);
+            return leaf == vstree::none ? std::nullopt : std::optional(leaf);
+          },
+          py::arg("position"), "The index of the leaf that has the position, or None outside of the root.");
+}
+
+void bind_simplified(py::module_& module) {
+  py::class_<Simplified>(module, "Simplified", "The result of simplify(). An attribute that the input lacks is None.")
+      .def_property_readonly("positions", [](py::object s) { return view(s.cast<Simplified&>().positions, 3, s); })
+      .def_property_readonly("normals", [](py::object s) { return view(s.cast<Simplified&>().normals, 3, s); })
+      .def_property_readonly("colours", [](py::object s) { return view_or_none(s.cast<Simplified&>().colours, 3, s); })
+      .def_property_readonly("texcoords",
+                             [](py::object s) { return view_or_none(s.cast<Simplified&>().texcoords, 2, s); })
+      .def_property_readonly("triangles",
+                             [](py::object s) { return view_or_none(s.cast<Simplified&>().triangles, 3, s); })
+      .def_property_readonly(
+          "representatives", [](py::object s) { return view(s.cast<Simplified&>().representatives, 1, s); },
+          "(points of the input,) uint32: the vertex of each point; 0xFFFFFFFF if no triangle uses the point");
+}
+
+}  // namespace
+
+void bind_vstree(py::module_& module) {
+  py::module_ vstree_module =
+      module.def_submodule("vstree", "Volume-surface trees, normals of points, simplification.");
+  bind_tree(vstree_module);
+  bind_simplified(vstree_module);
+  vstree_module.def(
+      "estimate_normals",
+      [](const Array<float>& positions, const OptionalArray<float>& normals, unsigned neighbours,
+         const std::optional<std::array<float, 3>>& scanner, unsigned threads) {
+        const vstree::PointSet points{.positions = rows(positions, 3, "positions"),
+                                      .normals = rows(normals, 3, "normals")};
+        return owned(without_gil([&] {
+                       return vstree::estimate_normals(
+                           points,
+                           {.neighbours = neighbours, .scanner = scanner ? &*scanner : nullptr, .threads = threads});
+                     }),
+                     3);
+      },
+      py::arg("positions"), py::arg("normals") = py::none(), py::kw_only(), py::arg("neighbours") = 16,
+      py::arg("scanner") = py::none(), py::arg("threads") = 0,
+      "Unit normals, (points, 3). Normals that are given and not zero are kept.\n\n"
+      "neighbours: 3 to 256. scanner: the position to which normals point; without it, they agree with their "
+      "neighbours.");
+  vstree_module.def(
+      "simplify",
+      [](const Array<float>& positions, const OptionalArray<std::uint32_t>& triangles,
+         const OptionalArray<float>& normals, const OptionalArray<std::uint8_t>& colours,
+         const OptionalArray<float>& texcoords, std::size_t target, const std::string& clustering,
+         const std::string& representative, const std::string& metric, float threshold, float delta_a, float delta_d,
+         bool cut, unsigned threads) {
+        const vstree::Mesh mesh{.points = {.positions = rows(positions, 3, "positions"),
+                                           .normals = rows(normals, 3, "normals"),
+                                           .colours = rows(colours, 3, "colours"),
+                                           .texcoords = rows(texcoords, 2, "texcoords")},
+                                .triangles = rows(triangles, 3, "triangles")};
+        const vstree::SimplifyOptions options{named(clustering, "clustering", clusterings),
+                                              named(representative, "representative", representatives),
+                                              target,
+                                              named(metric, "metric", metrics),
+                                              threshold,
+                                              delta_a,
+                                              delta_d,
+                                              cut,
+                                              threads};
+        return without_gil([&] { return vstree::simplify(mesh, options); });
+      },
+      py::arg("positions"), py::arg("triangles") = py::none(), py::arg("normals") = py::none(),
+      py::arg("colours") = py::none(), py::arg("texcoords") = py::none(), py::kw_only(), py::arg("target") = 0,
+      py::arg("clustering") = "vstree", py::arg("representative") = "qef", py::arg("metric") = "l2",
+      py::arg("threshold") = 1e-4F, py::arg("delta_a") = 0.0F, py::arg("delta_d") = 0.25F, py::arg("cut") = true,
+      py::arg("threads") = 0,
+      "Fewer triangles, or fewer points where there are no triangles.\n\n"
+      "target: the most triangles or points; 0: threshold is used, relative to the diagonal of the bounding box.\n"
+      "clustering: 'vstree', 'octree' or 'grid'. representative: 'qef' or 'centroid'.");
+}
+
+}  // namespace glark::python
