@@ -29,10 +29,10 @@ struct Record {
   std::shared_ptr<core::ShareGroup> share;
   std::unique_ptr<core::Context> context;  // created when the context is first made current
   bool tried = false;
-  bool destroyed = false;    // the program destroyed it; GL keeps it while it is current
-  int users = 0;             // threads in which it is current: 0 or 1, more if a thread ended without releasing it
-  bool ends_frames = false;            // it has ended a frame itself
-  std::uint64_t own_frame = 0;         // Registry::frames_shown after that
+  bool destroyed = false;       // the program destroyed it; GL keeps it while it is current
+  int users = 0;                // threads in which it is current: 0 or 1, more if a thread ended without releasing it
+  bool ends_frames = false;     // it has ended a frame itself
+  std::uint64_t own_frame = 0;  // Registry::frames_shown after that
   std::uint64_t frames_of_others = 0;  // Registry::frames_shown when its last frame ended
 };
 

@@ -16,6 +16,9 @@ GLsizeiptr bytes_of(unsigned level, std::uint32_t triangles) {
 void GridIndices::read_pattern(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned number, Level& level) {
   const pattern::Piece& piece = pool.piece(pattern::uniform_piece(static_cast<int>(number)));
   level.pattern = pool.read_indices(gl, piece);
+  if (level.pattern.empty()) {
+    return;
+  }
   const auto [least, most] = std::minmax_element(level.pattern.begin(), level.pattern.end());
   const std::uint16_t first = *least;
   level.first_vertex = first;
@@ -56,10 +59,14 @@ bool GridIndices::fill(const gl::Dispatch& gl, Level& level, std::uint32_t trian
     return false;
   }
   level.older_bytes += older;
+  level.triangles = 0;
   constexpr GLsizeiptr bytes_at_once = GLsizeiptr{1} << 20;
   const auto at_once = static_cast<std::uint32_t>(std::max<GLsizeiptr>(1, bytes_at_once / each));
   for (std::uint32_t first = 0; first < triangles; first += at_once) {
     write(gl, level, first, std::min(at_once, triangles - first));
+  }
+  if (gl.GetError() != GL_NO_ERROR) {
+    return false;
   }
   level.triangles = triangles;
   return true;
@@ -70,6 +77,9 @@ GridIndices::Grid GridIndices::ensure(const gl::Dispatch& gl, const pattern::Gpu
   Level& found = levels_.at(level);
   if (found.pattern.empty()) {
     read_pattern(gl, pool, level, found);
+  }
+  if (found.pattern.empty()) {
+    return {};
   }
   if (found.triangles < triangles && !fill(gl, found, found.grown(triangles))) {
     return {};

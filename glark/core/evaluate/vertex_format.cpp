@@ -96,6 +96,9 @@ GLuint make_vertex_array(const gl::Dispatch& gl, const VertexFormat& format, con
   }
   GLuint name = 0;
   gl.GenVertexArrays(1, &name);
+  if (name == 0) {
+    return 0;
+  }
   gl.BindVertexArray(name);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices.name());

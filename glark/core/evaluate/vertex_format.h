@@ -28,7 +28,7 @@ struct VertexFormat {
 std::vector<capture::Field> copied_fields(const std::vector<capture::Field>& fields);
 VertexFormat vertex_format(const std::vector<capture::Field>& fields);
 
-// Makes a vertex array of ours. Leaves it bound; restores all other bindings.
+// Makes a vertex array of ours. Leaves it bound; restores all other bindings. 0: GL has no memory.
 GLuint make_vertex_array(const gl::Dispatch& gl, const VertexFormat& format, const core::GpuBuffer& vertices,
                          GLuint indices);
 

@@ -21,7 +21,8 @@ std::uint64_t ImmediateCapture::room() const {
 std::uint64_t ImmediateCapture::begin(GLenum mode, MaterialSet materials, std::optional<Cause>& cause) {
   const auto nothing = [] {};
   const bool tags_vary = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
-  Decision decision = planner_.plan({.mode = mode, .tags_vary = tags_vary, .whole_polygons = true, .materials = materials, .issue = nothing});
+  Decision decision = planner_.plan(
+      {.mode = mode, .tags_vary = tags_vary, .whole_polygons = true, .materials = materials, .issue = nothing});
   cause = decision.cause;
   plan_ = std::move(decision.plan);
   if (!cause) {

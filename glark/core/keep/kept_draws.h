@@ -75,7 +75,7 @@ class KeptDraws {
 
   const Environment& env_;
   DrawCache cache_;
-  DrawKey key_;  // scratch
+  DrawKey key_;                               // scratch
   std::optional<VertexRange> vertices_read_;  // by the draw whose key is made; empty: not known
 };
 

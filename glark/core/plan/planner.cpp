@@ -138,9 +138,8 @@ std::optional<Cause> Planner::find_program(const DrawCall& call, DrawPlan& plan)
     plan.assembly = &parts_.programs.assembly().find(current);
     plan.program = plan.assembly->program.get();
   } else {
-    plan.program = choice.stage == VertexStage::program
-                       ? current
-                       : parts_.programs.fixed_function().find(current, call.materials);
+    plan.program =
+        choice.stage == VertexStage::program ? current : parts_.programs.fixed_function().find(current, call.materials);
   }
   if (plan.program == nullptr) {
     return Cause::assembly_program;

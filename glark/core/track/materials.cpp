@@ -55,7 +55,7 @@ void for_each_attribute(const Context& c, MaterialSet parameters, Visit&& visit)
 
 template <typename Value>
 MaterialChange change_of(GLenum face, GLenum name, const Value* values, std::size_t count,
-                           void (*call)(const gl::Dispatch&, const MaterialChange&)) {
+                         void (*call)(const gl::Dispatch&, const MaterialChange&)) {
   MaterialChange change{.call = call, .face = face, .name = name};
   std::memcpy(change.words.data(), values, count * sizeof(Value));
   std::transform(values, values + count, change.components.begin(),
@@ -135,15 +135,13 @@ void record_materials_end(Context& c) {
 namespace hook {
 
 void Materialf(Context& c, GLenum face, GLenum name, GLfloat value) {
-  track::change_material(c,
-                         change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const MaterialChange& change) {
+  track::change_material(c, change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const MaterialChange& change) {
                            gl.Materialf(change.face, change.name, values_in<GLfloat>(change)[0]);
                          }));
 }
 
 void Materiali(Context& c, GLenum face, GLenum name, GLint value) {
-  track::change_material(c,
-                         change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const MaterialChange& change) {
+  track::change_material(c, change_of(face, name, &value, 1, [](const gl::Dispatch& gl, const MaterialChange& change) {
                            gl.Materiali(change.face, change.name, values_in<GLint>(change)[0]);
                          }));
 }

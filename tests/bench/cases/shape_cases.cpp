@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Measures the cost of a shape. Spheres are refined linearly, by curved triangles, by scalar-tagged triangles, and
-// displaced. Each is compared with the same number of triangles refined beforehand.
+// Measures the cost of a shape. Spheres are refined linearly, by curved triangles, by scalar-tagged triangles, by depth
+// tags, and displaced. Each is compared with the same number of triangles refined beforehand.
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "tests/bench/cases/case.h"
@@ -17,13 +18,13 @@ struct Shape {
   const char* name;
   GLenum refinement;
   bool displaced;
+  bool tagged = false;  // the level comes from an array of depth tags
 };
 
-constexpr Shape shapes[] = {{"linear", GL_LINEAR_INPUTS_ARK, false},
-                            {"pn", GL_CURVED_PN_ARK, false},
-                            {"stpn", GL_SCALAR_TAGGED_PN_ARK, false},
-                            {"linear-displaced", GL_LINEAR_INPUTS_ARK, true},
-                            {"pn-displaced", GL_CURVED_PN_ARK, true}};
+constexpr Shape shapes[] = {
+    {"linear", GL_LINEAR_INPUTS_ARK, false},  {"pn", GL_CURVED_PN_ARK, false},
+    {"stpn", GL_SCALAR_TAGGED_PN_ARK, false}, {"linear-displaced", GL_LINEAR_INPUTS_ARK, true},
+    {"pn-displaced", GL_CURVED_PN_ARK, true}, {"depth-tags", GL_LINEAR_INPUTS_ARK, false, true}};
 constexpr int height_unit = 5;
 
 void upload_waves() {
@@ -50,9 +51,10 @@ void run(const std::string& name, const Shape& shape, unsigned level, Report& re
   glARKinit(pool_level);
   if (shape.displaced) upload_waves();
   const Mesh mesh = make_sphere(1246);
-  const Subject coarse(mesh, Shading::glsl, View::sphere);
+  const std::vector<std::uint8_t> tags(shape.tagged ? mesh.vertices.size() : 0, static_cast<std::uint8_t>(level));
+  const Subject coarse(mesh, Shading::glsl, View::sphere, tags);
   const Subject fine(refine(mesh, level), Shading::glsl, View::sphere);
-  Competitor shaped = coarse.refined(level);
+  Competitor shaped = shape.tagged ? coarse.tagged() : coarse.refined(level);
   shaped.prepare = [prepare = shaped.prepare, shape] {
     prepare();
     choose(shape);

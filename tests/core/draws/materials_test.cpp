@@ -104,20 +104,19 @@ TEST_P(MaterialParameter, OfEachVertexOfAStrip) {
   light();
   glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, face == GL_BACK ? 1 : 0);
   glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, dark);
-  expect_same_picture(
-      [face = face, name = name] {
-        for (const int turned : {0, 1}) {
-          glFrontFace(turned != 0 ? GL_CW : GL_CCW);
-          glBegin(GL_TRIANGLE_STRIP);
-          for (int i = 0; i < 6; ++i) {
-            const GLfloat half[] = {colors[i / 2][0] / 2, colors[i / 2][1] / 2, colors[i / 2][2] / 2, 1};
-            glMaterialfv(face, name, half);
-            glVertex3f(zigzag[i].position[0] / 2 + static_cast<float>(turned) / 2 - 0.25F, zigzag[i].position[1], 0);
-          }
-          glEnd();
-        }
-        glFrontFace(GL_CCW);
-      });
+  expect_same_picture([face = face, name = name] {
+    for (const int turned : {0, 1}) {
+      glFrontFace(turned != 0 ? GL_CW : GL_CCW);
+      glBegin(GL_TRIANGLE_STRIP);
+      for (int i = 0; i < 6; ++i) {
+        const GLfloat half[] = {colors[i / 2][0] / 2, colors[i / 2][1] / 2, colors[i / 2][2] / 2, 1};
+        glMaterialfv(face, name, half);
+        glVertex3f(zigzag[i].position[0] / 2 + static_cast<float>(turned) / 2 - 0.25F, zigzag[i].position[1], 0);
+      }
+      glEnd();
+    }
+    glFrontFace(GL_CCW);
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MaterialParameter,
@@ -145,30 +144,28 @@ TEST_F(Materials, ShininessOfEachTriangle) {
 }
 
 TEST_F(Materials, IntegersAreNormalised) {
-  expect_same_picture(
-      [] {
-        glBegin(GL_TRIANGLE_STRIP);
-        for (int i = 0; i < 6; ++i) {
-          const GLint color[] = {i % 2 != 0 ? 1 << 30 : 1 << 29, 1 << 29, INT_MIN, INT_MAX};
-          glMaterialiv(GL_FRONT, GL_EMISSION, color);
-          vertex(i);
-        }
-        glEnd();
-      });
+  expect_same_picture([] {
+    glBegin(GL_TRIANGLE_STRIP);
+    for (int i = 0; i < 6; ++i) {
+      const GLint color[] = {i % 2 != 0 ? 1 << 30 : 1 << 29, 1 << 29, INT_MIN, INT_MAX};
+      glMaterialiv(GL_FRONT, GL_EMISSION, color);
+      vertex(i);
+    }
+    glEnd();
+  });
 }
 
 // The vertices before the first change have the material from before glBegin.
 TEST_F(Materials, InheritedByTheFirstVertices) {
-  expect_same_picture(
-      [] {
-        set_material(1);
-        glBegin(GL_TRIANGLE_STRIP);
-        for (int i = 0; i < 6; ++i) {
-          if (i == 3) set_material(2);
-          vertex(i);
-        }
-        glEnd();
-      });
+  expect_same_picture([] {
+    set_material(1);
+    glBegin(GL_TRIANGLE_STRIP);
+    for (int i = 0; i < 6; ++i) {
+      if (i == 3) set_material(2);
+      vertex(i);
+    }
+    glEnd();
+  });
 }
 
 TEST_F(Materials, LeaveTheAttributesOfTheApplication) {

@@ -31,8 +31,8 @@ TEST(ClientArrays, VerticesOfADrawWithoutIndices) {
 
 template <typename Index>
 void expect_range(GLenum type, std::int64_t first, std::int64_t count, const std::vector<Index>& indices) {
-  const ArrayDraw draw{.count = static_cast<GLsizei>(indices.size()), .index_type = type, .indices = indices.data(),
-                       .base_vertex = 10};
+  const ArrayDraw draw{
+      .count = static_cast<GLsizei>(indices.size()), .index_type = type, .indices = indices.data(), .base_vertex = 10};
   const auto range = vertices_read(draw, client_indices(draw));
   ASSERT_TRUE(range);
   EXPECT_EQ(range->first, first);

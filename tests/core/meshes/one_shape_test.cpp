@@ -330,10 +330,11 @@ TEST_F(OneShapeOf, AnOutlineBorrowsTheNormalsOfItsMesh) {
     glPopMatrix();
     glPopAttrib();
   });
-  const int ring = static_cast<int>((scale * scale - 1) * static_cast<GLfloat>(covered_pixels(inner)));
+  const double ring = (scale * scale - 1) * static_cast<GLfloat>(covered_pixels(inner));
+  const double tolerance = ring / 5;
   EXPECT_GT(covered_pixels(inner), round_pixels);
-  EXPECT_NEAR(covered_pixels(frames[3]), covered_pixels(inner) + ring, ring / 5);
-  EXPECT_NEAR(red_pixels(frames[3]), ring, ring / 5);
+  EXPECT_NEAR(covered_pixels(frames[3]), covered_pixels(inner) + ring, tolerance);
+  EXPECT_NEAR(red_pixels(frames[3]), ring, tolerance);
 }
 
 // What a program can read of its vertex array.

@@ -26,7 +26,8 @@ using MaterialSet = std::uint32_t;
 constexpr MaterialSet parameters_set_by(GLenum face, GLenum name) {
   MaterialSet set = 0;
   for (int i = 0; i < parameters_of_face; ++i) {
-    const bool both = name == GL_AMBIENT_AND_DIFFUSE && (material_names[i] == GL_AMBIENT || material_names[i] == GL_DIFFUSE);
+    const bool both =
+        name == GL_AMBIENT_AND_DIFFUSE && (material_names[i] == GL_AMBIENT || material_names[i] == GL_DIFFUSE);
     set |= material_names[i] == name || both ? 1U << i : 0U;
   }
   const MaterialSet front = face == GL_FRONT || face == GL_FRONT_AND_BACK ? set : 0;

@@ -20,7 +20,7 @@ struct MaterialChange {
   void (*call)(const gl::Dispatch& gl, const MaterialChange& material);
   GLenum face = 0;
   GLenum name = 0;
-  std::array<std::uint32_t, 4> words{};       // values, as bits
+  std::array<std::uint32_t, 4> words{};           // values, as bits
   std::array<GLfloat, 4> components{0, 0, 0, 1};  // values, as GL keeps them
 
   MaterialSet parameters() const { return parameters_set_by(face, name); }
