@@ -16,6 +16,7 @@ install(FILES include/GL/glark.h ${GLARK_WRITTEN_FOLDER}/glark_version.h DESTINA
 install(FILES include/glark/error.h include/glark/export.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glark)
 install(FILES include/glark/c/types.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glark/c)
 install(FILES glark/gl/glark.xml DESTINATION ${GLARK_REGISTRY_FOLDER})
+install(DIRECTORY docs/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man3 FILES_MATCHING PATTERN "*.3")
 
 configure_package_config_file(cmake/glarkConfig.cmake.in ${GLARK_WRITTEN_FOLDER}/glarkConfig.cmake
   INSTALL_DESTINATION ${GLARK_PACKAGE_FOLDER} PATH_VARS GLARK_REGISTRY_FOLDER NO_SET_AND_CHECK_MACRO)

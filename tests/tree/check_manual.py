@@ -15,6 +15,7 @@ from tracked import ROOT, text_of, tracked_files
 
 PAGE = "docs/man/glark.1"
 SCAN_PAGE = "docs/man/glark-scan.1"
+API_PAGES = [name for name in tracked_files() if re.fullmatch(r"docs/man/gl[A-Z]\w*\.3", name)]
 GLARK = ""
 
 
@@ -74,12 +75,18 @@ class Manual(unittest.TestCase):
             self.assertNotEqual("true", os.environ.get("CI"), "man is not installed; run scripts/install_packages --lint")
             self.skipTest("man is not installed")
         environment = dict(os.environ, MANROFFSEQ="", MANWIDTH="80", LC_ALL="C.UTF-8")
-        for page in (PAGE, SCAN_PAGE):
+        for page in (PAGE, SCAN_PAGE, *API_PAGES):
             result = subprocess.run(["man", "--warnings", "--encoding=UTF-8", "--troff-device=utf8", "--local-file", str(ROOT / page)],
                                     capture_output=True, text=True, env=environment)
             self.assertEqual(("", 0), (result.stderr, result.returncode))
         name = subprocess.run(["lexgrog", str(ROOT / PAGE)], capture_output=True, text=True)
         self.assertIn("glark - run OpenGL programs", name.stdout)
+
+    def test_every_function_of_the_extension(self):
+        functions = set(re.findall(r"<proto>void <name>(\w+)</name>", text_of("glark/gl/glark.xml")))
+        self.assertGreater(len(functions), 5)
+        named = [re.search(r"\.SH NAME\n(.*) \\- ", text_of(page)).group(1).split(", ") for page in API_PAGES]
+        self.assertEqual(sorted(functions), sorted(name for names in named for name in names))
 
     def test_finds_what_is_missing(self):
         self.assertEqual(["--levels"], missing({"--level", "--levels"}, "--level N"))

@@ -52,7 +52,9 @@ glark_code glark_depth_tagger_create(size_t vertices, glark_indices triangles, u
                                      glark_depth_tagger** tagger, glark_error* error) {
   return guarded(error, [&] {
     glark_depth_tagger*& result = needed(tagger, "tagger");
-    result = std::make_unique<glark_depth_tagger>(depth::Tagger(vertices, span_of(triangles), max_level)).release();
+    result =
+        std::make_unique<glark_depth_tagger>(glark_depth_tagger{depth::Tagger(vertices, span_of(triangles), max_level)})
+            .release();
   });
 }
 
