@@ -54,7 +54,8 @@ TEST(SurfelDegenerateClouds, CollinearPointsHaveNoTriangles) {
     points.positions[3 * i + 1] = points.positions[3 * i] * 0.1234567F;
     points.positions[3 * i + 2] = points.positions[3 * i] * 0.7654321F;
   }
-  for (const std::uint32_t point : Strips(points.cloud()).indices()) ASSERT_LT(point, 1000U);
+  const Strips strips(points.cloud());
+  for (const std::uint32_t point : strips.indices()) ASSERT_LT(point, 1000U);
 }
 
 TEST(SurfelDegenerateClouds, ZeroNormalsAreIgnored) {

@@ -6,6 +6,7 @@
 
 #include <glark/vstree.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>

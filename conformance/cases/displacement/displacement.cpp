@@ -3,6 +3,8 @@
 //
 // Displacement (11.R.7b). Textures are small, so that the samplers' results are known.
 #include <fmt/core.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "conformance/cases/cases.h"

@@ -3,6 +3,8 @@
 //
 // Refined inputs (11.R.6): every type of input compared with (11.R.1), by bits.
 #include <fmt/core.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "conformance/cases/cases.h"

@@ -54,11 +54,11 @@ void note_data_flow(const std::vector<VertexUnit>& units, const std::vector<Pars
     traits.variation.outputs = {{"gl_Position", Variation::undefined, unknown}};
     return;
   }
-  std::vector<TIntermNode*> roots;
-  for (const Parsed& unit : parsed) roots.push_back(unit.tree->root());
-  note_system_values(reached_names(roots), traits);
+  std::vector<const SyntaxTree*> trees;
+  for (const Parsed& unit : parsed) trees.push_back(unit.tree.get());
+  note_system_values(reached_names(trees), traits);
   const StageVariation too_large{{{"gl_Position", Variation::undefined, unknown}}};
-  traits.variation = find_variation(roots, constants).value_or(too_large);
+  traits.variation = find_variation(trees, constants).value_or(too_large);
 }
 
 Inspection inspect(const std::vector<std::string>& sources, bool es, const std::vector<std::string>& extensions,

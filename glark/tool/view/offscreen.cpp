@@ -14,7 +14,10 @@
 
 #include "glark/clients/geometry/write/output_file.h"
 #include "glark/tool/view/gl.h"
-// After glad, which stands for <GL/gl.h>.
+// After glad, which stands for <GL/gl.h> but does not define APIENTRY.
+#ifndef APIENTRY
+#define APIENTRY GLAPIENTRY
+#endif
 #include <GL/osmesa.h>
 
 namespace glark::tool {

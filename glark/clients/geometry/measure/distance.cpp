@@ -43,6 +43,14 @@ struct Places {
 using Tree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Places>, Places, 3, std::uint32_t>;
 
+#if NANOFLANN_VERSION >= 0x150
+using SearchParameters = nanoflann::SearchParameters;
+using Found = nanoflann::ResultItem<std::uint32_t, double>;
+#else
+using SearchParameters = nanoflann::SearchParams;
+using Found = std::pair<std::uint32_t, double>;
+#endif
+
 class Surface {
  public:
   Surface(const Geometry& geometry, const std::array<double, 3>& shift) : geometry_(geometry), shift_(shift) {
@@ -62,8 +70,8 @@ class Surface {
     if (geometry_.triangles.empty()) return {std::sqrt(square), point_normal(places_.owner[place])};
     // The nearest triangle has a place within `spacing` of its nearest point, hence within this radius.
     const double radius = std::sqrt(square) + places_.spacing;
-    std::vector<std::pair<std::uint32_t, double>>& found = found_;
-    nanoflann::SearchParams unsorted;
+    std::vector<Found>& found = found_;
+    SearchParameters unsorted;
     unsorted.sorted = false;
     tree_->radiusSearch(&from.x, radius * radius * (1 + 1e-9), found, unsorted);
     double best = square;
@@ -130,7 +138,7 @@ class Surface {
   std::array<double, 3> shift_;
   Places places_;
   std::optional<Tree> tree_;
-  mutable std::vector<std::pair<std::uint32_t, double>> found_;
+  mutable std::vector<Found> found_;
 };
 
 struct Sums {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/glsl/frontend.h"
 
-#include <glslang/Include/intermediate.h>
-#include <glslang/MachineIndependent/localintermediate.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 
@@ -15,6 +13,7 @@
 #include <utility>
 
 #include "glark/core/refine/glsl/interface.h"
+#include "glark/core/refine/syntax/shadowing.h"
 
 namespace glark::refine {
 namespace {
@@ -152,49 +151,7 @@ bool is_limitation(const std::string& error) {
          (error.find("'gl_") != std::string::npos && error.find("undeclared") != std::string::npos);
 }
 
-class FindMemoryWrites : public glslang::TIntermTraverser {
- public:
-  bool found = false;
-
-  bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
-    const glslang::TOperator op = node->getOp();
-    const bool image = op == glslang::EOpImageStore || op == glslang::EOpImageStoreLod ||
-                       (op >= glslang::EOpImageAtomicAdd && op <= glslang::EOpImageAtomicStore);
-    const bool atomic = op >= glslang::EOpAtomicAdd && op <= glslang::EOpAtomicCounterCompSwap;
-    if (image || atomic) found = true;
-    const glslang::TIntermSequence& arguments = node->getSequence();
-    const glslang::TQualifierList& qualifiers = node->getQualifierList();
-    for (std::size_t i = 0; op == glslang::EOpFunctionCall && i < qualifiers.size() && i < arguments.size(); ++i) {
-      if (qualifiers[i] == glslang::EvqOut || qualifiers[i] == glslang::EvqInOut)
-        note_target(arguments[i]->getAsTyped());
-    }
-    return true;
-  }
-
-  bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
-    if (node->modifiesState()) note_target(node->getLeft());
-    return true;
-  }
-
-  bool visitUnary(glslang::TVisit, glslang::TIntermUnary* node) override {
-    const glslang::TOperator op = node->getOp();
-    if (node->modifiesState()) note_target(node->getOperand());
-    if (op >= glslang::EOpAtomicAdd && op <= glslang::EOpAtomicCounterCompSwap) found = true;
-    return true;
-  }
-
- private:
-  void note_target(glslang::TIntermTyped* target) {
-    while (target != nullptr && target->getAsBinaryNode() != nullptr) target = target->getAsBinaryNode()->getLeft();
-    if (target != nullptr && target->getQualifier().storage == glslang::EvqBuffer) found = true;
-  }
-};
-
 }  // namespace
-
-SyntaxTree::SyntaxTree(std::unique_ptr<glslang::TShader> shader) : shader_(std::move(shader)) {}
-SyntaxTree::~SyntaxTree() = default;
-TIntermNode* SyntaxTree::root() const { return shader_->getIntermediate()->getTreeRoot(); }
 
 Preprocessed preprocess(const std::string& source, bool es, const std::vector<std::string>& extensions) {
   initialize();
@@ -221,21 +178,19 @@ namespace {
 Parsed parse(const std::string& preprocessed, bool es) {
   const char* const text = preprocessed.c_str();
   const int length = static_cast<int>(preprocessed.size());
-  auto shader = std::make_unique<glslang::TShader>(EShLangVertex);
-  shader->setStringsWithLengths(&text, &length, 1);
+  glslang::TShader shader(EShLangVertex);
+  shader.setStringsWithLengths(&text, &length, 1);
+  // The tree is written to the debug log.
+  constexpr auto with_tree = static_cast<EShMessages>(messages | EShMsgAST);
   Parsed result;
-  result.ok = shader->parse(&resources(), default_version(es), ENoProfile, false, false, messages);
+  result.ok = shader.parse(&resources(), default_version(es), ENoProfile, false, false, with_tree);
   if (!result.ok) {
-    result.error = first_error(shader->getInfoLog());
+    result.error = first_error(shader.getInfoLog());
     result.limited = is_limitation(result.error);
     return result;
   }
-  result.tree = std::make_unique<const SyntaxTree>(std::move(shader));
-  if (TIntermNode* const root = result.tree->root()) {
-    FindMemoryWrites find;
-    root->traverse(&find);
-    result.writes_memory = find.found;
-  }
+  result.tree = std::make_unique<const SyntaxTree>(shader.getInfoDebugLog(), shadowing_names(tokenize(preprocessed)));
+  result.writes_memory = writes_memory(*result.tree);
   return result;
 }
 

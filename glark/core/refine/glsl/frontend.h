@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "glark/core/refine/glsl/syntax_tree.h"
+#include "glark/core/refine/syntax/syntax_tree.h"
 
 namespace glark::refine {
 

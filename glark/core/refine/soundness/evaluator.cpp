@@ -3,112 +3,102 @@
 #include "glark/core/refine/soundness/evaluator.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace glark::refine {
 namespace {
 
-using glslang::TIntermAggregate;
-using glslang::TIntermBinary;
-using glslang::TIntermSelection;
-using glslang::TIntermSymbol;
-using glslang::TIntermTyped;
-using glslang::TIntermUnary;
-
-std::size_t constant_index(TIntermTyped* node) {
-  const glslang::TIntermConstantUnion* const constant = node->getAsConstantUnion();
-  return constant != nullptr ? static_cast<std::size_t>(std::max(constant->getConstArray()[0].getIConst(), 0)) : 0;
+std::size_t constant_index(const SyntaxNode& node) {
+  return node.kind == NodeKind::constant ? static_cast<std::size_t>(std::max(node.first_number, 0LL)) : 0;
 }
 
-std::vector<std::size_t> swizzle_of(TIntermBinary& node) {
+std::vector<std::size_t> swizzle_of(const SyntaxNode& node) {
   std::vector<std::size_t> components;
-  for (TIntermNode* component : node.getRight()->getAsAggregate()->getSequence()) {
-    components.push_back(constant_index(component->getAsTyped()));
-  }
+  for (const SyntaxNode& component : node.children[1].children) components.push_back(constant_index(component));
   return components;
 }
 
-bool is_integer(const glslang::TType& type) {
-  const glslang::TBasicType basic = type.getBasicType();
-  return basic != glslang::EbtVoid && !type.isStruct() && !type.isFloatingDomain() && !type.isOpaque();
-}
+bool is_constructor(const SyntaxNode& node) { return node.words.starts_with("Construct "); }
 
-bool is_conversion(glslang::TOperator op) {
-  return op >= glslang::EOpConvInt8ToBool && op <= glslang::EOpConvUvec2ToAccStruct;
+bool is_texture(const SyntaxNode& node) {
+  const std::string_view words = node.words;
+  return words.starts_with("texture") || words.starts_with("image") || words.starts_with("sparse");
 }
 
 // Built-in functions with output parameters; none of these is the first one.
-bool writes_arguments(glslang::TOperator op) {
-  switch (op) {
-    case glslang::EOpModf:
-    case glslang::EOpFrexp:
-    case glslang::EOpAddCarry:
-    case glslang::EOpSubBorrow:
-    case glslang::EOpUMulExtended:
-    case glslang::EOpIMulExtended: return true;
-    default: return false;
-  }
+bool writes_arguments(const SyntaxNode& node) {
+  constexpr std::array words = {"modf", "frexp", "addCarry", "subBorrow", "uMulExtended", "iMulExtended"};
+  return std::find(words.begin(), words.end(), node.words) != words.end();
 }
 
-// The components of a vector can be told apart, unless the vector is an element of an array.
-bool has_components(const glslang::TType& type) { return type.isVector() && !type.isArray(); }
+// The type of a constant is not known. Two to four numbers may be a vector.
+Shape shape_of_constant(const SyntaxNode& node) {
+  Shape shape;
+  if (node.count > 1 && node.count <= 4) shape.parts.resize(node.count);
+  return shape;
+}
 
 }  // namespace
 
-Shape Evaluator::evaluate(TIntermNode* node) {
+Shape Evaluator::evaluate(const SyntaxNode& node) {
   ++run_.steps;
-  if (node == nullptr) return {};
-  if (TIntermSymbol* const symbol = node->getAsSymbolNode()) return read(*symbol);
-  if (TIntermBinary* const binary = node->getAsBinaryNode()) return evaluate_binary(*binary);
-  if (TIntermUnary* const unary = node->getAsUnaryNode()) return evaluate_unary(*unary);
-  if (TIntermAggregate* const aggregate = node->getAsAggregate()) return evaluate_aggregate(*aggregate);
-  if (TIntermSelection* const selection = node->getAsSelectionNode()) return evaluate_selection(*selection);
-  if (TIntermTyped* const typed = node->getAsTyped()) return shape_of(typed->getType());
-  return {};
+  switch (node.kind) {
+    case NodeKind::symbol: return read(node);
+    case NodeKind::constant: return shape_of_constant(node);
+    case NodeKind::selection: return evaluate_selection(node);
+    case NodeKind::call: return functions_.call(node);
+    case NodeKind::operation: return evaluate_operation(node);
+    case NodeKind::sequence: {
+      Shape last;
+      for (const SyntaxNode& child : node.children) last = evaluate(child);
+      return last;
+    }
+    default: return {};
+  }
 }
 
-Shape Evaluator::read(TIntermSymbol& symbol) {
-  const std::string name{std::string_view(symbol.getName())};
+Shape Evaluator::read(const SyntaxNode& symbol) {
+  const std::string& name = symbol.words;
   if (is_input(symbol)) {
     const bool constant = name.starts_with("gl_InstanceID") || name.starts_with("gl_Base") ||
                           name.starts_with("gl_DrawID") || run_.constants.contains(name);
-    if (constant) return shape_of(symbol.getType());
+    if (constant) return shape_of(*symbol.type);
     Value value{Variation::affine, run_.notes.input(name), -1};
-    if (is_integer(symbol.getType())) {
-      value = run_.notes.worsened(value, Variation::undefined, run_.place(symbol.getLoc().line), "integer value");
+    if (symbol.type->basic == BasicType::integer) {
+      value = run_.notes.worsened(value, Variation::undefined, run_.place(symbol.line), "integer value");
     }
-    return shape_of(symbol.getType(), value);
+    return shape_of(*symbol.type, value);
   }
-  const glslang::TStorageQualifier storage = symbol.getQualifier().storage;
-  if (storage == glslang::EvqUniform || storage == glslang::EvqBuffer) return shape_of(symbol.getType());
+  const StorageClass storage = symbol.type->storage;
+  if (storage == StorageClass::uniform || storage == StorageClass::buffer) return shape_of(*symbol.type);
   return run_.memory.at(run_.memory.variable(symbol, run_.calls.back().unit));
 }
 
-Shape Evaluator::evaluate_binary(TIntermBinary& node) {
-  switch (node.getOp()) {
-    case glslang::EOpIndexDirect:
-    case glslang::EOpIndexIndirect:
-    case glslang::EOpIndexDirectStruct: return evaluate_part(node);
-    case glslang::EOpVectorSwizzle: return evaluate_swizzle(node);
-    case glslang::EOpLogicalAnd:
-    case glslang::EOpLogicalOr: {
-      const Shape left = evaluate(node.getLeft());
-      const Value outside = run_.control;
-      run_.control = worse(outside, merged(left));  // the right side may not be evaluated
-      const Shape right = evaluate(node.getRight());
-      run_.control = outside;
-      return operate(node, operation(node.getOp()), {left, right});
-    }
-    default: break;
+Shape Evaluator::evaluate_operation(const SyntaxNode& node) {
+  if (selects_part(node)) {
+    if (node.words == "direct index for structure") return evaluate_member(node);
+    return node.words == "vector swizzle" ? evaluate_swizzle(node) : evaluate_part(node);
   }
-  if (is_assignment(node.getOp())) return evaluate_assignment(node);
-  return operate(node, operation(node.getOp()), {evaluate(node.getLeft()), evaluate(node.getRight())});
+  if (node.children.size() != 2) return evaluate_known(node);
+  if (node.words == "logical-and" || node.words == "logical-or") return evaluate_logical(node);
+  if (const auto operation = within_assignment(node.words)) return evaluate_assignment(node, *operation);
+  return evaluate_known(node);
 }
 
-Shape Evaluator::evaluate_assignment(TIntermBinary& node) {
-  const glslang::TOperator op = within_assignment(node.getOp());
-  Shape value = evaluate(node.getRight());
-  if (op != glslang::EOpNull) value = operate(node, operation(op), {evaluate(node.getLeft()), value});
-  store(node.getLeft(), value);
+Shape Evaluator::evaluate_logical(const SyntaxNode& node) {
+  const Shape left = evaluate(node.children[0]);
+  const Value outside = run_.control;
+  run_.control = worse(outside, merged(left));  // the right side may not be evaluated
+  const Shape right = evaluate(node.children[1]);
+  run_.control = outside;
+  return operate(node, operation(node.words), {left, right});
+}
+
+Shape Evaluator::evaluate_assignment(const SyntaxNode& node, std::string_view words) {
+  Shape value = evaluate(node.children[1]);
+  if (!words.empty()) value = operate(node, operation(words), {evaluate(node.children[0]), value});
+  store(node.children[0], value);
   return value;
 }
 
@@ -116,28 +106,31 @@ Value Evaluator::as_index(const Value& value, int line) {
   return run_.notes.worsened(value, Variation::undefined, run_.place(line), "index made");
 }
 
-Shape Evaluator::evaluate_part(TIntermBinary& node) {
-  TIntermTyped& whole = *node.getLeft();
-  TIntermSymbol* const symbol = whole.getAsSymbolNode();
-  const std::size_t index = constant_index(node.getRight());
-  if (node.getOp() == glslang::EOpIndexDirectStruct) {
-    if (symbol != nullptr && is_anonymous_block(*symbol)) {
-      const bool written = symbol->getQualifier().storage == glslang::EvqVaryingOut;
-      return written ? run_.memory.at(run_.memory.block_member(whole.getType(), index)) : shape_of(node.getType());
-    }
-    const Shape shape = evaluate(&whole);
-    return index < shape.parts.size() ? shape.parts[index] : shape_of(node.getType(), merged(shape));
+Shape Evaluator::evaluate_member(const SyntaxNode& node) {
+  const SyntaxNode& whole = node.children[0];
+  const std::optional<std::size_t> index = whole.type->member(node.member);
+  if (is_anonymous_block(whole) && index) {
+    const bool written = whole.type->storage == StorageClass::output;
+    return written ? run_.memory.at(run_.memory.block_member(*whole.type, node.member)) : shape_of(*node.type);
   }
-  const Shape shape = evaluate(&whole);
-  if (node.getOp() == glslang::EOpIndexDirect && has_components(whole.getType())) return component(shape, index);
-  const Value chosen = as_index(merged(evaluate(node.getRight())), node.getLoc().line);
-  Shape result = whole.getType().isArray() ? shape : shape_of(node.getType(), merged(shape));
+  const Shape shape = evaluate(whole);
+  return index && *index < shape.parts.size() ? shape.parts[*index] : shape_of(*node.type, merged(shape));
+}
+
+Shape Evaluator::evaluate_part(const SyntaxNode& node) {
+  const SyntaxNode& whole = node.children[0];
+  const Shape shape = evaluate(whole);
+  if (node.words == "direct index" && whole.type->has_components()) {
+    return component(shape, constant_index(node.children[1]));
+  }
+  const Value chosen = as_index(merged(evaluate(node.children[1])), node.line);
+  Shape result = whole.type->array ? shape : shape_of(*node.type, merged(shape));
   worsen(result, chosen);
   return result;
 }
 
-Shape Evaluator::evaluate_swizzle(TIntermBinary& node) {
-  const Shape shape = evaluate(node.getLeft());
+Shape Evaluator::evaluate_swizzle(const SyntaxNode& node) {
+  const Shape shape = evaluate(node.children[0]);
   const std::vector<std::size_t> components = swizzle_of(node);
   if (components.size() == 1) return component(shape, components[0]);
   Shape result;
@@ -145,39 +138,29 @@ Shape Evaluator::evaluate_swizzle(TIntermBinary& node) {
   return result;
 }
 
-Shape Evaluator::evaluate_unary(TIntermUnary& node) {
-  const Shape operand = evaluate(node.getOperand());
-  const glslang::TOperator op = node.getOp();
-  if (op == glslang::EOpArrayLength) return shape_of(node.getType());
-  if (is_conversion(op)) return convert(node, operand);
-  if (node.isConstructor()) return construct(node.getType(), {operand});
-  Shape result = operate(node, operation(op), {operand});
-  if (node.modifiesState()) store(node.getOperand(), result);
-  return result;
-}
-
 // Integers have no values between vertices.
-Shape Evaluator::convert(TIntermUnary& node, const Shape& operand) {
-  const glslang::TType& to = node.getType();
-  const bool from_float = node.getOperand()->getType().isFloatingDomain();
-  if (!from_float || to.isFloatingDomain()) return operate(node, {Effect::linear, true, {}}, {operand});
-  const bool truth = to.getBasicType() == glslang::EbtBool;
+Shape Evaluator::convert(const SyntaxNode& node, const Shape& operand) {
+  const bool from_float = node.words.starts_with("Convert float") || node.words.starts_with("Convert double");
+  if (!from_float || node.type->basic == BasicType::floating) {
+    return operate(node, {Effect::linear, true, {}}, {operand});
+  }
+  const bool truth = node.words.ends_with(" to bool");
   return operate(
       node, {truth ? Effect::switched : Effect::undefined, true, truth ? "conversion to bool" : "integer conversion"},
       {operand});
 }
 
-Shape Evaluator::construct(const glslang::TType& type, const std::vector<Shape>& arguments) {
+Shape Evaluator::construct(const Type& type, const std::vector<Shape>& arguments) {
   Value all;
   for (const Shape& argument : arguments) all = worse(all, merged(argument));
-  if (type.isArray() || type.isMatrix()) {
-    if (!type.isArray() || !type.isStruct()) return shape_of(type, all);
+  if (type.array || type.matrix) {
+    if (!type.array || !type.is_structure()) return shape_of(type, all);
     Shape element = shape_of(type);
     for (const Shape& argument : arguments) join(element, argument);
     return element;
   }
   Shape result = shape_of(type);
-  if (type.isStruct()) {
+  if (type.is_structure()) {
     for (std::size_t i = 0; i < result.parts.size() && i < arguments.size(); ++i) result.parts[i] = arguments[i];
     return result;
   }
@@ -218,106 +201,107 @@ Value Evaluator::apply(const Operation& operation, const std::vector<Value>& arg
   return run_.notes.worsened(all, Variation::undefined, run_.place(line), name);
 }
 
-Shape Evaluator::operate(glslang::TIntermOperator& node, const Operation& operation,
-                         const std::vector<Shape>& arguments) {
-  const int line = node.getLoc().line;
-  Shape result = shape_of(node.getType());
+Shape Evaluator::operate(const SyntaxNode& node, const Operation& operation, const std::vector<Shape>& arguments) {
+  Shape result = shape_of(*node.type);
   std::vector<Value> values(arguments.size());
   const auto at = [&](std::size_t i) {
     std::transform(arguments.begin(), arguments.end(), values.begin(),
                    [&](const Shape& argument) { return merged(component(argument, i)); });
-    return apply(operation, values, line);
+    return apply(operation, values, node.line);
   };
-  if (operation.by_component && has_components(node.getType())) {
+  if (operation.by_component && node.type->has_components()) {
     for (std::size_t i = 0; i < result.parts.size(); ++i) fill(result.parts[i], at(i));
     return result;
   }
   std::transform(arguments.begin(), arguments.end(), values.begin(), [](const Shape& a) { return merged(a); });
-  fill(result, apply(operation, values, line));
+  fill(result, apply(operation, values, node.line));
   return result;
 }
 
-Shape Evaluator::evaluate_aggregate(TIntermAggregate& node) {
-  if (node.getOp() == glslang::EOpFunctionCall) return functions_.call(node);
+Shape Evaluator::evaluate_known(const SyntaxNode& node) {
   std::vector<Shape> arguments;
-  for (TIntermNode* argument : node.getSequence()) arguments.push_back(evaluate(argument));
-  if (node.getOp() == glslang::EOpComma || node.getOp() == glslang::EOpSequence) {
-    return arguments.empty() ? Shape{} : arguments.back();
+  for (const SyntaxNode& argument : node.children) arguments.push_back(evaluate(argument));
+  if (node.words == "Comma") return arguments.empty() ? Shape{} : arguments.back();
+  if (node.words == "ftransform" && arguments.empty()) {
+    return shape_of(*node.type, {Variation::affine, run_.notes.input("gl_Vertex"), -1});
   }
-  if (node.getOp() == glslang::EOpFtransform) {
-    return shape_of(node.getType(), {Variation::affine, run_.notes.input("gl_Vertex"), -1});
-  }
-  if (node.isConstructor()) return construct(node.getType(), arguments);
+  if (node.words == "array length") return shape_of(*node.type);
+  if (node.words.starts_with("Convert ") && arguments.size() == 1) return convert(node, arguments[0]);
+  if (is_constructor(node)) return construct(*node.type, arguments);
   Value all;
   for (const Shape& argument : arguments) all = worse(all, merged(argument));
-  if (node.isTexture() || node.isImage()) return evaluate_texture(node, all);
-  Shape result = operate(node, operation(node.getOp()), arguments);
-  for (std::size_t i = 1; writes_arguments(node.getOp()) && i < arguments.size(); ++i) {
-    store(node.getSequence()[i], {merged(result), {}});
+  if (is_texture(node)) return evaluate_texture(node, all);
+  Shape result = operate(node, operation(node.words), arguments);
+  if (modifies_operand(node)) store(node.children[0], result);
+  for (std::size_t i = 1; writes_arguments(node) && i < arguments.size(); ++i) {
+    store(node.children[i], {merged(result), {}});
   }
   return result;
 }
 
 // A filtered texture is continuous. Texels that are fetched by their numbers are not.
-Shape Evaluator::evaluate_texture(TIntermAggregate& node, const Value& arguments) {
-  glslang::TCrackedTextureOp access{};
-  const TIntermTyped* const first = node.getSequence()[0]->getAsTyped();
-  node.crackTexture(first->getType().getSampler(), access);
-  if (access.query) return shape_of(node.getType());
-  const bool by_number = access.fetch || access.gather || node.isImage() || is_integer(node.getType());
+Shape Evaluator::evaluate_texture(const SyntaxNode& node, const Value& arguments) {
+  const std::string_view words = node.words;
+  const auto contains = [&](std::string_view part) { return words.find(part) != std::string_view::npos; };
+  if (words == "textureSize" || words == "textureSamples" || contains("Query")) return shape_of(*node.type);
+  const bool by_number = contains("Fetch") || contains("Gather") || words.starts_with("image") || contains("Image") ||
+                         node.type->basic == BasicType::integer;
   const Operation effect{by_number ? Effect::undefined : Effect::continuous, false, "texel fetch"};
-  return shape_of(node.getType(), apply(effect, {arguments}, node.getLoc().line));
+  return shape_of(*node.type, apply(effect, {arguments}, node.line));
 }
 
-Shape Evaluator::evaluate_selection(TIntermSelection& node) {
-  const Value chosen = condition(node.getCondition());
+Shape Evaluator::evaluate_selection(const SyntaxNode& node) {
+  const auto evaluate_case = [&](Role role) {
+    const SyntaxNode* const part = node.part(role);
+    return part != nullptr ? evaluate(*part) : Shape{};
+  };
+  const Value chosen = merged(evaluate_case(Role::condition));
   const Value outside = run_.control;
   run_.control = worse(outside, chosen);
-  Shape result = evaluate(node.getTrueBlock());
-  join(result, evaluate(node.getFalseBlock()));
+  Shape result = evaluate_case(Role::true_case);
+  const Shape other = evaluate_case(Role::false_case);
+  if (result.parts.size() != other.parts.size()) result = shape_of(*node.type, merged(result));
+  join(result, other.parts.size() == result.parts.size() ? other : shape_of(*node.type, merged(other)));
   run_.control = outside;
   worsen(result, chosen);
   return result;
 }
 
-Evaluator::Target Evaluator::target(TIntermNode* node) {
+Evaluator::Target Evaluator::target(const SyntaxNode& node) {
+  if (selects_part(node)) return target_part(node);
   Target result;
-  if (TIntermSymbol* const symbol = node->getAsSymbolNode()) {
-    result.variable = run_.memory.variable(*symbol, run_.calls.back().unit);
-    return result;
-  }
-  TIntermBinary* const binary = node->getAsBinaryNode();
-  return binary != nullptr ? target_part(*binary) : result;
+  if (node.kind != NodeKind::symbol) return result;
+  result.variable = run_.memory.variable(node, run_.calls.back().unit);
+  result.shared = node.shares_name;
+  return result;
 }
 
-Evaluator::Target Evaluator::target_part(TIntermBinary& node) {
-  TIntermTyped& whole = *node.getLeft();
-  TIntermSymbol* const symbol = whole.getAsSymbolNode();
-  Target result;
-  if (node.getOp() == glslang::EOpIndexDirectStruct && symbol != nullptr && is_anonymous_block(*symbol)) {
-    result.variable = run_.memory.block_member(whole.getType(), constant_index(node.getRight()));
+Evaluator::Target Evaluator::target_part(const SyntaxNode& node) {
+  const SyntaxNode& whole = node.children[0];
+  const std::optional<std::size_t> member = whole.type->member(node.member);
+  if (is_anonymous_block(whole) && member) {
+    Target result;
+    result.variable = run_.memory.block_member(*whole.type, node.member);
     return result;
   }
-  result = target(&whole);
-  if (node.getOp() == glslang::EOpIndexDirectStruct) {
-    result.path.push_back(constant_index(node.getRight()));
-  } else if (node.getOp() == glslang::EOpVectorSwizzle ||
-             (node.getOp() == glslang::EOpIndexDirect && has_components(whole.getType()))) {
-    std::vector<std::size_t> components = node.getOp() == glslang::EOpVectorSwizzle
-                                              ? swizzle_of(node)
-                                              : std::vector<std::size_t>{constant_index(node.getRight())};
+  Target result = target(whole);
+  if (node.words == "direct index for structure") {
+    result.path.push_back(member.value_or(0));
+  } else if (node.words == "vector swizzle" || (node.words == "direct index" && whole.type->has_components())) {
+    std::vector<std::size_t> components =
+        node.words == "vector swizzle" ? swizzle_of(node) : std::vector<std::size_t>{constant_index(node.children[1])};
     for (std::size_t& index : components) {
       if (result.components && index < result.components->size()) index = (*result.components)[index];
     }
     result.components = std::move(components);
   } else {
     result.shared = true;
-    result.index = worse(result.index, as_index(merged(evaluate(node.getRight())), node.getLoc().line));
+    result.index = worse(result.index, as_index(merged(evaluate(node.children[1])), node.line));
   }
   return result;
 }
 
-void Evaluator::store(TIntermNode* node, Shape value) {
+void Evaluator::store(const SyntaxNode& node, Shape value) {
   const Target place = target(node);
   if (place.variable < 0 || run_.memory.state().dead) return;
   worsen(value, worse(run_.whole_control(), place.index));

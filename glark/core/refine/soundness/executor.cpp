@@ -2,47 +2,28 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/soundness/executor.h"
 
+#include <utility>
+
 namespace glark::refine {
 namespace {
-
-using glslang::TIntermAggregate;
-using glslang::TIntermBranch;
-using glslang::TIntermLoop;
-using glslang::TIntermSelection;
-using glslang::TIntermSequence;
-using glslang::TIntermSwitch;
 
 constexpr std::size_t most_steps = 400000;
 constexpr std::size_t deepest_call = 64;
 constexpr const char* main_function = "main(";
 
-bool is_function(TIntermNode* node) {
-  return node->getAsAggregate() != nullptr && node->getAsAggregate()->getOp() == glslang::EOpFunction;
+bool writes(const SyntaxNode& parameter) {
+  return parameter.type->storage == StorageClass::output || parameter.type->storage == StorageClass::inout;
 }
 
-bool is_list(const TIntermAggregate& node) {
-  return node.getOp() == glslang::EOpSequence || node.getOp() == glslang::EOpScope;
-}
-
-bool writes(const glslang::TIntermTyped& parameter) {
-  const glslang::TStorageQualifier storage = parameter.getQualifier().storage;
-  return storage == glslang::EvqOut || storage == glslang::EvqInOut;
-}
-
-const TIntermSequence& parameters_of(TIntermAggregate& function) {
-  return function.getSequence()[0]->getAsAggregate()->getSequence();
-}
+const std::vector<SyntaxNode>& parameters_of(const SyntaxNode& function) { return function.children.front().children; }
 
 }  // namespace
 
-Executor::Executor(const std::vector<TIntermNode*>& roots)
-    : roots_(roots), run_(roots.size()), evaluator_(run_, *this) {
-  for (std::size_t unit = 0; unit < roots.size(); ++unit) {
-    TIntermAggregate* const root = roots[unit] != nullptr ? roots[unit]->getAsAggregate() : nullptr;
-    if (root == nullptr) continue;
-    if (is_function(root)) functions_[root->getName().c_str()] = {unit, root};
-    for (TIntermNode* node : root->getSequence()) {
-      if (is_function(node)) functions_[node->getAsAggregate()->getName().c_str()] = {unit, node->getAsAggregate()};
+Executor::Executor(const std::vector<const SyntaxTree*>& trees)
+    : trees_(trees), run_(trees.size()), evaluator_(run_, *this) {
+  for (std::size_t unit = 0; unit < trees.size(); ++unit) {
+    for (const SyntaxNode& part : trees[unit]->parts()) {
+      if (part.kind == NodeKind::function && !part.children.empty()) functions_[part.words] = {unit, &part};
     }
   }
 }
@@ -50,31 +31,27 @@ Executor::Executor(const std::vector<TIntermNode*>& roots)
 bool Executor::too_long() const { return run_.steps > most_steps; }
 
 bool Executor::run() {
-  for (std::size_t unit = 0; unit < roots_.size(); ++unit) {
-    TIntermAggregate* const root = roots_[unit] != nullptr ? roots_[unit]->getAsAggregate() : nullptr;
-    if (root == nullptr || is_function(root)) continue;
+  for (std::size_t unit = 0; unit < trees_.size(); ++unit) {
     run_.calls.push_back({.unit = unit});
-    for (TIntermNode* node : root->getSequence()) {
-      const bool linker_objects =
-          node->getAsAggregate() != nullptr && node->getAsAggregate()->getOp() == glslang::EOpLinkerObjects;
-      if (!is_function(node) && !linker_objects) execute(node);
+    for (const SyntaxNode& part : trees_[unit]->parts()) {
+      if (part.kind != NodeKind::function && part.kind != NodeKind::linker_objects) execute(part);
     }
     run_.calls.pop_back();
   }
   const auto main = functions_.find(main_function);
   if (main == functions_.end()) return false;
   run_.calls.push_back({});
-  execute_body(main->second, main->second.definition->getType());
+  execute_body(main->second);
   run_.calls.pop_back();
   return !too_long();
 }
 
 // Begins in the state of the caller and leaves the state after the function.
-Call Executor::execute_body(const Function& function, const glslang::TType& result) {
+Call Executor::execute_body(const Function& function) {
   const Value outside = run_.control;
   run_.control = run_.whole_control();
-  run_.calls.push_back({.unit = function.unit, .result = shape_of(result)});
-  const TIntermSequence& parts = function.definition->getSequence();
+  run_.calls.push_back({.unit = function.unit, .result = shape_of(*function.definition->type)});
+  const std::vector<SyntaxNode>& parts = function.definition->children;
   for (std::size_t i = 1; i < parts.size(); ++i) execute(parts[i]);
   Call finished = std::move(run_.calls.back());
   run_.calls.pop_back();
@@ -83,90 +60,96 @@ Call Executor::execute_body(const Function& function, const glslang::TType& resu
   return finished;
 }
 
-Shape Executor::call(TIntermAggregate& call) {
-  const auto found = functions_.find(std::string{std::string_view(call.getName())});
-  if (found == functions_.end() || run_.calls.size() > deepest_call || too_long()) return call_unknown(call);
+Shape Executor::call(const SyntaxNode& call) {
+  const auto found = functions_.find(call.words);
+  if (found == functions_.end()) return call_unknown(call, nullptr);
   const Function& function = found->second;
-  const TIntermSequence& parameters = parameters_of(*function.definition);
+  if (run_.calls.size() > deepest_call || too_long()) return call_unknown(call, function.definition);
+  const std::vector<SyntaxNode>& parameters = parameters_of(*function.definition);
   pass_arguments(call, parameters, function.unit);
-  Shape result = execute_body(function, call.getType()).result;
-  take_results(call.getSequence(), parameters, function.unit);
+  Shape result = execute_body(function).result;
+  take_results(call.children, parameters, function.unit);
   return result;
 }
 
-void Executor::pass_arguments(TIntermAggregate& call, const TIntermSequence& parameters, std::size_t unit) {
+void Executor::pass_arguments(const SyntaxNode& call, const std::vector<SyntaxNode>& parameters, std::size_t unit) {
   std::vector<Shape> values;
-  for (TIntermNode* argument : call.getSequence()) values.push_back(evaluator_.evaluate(argument));
+  for (const SyntaxNode& argument : call.children) values.push_back(evaluator_.evaluate(argument));
   for (std::size_t i = 0; i < parameters.size() && i < values.size(); ++i) {
-    run_.memory.at(run_.memory.variable(*parameters[i]->getAsSymbolNode(), unit)) = std::move(values[i]);
+    run_.memory.at(run_.memory.variable(parameters[i], unit)) = std::move(values[i]);
   }
 }
 
-void Executor::take_results(const TIntermSequence& arguments, const TIntermSequence& parameters, std::size_t unit) {
+void Executor::take_results(const std::vector<SyntaxNode>& arguments, const std::vector<SyntaxNode>& parameters,
+                            std::size_t unit) {
   for (std::size_t i = 0; i < parameters.size() && i < arguments.size(); ++i) {
-    const glslang::TIntermSymbol& parameter = *parameters[i]->getAsSymbolNode();
-    if (writes(parameter)) evaluator_.store(arguments[i], run_.memory.at(run_.memory.variable(parameter, unit)));
+    if (!writes(parameters[i])) continue;
+    evaluator_.store(arguments[i], run_.memory.at(run_.memory.variable(parameters[i], unit)));
   }
 }
 
-// Nothing is known about what the function does with its arguments.
-Shape Executor::call_unknown(TIntermAggregate& call) {
+// Nothing is known about what the function does with its arguments. Without a definition it may write each of them.
+Shape Executor::call_unknown(const SyntaxNode& call, const SyntaxNode* definition) {
   Value all;
-  for (TIntermNode* argument : call.getSequence()) all = worse(all, merged(evaluator_.evaluate(argument)));
-  all = run_.notes.worsened(all, Variation::undefined, run_.place(call.getLoc().line), "unknown function");
-  const glslang::TQualifierList& qualifiers = call.getQualifierList();
-  for (std::size_t i = 0; i < qualifiers.size() && i < call.getSequence().size(); ++i) {
-    const bool written = qualifiers[i] == glslang::EvqOut || qualifiers[i] == glslang::EvqInOut;
-    if (written) evaluator_.store(call.getSequence()[i], {all, {}});
+  for (const SyntaxNode& argument : call.children) all = worse(all, merged(evaluator_.evaluate(argument)));
+  all = run_.notes.worsened(all, Variation::undefined, run_.place(call.line), "unknown function");
+  for (std::size_t i = 0; i < call.children.size(); ++i) {
+    const bool written =
+        definition == nullptr || i >= parameters_of(*definition).size() || writes(parameters_of(*definition)[i]);
+    if (written) evaluator_.store(call.children[i], {all, {}});
   }
-  return shape_of(call.getType(), all);
+  return shape_of(*call.type, all);
 }
 
-void Executor::execute(TIntermNode* node) {
-  if (node == nullptr || too_long()) return;
-  TIntermAggregate* const aggregate = node->getAsAggregate();
-  TIntermSelection* const selection = node->getAsSelectionNode();
-  if (aggregate != nullptr && is_list(*aggregate)) {
-    for (TIntermNode* statement : aggregate->getSequence()) execute(statement);
-  } else if (selection != nullptr && selection->getBasicType() == glslang::EbtVoid) {
-    execute_selection(*selection);
-  } else if (TIntermLoop* const loop = node->getAsLoopNode()) {
-    execute_loop(*loop);
-  } else if (TIntermSwitch* const choice = node->getAsSwitchNode()) {
-    execute_switch(*choice);
-  } else if (TIntermBranch* const branch = node->getAsBranchNode()) {
-    execute_branch(*branch);
-  } else {
-    evaluator_.evaluate(node);
+void Executor::execute(const SyntaxNode& node) {
+  if (too_long()) return;
+  switch (node.kind) {
+    case NodeKind::sequence:
+      for (const SyntaxNode& statement : node.children) execute(statement);
+      return;
+    case NodeKind::selection:
+      if (node.type->basic == BasicType::none) return execute_selection(node);
+      break;
+    case NodeKind::loop: return execute_loop(node);
+    case NodeKind::switch_: return execute_switch(node);
+    case NodeKind::return_: return execute_return(node);
+    case NodeKind::break_: return leave(false);
+    case NodeKind::continue_: return leave(true);
+    default: break;
   }
+  evaluator_.evaluate(node);
 }
 
-void Executor::execute_selection(TIntermSelection& node) {
+void Executor::execute_if_any(const SyntaxNode* node) {
+  if (node != nullptr) execute(*node);
+}
+
+void Executor::add_condition(const SyntaxNode* node) {
+  if (node != nullptr) run_.control = worse(run_.control, evaluator_.condition(*node));
+}
+
+void Executor::execute_selection(const SyntaxNode& node) {
   const Value outside = run_.control;
-  run_.control = worse(outside, evaluator_.condition(node.getCondition()));
+  add_condition(node.part(Role::condition));
   Memory::State& state = run_.memory.state();
   const Memory::State before = state;
-  execute(node.getTrueBlock());
+  execute_if_any(node.part(Role::true_case));
   const Memory::State after_true = std::exchange(state, before);
-  execute(node.getFalseBlock());
+  execute_if_any(node.part(Role::false_case));
   run_.memory.join(state, after_true);
   run_.control = outside;
 }
 
-void Executor::execute_pass(TIntermLoop& node) {
-  if (node.testFirst() && node.getTest() != nullptr) {
-    run_.control = worse(run_.control, evaluator_.condition(node.getTest()));
-  }
-  execute(node.getBody());
+void Executor::execute_pass(const SyntaxNode& node) {
+  if (node.tests_first) add_condition(node.part(Role::test));
+  execute_if_any(node.part(Role::body));
   Breakable& loop = run_.calls.back().breakables.back();
   run_.memory.join(run_.memory.state(), std::exchange(loop.at_continue, {{}, true}));
-  if (node.getTerminal() != nullptr) evaluator_.evaluate(node.getTerminal());
-  if (!node.testFirst() && node.getTest() != nullptr) {
-    run_.control = worse(run_.control, evaluator_.condition(node.getTest()));
-  }
+  if (const SyntaxNode* const terminal = node.part(Role::terminal)) evaluator_.evaluate(*terminal);
+  if (!node.tests_first) add_condition(node.part(Role::test));
 }
 
-void Executor::execute_loop(TIntermLoop& node) {
+void Executor::execute_loop(const SyntaxNode& node) {
   const Value outside = run_.control;
   run_.calls.back().breakables.push_back({.loop = true});
   Memory::State reached = run_.memory.state();
@@ -183,16 +166,14 @@ void Executor::execute_loop(TIntermLoop& node) {
   run_.control = outside;
 }
 
-void Executor::execute_switch(TIntermSwitch& node) {
+void Executor::execute_switch(const SyntaxNode& node) {
+  if (node.children.size() != 2) return;
   const Value outside = run_.control;
-  run_.control = worse(outside, evaluator_.condition(node.getCondition()));
+  add_condition(&node.children[0]);
   run_.calls.back().breakables.push_back({});
   const Memory::State before = run_.memory.state();
-  for (TIntermNode* statement : node.getBody()->getSequence()) {
-    TIntermBranch* const branch = statement->getAsBranchNode();
-    const bool label =
-        branch != nullptr && (branch->getFlowOp() == glslang::EOpCase || branch->getFlowOp() == glslang::EOpDefault);
-    if (label) {
+  for (const SyntaxNode& statement : node.children[1].children) {
+    if (statement.kind == NodeKind::case_) {
       run_.memory.join(run_.memory.state(), before);
     } else {
       execute(statement);
@@ -204,23 +185,15 @@ void Executor::execute_switch(TIntermSwitch& node) {
   run_.control = outside;
 }
 
-void Executor::execute_branch(TIntermBranch& node) {
-  switch (node.getFlowOp()) {
-    case glslang::EOpReturn: {
-      Shape value = evaluator_.evaluate(node.getExpression());
-      Call& current = run_.calls.back();  // calls within the expression may have moved it
-      const Value control = run_.whole_control();
-      worsen(value, control);
-      if (!run_.memory.state().dead) join(current.result, value);
-      current.control = worse(current.control, control);
-      run_.memory.join(current.at_return, run_.memory.state());
-      run_.memory.state().dead = true;
-      return;
-    }
-    case glslang::EOpBreak: leave(false); return;
-    case glslang::EOpContinue: leave(true); return;
-    default: return;
-  }
+void Executor::execute_return(const SyntaxNode& node) {
+  Shape value = node.children.empty() ? Shape{} : evaluator_.evaluate(node.children[0]);
+  Call& current = run_.calls.back();  // calls within the expression may have moved it
+  const Value control = run_.whole_control();
+  worsen(value, control);
+  if (!run_.memory.state().dead) join(current.result, value);
+  current.control = worse(current.control, control);
+  run_.memory.join(current.at_return, run_.memory.state());
+  run_.memory.state().dead = true;
 }
 
 void Executor::leave(bool to_next_pass) {

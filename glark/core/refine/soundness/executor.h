@@ -15,8 +15,8 @@ namespace glark::refine {
 
 class Executor final : private FunctionCalls {
  public:
-  // The roots of the syntax trees, one for each shader object.
-  explicit Executor(const std::vector<TIntermNode*>& roots);
+  // One tree for each shader object.
+  explicit Executor(const std::vector<const SyntaxTree*>& trees);
 
   // Runs the initialisers of globals, then main. Returns false if the stage is too large.
   bool run();
@@ -25,26 +25,28 @@ class Executor final : private FunctionCalls {
  private:
   struct Function {
     std::size_t unit = 0;
-    glslang::TIntermAggregate* definition = nullptr;
+    const SyntaxNode* definition = nullptr;
   };
 
-  Shape call(glslang::TIntermAggregate& call) override;
-  Shape call_unknown(glslang::TIntermAggregate& call);
-  void pass_arguments(glslang::TIntermAggregate& call, const glslang::TIntermSequence& parameters, std::size_t unit);
-  void take_results(const glslang::TIntermSequence& arguments, const glslang::TIntermSequence& parameters,
+  Shape call(const SyntaxNode& call) override;
+  Shape call_unknown(const SyntaxNode& call, const SyntaxNode* definition);
+  void pass_arguments(const SyntaxNode& call, const std::vector<SyntaxNode>& parameters, std::size_t unit);
+  void take_results(const std::vector<SyntaxNode>& arguments, const std::vector<SyntaxNode>& parameters,
                     std::size_t unit);
-  Call execute_body(const Function& function, const glslang::TType& result);
+  Call execute_body(const Function& function);
 
-  void execute(TIntermNode* node);
-  void execute_selection(glslang::TIntermSelection& node);
-  void execute_loop(glslang::TIntermLoop& node);
-  void execute_pass(glslang::TIntermLoop& node);
-  void execute_switch(glslang::TIntermSwitch& node);
-  void execute_branch(glslang::TIntermBranch& node);
+  void execute(const SyntaxNode& node);
+  void execute_if_any(const SyntaxNode* node);
+  void add_condition(const SyntaxNode* node);
+  void execute_selection(const SyntaxNode& node);
+  void execute_loop(const SyntaxNode& node);
+  void execute_pass(const SyntaxNode& node);
+  void execute_switch(const SyntaxNode& node);
+  void execute_return(const SyntaxNode& node);
   void leave(bool to_next_pass);
   bool too_long() const;
 
-  std::vector<TIntermNode*> roots_;
+  std::vector<const SyntaxTree*> trees_;
   std::map<std::string, Function> functions_;  // by mangled name
   Run run_;
   Evaluator evaluator_;

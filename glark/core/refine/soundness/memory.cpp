@@ -2,78 +2,45 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/soundness/memory.h"
 
-#include <glslang/Include/intermediate.h>
-
 #include <utility>
 
 namespace glark::refine {
 namespace {
 
-bool is_local(const glslang::TQualifier& qualifier) {
-  switch (qualifier.storage) {
-    case glslang::EvqTemporary:
-    case glslang::EvqConst:
-    case glslang::EvqIn:
-    case glslang::EvqOut:
-    case glslang::EvqInOut:
-    case glslang::EvqConstReadOnly: return true;
-    default: return false;
-  }
-}
-
-bool is_output(const glslang::TQualifier& qualifier) {
-  switch (qualifier.storage) {
-    case glslang::EvqVaryingOut:
-    case glslang::EvqPosition:
-    case glslang::EvqPointSize:
-    case glslang::EvqClipVertex: return true;
-    default: return false;
-  }
-}
-
-void add_outputs(const std::string& path, const glslang::TType& type, const Shape& shape,
+void add_outputs(const std::string& path, const Type& type, const Shape& shape,
                  std::vector<std::pair<std::string, Value>>& outputs) {
-  if (!type.isStruct()) {
+  if (!type.is_structure()) {
     outputs.emplace_back(path, merged(shape));
     return;
   }
-  const glslang::TTypeList& members = *type.getStruct();
-  for (std::size_t i = 0; i < members.size() && i < shape.parts.size(); ++i) {
-    add_outputs(path + "." + std::string{std::string_view(members[i].type->getFieldName())}, *members[i].type,
-                shape.parts[i], outputs);
+  for (std::size_t i = 0; i < type.members.size() && i < shape.parts.size(); ++i) {
+    add_outputs(path + "." + type.members[i].name, type.members[i].type, shape.parts[i], outputs);
   }
 }
 
 }  // namespace
 
-bool is_anonymous_block(const glslang::TIntermSymbol& symbol) { return symbol.getName().compare(0, 5, "anon@") == 0; }
-
-bool is_input(const glslang::TIntermSymbol& symbol) {
-  switch (symbol.getQualifier().storage) {
-    case glslang::EvqVaryingIn:
-    case glslang::EvqVertexId:
-    case glslang::EvqInstanceId: return true;
-    default: return false;
-  }
+bool is_anonymous_block(const SyntaxNode& symbol) {
+  return symbol.kind == NodeKind::symbol && symbol.words.starts_with("anon@");
 }
 
-int Memory::find(const Key& key, const glslang::TType& type, const std::string& output) {
+bool is_input(const SyntaxNode& symbol) { return symbol.local < 0 && symbol.type->storage == StorageClass::input; }
+
+int Memory::find(const Key& key, const Type& type, const std::string& output) {
   const auto [entry, added] = numbers_.try_emplace(key, static_cast<int>(variables_.size()));
   if (added) variables_.push_back({&type, output});
   return entry->second;
 }
 
-int Memory::variable(const glslang::TIntermSymbol& symbol, std::size_t unit) {
-  const glslang::TQualifier& qualifier = symbol.getQualifier();
-  const std::string name{std::string_view(symbol.getName())};
-  if (is_local(qualifier)) return find({std::to_string(unit) + " ", symbol.getId()}, symbol.getType(), {});
-  return find({name, 0}, symbol.getType(), is_output(qualifier) ? name : std::string());
+int Memory::variable(const SyntaxNode& symbol, std::size_t unit) {
+  if (symbol.local >= 0) return find({std::to_string(unit) + " ", symbol.local}, *symbol.type, {});
+  const bool output = symbol.type->storage == StorageClass::output;
+  return find({symbol.words, 0}, *symbol.type, output ? symbol.words : std::string());
 }
 
-int Memory::block_member(const glslang::TType& block, std::size_t index) {
-  const glslang::TType& member = *(*block.getStruct())[index].type;
-  const std::string name{std::string_view(member.getFieldName())};
-  return find({name, 0}, member, is_output(block.getQualifier()) ? name : std::string());
+int Memory::block_member(const Type& block, const std::string& name) {
+  const Type& member = block.members[block.member(name).value()].type;
+  return find({name, 0}, member, block.storage == StorageClass::output ? name : std::string());
 }
 
 Shape& Memory::at(int variable) {

@@ -11,18 +11,14 @@
 #include <vector>
 
 #include "glark/core/refine/soundness/value.h"
-
-namespace glslang {
-class TIntermSymbol;
-class TType;
-}  // namespace glslang
+#include "glark/core/refine/syntax/syntax_tree.h"
 
 namespace glark::refine {
 
 // Names of blocks without an instance name begin so; their members are variables by themselves.
-bool is_anonymous_block(const glslang::TIntermSymbol& symbol);
+bool is_anonymous_block(const SyntaxNode& symbol);
 // Inputs of the vertex stage, built-in ones included.
-bool is_input(const glslang::TIntermSymbol& symbol);
+bool is_input(const SyntaxNode& symbol);
 
 class Memory {
  public:
@@ -33,8 +29,8 @@ class Memory {
   };
 
   // Shader objects of a stage share global variables by name. `unit` tells local ones apart.
-  int variable(const glslang::TIntermSymbol& symbol, std::size_t unit);
-  int block_member(const glslang::TType& block, std::size_t index);
+  int variable(const SyntaxNode& symbol, std::size_t unit);
+  int block_member(const Type& block, const std::string& name);
   // The value in the current state.
   Shape& at(int variable);
 
@@ -44,12 +40,12 @@ class Memory {
   std::vector<std::pair<std::string, Value>> outputs();
 
  private:
-  using Key = std::pair<std::string, long long>;  // the name of a global; else the unit and the symbol
+  using Key = std::pair<std::string, int>;  // the name of a global; else the unit and the number of the variable
   struct Variable {
-    const glslang::TType* type = nullptr;
+    const Type* type = nullptr;
     std::string output;  // name, if it is an output
   };
-  int find(const Key& key, const glslang::TType& type, const std::string& output);
+  int find(const Key& key, const Type& type, const std::string& output);
   void extend(State& state, std::size_t count) const;
 
   std::map<Key, int> numbers_;

@@ -8,148 +8,138 @@
 namespace glark::refine {
 namespace {
 
-using glslang::TOperator;
-
 struct Row {
-  TOperator op;
+  std::string_view words;
   Operation operation;
 };
 constexpr bool each = true;
 constexpr bool all = false;
 
 constexpr Row rows[] = {
-    {glslang::EOpNegative, {Effect::linear, each, {}}},
-    {glslang::EOpAdd, {Effect::linear, each, {}}},
-    {glslang::EOpSub, {Effect::linear, each, {}}},
-    {glslang::EOpPreIncrement, {Effect::linear, each, {}}},
-    {glslang::EOpPreDecrement, {Effect::linear, each, {}}},
-    {glslang::EOpPostIncrement, {Effect::linear, each, {}}},
-    {glslang::EOpPostDecrement, {Effect::linear, each, {}}},
-    {glslang::EOpCopyObject, {Effect::linear, each, {}}},
-    {glslang::EOpRadians, {Effect::linear, each, {}}},
-    {glslang::EOpDegrees, {Effect::linear, each, {}}},
-    {glslang::EOpTranspose, {Effect::linear, all, {}}},
+    {"Negate value", {Effect::linear, each, {}}},
+    {"add", {Effect::linear, each, {}}},
+    {"subtract", {Effect::linear, each, {}}},
+    {"Pre-Increment", {Effect::linear, each, {}}},
+    {"Pre-Decrement", {Effect::linear, each, {}}},
+    {"Post-Increment", {Effect::linear, each, {}}},
+    {"Post-Decrement", {Effect::linear, each, {}}},
+    {"copy object", {Effect::linear, each, {}}},
+    {"radians", {Effect::linear, each, {}}},
+    {"degrees", {Effect::linear, each, {}}},
+    {"transpose", {Effect::linear, all, {}}},
     // Truth values keep the variation that their comparison gave them.
-    {glslang::EOpLogicalNot, {Effect::linear, each, {}}},
-    {glslang::EOpVectorLogicalNot, {Effect::linear, each, {}}},
-    {glslang::EOpLogicalAnd, {Effect::linear, all, {}}},
-    {glslang::EOpLogicalOr, {Effect::linear, all, {}}},
-    {glslang::EOpLogicalXor, {Effect::linear, all, {}}},
-    {glslang::EOpAny, {Effect::linear, all, {}}},
-    {glslang::EOpAll, {Effect::linear, all, {}}},
+    {"Negate conditional", {Effect::linear, each, {}}},
+    {"logical-and", {Effect::linear, all, {}}},
+    {"logical-or", {Effect::linear, all, {}}},
+    {"logical-xor", {Effect::linear, all, {}}},
+    {"any", {Effect::linear, all, {}}},
+    {"all", {Effect::linear, all, {}}},
 
-    {glslang::EOpMul, {Effect::product, each, {}}},
-    {glslang::EOpVectorTimesScalar, {Effect::product, each, {}}},
-    {glslang::EOpMatrixTimesScalar, {Effect::product, all, {}}},
-    {glslang::EOpVectorTimesMatrix, {Effect::product, all, {}}},
-    {glslang::EOpMatrixTimesVector, {Effect::product, all, {}}},
-    {glslang::EOpMatrixTimesMatrix, {Effect::product, all, {}}},
-    {glslang::EOpOuterProduct, {Effect::product, all, {}}},
-    {glslang::EOpDot, {Effect::product, all, {}}},
-    {glslang::EOpCross, {Effect::product, all, {}}},
-    {glslang::EOpFma, {Effect::fused, each, {}}},
-    {glslang::EOpDiv, {Effect::quotient, each, {}}},
-    {glslang::EOpMix, {Effect::mixture, each, {}}},
+    {"component-wise multiply", {Effect::product, each, {}}},
+    {"vector-scale", {Effect::product, each, {}}},
+    {"matrix-scale", {Effect::product, all, {}}},
+    {"vector-times-matrix", {Effect::product, all, {}}},
+    {"matrix-times-vector", {Effect::product, all, {}}},
+    {"matrix-multiply", {Effect::product, all, {}}},
+    {"outer product", {Effect::product, all, {}}},
+    {"dot-product", {Effect::product, all, {}}},
+    {"cross-product", {Effect::product, all, {}}},
+    {"fma", {Effect::fused, each, {}}},
+    {"divide", {Effect::quotient, each, {}}},
+    {"mix", {Effect::mixture, each, {}}},
 
-    {glslang::EOpSin, {Effect::continuous, each, {}}},
-    {glslang::EOpCos, {Effect::continuous, each, {}}},
-    {glslang::EOpTan, {Effect::continuous, each, {}}},
-    {glslang::EOpAsin, {Effect::continuous, each, {}}},
-    {glslang::EOpAcos, {Effect::continuous, each, {}}},
-    {glslang::EOpAtan, {Effect::continuous, each, {}}},
-    {glslang::EOpSinh, {Effect::continuous, each, {}}},
-    {glslang::EOpCosh, {Effect::continuous, each, {}}},
-    {glslang::EOpTanh, {Effect::continuous, each, {}}},
-    {glslang::EOpAsinh, {Effect::continuous, each, {}}},
-    {glslang::EOpAcosh, {Effect::continuous, each, {}}},
-    {glslang::EOpAtanh, {Effect::continuous, each, {}}},
-    {glslang::EOpPow, {Effect::continuous, each, {}}},
-    {glslang::EOpExp, {Effect::continuous, each, {}}},
-    {glslang::EOpLog, {Effect::continuous, each, {}}},
-    {glslang::EOpExp2, {Effect::continuous, each, {}}},
-    {glslang::EOpLog2, {Effect::continuous, each, {}}},
-    {glslang::EOpSqrt, {Effect::continuous, each, {}}},
-    {glslang::EOpInverseSqrt, {Effect::continuous, each, {}}},
-    {glslang::EOpAbs, {Effect::continuous, each, {}}},
-    {glslang::EOpMin, {Effect::continuous, each, {}}},
-    {glslang::EOpMax, {Effect::continuous, each, {}}},
-    {glslang::EOpClamp, {Effect::continuous, each, {}}},
-    {glslang::EOpSmoothStep, {Effect::continuous, each, {}}},
-    {glslang::EOpLength, {Effect::continuous, all, {}}},
-    {glslang::EOpDistance, {Effect::continuous, all, {}}},
-    {glslang::EOpNormalize, {Effect::continuous, all, {}}},
-    {glslang::EOpReflect, {Effect::continuous, all, {}}},
-    {glslang::EOpRefract, {Effect::continuous, all, {}}},
-    {glslang::EOpDeterminant, {Effect::continuous, all, {}}},
-    {glslang::EOpMatrixInverse, {Effect::continuous, all, {}}},
-    {glslang::EOpNoise, {Effect::continuous, all, {}}},
+    {"sine", {Effect::continuous, each, {}}},
+    {"cosine", {Effect::continuous, each, {}}},
+    {"tangent", {Effect::continuous, each, {}}},
+    {"arc sine", {Effect::continuous, each, {}}},
+    {"arc cosine", {Effect::continuous, each, {}}},
+    {"arc tangent", {Effect::continuous, each, {}}},
+    {"hyp. sine", {Effect::continuous, each, {}}},
+    {"hyp. cosine", {Effect::continuous, each, {}}},
+    {"hyp. tangent", {Effect::continuous, each, {}}},
+    {"arc hyp. sine", {Effect::continuous, each, {}}},
+    {"arc hyp. cosine", {Effect::continuous, each, {}}},
+    {"arc hyp. tangent", {Effect::continuous, each, {}}},
+    {"pow", {Effect::continuous, each, {}}},
+    {"exp", {Effect::continuous, each, {}}},
+    {"log", {Effect::continuous, each, {}}},
+    {"exp2", {Effect::continuous, each, {}}},
+    {"log2", {Effect::continuous, each, {}}},
+    {"sqrt", {Effect::continuous, each, {}}},
+    {"inverse sqrt", {Effect::continuous, each, {}}},
+    {"Absolute value", {Effect::continuous, each, {}}},
+    {"min", {Effect::continuous, each, {}}},
+    {"max", {Effect::continuous, each, {}}},
+    {"clamp", {Effect::continuous, each, {}}},
+    {"smoothstep", {Effect::continuous, each, {}}},
+    {"length", {Effect::continuous, all, {}}},
+    {"distance", {Effect::continuous, all, {}}},
+    {"normalize", {Effect::continuous, all, {}}},
+    {"reflect", {Effect::continuous, all, {}}},
+    {"refract", {Effect::continuous, all, {}}},
+    {"determinant", {Effect::continuous, all, {}}},
+    {"inverse", {Effect::continuous, all, {}}},
+    {"noise", {Effect::continuous, all, {}}},
 
-    {glslang::EOpLessThan, {Effect::switched, each, "comparison"}},
-    {glslang::EOpGreaterThan, {Effect::switched, each, "comparison"}},
-    {glslang::EOpLessThanEqual, {Effect::switched, each, "comparison"}},
-    {glslang::EOpGreaterThanEqual, {Effect::switched, each, "comparison"}},
-    {glslang::EOpSign, {Effect::switched, each, "sign()"}},
-    {glslang::EOpStep, {Effect::switched, each, "step()"}},
-    {glslang::EOpFaceForward, {Effect::switched, all, "faceforward()"}},
-    {glslang::EOpIsNan, {Effect::switched, each, "isnan()"}},
-    {glslang::EOpIsInf, {Effect::switched, each, "isinf()"}},
+    {"Compare Less Than", {Effect::switched, each, "comparison"}},
+    {"Compare Greater Than", {Effect::switched, each, "comparison"}},
+    {"Compare Less Than or Equal", {Effect::switched, each, "comparison"}},
+    {"Compare Greater Than or Equal", {Effect::switched, each, "comparison"}},
+    {"Sign", {Effect::switched, each, "sign()"}},
+    {"step", {Effect::switched, each, "step()"}},
+    {"face-forward", {Effect::switched, all, "faceforward()"}},
+    {"isnan", {Effect::switched, each, "isnan()"}},
+    {"isinf", {Effect::switched, each, "isinf()"}},
 
     // A float that is compared for equality is a name.
-    {glslang::EOpEqual, {Effect::undefined, all, "test for equality"}},
-    {glslang::EOpNotEqual, {Effect::undefined, all, "test for equality"}},
-    {glslang::EOpVectorEqual, {Effect::undefined, each, "test for equality"}},
-    {glslang::EOpVectorNotEqual, {Effect::undefined, each, "test for equality"}},
-    {glslang::EOpFloor, {Effect::undefined, each, "floor()"}},
-    {glslang::EOpTrunc, {Effect::undefined, each, "trunc()"}},
-    {glslang::EOpRound, {Effect::undefined, each, "round()"}},
-    {glslang::EOpRoundEven, {Effect::undefined, each, "roundEven()"}},
-    {glslang::EOpCeil, {Effect::undefined, each, "ceil()"}},
-    {glslang::EOpFract, {Effect::undefined, each, "fract()"}},
-    {glslang::EOpMod, {Effect::undefined, each, "mod()"}},
-    {glslang::EOpModf, {Effect::undefined, each, "modf()"}},
+    {"Compare Equal", {Effect::undefined, all, "test for equality"}},
+    {"Compare Not Equal", {Effect::undefined, all, "test for equality"}},
+    {"Equal", {Effect::undefined, each, "test for equality"}},
+    {"NotEqual", {Effect::undefined, each, "test for equality"}},
+    {"Floor", {Effect::undefined, each, "floor()"}},
+    {"trunc", {Effect::undefined, each, "trunc()"}},
+    {"round", {Effect::undefined, each, "round()"}},
+    {"roundEven", {Effect::undefined, each, "roundEven()"}},
+    {"Ceiling", {Effect::undefined, each, "ceil()"}},
+    {"Fraction", {Effect::undefined, each, "fract()"}},
+    {"mod", {Effect::undefined, each, "mod()"}},
+    {"modf", {Effect::undefined, each, "modf()"}},
 };
 
 struct AssignmentRow {
-  TOperator assignment;
-  TOperator op;
+  std::string_view assignment;
+  std::string_view operation;
 };
 constexpr AssignmentRow assignments[] = {
-    {glslang::EOpAssign, glslang::EOpNull},
-    {glslang::EOpAddAssign, glslang::EOpAdd},
-    {glslang::EOpSubAssign, glslang::EOpSub},
-    {glslang::EOpMulAssign, glslang::EOpMul},
-    {glslang::EOpVectorTimesMatrixAssign, glslang::EOpVectorTimesMatrix},
-    {glslang::EOpVectorTimesScalarAssign, glslang::EOpVectorTimesScalar},
-    {glslang::EOpMatrixTimesScalarAssign, glslang::EOpMatrixTimesScalar},
-    {glslang::EOpMatrixTimesMatrixAssign, glslang::EOpMatrixTimesMatrix},
-    {glslang::EOpDivAssign, glslang::EOpDiv},
-    {glslang::EOpModAssign, glslang::EOpMod},
-    {glslang::EOpAndAssign, glslang::EOpAnd},
-    {glslang::EOpInclusiveOrAssign, glslang::EOpInclusiveOr},
-    {glslang::EOpExclusiveOrAssign, glslang::EOpExclusiveOr},
-    {glslang::EOpLeftShiftAssign, glslang::EOpLeftShift},
-    {glslang::EOpRightShiftAssign, glslang::EOpRightShift},
+    {"move second child to first child", ""},
+    {"add second child into first child", "add"},
+    {"subtract second child into first child", "subtract"},
+    {"multiply second child into first child", "component-wise multiply"},
+    {"vector scale second child into first child", "vector-scale"},
+    {"matrix scale second child into first child", "matrix-scale"},
+    {"matrix mult second child into first child", "matrix-multiply"},
+    {"divide second child into first child", "divide"},
+    {"mod second child into first child", "mod"},
+    {"and second child into first child", "bitwise and"},
+    {"or second child into first child", "inclusive-or"},
+    {"exclusive or second child into first child", "exclusive-or"},
+    {"left shift second child into first child", "left-shift"},
+    {"right shift second child into first child", "right-shift"},
 };
-
-const AssignmentRow* find_assignment(TOperator op) {
-  const auto* const found = std::find_if(std::begin(assignments), std::end(assignments),
-                                         [&](const AssignmentRow& row) { return row.assignment == op; });
-  return found == std::end(assignments) ? nullptr : found;
-}
 
 }  // namespace
 
-Operation operation(TOperator op) {
+Operation operation(std::string_view words) {
   const auto* const found =
-      std::find_if(std::begin(rows), std::end(rows), [&](const Row& row) { return row.op == op; });
+      std::find_if(std::begin(rows), std::end(rows), [&](const Row& row) { return row.words == words; });
   return found == std::end(rows) ? Operation{} : found->operation;
 }
 
-TOperator within_assignment(TOperator op) {
-  const AssignmentRow* const row = find_assignment(op);
-  return row != nullptr ? row->op : glslang::EOpNull;
+std::optional<std::string_view> within_assignment(std::string_view words) {
+  const auto* const found = std::find_if(std::begin(assignments), std::end(assignments),
+                                         [&](const AssignmentRow& row) { return row.assignment == words; });
+  if (found == std::end(assignments)) return std::nullopt;
+  return found->operation;
 }
-
-bool is_assignment(TOperator op) { return find_assignment(op) != nullptr; }
 
 }  // namespace glark::refine

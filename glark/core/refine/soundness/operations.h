@@ -4,8 +4,7 @@
 // What each operation of GLSL does to the variation of its arguments.
 #pragma once
 
-#include <glslang/Include/intermediate.h>
-
+#include <optional>
 #include <string_view>
 
 namespace glark::refine {
@@ -26,11 +25,10 @@ struct Operation {
   bool by_component = false;  // otherwise each component of the result depends on all components of the arguments
   std::string_view name;      // completes "... of 'x'": "floor()"; empty if unknown
 };
-// Operations that are not listed have no meaning between vertices.
-Operation operation(glslang::TOperator op);
+// `words` name the operation as a syntax tree does. Operations that are not listed have no meaning between vertices.
+Operation operation(std::string_view words);
 
-// The operation that an assignment such as += contains; EOpNull for a plain assignment and for other operations.
-glslang::TOperator within_assignment(glslang::TOperator op);
-bool is_assignment(glslang::TOperator op);
+// The operation that an assignment such as += contains, empty for a plain assignment. Nothing if it is no assignment.
+std::optional<std::string_view> within_assignment(std::string_view words);
 
 }  // namespace glark::refine

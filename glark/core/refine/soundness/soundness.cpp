@@ -6,9 +6,9 @@
 
 namespace glark::refine {
 
-std::optional<StageVariation> find_variation(const std::vector<TIntermNode*>& roots,
+std::optional<StageVariation> find_variation(const std::vector<const SyntaxTree*>& trees,
                                              const std::set<std::string>& constants) {
-  Executor executor(roots);
+  Executor executor(trees);
   executor.state().constants = constants;
   if (!executor.run()) return std::nullopt;
   StageVariation variation;

@@ -13,18 +13,17 @@
 #include <string>
 #include <vector>
 
+#include "glark/core/refine/syntax/syntax_tree.h"
 #include "glark/core/state/programs/variation.h"
-
-class TIntermNode;
 
 namespace glark::refine {
 
-// How each output varies. `roots`: the syntax trees of all shader objects of the stage. Empty if the stage is too large
+// How each output varies. `trees`: those of all shader objects of the stage. Empty if the stage is too large
 // to be followed. `constants`: names of attributes that are the same at all corners of a triangle.
-std::optional<StageVariation> find_variation(const std::vector<TIntermNode*>& roots,
+std::optional<StageVariation> find_variation(const std::vector<const SyntaxTree*>& trees,
                                              const std::set<std::string>& constants = {});
 
 // The names of all variables that main() and the functions it reaches mention, and those in initialisers of globals.
-std::set<std::string> reached_names(const std::vector<TIntermNode*>& roots);
+std::set<std::string> reached_names(const std::vector<const SyntaxTree*>& trees);
 
 }  // namespace glark::refine

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/soundness/value.h"
 
-#include <glslang/Include/Types.h>
-
 #include <algorithm>
 
 namespace glark::refine {
@@ -14,13 +12,13 @@ Value worse(const Value& a, const Value& b) {
   return result;
 }
 
-Shape shape_of(const glslang::TType& type, const Value& value) {
+Shape shape_of(const Type& type, const Value& value) {
   Shape shape;
   shape.value = value;
-  if (type.isStruct()) {
-    for (const glslang::TTypeLoc& member : *type.getStruct()) shape.parts.push_back(shape_of(*member.type, value));
-  } else if (type.isVector()) {
-    shape.parts.resize(static_cast<std::size_t>(type.getVectorSize()), Shape{value, {}});
+  if (type.is_structure()) {
+    for (const TypeMember& member : type.members) shape.parts.push_back(shape_of(member.type, value));
+  } else if (type.is_vector()) {
+    shape.parts.resize(type.vector_size, Shape{value, {}});
   }
   return shape;
 }

@@ -8,11 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "glark/core/refine/syntax/type.h"
 #include "glark/core/state/programs/variation.h"
-
-namespace glslang {
-class TType;
-}
 
 namespace glark::refine {
 
@@ -33,7 +30,7 @@ struct Shape {
   std::vector<Shape> parts;  // components of a vector, members of a structure
 };
 
-Shape shape_of(const glslang::TType& type, const Value& value = {});
+Shape shape_of(const Type& type, const Value& value = {});
 Value merged(const Shape& shape);
 // Sets every component.
 void fill(Shape& shape, const Value& value);

@@ -3,6 +3,7 @@
 //
 // Displacement by a texture (11.R.7b), read back through transform feedback: positions against the heights, normals
 // against finite differences of the positions, and the bits along edges.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>

@@ -122,6 +122,16 @@ TEST(DataFlow, SwitchesJoinTheirCases) {
   EXPECT_EQ(position_of(stage("vec4 t = p; switch (n) { case 0: t = -p; } gl_Position = t;")), Variation::undefined);
 }
 
+// The syntax tree does not tell variables of one name apart.
+TEST(DataFlow, VariablesOfInnerBlocksHideOthers) {
+  EXPECT_EQ(position_of(stage("float t = floor(f); { float t = u; t += 1.0; } gl_Position = vec4(t);")),
+            Variation::undefined);
+  EXPECT_EQ(position_of(stage("{ float t = floor(f); } { float t = f; gl_Position = vec4(t); }")), Variation::affine);
+  EXPECT_EQ(position_of(stage("vec4 f = p; { float f = u; } gl_Position = f;")), Variation::affine);
+  EXPECT_EQ(position_of(stage("gl_Position = vec4(g(u));", "float g(float f) { return 2.0 * f; }")),
+            Variation::constant);
+}
+
 TEST(DataFlow, GlobalsAndInitialisersAreFollowed) {
   EXPECT_EQ(position_of(stage("g += 1.0; gl_Position = vec4(g);", "float g = 2.0;")), Variation::constant);
   EXPECT_EQ(position_of(stage("h(); gl_Position = vec4(g);", "float g = 2.0; void h() { g = fract(f); }")),
