@@ -28,7 +28,8 @@ Mesh placed(Mesh mesh, const Grid& grid, int object) {
   const float width = 2.0F / static_cast<float>(grid.columns);
   const float height = 2.0F / static_cast<float>(grid.rows);
   const float x = width * (static_cast<float>(object % grid.columns) - 0.5F * static_cast<float>(grid.columns - 1));
-  const float y = height * (static_cast<float>(object / grid.columns) - 0.5F * static_cast<float>(grid.rows - 1));
+  const int row = object / grid.columns;
+  const float y = height * (static_cast<float>(row) - 0.5F * static_cast<float>(grid.rows - 1));
   for (Vertex& vertex : mesh.vertices) {
     for (float& coordinate : vertex.position) coordinate *= 0.5F * width;
     vertex.position[0] += x;
