@@ -247,8 +247,8 @@ class Statements {
       return text;
     }
     const std::string index = "@i" + std::to_string(loops_++);
-    // Backwards: Mesa 25 takes element after element in order for a copy of the whole array, and then reads the original
-    // where the original has changed.
+    // Backwards: Mesa 25 takes a loop in order for a copy of the whole array, and then reads the original where it has
+    // changed.
     text = "  for (int " + index + " = int(" + sizes[dimension] + ") - 1; " + index + " >= 0; --" + index + ") {\n";
     text += for_elements(sizes, dimension + 1, indexed(paths, index), leaf);
     return text + "  }\n";
