@@ -35,8 +35,8 @@ constexpr unsigned max_level = 4;
 constexpr const char* vertex_shader = R"glsl(#version 120
 attribute vec2 place;
 varying float light;
-float height;
-vec2 slope;
+float height = 0.0;
+vec2 slope = vec2(0.0);
 void main() {
   vec3 normal = normalize(vec3(-slope, 1.0));
   light = 0.35 + 0.65 * max(0.0, dot(normal, normalize(vec3(-0.6, 0.4, 0.7))));

@@ -23,9 +23,12 @@ void drop_errors() {
   }
 }
 
-// Leaves out the time, and the device's identity (GL_EXT_memory_object, GL_EXT_memory_object_win32), for which OSMesa
-// uses a null pointer.
-bool is_left_out(GLenum name) { return name == GL_TIMESTAMP || (name >= 0x9596 && name <= 0x959A); }
+// Leaves out the time; free memory (GL_NVX_gpu_memory_info, GL_ATI_meminfo); and the device's identity
+// (GL_EXT_memory_object, GL_EXT_memory_object_win32), for which OSMesa uses a null pointer.
+bool is_left_out(GLenum name) {
+  return name == GL_TIMESTAMP || (name >= 0x9047 && name <= 0x904B) || (name >= 0x87FB && name <= 0x87FD) ||
+         (name >= 0x9596 && name <= 0x959A);
+}
 
 template <typename Get>
 std::vector<GLenum> accepted(Get&& get) {

@@ -247,7 +247,9 @@ class Statements {
       return text;
     }
     const std::string index = "@i" + std::to_string(loops_++);
-    text = "  for (int " + index + " = 0; " + index + " < int(" + sizes[dimension] + "); ++" + index + ") {\n";
+    // Backwards: Mesa 25 takes a loop in order for a copy of the whole array, and then reads the original where it has
+    // changed.
+    text = "  for (int " + index + " = int(" + sizes[dimension] + ") - 1; " + index + " >= 0; --" + index + ") {\n";
     text += for_elements(sizes, dimension + 1, indexed(paths, index), leaf);
     return text + "  }\n";
   }
