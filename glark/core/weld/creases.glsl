@@ -142,6 +142,14 @@ bool is_normal_of(int corner, vec3 face) {
   return abs(cosine) >= least_cosine;
 }
 
+// Returns whether a normal leans out of the face of a body by more than a quarter of the angle of a crease. Panels that
+// lean less belong to a rounded body, whose other draws curve at the common edge.
+bool leans_off(int corner, vec3 face) {
+  float half_cosine = sqrt(max(0.5 - 0.5 * crease_cosine, 0.0));  // of the angle of a crease
+  float cosine = dot(glark_pn_unit(normal_of(corner)), face);
+  return cosine * cosine < 0.5 + 0.5 * half_cosine;
+}
+
 // What the triangles beyond an edge say about a piece in one plane.
 struct Beyond {
   bool bends;    // one of them lies in another plane
@@ -172,8 +180,7 @@ Beyond beyond(int half_edge, vec3 face) {
 // A piece in one plane stands alone if all its other edges are boundaries. A facet of a smooth surface then leans away
 // from all of its normals, because the surface bends at each corner. The face of a body, as the roof of a house, has
 // some normals of its own, and others that are means with the walls.
-bool is_face_of_body(int half_edge) {
-  vec3 face = glark_pn_unit(face_of(half_edge).normal);
+bool is_face_of_body(int half_edge, vec3 face) {
   bool has_own = false;
   int at = half_edge;
   for (int i = 0; i < 3; ++i) {
@@ -217,9 +224,17 @@ void mark_crease(uint own, vec3 direction) {
   if (straightest == none) {
     vec3 along = glark_pn_unit(place_of(high) - place_of(low));
     float turn = 2.0 - 2.0 * dot(glark_pn_unit(normal_of(low)), glark_pn_unit(normal_of(high)));
-    bool ends = is_face_of_body(int(own - 1u) >> 1);
-    shared_low = ends || is_mean_of_crease(low, along, direction) || ends_at(low, along, direction, turn);
-    shared_high = ends || is_mean_of_crease(high, along, direction) || ends_at(high, along, direction, turn);
+    shared_low = is_mean_of_crease(low, along, direction) || ends_at(low, along, direction, turn);
+    shared_high = is_mean_of_crease(high, along, direction) || ends_at(high, along, direction, turn);
+    if (!(shared_low && shared_high)) {
+      int half_edge = int(own - 1u) >> 1;
+      vec3 face = glark_pn_unit(face_of(half_edge).normal);
+      bool leans_low = leans_off(low, face);
+      bool leans_high = leans_off(high, face);
+      bool ends = (leans_low || leans_high) && is_face_of_body(half_edge, face);
+      shared_low = shared_low || (ends && leans_low);
+      shared_high = shared_high || (ends && leans_high);
+    }
   }
   if (side != 0u || (straightest > crease_cosine && shared_low)) {
     tables[steepness(low)] = 1u;

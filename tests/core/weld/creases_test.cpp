@@ -196,6 +196,16 @@ TEST_F(Creases, ARoofStaysFlat) {
   }
 }
 
+// The next panel of the body curves at the common edge.
+TEST_F(Creases, APanelThatLeansLittleStaysCurved) {
+  const Vector up{0, 0, 1};
+  const Vector pulled = unit({-0.15F, -0.15F, 1});
+  SplitMesh panel;
+  panel.add({Vector{-1, -0.5F, 0}, {1, -0.5F, 0}, {1, 0.5F, 0}}, {pulled, up, up});
+  panel.add({Vector{-1, -0.5F, 0}, {1, 0.5F, 0}, {-1, 0.5F, 0}}, {pulled, up, up});
+  EXPECT_GT(bent_edges(weld(panel)), 0);
+}
+
 // A facet of a ball that is drawn alone has no normal of its own.
 TEST_F(Creases, AQuadOfABallStaysCurved) {
   const float step = 3.14159265F / 8;
