@@ -20,9 +20,13 @@ set(GLARK_GLSL_HEADERS
   ${PROJECT_SOURCE_DIR}/glark/clients/qas/shader/precise.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/pattern/pieces.glsl.h
   ${PROJECT_SOURCE_DIR}/glark/core/pattern/expand.glsl.h
+  ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/curve_points.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/edge_depth.glsl
+  ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/hidden_triangle.glsl
+  ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/limits.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/depth/edge_steps.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/measured_edge.glsl
+  ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/screen_error.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/depth/measure/straight_edge.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/border.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/cells.glsl

@@ -34,6 +34,7 @@ const std::vector<StateName>& extension_state() {
       {"geomorph", GL_GEOMORPH_ARK, boolean, "state-20", "tokens-32"},
       {"weld", GL_WELD_ARK, boolean, "state-21", "tokens-33"},
       {"phong_shape", GL_PHONG_SHAPE_ARK, number, "state-32", "tokens-53"},
+      {"screen_error", GL_SCREEN_ERROR_ARK, number, "state-33", "tokens-55"},
       {"depth_tag_array", GL_DEPTH_TAG_ARRAY_ARK, boolean, "state-23", "tokens-11"},
       {"depth_tag_array_type", GL_DEPTH_TAG_ARRAY_TYPE_ARK, integer, "state-24", "tokens-7"},
       {"depth_tag_array_stride", GL_DEPTH_TAG_ARRAY_STRIDE_ARK, integer, "state-25", "tokens-8"},
@@ -97,6 +98,7 @@ EverythingSet set_everything(Test& t) {
   gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 2.625F);
   gl.ARKParameterfARK(GL_DISPLACEMENT_BIAS_ARK, -0.75F);
   gl.ARKParameterfARK(GL_PHONG_SHAPE_ARK, 0.25F);
+  gl.ARKParameterfARK(GL_SCREEN_ERROR_ARK, 1.625F);
   gl.DepthTag1i(3);
   gl.Enable(GL_ARK);
   gl.GenVertexArrays(1, &objects.array);

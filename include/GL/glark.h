@@ -77,6 +77,7 @@ extern "C" {
 #define GL_MEASURED_DEPTH_ARK                    0x6F23
 #define GL_EDGE_PIXELS_ARK                       0x6F24 /* 0: no measure; 8 */
 #define GL_EDGE_DEGREES_ARK                      0x6F25 /* 0 to 180, 0: no measure; 0 */
+#define GL_SCREEN_ERROR_ARK                      0x6F3D /* a number, 0: no measure; glARKParameterfARK; 0 */
 #define GL_TRIANGLE_BUDGET_ARK                   0x6F26 /* 0: none; 0 */
 #define GL_GEOMORPH_ARK                          0x6F2F /* GL_FALSE, GL_TRUE */
 #define GL_WELD_ARK                              0x6F3C /* GL_TRUE: vertices in the same place refine alike; GL_FALSE */
@@ -125,8 +126,9 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
  *   GL_DEPTH_SOURCE_ARK: depths from the tags of the vertices, or GL_UNIFORM_DEPTH_LEVEL_ARK for every edge, or
  *     measured.
  *   GL_EDGE_PIXELS_ARK: an edge gets the least depth at which its segments are at most this long on the screen.
- *   GL_EDGE_DEGREES_ARK: an edge gets the least depth at which a segment turns the normal by at most this angle. If
- *     both measures are set, the lesser depth applies.
+ *   GL_EDGE_DEGREES_ARK: an edge gets the least depth at which a segment turns the normal by at most this angle.
+ *   GL_SCREEN_ERROR_ARK: an edge gets the least depth at which its curve leaves its segments by at most so many pixels
+ *     on the screen. If several measures are set, the least depth applies.
  *   GL_TRIANGLE_BUDGET_ARK: the number of refined triangles per frame; measured depths are lowered to keep it.
  *   GL_GEOMORPH_ARK: fractional depths move refined vertices from the coarser to the finer surface, so that no vertex
  *     pops.
@@ -143,7 +145,8 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
  * After an error, the state is unchanged. */
 GLARK_API void GLARK_APIENTRY glARKParameteriARK(GLenum pname, GLint param);
 
-/* As glARKParameteriARK, for GL_DISPLACEMENT_SCALE_ARK, GL_DISPLACEMENT_BIAS_ARK and GL_PHONG_SHAPE_ARK.
+/* As glARKParameteriARK, for GL_SCREEN_ERROR_ARK, GL_DISPLACEMENT_SCALE_ARK, GL_DISPLACEMENT_BIAS_ARK and
+ * GL_PHONG_SHAPE_ARK.
  * Errors: GL_INVALID_ENUM for another name; GL_INVALID_VALUE if the number is not finite, or out of range. */
 GLARK_API void GLARK_APIENTRY glARKParameterfARK(GLenum pname, GLfloat param);
 

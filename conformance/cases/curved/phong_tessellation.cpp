@@ -299,7 +299,7 @@ Cases phong_tessellation_cases() {
       simple_case("displaced", {"11.R.7b-11", "11.R.7b-1"},
                   "Displace by a ramp; compare positions and normals with finite differences of the surface.",
                   "Slopes of the flat triangle.", check_displaced),
-      simple_case("shape.values", {"11.R.2-36", "11.R.2-35", "11.R.2-29", "errors-9"},
+      simple_case("shape.values", {"11.R.2-39", "11.R.2-35", "11.R.2-29", "errors-25"},
                   "Set numbers and integers in the range and out of it.", "Every finite number is accepted.",
                   check_shape_values),
       simple_case("shape.initial", {"state-32"}, "Read PHONG_SHAPE_ARK at first.", "0, or 1.", check_initial),

@@ -353,7 +353,7 @@ Cases draw_limits_cases() {
     for (const bool by_degrees : {false, true})
       cases.push_back(draw_case(
           fmt::format("{}{}", by_degrees ? "degrees." : "pixels.", count),
-          {by_degrees ? "11.R.4-8" : "11.R.4-4", "11.R.4-11"},
+          {by_degrees ? "11.R.4-8" : "11.R.4-4", "11.R.4-27"},
           "Edges of three depths in every order, with angles of more than 90 degrees, in small and large draws.",
           "One edge has the depth of another; an angle counts as the angle to the opposite normal.",
           [count, by_degrees](Test& t) { check_measured(t, count, by_degrees); }));

@@ -252,7 +252,7 @@ Cases shared_edges_cases() {
   for (const Measure& measure : {Measure{"pixels", 4, 0}, Measure{"degrees", 0, 3}, Measure{"both", 6, 2}})
     cases.push_back(
         {.name = std::string("ark.edges.measured.") + measure.name,
-         .clauses = {"11.R.4-11", "11.R.8-3"},
+         .clauses = {"11.R.4-27", "11.R.8-3"},
          .plan = "The same with measured depths, the ends in either order and in two commands.",
          .wrong = "The depth depends on the order of the ends: another number of vertices.",
          .check = [measure](Test& t) { check_measured(t, variants()[0], measure.pixels, measure.degrees); }});

@@ -30,6 +30,7 @@ const std::vector<Initial>& initial_values() {
       {GL_PATTERN_INTERIOR_ARK, GL_MINIMUM_INTERIOR_ARK, 0, {"11.R.2-9"}},
       {GL_EDGE_PIXELS_ARK, 8, 0, {"11.R.2-10"}},
       {GL_EDGE_DEGREES_ARK, 0, 0, {"11.R.2-11"}},
+      {GL_SCREEN_ERROR_ARK, 0, 0, {"11.R.2-37"}},
       {GL_TRIANGLE_BUDGET_ARK, 0, 0, {"11.R.2-12"}},
       {GL_DISCONTINUITY_ATTRIBUTE_ARK, -2, GL_MAX_VERTEX_ATTRIBS, {"11.R.2-13"}},
       {GL_SCALAR_TAG_ATTRIBUTE_ARK, -3, GL_MAX_VERTEX_ATTRIBS, {"11.R.2-14"}},

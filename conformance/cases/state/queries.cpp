@@ -37,6 +37,7 @@ double value_set(GLenum name, const EverythingSet& objects) {
     case GL_DISPLACEMENT_SCALE_ARK: return 2.625;
     case GL_DISPLACEMENT_BIAS_ARK: return -0.75;
     case GL_PHONG_SHAPE_ARK: return 0.25;
+    case GL_SCREEN_ERROR_ARK: return 1.625;
     case GL_DEPTH_TAG_ARRAY_TYPE_ARK: return GL_UNSIGNED_SHORT;
     case GL_DEPTH_TAG_ARRAY_STRIDE_ARK: return 6;
     case GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK: return objects.buffer;
@@ -88,7 +89,8 @@ const char* group_of(GLenum name) {
     case GL_DEPTH_TAG_ARRAY_BUFFER_BINDING_ARK: return "tokens-3";
     case GL_DISPLACEMENT_SCALE_ARK:
     case GL_DISPLACEMENT_BIAS_ARK:
-    case GL_PHONG_SHAPE_ARK: return "tokens-29";
+    case GL_PHONG_SHAPE_ARK:
+    case GL_SCREEN_ERROR_ARK: return "tokens-29";
     default: return "tokens-14";
   }
 }

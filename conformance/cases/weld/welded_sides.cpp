@@ -234,7 +234,7 @@ Cases welded_sides_cases() {
                                          {"curved", GL_CURVED_PN_ARK},
                                          {"tagged", GL_SCALAR_TAGGED_PN_ARK}})
     cases.push_back({.name = std::string("ark.weld.measured_turns.") + leaf,
-                     .clauses = {"11.R.15-17", "11.R.15-18"},
+                     .clauses = {"11.R.15-37", "11.R.15-18"},
                      .plan = "Two sides of an edge whose normals turn by 5 and by 35 degrees have the greater depth.",
                      .wrong = "Each side has its own depth: a T-junction; the lesser depth.",
                      .check = [mode = refinement](Test& t) { check_turns(t, mode); }});

@@ -24,9 +24,9 @@ struct ScreenProgram {
   GLuint name = 0;  // 0: the screen is not measured
   int points = corners_only;
   // For more points than corners:
-  GLuint lattice = 0;      // attribute locations
+  GLuint lattice = 0;  // attribute locations
   GLuint first_chunk = 0;
-  GLint first_word = -1;   // location of the uniform; >= 0: the program reads records from a storage block
+  GLint first_word = -1;  // location of the uniform; >= 0: the program reads records from a storage block
   GLuint records_binding = 0;
 
   bool measures_curves() const { return points > corners_only; }

@@ -30,18 +30,22 @@ bool InstanceSorter::reserve_numbers() {
 }
 
 bool InstanceSorter::has_room(const SortRoom& room) const {
-  return prepared_for_ == pool_.number() && ordered_.has_room(room.layout, room.triangles, room.plan.screen.measures_curves()) &&
+  return prepared_for_ == pool_.number() &&
+         ordered_.has_room(room.layout, room.triangles, room.plan.screen.measures_curves()) &&
          bins_.has_room(room.layout, room.triangles, room.plan.deepest) &&
-         (!room.plan.measured || measure_.has_room(room.triangles, room.plan.screen.points)) && (!room.numbered || has_numbers());
+         (!room.plan.measured || measure_.has_room(room.triangles, room.plan.screen.points)) &&
+         (!room.numbered || has_numbers());
 }
 
 bool InstanceSorter::reserve(const SortRoom& room) {
   if (prepared_for_ != pool_.number() && bins_.prepare(pool_.pool())) {
     prepared_for_ = pool_.number();
   }
-  ordered_.reserve(room.layout, room.triangles, room.plan.screen.measures_curves());  // if that fails, all draws go through the bins
+  ordered_.reserve(room.layout, room.triangles,
+                   room.plan.screen.measures_curves());  // if that fails, all draws go through the bins
   return prepared_for_ == pool_.number() && bins_.reserve(room.layout, room.triangles, room.plan.deepest) &&
-         (!room.plan.measured || measure_.reserve(room.triangles, room.plan.screen.points)) && (!room.numbered || reserve_numbers());
+         (!room.plan.measured || measure_.reserve(room.triangles, room.plan.screen.points)) &&
+         (!room.numbered || reserve_numbers());
 }
 
 bool InstanceSorter::takes_in_order(const SortRequest& request) const {

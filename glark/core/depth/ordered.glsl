@@ -32,10 +32,10 @@ uniform int on_screen;
 uniform int counted;  // the triangles count for the budget
 uniform vec2 half_size;
 #if GLARK_CURVES
-shared uint shown[3 * GLARK_GROUP];  // by edge: it belongs to a triangle that can be seen
+shared uint shown[3 * GLARK_GROUP];  // by edge: 0, or 1 and the steps for the inside of its triangles
 
-void show_edge(int first) { shown[first] = 1u; }
-bool is_edge_shown(int first) { return shown[first] != 0u; }
+void show_edge(int first, int steps) { atomicMax(shown[first], uint(1 + steps)); }
+int shown_steps(int first) { return int(shown[first]) - 1; }
 #endif
 
 int corner_count() { return 3 * triangle_count; }

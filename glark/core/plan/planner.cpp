@@ -271,7 +271,8 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .morphing = depth.morphing});
   key.normal_attribute = normal.attribute;
   key.instanced = instanced;
-  add_welded_words(key, depth.measured && (depth.measure.degrees > 0 || depth.measure.error > 0 || depth.budget.curves_only));
+  add_welded_words(
+      key, depth.measured && (depth.measure.degrees > 0 || depth.measure.error > 0 || depth.budget.curves_only));
   plan.derived = derived(plan, key);
   choose_weld(plan, key, call.triangles);
   if (plan.derived == nullptr) {

@@ -107,6 +107,17 @@ Competitor Subject::tagged() const {
           [this] { draw(); }};
 }
 
+Competitor Subject::measured(float pixels) const {
+  return {[this, pixels] {
+            use_shading(shading_, view_);
+            glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+            glARKParameteriARK(GL_EDGE_PIXELS_ARK, 0);
+            glARKParameterfARK(GL_SCREEN_ERROR_ARK, pixels);
+            bind(true);
+          },
+          [this] { draw(); }};
+}
+
 void Subject::draw_by_array() const {
   glBindVertexArray(array_);
   draw();

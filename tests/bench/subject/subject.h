@@ -25,6 +25,7 @@ class Subject {
   Competitor as_is() const;
   Competitor refined(unsigned level) const;  // all edges have the same level
   Competitor tagged() const;                 // refined by the tags
+  Competitor measured(float pixels) const;   // refined until edges leave their segments by so many pixels
   Competitor tessellated(unsigned level) const;
   // Writes a few bytes of the vertices before each draw, so that nothing can be cached.
   Competitor touched(const Competitor& competitor) const;

@@ -16,8 +16,8 @@ bool is_outside(int triangle) {
   vec4 least = vec4(3.0e38);
   vec4 most = vec4(-3.0e38);
   for (int point = 0; point < point_count; ++point) {
-    vec4 p = point_of(point, triangle);
-    vec4 inside = vec4(p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y);
+    vec3 p = point_of(point, triangle);
+    vec4 inside = vec4(p.z + p.x, p.z - p.x, p.z + p.y, p.z - p.y);
     if (!all(lessThan(abs(inside), vec4(1.0e30)))) {
       return false;  // not a number, or too large
     }
@@ -40,11 +40,11 @@ bool is_culled(int triangle) {
   }
   vec2 on_screen[10];
   for (int point = 0; point <= centre; ++point) {
-    vec4 p = point_of(point, triangle);
-    if (!(p.w > 0.0)) {
+    vec3 p = point_of(point, triangle);
+    if (!(p.z > 0.0)) {
       return false;
     }
-    on_screen[point] = p.xy * half_size / p.w;
+    on_screen[point] = p.xy * half_size / p.z;
   }
   bool away = true;
   for (int edge = 0; edge < 3; ++edge) {

@@ -5,5 +5,4 @@
 
 float pixel_limit(int depth) { return limits[1 + depth]; }
 float cosine_limit(int depth) { return limits[1 + GLARK_DEPTHS + depth]; }
-float error_limit(int depth) { return limits[1 + 2 * GLARK_DEPTHS + depth]; }
-float odd_share(int depth) { return limits[1 + 3 * GLARK_DEPTHS + depth]; }
+float error_limit() { return limits[1 + 2 * GLARK_DEPTHS]; }

@@ -26,7 +26,7 @@ constexpr const char* depth_names[] = {"record_offset",   "corner_words",      "
                                        "point_count",     "shown_stamp",       "half_size"};
 constexpr std::size_t half_size = 17;
 
-constexpr GLsizeiptr limit_bytes = 4 * (1 + 4 * limit_depths);
+constexpr GLsizeiptr limit_bytes = 4 * (1 + 2 * limit_depths + 1);
 constexpr float most_change_while_morphing =
     1.0F / 16;  // of a level in a frame: at 60 frames a second, a quarter of a second
 
@@ -111,7 +111,10 @@ MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, positions_.buffer());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, limits_.name());
-  const GLint stamp = curves ? shown_.mark({*request.layout, request.triangles, request.screen.points}, bindings) : 0;
+  const GLint stamp = curves ? shown_.mark({*request.layout, request.triangles, request.screen.points,
+                                            request.pool_level, request.depth_steps},
+                                           bindings)
+                             : 0;
   const core::ComputePass& pass = depth_passes_[curves ? 1 : 0];
   pass.use(gl_);
   const auto straight = straight_edge_words(request);

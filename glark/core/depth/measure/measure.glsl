@@ -5,7 +5,7 @@
 // of triangles that can be seen. The includer supplies #version, GLARK_PASS and GLARK_CURVES (1: curves are measured).
 //
 // The limits: word 0 is the coarseness (float: how many depths the budget takes away). Then come for each depth a pixel
-// limit and a cosine limit (edge_depth.glsl), an error limit and a share (screen_error.glsl).
+// limit and a cosine limit (edge_depth.glsl), and one error limit (screen_error.glsl).
 #if GLARK_PASS == 0
 
 layout(local_size_x = 1) in;
@@ -53,10 +53,9 @@ void main() {
     float cosine = cos(min(radians_of_turn * segments, pi));
     limits[1 + depth] = longest * longest;
     limits[1 + GLARK_DEPTHS + depth] = radians_of_turn * segments < pi ? cosine * abs(cosine) : -2.0;
-    float farthest = min(error * (4.0 / 3.0) * segments * segments, 1e9);
-    limits[1 + 2 * GLARK_DEPTHS + depth] = farthest * farthest;
-    limits[1 + 3 * GLARK_DEPTHS + depth] = 3.0 - 1.8 * exp2(-float(depth));
   }
+  float farthest = min(error * (4.0 / 3.0) * exp2(2.0 * coarseness), 1e9);
+  limits[1 + 2 * GLARK_DEPTHS] = farthest * farthest;
 }
 
 #else
@@ -77,11 +76,17 @@ uniform int on_screen;
 uniform int packed_bits;
 uniform vec2 half_size;
 #if GLARK_CURVES
-uniform int shown_stamp;  // 0: all edges are shown
-layout(std430, binding = 3) buffer Shown { uint shown[]; };  // the stamp, for each edge that is shown
+uniform int shown_stamp;
+// For each edge: the stamp of the last draw that showed it, and below it the steps for the inside of its triangles.
+layout(std430, binding = 3) buffer Shown { uint shown[]; };
 
-void show_edge(int first) { shown[first] = uint(shown_stamp); }
-bool is_edge_shown(int first) { return shown_stamp == 0 || shown[first] == uint(shown_stamp); }
+const int step_bits = 10;
+
+void show_edge(int first, int steps) { atomicMax(shown[first], (uint(shown_stamp) << step_bits) + uint(steps)); }
+int shown_steps(int first) {
+  uint word = shown[first];
+  return word >> step_bits == uint(shown_stamp) ? int(word & ((1u << step_bits) - 1u)) : -1;
+}
 #endif
 
 int corner_count() { return 3 * triangle_bound; }
@@ -98,6 +103,10 @@ void main() {
     return;
   }
 #if GLARK_PASS == 2
+  if (shown_stamp == 0) {  // the stamps begin again
+    shown[3 * triangle] = shown[3 * triangle + 1] = shown[3 * triangle + 2] = 0u;
+    return;
+  }
   show_edges(triangle);
 #else
   uint depths = 0u;

@@ -3,8 +3,9 @@
 //
 // The measured depth, in steps, between two captured corners, for measure.glsl and ordered.glsl. Both declare
 // `records`, `ends`, `corner_count()` and the uniforms. With GLARK_CURVES, they also declare
-//   void show_edge(int first)       called for each edge of a triangle that can be seen; `first` names the edge
-//   bool is_edge_shown(int first)   after all calls of show_edge()
+//   void show_edge(int first, int steps)  called for each edge of a triangle that can be seen; `first` names the edge,
+//                                         and the inside of the triangle needs `steps`
+//   int shown_steps(int first)            after all calls of show_edge(): the most steps; -1: nobody sees the edge
 
 uniform int turn_offset;  // in a corner; < 0: each side of an edge is measured by itself
 
@@ -45,9 +46,10 @@ void show_edges(int triangle) {
   if (is_hidden(triangle)) {
     return;
   }
+  int steps = steps_of_inside(triangle, half_size, pool_level);
   for (int edge = 0; edge < 3; ++edge) {
     int from = 3 * triangle + edge;
-    show_edge(side_that_turns_most(from, 3 * triangle + (edge == 2 ? 0 : edge + 1)).x);
+    show_edge(side_that_turns_most(from, 3 * triangle + (edge == 2 ? 0 : edge + 1)).x, steps);
   }
 }
 #endif
@@ -55,10 +57,11 @@ void show_edges(int triangle) {
 int measured_steps(int a, int b) {
   int steps = pool_level * depth_steps;
 #if GLARK_CURVES
-  if (turn_offset >= 0 && !is_edge_shown(side_that_turns_most(a, b).x)) {
+  int inside = turn_offset >= 0 ? shown_steps(side_that_turns_most(a, b).x) : 0;
+  if (inside < 0) {
     return 0;
   }
-  steps = steps_by_error(a, b, half_size, pool_level);
+  steps = max(inside, steps_by_error(a, b, half_size, pool_level));
 #endif
   if (on_screen != 0 && by_length != 0) {
     steps = min(steps, glark_steps_on_screen(position_of(a), position_of(b), half_size, depth_of(steps)));

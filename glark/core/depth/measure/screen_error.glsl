@@ -13,9 +13,8 @@
 // Based on: G. Wang, The subdivision method for finding the intersection between two Bezier curves or surfaces, 1984:
 // the bound by second differences, which is `share` 3. A lesser share at the first depths saves segments.
 //
-// The includer declares the table that measure.glsl makes:
-//   float error_limit(int depth)  square of 4/3 4^depth times the error, in pixels
-//   float odd_share(int depth)
+// The includer declares the limit that measure.glsl makes:
+//   float error_limit()  square of 4/3 times the error, in pixels
 
 // The distances of a curve from its chord, as seen from one place. A distance squared is
 // products.x + share^2 products.y + share products.z, in units of `unit`.
@@ -62,39 +61,51 @@ glark_Bend glark_bend_at(vec3 place, vec3 even, vec3 odd, float eye_distance, bo
   return bend;
 }
 
-bool glark_bend_fits(glark_Bend bend, int steps) {
-  int depth = depth_of(steps);
-  float limit = error_limit(depth);
-  float share = odd_share(depth);
-  int step = steps - (depth - 1) * depth_steps;
-  if (depth > 0 && step < depth_steps) {
-    limit = glark_limit_between(error_limit(depth - 1), limit, step);
-    share = glark_limit_between(odd_share(depth - 1), share, step);
-  }
+bool glark_bend_fits(glark_Bend bend, float limit, float share) {
   vec2 sizes = vec2(glark_bend_square(bend.angle, share), glark_bend_square(bend.screen, share));
   return glark_fits(bvec2(true, bend.in_front), sizes, vec2(bend.angle_unit, bend.screen_unit), limit);
 }
 
-// Returns `steps`, or more if the curve needs more.
+// `length`: of a segment, as a part of the edge.
+float glark_odd_share(float length) {
+  precise float share = 3.0 - 1.8 * length;
+  return share;
+}
+
+// Returns `steps`, or more if the curve needs more. With one step per level, the first check at each depth is the last.
 int glark_steps_of_bend(int steps, glark_Bend bend, int deepest) {
-  if (glark_bend_fits(bend, steps)) {
+  int depth = depth_of(steps);
+  float length = 1.0;
+  float limit = error_limit();
+  for (int i = 0; i < depth; ++i) {
+    limit *= 16.0;
+    length *= 0.5;
+  }
+  if (glark_bend_fits(bend, limit, glark_odd_share(length)) && steps == depth * depth_steps) {
     return steps;
   }
-  int depth = depth_of(steps + 1);
-  while (depth < deepest && !glark_bend_fits(bend, depth * depth_steps)) {
+  while (depth < deepest && !glark_bend_fits(bend, limit, glark_odd_share(length))) {
     ++depth;
+    length *= 0.5;
+    limit *= 16.0;
   }
-  int too_few = max(steps, (depth - 1) * depth_steps);
-  int enough = min(depth, deepest) * depth_steps;
+  if (depth_steps == 1 || depth == 0) {
+    return max(steps, depth * depth_steps);
+  }
+  float coarse_limit = limit * 0.0625;
+  float coarse_share = glark_odd_share(2.0 * length);
+  int too_few = 0;
+  int enough = depth_steps;
   while (enough - too_few > 1) {
     int middle = (enough + too_few) / 2;
-    if (glark_bend_fits(bend, middle)) {
+    if (glark_bend_fits(bend, glark_limit_between(coarse_limit, limit, middle),
+                        glark_limit_between(coarse_share, glark_odd_share(length), middle))) {
       enough = middle;
     } else {
       too_few = middle;
     }
   }
-  return enough;
+  return max(steps, (depth - 1) * depth_steps + enough);
 }
 
 // A curve in the space of glark_steps_on_screen. The quarter points lie next to the ends of the same names.
@@ -107,6 +118,10 @@ struct glark_Curve {
   bool has_middle;
 };
 
+int glark_steps_from(int steps, vec3 place, vec3 even, vec3 odd, float eye_distance, bool in_front, int deepest) {
+  return glark_steps_of_bend(steps, glark_bend_at(place, even, odd, eye_distance, in_front), deepest);
+}
+
 int glark_steps_of_curve(glark_Curve curve, float eye_distance, int deepest) {
   precise vec3 near_a = curve.quarter_a - (0.75 * curve.a + 0.25 * curve.b);
   precise vec3 near_b = curve.quarter_b - (0.75 * curve.b + 0.25 * curve.a);
@@ -114,14 +129,15 @@ int glark_steps_of_curve(glark_Curve curve, float eye_distance, int deepest) {
   precise vec3 odd = (16.0 / 9.0) * (near_a - near_b);
   precise vec3 even_in_middle = (4.0 / 3.0) * (curve.middle - 0.5 * (curve.a + curve.b));
   bool in_front = curve.a.z > 0.0 && curve.b.z > 0.0 && curve.quarter_a.z > 0.0 && curve.quarter_b.z > 0.0;
-  vec3 places[4] = vec3[4](curve.a, curve.b, curve.quarter_a, curve.quarter_b);
-  int steps = 0;
-  // If an end is behind the eye, the curve may be nearer to the eye than its ends.
-  for (int i = 0; i < (in_front ? 2 : 4); ++i) {
-    steps = glark_steps_of_bend(steps, glark_bend_at(places[i], even, odd, eye_distance, in_front), deepest);
-    if (curve.has_middle) {
-      steps = glark_steps_of_bend(steps, glark_bend_at(places[i], even_in_middle, odd, eye_distance, in_front), deepest);
-    }
+  int steps = glark_steps_from(0, curve.a, even, odd, eye_distance, in_front, deepest);
+  steps = glark_steps_from(steps, curve.b, even, odd, eye_distance, in_front, deepest);
+  if (curve.has_middle) {
+    steps = glark_steps_from(steps, curve.a, even_in_middle, odd, eye_distance, in_front, deepest);
+    steps = glark_steps_from(steps, curve.b, even_in_middle, odd, eye_distance, in_front, deepest);
+  }
+  if (!in_front) {  // the curve may be nearer to the eye than its ends
+    steps = glark_steps_from(steps, curve.quarter_a, even, odd, eye_distance, in_front, deepest);
+    steps = glark_steps_from(steps, curve.quarter_b, even, odd, eye_distance, in_front, deepest);
   }
   return steps;
 }

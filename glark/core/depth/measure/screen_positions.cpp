@@ -66,8 +66,8 @@ GLintptr ScreenPositions::words_offset(int points) const {
 }
 
 bool ScreenPositions::has_room(std::uint32_t triangles, int points) const {
-  return feedback_ != 0 && (GLsizeiptr{triangles} * bytes_a_triangle(points)) + 2 * points * position_bytes <=
-                               buffer_.size();
+  return feedback_ != 0 &&
+         (GLsizeiptr{triangles} * bytes_a_triangle(points)) + 2 * points * position_bytes <= buffer_.size();
 }
 
 bool ScreenPositions::reserve(std::uint32_t triangles, int points) {

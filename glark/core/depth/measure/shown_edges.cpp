@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/depth/measure/shown_edges.h"
 
-#include <limits>
 #include <vector>
 
 #include "glark/core/depth/measure/measuring_pass.h"
@@ -11,10 +10,12 @@ namespace glark::depth {
 namespace {
 
 constexpr const char* uniform_names[] = {"record_offset", "corner_words", "triangle_bound", "turn_offset",
-                                         "point_count",   "shown_stamp",  "culled_side",    "half_size"};
-constexpr std::size_t culled_side_uniform = 6;
-constexpr std::size_t half_size = 7;
+                                         "point_count",   "shown_stamp",  "pool_level",     "depth_steps",
+                                         "culled_side",   "half_size"};
+constexpr std::size_t culled_side_uniform = 8;
+constexpr std::size_t half_size = 9;
 constexpr GLsizeiptr bytes_a_triangle = 3 * 4;
+constexpr GLint last_stamp = (1 << 22) - 1;  // a word has 10 bits for the steps
 
 }  // namespace
 
@@ -41,6 +42,7 @@ bool ShownEdges::reserve(std::uint32_t triangles) {
     return true;
   }
   const std::vector<std::uint32_t> none(std::size_t{triangles} * 3 + std::size_t{triangles}, 0U);
+  stamp_ = 0;
   return marks_.allocate(gl_, static_cast<GLsizeiptr>(none.size() * sizeof(none[0])), none.data(), GL_DYNAMIC_COPY);
 }
 
@@ -49,20 +51,35 @@ GLint ShownEdges::mark(const ShownRequest& request, const core::Bindings& bindin
   if (request.layout.turn_offset < 0) {
     return 0;
   }
-  stamp_ = stamp_ == std::numeric_limits<GLint>::max() ? 1 : stamp_ + 1;
   pass_.use(gl_);
+  if (stamp_ == last_stamp) {
+    clear();
+  }
+  ++stamp_;
   const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
                           request.layout.corner_words,
                           static_cast<GLint>(request.triangles.count),
                           request.layout.turn_offset,
                           request.points,
-                          stamp_};
+                          stamp_,
+                          static_cast<GLint>(request.pool_level),
+                          request.depth_steps};
   pass_.set_integers(gl_, values);
   gl_.Uniform1f(pass_.location(culled_side_uniform), static_cast<float>(culled_side(bindings)));
   gl_.Uniform2f(pass_.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   core::ComputePass::dispatch(gl_, request.triangles.count);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return stamp_;
+}
+
+// The pass is in use.
+void ShownEdges::clear() {
+  const auto triangles = static_cast<std::uint32_t>(marks_.size() / bytes_a_triangle);
+  const GLint values[] = {0, 0, static_cast<GLint>(triangles), 0, 0, 0};
+  pass_.set_integers(gl_, values);
+  core::ComputePass::dispatch(gl_, triangles);
+  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  stamp_ = 0;
 }
 
 void ShownEdges::release() {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which edges belong to a triangle that can be seen (hidden_triangle.glsl). The others need no depth.
+// Which edges belong to a triangle that can be seen (hidden_triangle.glsl). The others need no depth. Also the depth that
+// the insides of these triangles need.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +22,8 @@ struct ShownRequest {
   const capture::Layout& layout;
   capture::CoarseTriangles triangles;
   int points = 0;  // ScreenProgram::points
+  unsigned pool_level = 0;
+  int depth_steps = 1;
 };
 
 class ShownEdges {
@@ -31,17 +34,20 @@ class ShownEdges {
   // Compiles the pass when first called; false without memory. Rare path: wrap in an ErrorScope.
   bool reserve(std::uint32_t triangles);
   // Binds the marks to storage binding 3, where the depth pass reads them. The caller has bound the records and the
-  // positions to 0 and 1. Returns the mark of a shown edge. 0: nobody knows the sides of an edge, so all are shown.
+  // positions to 0 and 1, and the limits to 2. Returns the stamp of this draw. Does nothing if the layout does not tell
+  // the sides of an edge.
   GLint mark(const ShownRequest& request, const core::Bindings& bindings);
   void release();
 
  private:
+  void clear();
+
   const gl::Dispatch& gl_;
   capture::Language language_;
   core::ComputePass pass_;
   bool tried_ = false;
   core::GpuBuffer marks_;  // a word for each corner
-  GLint stamp_ = 0;        // of the last draw: older marks need not be cleared
+  GLint stamp_ = 0;        // of the last draw; older marks count as cleared
 };
 
 }  // namespace glark::depth

@@ -59,9 +59,9 @@ std::string storage_declarations(const EpiloguePlan& plan) {
   const std::string layout = plan.version.es ? "std430, binding = " + std::to_string(records_binding) : "std430";
   const bool numbered = plan.placed && plan.version.es;
   const std::string instance = plan.at_points ? "gl_VertexID"
-                               : numbered      ? std::string("int(") + instance_input + ")"
-                               : plan.placed ? "(gl_InstanceID + gl_BaseInstanceARB)"
-                                             : "gl_InstanceID";
+                               : numbered     ? std::string("int(") + instance_input + ")"
+                               : plan.placed  ? "(gl_InstanceID + gl_BaseInstanceARB)"
+                                              : "gl_InstanceID";
   return (numbered ? std::string("in highp uint ") + instance_input + ";\n" : "") + "layout(" + layout +
          ") readonly buffer " + records_block + " { float " + words_member + "[]; };\nuniform int " +
          first_word_uniform + ";\nint @record;\nvoid @find_record() { @record = " + first_word_uniform + " + " +
