@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Tables of the program as document text. scripts/options puts them into docs/reference and docs/man/glark.1.
+// Tables of the program as document text. scripts/parts/options puts them into docs/reference and docs/man/glark.1.
 #pragma once
 
 #include <string>

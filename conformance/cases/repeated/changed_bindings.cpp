@@ -6,9 +6,9 @@
 #include <cstring>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/repeated/repeated.h"
 #include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
-#include "conformance/support/repeated.h"
 
 namespace glark::conformance {
 namespace {

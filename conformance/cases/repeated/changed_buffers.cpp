@@ -6,10 +6,10 @@
 #include <cstring>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/repeated/repeated.h"
 #include "conformance/support/capture.h"
 #include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
-#include "conformance/support/repeated.h"
 
 namespace glark::conformance {
 namespace {

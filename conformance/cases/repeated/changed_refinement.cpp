@@ -4,9 +4,9 @@
 // Draws that repeat very often, with another refinement or another program in between. An implementation may keep their
 // refined vertices, but not when they are other ones.
 #include "conformance/cases/cases.h"
+#include "conformance/cases/repeated/repeated.h"
 #include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
-#include "conformance/support/repeated.h"
 #include "conformance/support/surface.h"
 
 namespace glark::conformance {

@@ -8,8 +8,8 @@
 
 #include "conformance/cases/cases.h"
 #include "conformance/cases/displacement/nearest_texture.h"
+#include "conformance/cases/repeated/repeated.h"
 #include "conformance/support/refined_draw.h"
-#include "conformance/support/repeated.h"
 #include "conformance/support/surface.h"
 
 namespace glark::conformance {
