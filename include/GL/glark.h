@@ -145,8 +145,7 @@ GLARK_API void GLARK_APIENTRY glARKinit(GLuint maxLevel);
  * After an error, the state is unchanged. */
 GLARK_API void GLARK_APIENTRY glARKParameteriARK(GLenum pname, GLint param);
 
-/* As glARKParameteriARK, for GL_SCREEN_ERROR_ARK, GL_DISPLACEMENT_SCALE_ARK, GL_DISPLACEMENT_BIAS_ARK and
- * GL_PHONG_SHAPE_ARK.
+/* As glARKParameteriARK, for GL_SCREEN_ERROR_ARK, GL_DISPLACEMENT_SCALE_ARK and _BIAS_ARK, and GL_PHONG_SHAPE_ARK.
  * Errors: GL_INVALID_ENUM for another name; GL_INVALID_VALUE if the number is not finite, or out of range. */
 GLARK_API void GLARK_APIENTRY glARKParameterfARK(GLenum pname, GLfloat param);
 

@@ -105,8 +105,8 @@ GLuint program(Test& t, const char* position) {
                                                  "layout(location = 1) in vec3 normal;\n"
                                                  "layout(location = 2) in vec3 weights;\n"
                                                  "layout(location = 6) in float triangle;\n"
-                                                 "out vec3 weights_out; out float triangle_out;\n"
-                                                 "void main() { weights_out = weights;\n"
+                                                 "out vec3 weights_out; out float triangle_out; out vec4 colour;\n"
+                                                 "void main() { weights_out = weights; colour = vec4(1.0);\n"
                                                  "  triangle_out = triangle + normal.z; gl_Position = ") +
                                      position + "; }\n",
                            .captured = {"gl_Position", "weights_out", "triangle_out"}});

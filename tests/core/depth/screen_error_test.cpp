@@ -35,7 +35,8 @@ class ScreenError : public testing::Test {
   }
   static std::vector<RefinedVertex> refine(std::vector<CurvedVertex> mesh) {
     for (std::size_t i = 0; i < mesh.size(); ++i) {
-      mesh[i].triangle = static_cast<GLfloat>(i / 3);
+      const std::size_t triangle = i / 3;
+      mesh[i].triangle = static_cast<GLfloat>(triangle);
       mesh[i].weights = {};
       mesh[i].weights[i % 3] = 1;
     }
