@@ -111,10 +111,10 @@ void Executor::execute(const SyntaxNode& node) {
       if (node.type->basic == BasicType::none) return execute_selection(node);
       break;
     case NodeKind::loop: return execute_loop(node);
-    case NodeKind::switch_: return execute_switch(node);
-    case NodeKind::return_: return execute_return(node);
-    case NodeKind::break_: return leave(false);
-    case NodeKind::continue_: return leave(true);
+    case NodeKind::switch_statement: return execute_switch(node);
+    case NodeKind::return_statement: return execute_return(node);
+    case NodeKind::break_statement: return leave(false);
+    case NodeKind::continue_statement: return leave(true);
     default: break;
   }
   evaluator_.evaluate(node);
@@ -173,7 +173,7 @@ void Executor::execute_switch(const SyntaxNode& node) {
   run_.calls.back().breakables.push_back({});
   const Memory::State before = run_.memory.state();
   for (const SyntaxNode& statement : node.children[1].children) {
-    if (statement.kind == NodeKind::case_) {
+    if (statement.kind == NodeKind::case_label) {
       run_.memory.join(run_.memory.state(), before);
     } else {
       execute(statement);

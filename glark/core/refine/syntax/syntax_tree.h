@@ -24,11 +24,11 @@ enum class NodeKind {
   call,  // of a function of the application; `words` is its mangled name
   selection,
   loop,
-  switch_,  // the children are the condition and the body
-  case_,    // "case" or "default"
-  return_,
-  break_,
-  continue_,
+  switch_statement,  // the children are the condition and the body
+  case_label,        // "case" or "default"
+  return_statement,
+  break_statement,
+  continue_statement,
   constant,   // of `count` numbers
   symbol,     // a variable; `words` is its name
   operation,  // `words` says which: "add", "vector swizzle"
