@@ -78,7 +78,7 @@ void find_idle(Parsed& parsed) {
 
 // Without GLARK_ENABLE, only programs that call the extension are refined, and they choose these themselves.
 void find_disabled(Parsed& parsed) {
-  for (const std::string_view key : {"level", "edge-pixels", "curvature", "refine"}) {
+  for (const std::string_view key : {"level", "edge-pixels", "screen-error", "curvature", "refine"}) {
     if (!parsed.settings.is_given(key)) continue;
     parsed.problems.push_back(fmt::format("{} has no effect without {}=1 on a program that does not call the extension",
                                           find_setting(key)->variable, variable::enable));

@@ -128,10 +128,8 @@ scripts/reproduce                # measures, draws, plots, and writes this page
 Figures of Boubekeur 2007. Machine: {machine}. The thesis had a GeForce 8800 GTX; llvmpipe is some hundred times slower, so ratios count.
 
 ## 7.13: uniform against adaptive refinement
-Welded PN triangles; back faces are culled. The adaptive depths follow from the error on the screen (`GL_SCREEN_ERROR_ARK`), which is the greatest whose
-silhouettes are as good as those of the uniform level: their mean distance from those of the surface at level 7, also where one part covers another,
-in a picture four times as large. The uniform levels are kept (refined once); the adaptive depths are measured in every frame. The thesis found 2.5 to
-4.6 times the frame rate.
+PN triangles; the tags are those at which no segment is longer on the screen than the longest of the uniform level. The thesis found 2.5 to 4.6 times
+the frame rate.
 
 ![adaptive](../images/reproduction/fig7_13.png)
 

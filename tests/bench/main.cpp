@@ -85,6 +85,7 @@ std::vector<glark::bench::Case> all_cases() {
 #endif
   glark::bench::add_shape_cases(cases);
   glark::bench::add_figure_cases(cases);
+  glark::bench::add_screen_error_cases(cases);
   glark::bench::add_weld_cases(cases);
   return cases;
 }

@@ -29,6 +29,7 @@ void add_qas_draw_cases(std::vector<Case>& cases);
 void add_surfel_cases(std::vector<Case>& cases);  // if glark-surfel is built
 void add_shape_cases(std::vector<Case>& cases);
 void add_figure_cases(std::vector<Case>& cases);
+void add_screen_error_cases(std::vector<Case>& cases);
 void add_weld_cases(std::vector<Case>& cases);
 
 }  // namespace glark::bench

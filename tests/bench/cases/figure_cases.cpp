@@ -1,133 +1,90 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Figures 7.13 and 7.14 of Boubekeur 2007: adaptive and uniform refinement with the same error on the screen; a million refined triangles from coarse meshes of different sizes; and the time of every depth.
+// Figures 7.13 and 7.14 of Boubekeur 2007: adaptive and uniform refinement with segments of at most the same length on
+// the screen; a million refined triangles from coarse meshes of different sizes; and the time of every depth.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include <glark/depth.h>
+
 #include "tests/bench/cases/case.h"
+#include "tests/bench/cases/figure_meshes.h"
 #include "tests/bench/offscreen.h"
-#include "tests/bench/screen_error.h"
-#include "tests/bench/subject/model.h"
 #include "tests/bench/subject/subject.h"
 
 namespace glark::bench {
 namespace {
 
-constexpr unsigned deepest = 11;
+constexpr unsigned deepest = 11;                           // so large that the level does not limit tags
+constexpr std::array<float, 3> eye_of_sphere{0, 0, 3.2F};  // the eye of View::sphere
+constexpr std::array<float, 3> eye_of_plane{0, 7.91F, 19.1F};
 constexpr float pixels_at_one = 0.5F * picture_size / 0.35F;
 
-// Makes a torus. Its inside bends more than its outside, and its near side appears larger.
-Mesh make_torus(int rings, int sides) {
-  Mesh mesh;
-  for (int i = 0; i < rings; ++i) {
-    for (int j = 0; j < sides; ++j) {
-      const float u = 6.2831853F * static_cast<float>(i) / static_cast<float>(rings);
-      const float v = 6.2831853F * static_cast<float>(j) / static_cast<float>(sides);
-      const float tilt = 0.9F;
-      const float n[3] = {std::cos(u) * std::cos(v), std::sin(v), std::sin(u) * std::cos(v)};
-      const float p[3] = {0.7F * std::cos(u) + 0.25F * n[0], 0.25F * n[1], 0.7F * std::sin(u) + 0.25F * n[2]};
-      const auto turned = [&](const float* a) {
-        return std::array{a[0], std::cos(tilt) * a[1] - std::sin(tilt) * a[2],
-                          std::sin(tilt) * a[1] + std::cos(tilt) * a[2]};
-      };
-      const auto position = turned(p);
-      const auto normal = turned(n);
-      mesh.vertices.push_back({{position[0], position[1], position[2]}, {normal[0], normal[1], normal[2]}, {0, 0}});
-      const auto at = [&](int a, int b) { return static_cast<std::uint32_t>(a % rings * sides + b % sides); };
-      mesh.indices.insert(mesh.indices.end(),
-                          {at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
+// Computes tags from the length of edges on the screen.
+class ScreenTags {
+ public:
+  ScreenTags(const Mesh& mesh, const depth::View& view)
+      : tagger_(mesh.vertices.size(), mesh.indices, deepest), view_(view), tags_(mesh.vertices.size()) {
+    for (const Vertex& vertex : mesh.vertices) {
+      positions_.insert(positions_.end(), std::begin(vertex.position), std::end(vertex.position));
     }
   }
-  return mesh;
-}
-
-// Makes hills. View::plane sees them from above their near end.
-Mesh make_landscape() {
-  Mesh mesh = make_plane(30, 18);
-  const auto height = [](float x, float z) {
-    return 0.6F * std::sin(0.9F * x) * std::cos(0.7F * z) + 0.3F * std::sin(0.4F * x + 1.1F * z);
-  };
-  for (Vertex& vertex : mesh.vertices) {
-    constexpr float step = 0.01F;
-    const float x = vertex.position[0];
-    const float z = vertex.position[2];
-    const float slope_x = (height(x + step, z) - height(x - step, z)) / (2 * step);
-    const float slope_z = (height(x, z + step) - height(x, z - step)) / (2 * step);
-    const float size = std::hypot(slope_x, 1.0F, slope_z);
-    vertex = {{x, height(x, z), z}, {-slope_x / size, 1 / size, -slope_z / size}, {vertex.uv[0], vertex.uv[1]}};
+  // Sets tags so that no segment is longer than `pixels`.
+  std::vector<std::uint8_t> tags(float pixels) {
+    tagger_.by_edge_length(positions_, view_, pixels, tags_);
+    for (float& tag : tags_) tag = std::ceil(tag - 1e-4F);
+    triangles_ = static_cast<double>(tagger_.refined_triangles(tags_));
+    return {tags_.begin(), tags_.end()};
   }
-  return mesh;
-}
-
-// Returns how many triangles the competitor draws.
-double triangles_of(const Competitor& competitor) {
-  GLuint query = 0;
-  GLuint count = 0;
-  glGenQueries(1, &query);
-  competitor.prepare();
-  glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-  competitor.draw();
-  glEndQuery(GL_PRIMITIVES_GENERATED);
-  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
-  glDeleteQueries(1, &query);
-  return count;
-}
-
-// Returns the largest screen error whose silhouettes are as good as `limit`, in steps of a quarter of a level.
-float error_within(const Subject& subject, const ErrorMeter& meter, double limit) {
-  const auto error = [](int step) { return std::exp2(-0.5F * static_cast<float>(step)); };
-  int good = 20;  // 1/1024 of a pixel
-  int bad = -6;   // 8 pixels
-  while (good - bad > 1) {
-    const int step = bad + (good - bad) / 2;
-    const bool fits = meter.of(subject.measured(ErrorMeter::zoom * error(step))).silhouette <= limit;
-    (fits ? good : bad) = step;
+  // Returns the length of the longest edge in pixels.
+  float longest() {
+    tagger_.by_edge_length(positions_, view_, 1, tags_);
+    return std::exp2(*std::max_element(tags_.begin(), tags_.end()));
   }
-  return error(good);
-}
+  double triangles() const { return triangles_; }  // for the last tags
 
-void compare(Report& report, const Effort& effort, const std::string& name, const Mesh& mesh,
-             View view = View::sphere) {
+ private:
+  depth::Tagger tagger_;
+  depth::View view_;
+  std::vector<float> positions_;
+  std::vector<float> tags_;
+  double triangles_ = 0;
+};
+
+void compare(Report& report, const Effort& effort, const std::string& name, const Mesh& mesh, View view) {
   glARKinit(deepest);
   glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
-  glARKParameteriARK(GL_WELD_ARK, GL_TRUE);
   const Subject subject(mesh, Shading::glsl, view);
-  const ErrorMeter meter(subject.refined(7), pixels_at_one);
+  ScreenTags by_screen(mesh,
+                       {.eye = view == View::plane ? eye_of_plane : eye_of_sphere, .pixels_at_one = pixels_at_one});
   for (const unsigned level : {2U, 3U, 4U}) {
-    const ScreenErrors uniform_errors = meter.of(subject.refined(level));
-    const float error = error_within(subject, meter, uniform_errors.silhouette);
-    const ScreenErrors errors = meter.of(subject.measured(ErrorMeter::zoom * error));
-    const auto times = interleave({subject.measured(error), subject.refined(level)}, effort);
+    const float segment = by_screen.longest() / static_cast<float>(1U << level);
+    const std::vector<std::uint8_t> tags = by_screen.tags(segment);
+    const Subject tagged(mesh, Shading::glsl, view, tags);
+    const auto times = interleave({tagged.tagged(), subject.refined(level)}, effort);
     const auto uniform = static_cast<double>(mesh.triangles() << (2 * level));
     report.add({"fig7.13/" + name + "/level" + std::to_string(level),
                 "thesis 2.5x to 4.6x",
-                Goal::at_least,
-                2.5,
+                Goal::none,
+                0,
                 speed_ratio(times[1], times[0]),
                 "x",
                 {{"coarse_triangles", static_cast<double>(mesh.triangles())},
                  {"uniform_triangles", uniform},
-                 {"adaptive_triangles", triangles_of(subject.measured(error))},
-                 {"screen_error_pixels", static_cast<double>(error)},
-                 {"uniform_silhouette_pixels", uniform_errors.silhouette},
-                 {"adaptive_silhouette_pixels", errors.silhouette},
-                 {"uniform_depth_pixels", uniform_errors.depth},
-                 {"adaptive_depth_pixels", errors.depth},
+                 {"adaptive_triangles", by_screen.triangles()},
+                 {"longest_segment_pixels", static_cast<double>(segment)},
                  {"uniform_ms", times[1].median() * 1e3},
                  {"adaptive_ms", times[0].median() * 1e3}}});
   }
-  glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
   glARKParameteriARK(GL_REFINEMENT_ARK, GL_LINEAR_INPUTS_ARK);
 }
 
 void run_figure_7_13(Report& report, const Effort& effort) {
-  compare(report, effort, "sphere", make_sphere(500));
-  compare(report, effort, "landscape", make_landscape(), View::plane);
-  compare(report, effort, "torus", make_torus(24, 12));
-  for (const std::string& name : model_names()) compare(report, effort, name, load_model(name, 1500));
-  if (model_names().empty()) report.note("fig7.13: models from files are left out; --models DIR says where they are");
+  for_each_figure_mesh(report, "fig7.13", [&](const std::string& name, const Mesh& mesh, View view) {
+    compare(report, effort, name, mesh, view);
+  });
 }
 
 void run_figure_7_14(Report& report, const Effort& effort) {
