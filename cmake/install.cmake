@@ -47,7 +47,8 @@ function(glark_install_client name)
   set(exports ${PROJECT_SOURCE_DIR}/glark/clients/exports.map)
   add_library(${shared} SHARED $<TARGET_OBJECTS:${library}> ${CLIENT_OBJECTS})
   set_target_properties(${shared} PROPERTIES OUTPUT_NAME ${library} EXPORT_NAME ${name} SOVERSION ${GLARK_SOVERSION}
-    LINKER_LANGUAGE CXX LINK_DEPENDS ${exports})
+    LINKER_LANGUAGE CXX LINK_DEPENDS ${exports}
+    INSTALL_RPATH "\$ORIGIN")  # one client library finds another one
   target_link_options(${shared} PRIVATE -Wl,--version-script=${exports} -Wl,-z,now
     $<$<NOT:$<BOOL:${GLARK_SANITIZE}>>:-Wl,--no-undefined>)
   target_link_libraries(${shared} PRIVATE glark_options)

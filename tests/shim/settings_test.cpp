@@ -126,15 +126,22 @@ TEST(Settings, Measures) {
   const Parsed parsed =
       parse_all({"GLARK_ENABLE=1", "GLARK_EDGE_PIXELS=7.5", "GLARK_CURVATURE=12", "GLARK_BUDGET=50000"});
   EXPECT_TRUE(parsed.problems.empty());
-  EXPECT_EQ(parsed.settings.context.measure, (core::EdgeMeasure{7.5F, 12, 50000}));
+  EXPECT_EQ(parsed.settings.context.measure, (core::EdgeMeasure{.pixels = 7.5F, .degrees = 12, .budget = 50000}));
   EXPECT_FALSE(parse_all({}).settings.context.measure.on());
   EXPECT_FALSE(parse_all({"GLARK_EDGE_PIXELS=0"}).settings.context.measure.on());
+}
+
+TEST(Settings, AScreenErrorIsAMeasure) {
+  const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_SCREEN_ERROR=0.75", "GLARK_BUDGET=50000"});
+  EXPECT_TRUE(parsed.problems.empty());
+  EXPECT_EQ(parsed.settings.context.measure, (core::EdgeMeasure{.error = 0.75F, .budget = 50000}));
+  EXPECT_TRUE(parsed.settings.context.measure.on());
 }
 
 TEST(Settings, ABudgetNeedsAMeasure) {
   const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_BUDGET=50000"});
   ASSERT_EQ(parsed.problems.size(), 1u);
-  EXPECT_EQ(parsed.problems[0], "--budget has no effect without --edge-pixels or --curvature");
+  EXPECT_EQ(parsed.problems[0], "--budget has no effect without --edge-pixels, --curvature or --screen-error");
 }
 
 TEST(Settings, Tension) {
@@ -148,7 +155,7 @@ TEST(Settings, Tension) {
 }
 
 TEST(Settings, GeomorphingNeedsAMeasure) {
-  EXPECT_EQ(only_problem("GLARK_GEOMORPH=1"), "--geomorph has no effect without --edge-pixels or --curvature");
+  EXPECT_EQ(only_problem("GLARK_GEOMORPH=1"), "--geomorph has no effect without --edge-pixels, --curvature or --screen-error");
   const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_GEOMORPH=1", "GLARK_CURVATURE=5"});
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_TRUE(parsed.settings.context.geomorph);
@@ -187,16 +194,16 @@ TEST(Settings, AnUnknownVariableIsToldWithTheNearestName) {
 TEST(Settings, SettingsThatChangeNothingAreTold) {
   EXPECT_EQ(only_problem("GLARK_LEVEL=0"), "--level 0 refines nothing; give a level of 1 or more");
   EXPECT_EQ(only_problem("GLARK_MAX_LEVEL=3"),
-            "--max-level has no effect without --level, --edge-pixels or --curvature");
+            "--max-level has no effect without --level, --edge-pixels, --curvature or --screen-error");
   const auto problems = [](std::vector<const char*> environment) {
     environment.push_back("GLARK_ENABLE=1");
     return parse_all(std::move(environment)).problems;
   };
   using Problems = std::vector<std::string>;
   EXPECT_EQ(problems({"GLARK_LEVEL=3", "GLARK_EDGE_PIXELS=8"}),
-            (Problems{"--level has no effect on draws that --edge-pixels measures; --max-level limits their depth"}));
+            (Problems{"--level has no effect on draws that --edge-pixels or --screen-error measures; --max-level limits their depth"}));
   EXPECT_EQ(problems({"GLARK_NO_WELD=1", "GLARK_REFINE=outputs"}),
-            (Problems{"--no-weld has no effect without --curvature or a --refine that curves triangles"}));
+            (Problems{"--no-weld has no effect without --curvature, --screen-error or a --refine that curves triangles"}));
   EXPECT_EQ(problems({"GLARK_EVERYTHING=1", "GLARK_LEAVE_DRAWS=none"}),
             (Problems{"--leave-draws has no effect beside --everything"}));
   EXPECT_EQ(problems({"GLARK_EVERYTHING=1", "GLARK_LEAVE_ALONE=1"}),

@@ -284,6 +284,12 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
               .transparent = env_.options.transparent,
               .ignores_shader = plan.program->traits.reads_vertex_id && !plan.program->refinement_source.empty(),
               .undisplaced = key.displaced && plan.derived->height_map < 0});
+  return find_capture(call, key, normal, plan);
+}
+
+// What captures the inputs of the derived program, unless something else needs what the draw would take.
+std::optional<Cause> Planner::find_capture(const DrawCall& call, const DerivedKey& key,
+                                           const MeshWatch::ChosenNormal& normal, DrawPlan& plan) {
   if (smooth() && key.welded && !plan.weld.on) {
     return Cause::too_many_attributes;  // another pass over the mesh may be welded: its shape would differ
   }

@@ -50,6 +50,8 @@ class Planner {
   bool changes_nothing(const DrawPlan& plan, Purpose purpose) const;
   std::optional<Cause> spend_budget(const DrawCall& call, DrawPlan& plan, Refinement chosen) const;
   std::optional<Cause> find_derived(const DrawCall& call, DrawPlan& plan);
+  std::optional<Cause> find_capture(const DrawCall& call, const DerivedKey& key, const MeshWatch::ChosenNormal& normal,
+                                    DrawPlan& plan);
   void choose_weld(DrawPlan& plan, DerivedKey& key, std::uint64_t triangles);
   std::optional<Cause> find_screen_program(DrawPlan& plan, const DerivedKey& key);
   bool can_measure(const Program& program) const;

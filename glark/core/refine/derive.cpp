@@ -142,6 +142,13 @@ class Deriver {
         return !output.unsound && !is_flat(output, plan_.structures);
       });
     }
+    if (!can_interpolate_outputs()) return false;
+    plan_resets();
+    return true;
+  }
+
+  // False: error_ says which output cannot be interpolated.
+  bool can_interpolate_outputs() {
     int indexed_words = 0;
     for (const OutputVariable& output : plan_.outputs) {
       indexed_words += output.indexed_words;
@@ -154,7 +161,6 @@ class Deriver {
       error_ = output.problem;
       return false;
     }
-    plan_resets();
     return true;
   }
 

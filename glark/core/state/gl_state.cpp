@@ -21,7 +21,7 @@ void GlState::forget() {
   framebuffers_ = {};
   textures_.changed();
   fixed_function_.touch();
-  lists_.note_state_change();
+  lists_.effects().touches_state = true;
 }
 
 Quiet GlState::quiet() {
@@ -37,7 +37,7 @@ void GlState::read() {
   if (capabilities_.is_compatibility()) {
     fixed_function_.matrices().touch_all();
     assembly_.forget();
-    lists_.note_state_change();
+    lists_.effects().touches_state = true;
   }
   if (programs_.current() == nullptr ? bindings_.program != 0 : programs_.current()->name != bindings_.program) {
     programs_.adopt(bindings_.program);

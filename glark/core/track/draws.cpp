@@ -161,7 +161,7 @@ GLenum mode_of_shape(Context& context, GLenum mode) {
   if (context.options().transparent) {
     return mode;
   }
-  context.state().lists().note_shapes();
+  context.state().lists().effects().draws_shapes = true;
   return GL_LINES;
 }
 

@@ -117,14 +117,14 @@ void record_material(Context& c, const MaterialChange& change) {
     return;
   }
   if (before_vertices && replaces_fixed_function(c)) {
-    lists.carry_materials(change.parameters());
+    lists.effects().materials.carried |= change.parameters();
   }
-  carry_change(c, change, change.parameters() & lists.carried_materials());
+  carry_change(c, change, change.parameters() & lists.effects().materials.carried);
 }
 
 // The list gives the attributes back as it found them.
 void record_materials_end(Context& c) {
-  for_each_attribute(c, c.state().lists().carried_materials(), [&](int, GLuint attribute) {
+  for_each_attribute(c, c.state().lists().effects().materials.carried, [&](int, GLuint attribute) {
     const CurrentValue value = value_of_attribute(c, attribute);
     value.again(c.gl(), attribute, value.components.data());
   });

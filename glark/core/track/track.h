@@ -39,7 +39,7 @@ bool replaces_fixed_function(Context& context);
 // change the state of refined draws must ask this.
 inline bool executes(Context& context) {
   ListCompilation& lists = context.state().lists();
-  lists.note_state_change();
+  lists.effects().touches_state = true;
   return !lists.compiling() || lists.executes_too();
 }
 

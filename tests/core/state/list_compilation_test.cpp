@@ -15,7 +15,7 @@ TEST(ListCompilation, SegmentsTakeTheEffectsOfTheirCalls) {
   ListCompilation lists;
   lists.begin(name, GL_COMPILE, true);
   lists.open_segment(100);
-  lists.note_state_change();
+  lists.effects().touches_state = true;
   lists.note_uniforms();
   lists.close_segment({}, 1);
   lists.open_segment(101);

@@ -49,10 +49,14 @@ struct SegmentEffects {
   bool changes_uniforms = false;
   SegmentMaterials materials;
 
+  // A current value changes in a way that is not followed.
+  void record_unknown(bool before_vertices) {
+    opaque = true;
+    late |= !before_vertices;
+  }
   void record(int slot, const CurrentValue& value, bool before_vertices) {
     if (slot < 0) {
-      opaque = true;
-      late |= !before_vertices;
+      record_unknown(before_vertices);
       return;
     }
     if ((set & slot_bit(slot)) == 0) {

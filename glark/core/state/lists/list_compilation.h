@@ -28,28 +28,15 @@ class ListCompilation {
   GLenum mode() const { return mode_; }
   bool executes_too() const { return mode_ == GL_COMPILE_AND_EXECUTE; }
 
-  // Record the effects of the calls in the open segment.
-  void note_state_change() { effects_.touches_state = true; }
-  void note_shapes() { effects_.draws_shapes = true; }
+  // The effects of the calls in the open segment.
+  SegmentEffects& effects() { return effects_; }
+  const SegmentEffects& effects() const { return effects_; }
   void note_uniforms() { changes_uniforms_ = true; }
-  void note_value(int slot, const CurrentValue& value, bool before_vertices) {
-    effects_.record(slot, value, before_vertices);
-  }
-  // A current value changes in a way that is not followed.
-  void note_unknown_value(bool before_vertices) {
-    effects_.opaque = true;
-    effects_.late |= !before_vertices;
-  }
   // glMaterial sets these parameters.
   void note_material(MaterialSet parameters, bool before_vertices) {
     effects_.materials.set |= in_primitive_;
     effects_.materials.varying |= in_primitive_ && !before_vertices ? parameters : 0;
   }
-  // Calls of the open segment set the attributes of these parameters.
-  void carry_materials(MaterialSet parameters) { effects_.materials.carried |= parameters; }
-  MaterialSet carried_materials() const { return effects_.materials.carried; }
-  // A vertex after the first sets more attributes or components than those before.
-  bool vertices_differ() const { return effects_.late; }
 
   // Adds an effect of the whole list. Between glBegin and glEnd GL refuses these calls: then nothing is added, and the
   // result is false.

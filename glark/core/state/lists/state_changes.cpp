@@ -8,7 +8,7 @@ namespace glark::core {
 
 void StateChanges::record_current(int slot, CurrentValue value, const void* components) {
   std::memcpy(value.components.data(), components, value.bytes);
-  state_.lists().note_value(slot, value, state_.immediate().before_vertices());
+  state_.lists().effects().record(slot, value, state_.immediate().before_vertices());
 }
 
 }  // namespace glark::core

@@ -33,24 +33,24 @@ class StateChanges {
   // A call sets state that a list may set between glBegin and glEnd, and that is not followed.
   void forget_in_list() {
     if (state_.lists().compiling()) {
-      state_.lists().note_unknown_value(state_.immediate().before_vertices());
+      state_.lists().effects().record_unknown(state_.immediate().before_vertices());
     }
   }
   void touch_fixed_function() {
     state_.fixed_function().touch();
-    state_.lists().note_state_change();
+    state_.lists().effects().touches_state = true;
   }
   void touch_matrices() {
     state_.fixed_function().matrices().touch(state_.bindings().matrix_mode);
-    state_.lists().note_state_change();
+    state_.lists().effects().touches_state = true;
   }
   void touch_assembly() {
     state_.assembly().forget();
-    state_.lists().note_state_change();
+    state_.lists().effects().touches_state = true;
   }
   void touch_any_matrix() {
     state_.fixed_function().matrices().touch_all();
-    state_.lists().note_state_change();
+    state_.lists().effects().touches_state = true;
   }
 
  private:

@@ -65,7 +65,7 @@ ListSegment immediate_segment(Context& c) {
   constexpr std::uint64_t vertices_of_parts = 160;
   const bool restarts = immediate.restarted() || c.state().bindings().primitive_restart || immediate.elements_restart();
   const bool parts =
-      lists.vertices_differ() || !lists.vertex_lists().empty() || !std::has_single_bit(immediate.components());
+      lists.effects().late || !lists.vertex_lists().empty() || !std::has_single_bit(immediate.components());
   const std::uint64_t own = immediate.all_vertices();
   const std::uint64_t vertices = (restarts ? joined * own : own) + (parts && own > 0 ? vertices_of_parts : 0);
   return {.kind = ListSegment::Kind::draw,

@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: 2026 The glark authors
  * SPDX-License-Identifier: MIT */
-#ifndef SPHERE_POINTS_H
-#define SPHERE_POINTS_H
+#pragma once
+
 #include <math.h>
 
 /* Points that lie evenly on the unit sphere. A normal of this sphere equals its point. positions: [3 * count]. */
@@ -15,5 +15,3 @@ static void sphere_points(int count, float* positions) {
     positions[3 * i + 2] = (float)z;
   }
 }
-
-#endif
