@@ -72,20 +72,20 @@ Geometry geometry_of(const Array<float>& positions, const OptionalArray<float>& 
 void bind_files(py::module_& module) {
   py::class_<Geometry>(module, "Geometry", "Points with attributes, and triangles if there are any.")
       .def_property_readonly(
-          "positions", [](py::object self) { return view(self.cast<Geometry&>().positions, 3, self); },
+          "positions", [](const py::object& self) { return view(self.cast<Geometry&>().positions, 3, self); },
           "(points, 3) float32, relative to the origin")
       .def_property_readonly(
-          "normals", [](py::object self) { return view_or_none(self.cast<Geometry&>().normals, 3, self); },
+          "normals", [](const py::object& self) { return view_or_none(self.cast<Geometry&>().normals, 3, self); },
           "(points, 3) float32, or None")
       .def_property_readonly(
-          "colours", [](py::object self) { return view_or_none(self.cast<Geometry&>().colours, 4, self); },
+          "colours", [](const py::object& self) { return view_or_none(self.cast<Geometry&>().colours, 4, self); },
           "(points, 4) uint8: red, green, blue, alpha; or None")
       .def_property_readonly(
           "texcoords",
-          [](py::object self) { return view_or_none(self.cast<Geometry&>().texture_coordinates, 2, self); },
+          [](const py::object& self) { return view_or_none(self.cast<Geometry&>().texture_coordinates, 2, self); },
           "(points, 2) float32, or None")
       .def_property_readonly(
-          "triangles", [](py::object self) { return view_or_none(self.cast<Geometry&>().triangles, 3, self); },
+          "triangles", [](const py::object& self) { return view_or_none(self.cast<Geometry&>().triangles, 3, self); },
           "(triangles, 3) uint32, or None for points")
       .def_readonly("origin", &Geometry::origin, "three floats of double precision, to be added to the positions");
   module.def("read", &read, py::arg("file"), py::kw_only(), py::arg("skip_invalid") = false,

@@ -9,7 +9,7 @@ namespace {
 
 using pn::TaggedMesh;
 
-py::object sources_of(py::object self) {
+py::object sources_of(const py::object& self) {
   const auto& sources = self.cast<TaggedMesh&>().sources;
   return view(std::span(sources.empty() ? nullptr : sources.front().data(), 2 * sources.size()), 2, self);
 }
@@ -19,19 +19,21 @@ py::object sources_of(py::object self) {
 void bind_pn(py::module_& parent) {
   py::module_ module = parent.def_submodule("pn", "Scalar-tagged PN triangles.");
   py::class_<TaggedMesh>(module, "TaggedMesh", "A mesh with the tags of GL_SCALAR_TAGGED_PN_ARK.")
-      .def_property_readonly("positions", [](py::object s) { return view(s.cast<TaggedMesh&>().positions, 3, s); })
-      .def_property_readonly("normals", [](py::object s) { return view(s.cast<TaggedMesh&>().normals, 3, s); })
+      .def_property_readonly("positions",
+                             [](const py::object& s) { return view(s.cast<TaggedMesh&>().positions, 3, s); })
+      .def_property_readonly("normals", [](const py::object& s) { return view(s.cast<TaggedMesh&>().normals, 3, s); })
       .def_property_readonly(
-          "discontinuities", [](py::object s) { return view(s.cast<TaggedMesh&>().discontinuities, 4, s); },
+          "discontinuities", [](const py::object& s) { return view(s.cast<TaggedMesh&>().discontinuities, 4, s); },
           "(vertices, 4): Delta and the number of the crease")
       .def_property_readonly(
-          "tags", [](py::object s) { return view(s.cast<TaggedMesh&>().tags, 3, s); },
+          "tags", [](const py::object& s) { return view(s.cast<TaggedMesh&>().tags, 3, s); },
           "(vertices, 3): sharpness, tension, bias")
-      .def_property_readonly("triangles", [](py::object s) { return view(s.cast<TaggedMesh&>().triangles, 3, s); })
+      .def_property_readonly("triangles",
+                             [](const py::object& s) { return view(s.cast<TaggedMesh&>().triangles, 3, s); })
       .def_property_readonly("sources", &sources_of,
                              "(vertices, 2): each vertex lies half-way between these two vertices of the mesh")
       .def_property_readonly("triangle_sources",
-                             [](py::object s) { return view(s.cast<TaggedMesh&>().triangle_sources, 1, s); })
+                             [](const py::object& s) { return view(s.cast<TaggedMesh&>().triangle_sources, 1, s); })
       .def_readonly("crease_vertices", &TaggedMesh::crease_vertices)
       .def_readonly("corners", &TaggedMesh::corners);
   const pn::Options defaults;

@@ -75,10 +75,11 @@ void bind_surface(py::module_& module) {
           },
           py::arg("positions"), "positions: (vertices, 3). Arrays that were taken before show the new values.")
       .def_property_readonly(
-          "limit_positions", [](py::object self) { return vectors(self.cast<Surface&>().limit_positions(), self); },
+          "limit_positions",
+          [](const py::object& self) { return vectors(self.cast<Surface&>().limit_positions(), self); },
           "(points, 4) float32: x, y, z, 1")
       .def_property_readonly(
-          "limit_normals", [](py::object self) { return vectors(self.cast<Surface&>().limit_normals(), self); },
+          "limit_normals", [](const py::object& self) { return vectors(self.cast<Surface&>().limit_normals(), self); },
           "(points, 4) float32: x, y, z, 0")
       .def(
           "corners",

@@ -10,11 +10,14 @@ using reconstruct::Reconstructed;
 
 void bind_reconstruct(py::module_& module) {
   py::class_<Reconstructed>(module, "Reconstructed", "A mesh from points.")
-      .def_property_readonly("positions", [](py::object s) { return view(s.cast<Reconstructed&>().positions, 3, s); })
-      .def_property_readonly("normals", [](py::object s) { return view(s.cast<Reconstructed&>().normals, 3, s); })
+      .def_property_readonly("positions",
+                             [](const py::object& s) { return view(s.cast<Reconstructed&>().positions, 3, s); })
+      .def_property_readonly("normals",
+                             [](const py::object& s) { return view(s.cast<Reconstructed&>().normals, 3, s); })
       .def_property_readonly("colours",
-                             [](py::object s) { return view_or_none(s.cast<Reconstructed&>().colours, 3, s); })
-      .def_property_readonly("triangles", [](py::object s) { return view(s.cast<Reconstructed&>().triangles, 3, s); })
+                             [](const py::object& s) { return view_or_none(s.cast<Reconstructed&>().colours, 3, s); })
+      .def_property_readonly("triangles",
+                             [](const py::object& s) { return view(s.cast<Reconstructed&>().triangles, 3, s); })
       .def_readonly("base_vertices", &Reconstructed::base_vertices)
       .def_readonly("base_triangles", &Reconstructed::base_triangles)
       .def_readonly("levels", &Reconstructed::levels)

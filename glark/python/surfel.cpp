@@ -61,17 +61,18 @@ py::array_t<std::uint64_t> ranges_of(const std::vector<surfel::Range>& ranges) {
 void bind_frame(py::module_& module) {
   py::class_<Frame>(module, "Frame",
                     "What a view draws: glMultiDrawElements(GL_TRIANGLE_STRIP, counts, GL_UNSIGNED_INT, offsets).")
-      .def_property_readonly("counts", [](py::object self) { return view(self.cast<Frame&>().counts, 1, self); })
+      .def_property_readonly("counts", [](const py::object& self) { return view(self.cast<Frame&>().counts, 1, self); })
       .def_property_readonly(
           "offsets",
-          [](py::object self) {
+          [](const py::object& self) {
             const std::vector<const void*>& offsets = self.cast<Frame&>().offsets;
             static_assert(sizeof(void*) == sizeof(std::uintptr_t));
             return view(std::span(reinterpret_cast<const std::uintptr_t*>(offsets.data()), offsets.size()), 1, self);
           },
           "in bytes from the beginning of the indices")
       .def_property_readonly(
-          "points", [](py::object self) { return view(self.cast<Frame&>().points, 1, self); }, "drawn as GL_POINTS")
+          "points", [](const py::object& self) { return view(self.cast<Frame&>().points, 1, self); },
+          "drawn as GL_POINTS")
       .def_readonly("level", &Frame::level)
       .def_readonly("indices", &Frame::indices)
       .def_readonly("strips", &Frame::strips)
@@ -105,10 +106,11 @@ void bind_surfel(py::module_& parent) {
       .def_property_readonly("point_count", &Strips::point_count)
       .def_property_readonly("level_count", &Strips::level_count)
       .def_property_readonly(
-          "indices", [](py::object self) { return view(self.cast<Strips&>().indices(), 1, self); },
+          "indices", [](const py::object& self) { return view(self.cast<Strips&>().indices(), 1, self); },
           "uint32, all strips of all levels. update() may replace the array.")
       .def(
-          "nodes", [](py::object self, unsigned level) { return view(self.cast<Strips&>().nodes(level), 1, self); },
+          "nodes",
+          [](const py::object& self, unsigned level) { return view(self.cast<Strips&>().nodes(level), 1, self); },
           py::arg("level") = 0, "(nodes,) records of the stripping tree; level 0 is the finest")
       .def("counts", &counts_of, py::arg("level") = 0)
       .def("select", &select, py::arg("clip_from_object"), py::arg("width"), py::arg("height"), py::kw_only(),

@@ -42,15 +42,15 @@ void bind_tree(py::module_& module) {
            "the\n"
            "diagonal of the bounding box. most_leaves: if not 0, replaces the threshold. threads: 0 for all.")
       .def_property_readonly(
-          "nodes", [](py::object self) { return view(self.cast<Tree&>().nodes(), 1, self); },
+          "nodes", [](const py::object& self) { return view(self.cast<Tree&>().nodes(), 1, self); },
           "(nodes,) records: begin, end, first_child, frame, error, kind, level, children, joined. The root is the "
           "first;\n"
           "a leaf has first_child 0. kind: 0 volume, 1 transition, 2 surface")
       .def_property_readonly(
-          "frames", [](py::object self) { return view(self.cast<Tree&>().frames(), 1, self); },
+          "frames", [](const py::object& self) { return view(self.cast<Tree&>().frames(), 1, self); },
           "(frames,) records: origin, u, v, normal, low, size, node")
       .def_property_readonly(
-          "order", [](py::object self) { return view(self.cast<Tree&>().order(), 1, self); },
+          "order", [](const py::object& self) { return view(self.cast<Tree&>().order(), 1, self); },
           "(points,) uint32: node i has the samples order[begin:end]")
       .def_property_readonly("leaf_count", &Tree::leaf_count)
       .def_property_readonly("bytes", &Tree::bytes)
@@ -66,15 +66,17 @@ void bind_tree(py::module_& module) {
 
 void bind_simplified(py::module_& module) {
   py::class_<Simplified>(module, "Simplified", "The result of simplify(). An attribute that the input lacks is None.")
-      .def_property_readonly("positions", [](py::object s) { return view(s.cast<Simplified&>().positions, 3, s); })
-      .def_property_readonly("normals", [](py::object s) { return view(s.cast<Simplified&>().normals, 3, s); })
-      .def_property_readonly("colours", [](py::object s) { return view_or_none(s.cast<Simplified&>().colours, 3, s); })
+      .def_property_readonly("positions",
+                             [](const py::object& s) { return view(s.cast<Simplified&>().positions, 3, s); })
+      .def_property_readonly("normals", [](const py::object& s) { return view(s.cast<Simplified&>().normals, 3, s); })
+      .def_property_readonly("colours",
+                             [](const py::object& s) { return view_or_none(s.cast<Simplified&>().colours, 3, s); })
       .def_property_readonly("texcoords",
-                             [](py::object s) { return view_or_none(s.cast<Simplified&>().texcoords, 2, s); })
+                             [](const py::object& s) { return view_or_none(s.cast<Simplified&>().texcoords, 2, s); })
       .def_property_readonly("triangles",
-                             [](py::object s) { return view_or_none(s.cast<Simplified&>().triangles, 3, s); })
+                             [](const py::object& s) { return view_or_none(s.cast<Simplified&>().triangles, 3, s); })
       .def_property_readonly(
-          "representatives", [](py::object s) { return view(s.cast<Simplified&>().representatives, 1, s); },
+          "representatives", [](const py::object& s) { return view(s.cast<Simplified&>().representatives, 1, s); },
           "(points of the input,) uint32: the vertex of each point; 0xFFFFFFFF if no triangle uses the point");
 }
 

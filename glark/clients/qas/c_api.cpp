@@ -11,7 +11,6 @@
 
 #include "glark/clients/common/c_boundary.h"
 
-using glark::c::array_of;
 using glark::c::needed;
 using glark::c::span_of;
 namespace qas = glark::qas;
