@@ -155,7 +155,8 @@ TEST(Settings, Tension) {
 }
 
 TEST(Settings, GeomorphingNeedsAMeasure) {
-  EXPECT_EQ(only_problem("GLARK_GEOMORPH=1"), "--geomorph has no effect without --edge-pixels, --curvature or --screen-error");
+  EXPECT_EQ(only_problem("GLARK_GEOMORPH=1"),
+            "--geomorph has no effect without --edge-pixels, --curvature or --screen-error");
   const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_GEOMORPH=1", "GLARK_CURVATURE=5"});
   EXPECT_TRUE(parsed.problems.empty());
   EXPECT_TRUE(parsed.settings.context.geomorph);
@@ -201,9 +202,11 @@ TEST(Settings, SettingsThatChangeNothingAreTold) {
   };
   using Problems = std::vector<std::string>;
   EXPECT_EQ(problems({"GLARK_LEVEL=3", "GLARK_EDGE_PIXELS=8"}),
-            (Problems{"--level has no effect on draws that --edge-pixels or --screen-error measures; --max-level limits their depth"}));
-  EXPECT_EQ(problems({"GLARK_NO_WELD=1", "GLARK_REFINE=outputs"}),
-            (Problems{"--no-weld has no effect without --curvature, --screen-error or a --refine that curves triangles"}));
+            (Problems{"--level has no effect on draws that --edge-pixels or --screen-error measures; --max-level "
+                      "limits their depth"}));
+  EXPECT_EQ(
+      problems({"GLARK_NO_WELD=1", "GLARK_REFINE=outputs"}),
+      (Problems{"--no-weld has no effect without --curvature, --screen-error or a --refine that curves triangles"}));
   EXPECT_EQ(problems({"GLARK_EVERYTHING=1", "GLARK_LEAVE_DRAWS=none"}),
             (Problems{"--leave-draws has no effect beside --everything"}));
   EXPECT_EQ(problems({"GLARK_EVERYTHING=1", "GLARK_LEAVE_ALONE=1"}),
