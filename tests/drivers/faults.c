@@ -100,6 +100,37 @@ static void show_polygons(void) {
   }
 }
 
+static GLuint captured_points = 0;  // a transform feedback object that has captured eight vertices
+
+static void draw_captured(GLenum mode) { glDrawTransformFeedback(mode, captured_points); }
+
+// OpenGL 4.6, 13.3.2: the draw equals DrawArrays with as many vertices as were captured.
+static void show_captured_polygons(void) {
+  GLuint buffer = 0;
+  glGenTransformFeedbacks(1, &captured_points);
+  glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, captured_points);
+  glGenBuffers(1, &buffer);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 8 * sizeof(float), NULL, GL_DYNAMIC_COPY);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, 8);
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+  program_of(GL_VERTEX_SHADER,
+             "#version 330 compatibility\nlayout(location = 0) in float value; out float number;\n"
+             "void main() { number = value; gl_Position = vec4(1.0); }\n",
+             "number");
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glVertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 0, NULL);
+  glEnableVertexAttribArray(0);
+  print_fault("captured_triangle_fan", capture(draw_captured, GL_TRIANGLE_FAN).triangles, 6, "triangles of a fan");
+  print_fault("captured_quads", capture(draw_captured, GL_QUADS).triangles, 4, "triangles of two quads");
+  print_fault("captured_quad_strip", capture(draw_captured, GL_QUAD_STRIP).triangles, 6, "triangles of a quad strip");
+  print_fault("captured_polygon", capture(draw_captured, GL_POLYGON).triangles, 6, "triangles of a polygon");
+}
+
 // OpenGL 4.6, 5.1.3: the name of a deleted buffer is free, although a vertex array still holds the buffer.
 static void show_name_of_deleted_buffer(void) {
   const float values[] = {1, 2};
@@ -172,9 +203,10 @@ int main(void) {
   glBindVertexArray(array);
   show_polygons();
   if (10 * major + minor >= 43) {
+    show_captured_polygons();
     show_name_of_deleted_buffer();
   } else {
-    puts("name_of_deleted_buffer: unknown: needs OpenGL 4.3");
+    puts("captured_quads: unknown: needs OpenGL 4.0\nname_of_deleted_buffer: unknown: needs OpenGL 4.3");
   }
   return 0;
 }

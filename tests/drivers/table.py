@@ -62,13 +62,15 @@ def reason_of(row: Row, case: str) -> str:
     return "not explained"
 
 
-def cell_text(row: Row, cell: str) -> str:
+def cell_text(row: Row, cell: str, all_cases: int) -> str:
     if cell not in row.cells:
         return "-"
     results = [result["verdict"] for result in row.cells[cell]["results"]]
     bad = sum(verdict not in GOOD for verdict in results)
     passed = sum(verdict == "Pass" for verdict in results)
-    return f"{passed}, **{bad} fail**" if bad else str(passed)
+    parts = round(all_cases / max(1, len(results)))
+    part = f" (1 in {parts})" if parts > 1 else ""
+    return f"{passed}{part}, **{bad} fail**" if bad else f"{passed}{part}"
 
 
 def clients_text(row: Row) -> str:
@@ -81,8 +83,9 @@ def piglit_text(row: Row) -> str:
 
 def lines_of(rows: list) -> list:
     lines = ["| driver | " + " | ".join(CELLS) + " | clients | piglit |", "|---" * (len(CELLS) + 3) + "|"]
+    all_cases = max((len(results["results"]) for row in rows for results in row.cells.values()), default=0)
     for row in rows:
-        cells = [cell_text(row, cell) for cell in CELLS] if not row.obstacle else [f"cannot run: {row.obstacle}"]
+        cells = [cell_text(row, cell, all_cases) for cell in CELLS] if not row.obstacle else [f"cannot run: {row.obstacle}"]
         lines.append(f"| {row.title} | " + " | ".join(cells) + f" | {clients_text(row)} | {piglit_text(row)} |")
     lines += ["", "### What fails", "", "| driver | case | where | what | why |", "|---|---|---|---|---|"]
     for row in rows:

@@ -33,8 +33,9 @@ class Table(unittest.TestCase):
         self.add("egl-gles", ark_a="Pass", ark_b="NotSupported", ark_c="Crash")
         self.add("glx-gl-core", ark_a="Pass", ark_c="Fail")
         self.assertEqual(self.row().title, "zink, Mesa 22.3.6")
-        self.assertEqual(table.cell_text(self.row(), "egl-gles"), "1, **1 fail**")
-        self.assertEqual(table.cell_text(self.row(), "egl-gl-core"), "-")
+        self.assertEqual(table.cell_text(self.row(), "egl-gles", 3), "1, **1 fail**")
+        self.assertEqual(table.cell_text(self.row(), "egl-gl-core", 3), "-")
+        self.assertEqual(table.cell_text(self.row(), "egl-gles", 12), "1 (1 in 4), **1 fail**")
         self.assertEqual(self.row().bad(), {"ark.c": (["egl-gles", "glx-gl-core"], "ark_c differs")})
 
     def test_only_faults_that_are_there(self) -> None:
