@@ -35,6 +35,13 @@ bool has_made_normals(const std::vector<capture::Field>* fields) {
   return normal != nullptr && normal->made;
 }
 
+// A polygon that glBegin..glEnd draws alone. Its neighbours are other draws, so nothing says whether it is a part of a
+// smooth surface or the panel of a body whose edges would come apart.
+bool is_lone_polygon(const DrawCall& call) {
+  const bool polygon = call.mode == GL_POLYGON ? call.whole_polygons : call.triangles > 0 && call.triangles <= 2;
+  return !call.from_arrays && call.exact && polygon;
+}
+
 bool is_position_vector(const capture::Field* position) {
   return position != nullptr && !position->is_array &&
          (position->type == GL_FLOAT_VEC3 || position->type == GL_FLOAT_VEC4);
@@ -48,7 +55,7 @@ bool may_make_normals(const ContextOptions& options, const std::vector<capture::
 }
 
 std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause) {
-  if (!cause && !has_normals(call, inputs)) {
+  if (!cause && (is_lone_polygon(call) || !has_normals(call, inputs))) {
     cause = Cause::no_surface;
   }
   Framebuffers& framebuffers = env_.state.framebuffers();
