@@ -4,6 +4,8 @@
 // A buffer object of ours. Allocating it changes no binding.
 #pragma once
 
+#include <cstdint>
+
 #include "glark/gl/dispatch.h"
 
 namespace glark::core {
@@ -35,6 +37,10 @@ class GpuBuffer {
   bool read(const gl::Dispatch& gl, GLintptr offset, GLsizeiptr size, void* data) const;
   void copy_from(const gl::Dispatch& gl, GLuint buffer, GLintptr from, GLintptr to, GLsizeiptr size) const;
   void release(const gl::Dispatch& gl);
+
+  // The number of buffers of ours that were deleted, in all contexts. Drivers give the name of a deleted buffer to a new
+  // one, while a vertex array still holds the deleted one. So a remembered name is valid until this number changes.
+  static std::uint32_t deletions();
 
   GLuint name() const { return name_; }
   GLsizeiptr size() const { return size_; }
