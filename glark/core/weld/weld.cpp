@@ -103,7 +103,7 @@ bool WeldStage::reserve(const WeldPlan& plan, const capture::Layout& layout, std
   };
   const bool built = build(needed, Pass::all) && (takes_one_dispatch(triangles) || builds_several());
   return built && (!plan.makes_normals || normals_.build()) && can_hold(plan, layout, triangles) &&
-         tables_.reserve(gl_, static_cast<GLsizeiptr>(bytes_for(plan, layout, triangles)), GL_DYNAMIC_COPY);
+         tables_.reserve(gl_, static_cast<std::int64_t>(bytes_for(plan, layout, triangles)), GL_DYNAMIC_COPY);
 }
 
 void WeldStage::dispatch(Pass step, const WeldRequest& request, std::uint32_t invocations) const {
