@@ -126,7 +126,7 @@ bool WeldStage::reserve(const WeldPlan& plan, const capture::Layout& layout, std
   return std::all_of(std::begin(all_passes), std::end(all_passes),
                      [&](Pass pass) { return !needs(plan, layout, pass) || build(needed, pass); }) &&
          (!plan.makes_normals || normals_.build()) && can_hold(plan, layout, triangles) &&
-         tables_.reserve(gl_, static_cast<GLsizeiptr>(bytes_for(plan, layout, triangles)), GL_DYNAMIC_COPY);
+         tables_.reserve(gl_, static_cast<std::int64_t>(bytes_for(plan, layout, triangles)), GL_DYNAMIC_COPY);
 }
 
 void WeldStage::dispatch(Pass step, const WeldRequest& request, std::uint32_t invocations) const {
