@@ -184,16 +184,12 @@ MORE = [
 ]
 
 LAST_MET = [
-    *(saver(name) for name in ("glknots", "mirrorblob", "raverhoop", "squirtorus", "romanboy", "tronbit", "sierpinski3d",
-                               "hypertorus", "antinspect", "carousel", "maze3d")),
+    *(saver(name) for name in ("glknots", "raverhoop", "squirtorus", "romanboy", "tronbit", "sierpinski3d",
+                               "hypertorus", "antinspect", "maze3d")),
     Stranger("enemylines3", "game, menu", ("enemylines3",), ["/usr/games/enemylines3"], seconds=10,
              keys=((3, "key Return"), (2, "key Return"))),
     Stranger("enemylines7", "game, in play", ("enemylines7",), ["/usr/games/enemylines7"], seconds=12,
              keys=((3, "key Return"), (2, "key Return"), (2, "key Return"))),
-    Stranger("freetennis", "game, in play", ("freetennis",), ["/usr/games/freetennis", "--resolution", "400x300"], seconds=14),
-    Stranger("dustracing2d", "game, in play", ("dustracing2d",), ["/usr/games/dustrac-game", "--nosounds"], seconds=16,
-             keys=((6, "key Return"), (2, "key Return"), (2, "key Return"), (2, "key Return"))),
-    Stranger("pybik", "game", ("pybik",), ["/usr/games/pybik"], seconds=12, keys=DRAG),
     Stranger("marsshooter", "game, in play", ("marsshooter",), ["/usr/games/marsshooter"], seconds=14,
              keys=((5, "key Return"), (2, "key Return"), (2, "key Return"))),
     Stranger("briquolo", "game, in play", ("briquolo",), ["/usr/games/briquolo", "-r", "400x300"], seconds=12,
