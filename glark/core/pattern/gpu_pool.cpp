@@ -28,10 +28,11 @@ std::vector<Patch> uniform_tiles(unsigned max_level) {
 // takes a slower path for every index, which costs a sixth of the speed of the vertex stage.
 void point_into_pool(Pool& pool) {
   assert(pool.vertices.size() <= 0x10000);
-  // The other pieces share these indices, or their base vertex is 0.
-  for (int m = 0; m <= deepest_uniform; ++m) {
-    const Piece& piece = pool.pieces[static_cast<std::size_t>(uniform_piece(m))];
-    for (std::uint32_t i = 0; i < piece.index_count; ++i) {
+  // Interiors share the indices of uniform pieces.
+  for (int number = 0; number < piece_count; ++number) {
+    const Piece& piece = pool.pieces[static_cast<std::size_t>(number)];
+    const bool shares = number >= first_interior && number < first_skirt;
+    for (std::uint32_t i = 0; i < piece.index_count && !shares; ++i) {
       std::uint16_t& index = pool.indices[piece.first_index + i];
       index = static_cast<std::uint16_t>(index + piece.base_vertex);
     }
@@ -54,11 +55,11 @@ bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level, bool nested) {
   point_into_pool(pool);
   const std::vector<Patch> tiles = uniform_tiles(max_level);
   GpuPool fresh;
-  if (!fresh.vertices_.allocate(gl, static_cast<GLsizeiptr>(pool.vertices.size() * sizeof(pool.vertices[0])),
+  if (!fresh.vertices_.allocate(gl, static_cast<std::int64_t>(pool.vertices.size() * sizeof(pool.vertices[0])),
                                 pool.vertices.data(), GL_STATIC_DRAW) ||
-      !fresh.indices_.allocate(gl, static_cast<GLsizeiptr>(pool.indices.size() * sizeof(pool.indices[0])),
+      !fresh.indices_.allocate(gl, static_cast<std::int64_t>(pool.indices.size() * sizeof(pool.indices[0])),
                                pool.indices.data(), GL_STATIC_DRAW) ||
-      !fresh.patches_.allocate(gl, static_cast<GLsizeiptr>(tiles.size() * sizeof(tiles[0])), tiles.data(),
+      !fresh.patches_.allocate(gl, static_cast<std::int64_t>(tiles.size() * sizeof(tiles[0])), tiles.data(),
                                GL_STATIC_DRAW)) {
     fresh.release(gl);
     return false;
@@ -73,7 +74,7 @@ bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level, bool nested) {
 
 std::vector<std::uint16_t> GpuPool::read_indices(const gl::Dispatch& gl, const Piece& piece) const {
   std::vector<std::uint16_t> indices(piece.index_count);
-  if (!indices_.read(gl, static_cast<GLintptr>(piece.first_index) * 2, static_cast<GLsizeiptr>(indices.size()) * 2,
+  if (!indices_.read(gl, static_cast<GLintptr>(piece.first_index) * 2, static_cast<std::int64_t>(indices.size()) * 2,
                      indices.data())) {
     indices.clear();
   }

@@ -32,8 +32,8 @@ constexpr const char* depth_names[] = {"record_offset",   "corner_words",      "
                                        "point_count",     "shown_stamp",       "half_size"};
 constexpr std::size_t half_size = 17;
 
-constexpr GLintptr rule_offset = 4 * (1 + 2 * limit_depths + 1);
-constexpr GLsizeiptr limit_bytes = rule_offset + sizeof(LimitRule);
+constexpr std::int64_t rule_offset = 4 * (1 + 2 * limit_depths + 1);
+constexpr std::int64_t limit_bytes = rule_offset + sizeof(LimitRule);
 constexpr float most_change_while_morphing =
     1.0F / 16;  // of a level in a frame: at 60 frames a second, a quarter of a second
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/evaluate/uniform_watch.h"
+#include "glark/core/programs/uniform_watch.h"
 
 namespace glark::evaluate {
 
