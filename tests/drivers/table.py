@@ -113,8 +113,12 @@ def lines_of(rows: list) -> list:
     lines += ["", "### What fails", "", "| driver | cases | where | why |", "|---|---|---|---|"]
     for row in rows:
         lines += failures_of(row)
-    lines += ["", "### Faults without glark", "", "| driver | fault | what the driver does |", "|---|---|---|"]
-    lines += [f"| {row.title} | `{name}` | {said} |" for row in rows for name, said in row.faults.items()]
+    faults = {}
+    for row in rows:
+        for name, said in row.faults.items():
+            faults.setdefault((name, said), []).append(row.title)
+    lines += ["", "### Faults without glark", "", "| fault | what the driver does | drivers |", "|---|---|---|"]
+    lines += [f"| `{name}` | {said} | {'; '.join(titles)} |" for (name, said), titles in sorted(faults.items())]
     return lines
 
 
