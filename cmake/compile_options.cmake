@@ -11,6 +11,14 @@ target_compile_options(glark_options INTERFACE
 target_compile_options(glark_options INTERFACE $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CXX_COMPILER_ID:GNU>>:-Wno-restrict>)
 # Bits are compared across machines and builds: no contraction of a*b+c on the CPU side.
 target_compile_options(glark_options INTERFACE -ffp-contract=off)
+# On i386, GCC computes with 80 bits unless it is told otherwise, and believes that its callers align the stack. Programs
+# from before 2004 do not. Every processor that drives OpenGL 4.3 has SSE2.
+if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(i[3-6]86|x86|x86_64|AMD64)$")
+  target_compile_options(glark_options INTERFACE -msse2 -mfpmath=sse -mstackrealign)
+endif()
+if(NOT CMAKE_SIZEOF_VOID_P EQUAL 8)  # files of more than 2 GB
+  target_compile_definitions(glark_options INTERFACE _FILE_OFFSET_BITS=64)
+endif()
 if(GLARK_SANITIZE)
   target_compile_options(glark_options INTERFACE -fsanitize=${GLARK_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(glark_options INTERFACE -fsanitize=${GLARK_SANITIZE})

@@ -22,7 +22,7 @@ function(glark_generate_loader target api)
   string(JOIN "," extensions GL_ARK_adaptive_refinement ${extensions})
   add_custom_command(OUTPUT ${generated}/src/gl.c ${generated}/include/glad/gl.h ${generated}/include/KHR/khrplatform.h
     COMMAND ${Python3_EXECUTABLE} ${script} ${generated} ${api} ${extensions} ${GLARK_GL_XML} ${own_registry}
-    DEPENDS ${script} ${GLARK_GL_XML} ${own_registry}
+    DEPENDS ${script} ${PROJECT_SOURCE_DIR}/cmake/registry.py ${GLARK_GL_XML} ${own_registry}
     COMMENT "Generating the GL loader ${target}" VERBATIM)
   add_library(${target} STATIC ${generated}/src/gl.c ${generated}/include/glad/gl.h)
   target_include_directories(${target} SYSTEM PUBLIC ${generated}/include)

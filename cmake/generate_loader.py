@@ -5,8 +5,8 @@
   generate_loader.py OUT API EXTENSIONS REGISTRY [ADDITION ...]
 
 API and EXTENSIONS are glad's options --api and --extensions. glad reads one registry only, so this script merges the additions
-into the first: the children of each section follow those of the section of the same name. glad also asks the network for
-gl.xml unless it is told to use its own copy; here it gets the merged registry instead.
+into the first (registry.py). glad also asks the network for gl.xml unless it is told to use its own copy; here it gets the
+merged registry instead.
 """
 import io
 import sys
@@ -14,20 +14,7 @@ import xml.etree.ElementTree as ElementTree
 
 import glad.__main__
 import glad.files
-
-SECTIONS = ("types", "commands", "extensions")
-
-
-def merged(base: ElementTree.Element, additions: list) -> ElementTree.Element:
-    """Changes and returns `base`."""
-    for section in (section for addition in additions for section in addition):
-        if section.tag == "enums":  # a registry has many of these, one for each range of values
-            base.append(section)
-        elif section.tag in SECTIONS:
-            base.find(section.tag).extend(section)
-        else:
-            raise ValueError(f"a section {section.tag} cannot be merged")
-    return base
+from registry import merged
 
 
 def opener_with(registry: bytes) -> type:

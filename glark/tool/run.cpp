@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "glark/tool/start/notices.h"
+#include "glark/tool/start/preload.h"
 
 namespace glark::tool {
 namespace {
@@ -22,32 +23,45 @@ namespace variable = settings::variable;
 
 constexpr char library_name[] = "libGLARK.so." GLARK_SOVERSION;
 
-std::optional<fs::path> find_library() {
-  if (const char* wanted = std::getenv(variable::library); wanted != nullptr && *wanted != '\0') {
-    if (fs::exists(wanted)) return fs::absolute(wanted);
+std::optional<Preload> wanted_library(const std::string& wanted, const ElfFile& own) {
+  const std::string file = fs::absolute(wanted).string();
+  std::optional<Preload> found = preload_of(file, own, read_elf_file);
+  if (!found && fs::exists(file))
+    say(fmt::format("{} names {}, which is not a library; correct it or unset it", variable::library, wanted));
+  else if (!found)
     say(fmt::format("{} names {}, which does not exist; correct it or unset it", variable::library, wanted));
+  return found;
+}
+
+std::optional<Preload> find_library() {
+  const std::optional<ElfFile> own = read_elf_file("/proc/self/exe");
+  if (!own) {
+    say("/proc/self/exe cannot be read; mount /proc");
     return std::nullopt;
   }
+  if (const char* wanted = std::getenv(variable::library); wanted != nullptr && *wanted != '\0')
+    return wanted_library(wanted, *own);
   std::error_code error;
   const fs::path prefix = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
-  for (const fs::path folder : {"lib", GLARK_LIBRARY_FOLDER})
-    if (const fs::path file = prefix / folder / library_name; fs::exists(file)) return file;
-  say(fmt::format("{} is not in {}; install glark completely or set {} to the file", library_name,
-                  (prefix / "lib").string(), variable::library));
-  return std::nullopt;
+  std::optional<Preload> found =
+      find_preload(prefix.string(), {"lib", GLARK_LIBRARY_FOLDER}, library_name, *own, read_elf_file);
+  if (!found)
+    say(fmt::format("{} for {} is not in {}; install glark completely or set {} to the file", library_name,
+                    machine_name(*own), (prefix / "lib").string(), variable::library));
+  return found;
 }
 
 // Puts the library before the preloads that the user already has.
-bool preload(const fs::path& library) {
-  if (library.string().find_first_of(": ") != std::string::npos) {
+bool set_preload(const std::string& library) {
+  if (library.find_first_of(": ") != std::string::npos) {
     say(fmt::format(
         "the path {} contains a colon or a space, which LD_PRELOAD cannot express; move glark or link to it from "
         "another folder",
-        library.string()));
+        library));
     return false;
   }
   const char* others = std::getenv("LD_PRELOAD");
-  const std::string value = others == nullptr || *others == '\0' ? library.string() : library.string() + ":" + others;
+  const std::string value = others == nullptr || *others == '\0' ? library : library + ":" + others;
   setenv("LD_PRELOAD", value.c_str(), 1);
   return true;
 }
@@ -127,24 +141,15 @@ bool set_environment(const RunOptions& options) {
   return true;
 }
 
-void print_notices(const fs::path& library, const std::vector<std::string>& command) {
-  const ProgramFile own = read_program_file(library.string());
-  if (!own.elf) {
-    say(fmt::format("{} is not a library; the program stays unrefined", library.string()));
-    return;
-  }
-  for (const std::string& notice : start_notices(read_command(command[0]), *own.elf)) say(notice);
-}
-
 }  // namespace
 
 void say(const std::string& message) { std::fprintf(stderr, "glark: %s\n", message.c_str()); }
 
 bool prepare_run(const RunOptions& options, const std::vector<std::string>& command) {
   if (!set_environment(options)) return false;
-  const std::optional<fs::path> library = find_library();
-  if (!library || !preload(*library)) return false;
-  print_notices(*library, command);
+  const std::optional<Preload> library = find_library();
+  if (!library || !set_preload(library->text)) return false;
+  for (const std::string& notice : start_notices(read_command(command[0]), library->libraries)) say(notice);
   return true;
 }
 

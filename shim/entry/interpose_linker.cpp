@@ -156,6 +156,76 @@ dlopen:
 )");
 static_assert(RTLD_DEEPBIND == 8);
 
+#elif defined(__i386__)
+
+// The asm functions ask these where to jump. Null: `answer` is the program's.
+GLARK_HIDDEN void* glark_target_of_dlsym(void* handle, const char* name, const char*, void** answer) {
+  const glark::shim::Decision decision = glark_decide_dlsym(handle, name);
+  *answer = decision.address;
+  return decision.decided ? nullptr : glark_real_dlsym;
+}
+
+GLARK_HIDDEN void* glark_target_of_dlvsym(void* handle, const char* name, const char* version, void** answer) {
+  const glark::shim::Decision decision = glark_decide_dlvsym(handle, name, version);
+  *answer = decision.address;
+  return decision.decided ? nullptr : glark_real_dlvsym;
+}
+
+GLARK_HIDDEN void* glark_target_of_dlopen() {
+  if (glark_real_dlopen == nullptr) glark_find_real_linker();
+  return glark_real_dlopen;
+}
+
+// Arguments are on the stack, above the return address. %eax gets the target, %edx the answer. dlsym has no version:
+// the word in its place is not used.
+asm(R"(
+.macro GLARK_LOOKUP name
+  .globl \name
+  .type \name, @function
+\name:
+  .cfi_startproc
+  endbr32
+  subl $4, %esp
+  .cfi_adjust_cfa_offset 4
+  pushl %esp
+  .cfi_adjust_cfa_offset 4
+  pushl 20(%esp)
+  .cfi_adjust_cfa_offset 4
+  pushl 20(%esp)
+  .cfi_adjust_cfa_offset 4
+  pushl 20(%esp)
+  .cfi_adjust_cfa_offset 4
+  call glark_target_of_\name
+  addl $16, %esp
+  .cfi_adjust_cfa_offset -16
+  popl %edx
+  .cfi_adjust_cfa_offset -4
+  testl %eax, %eax
+  jz 1f
+  jmp *%eax
+1: movl %edx, %eax
+  ret
+  .cfi_endproc
+  .size \name, . - \name
+.endm
+
+.text
+GLARK_LOOKUP dlsym
+GLARK_LOOKUP dlvsym
+
+.globl dlopen
+.type dlopen, @function
+dlopen:
+  .cfi_startproc
+  endbr32
+  andl $~8, 8(%esp)   # RTLD_DEEPBIND would hide us from the library
+  call glark_target_of_dlopen
+  jmp *%eax
+  .cfi_endproc
+  .size dlopen, . - dlopen
+)");
+static_assert(RTLD_DEEPBIND == 8);
+
 #else
 
 // An optimising compiler turns the last call of these functions into a jump.

@@ -113,6 +113,9 @@ def clashes(registry_root, khronos_root):
     for name, value in tokens.items():
         if not first <= value <= last:
             yield f"{REGISTRY}: {name} lies outside the block {block.get('start')}-{block.get('end')}"
+        for unused in block.iterfind("unused"):
+            if overlaps(unused, value, value):
+                yield f"{REGISTRY}: {name} has a value that is listed as unused"
     for enums in khronos_root.iterfind("enums"):
         for enum in enums.iterfind("enum"):
             value = int(enum.get("value"), 0)

@@ -90,6 +90,9 @@ class Notices(unittest.TestCase):
     def test_value_outside_block(self):
         self.assert_noticed("outside the block", registry=REGISTRY.replace('value="0x6F00"', 'value="0x6F10"'))
 
+    def test_used_value_that_is_listed_as_unused(self):
+        self.assert_noticed("listed as unused", registry=REGISTRY.replace("</enums>", '<unused start="0x6F00" end="0x6F02"/></enums>'))
+
     def test_unknown_type(self):
         self.assert_noticed("type GLenum", khronos=KHRONOS.replace("GLenum", "GLint"))
 

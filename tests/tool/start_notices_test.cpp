@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = ProgramFile::Kind;
 
-const ElfFile library{.machine = EM_X86_64, .is_64 = true};
+const std::vector<ElfFile> library{{.machine = EM_X86_64, .is_64 = true}};
 
 ProgramFile dynamic_program() {
   ProgramFile program{.kind = Kind::elf, .path = "/opt/game"};
@@ -71,8 +71,19 @@ TEST(StartNotices, AProgramForAnotherMachine) {
   ProgramFile program = dynamic_program();
   program.elf->machine = EM_386;
   program.elf->is_64 = false;
-  EXPECT_TRUE(only_notice(program).starts_with("/opt/game is for i386, but libGLARK.so is for x86-64"))
+  EXPECT_TRUE(only_notice(program).starts_with("/opt/game is for i386, but there is no libGLARK.so for i386"))
       << only_notice(program);
+  EXPECT_TRUE(contains(only_notice(program), "install the package libglark0:i386")) << only_notice(program);
+  program.elf->machine = EM_ARM;
+  EXPECT_TRUE(contains(only_notice(program), "use its x86-64 build")) << only_notice(program);
+}
+
+TEST(StartNotices, AProgramOf32BitsWithItsLibrary) {
+  ProgramFile program = dynamic_program();
+  program.elf = ElfFile{.machine = EM_386, .interpreter = "/lib/ld-linux.so.2"};
+  const std::vector<ElfFile> both{library[0], {.machine = EM_386}};
+  EXPECT_TRUE(start_notices({&program, 1}, both).empty());
+  EXPECT_TRUE(start_notices({&program, 1}, std::vector<ElfFile>{both[1]}).empty());
 }
 
 TEST(StartNotices, AProgramForMusl) {
@@ -107,7 +118,7 @@ TEST_F(Files, AScriptLeadsToItsInterpreter) {
   EXPECT_EQ(files[0].interpreter, "sh");
   EXPECT_EQ(files[1].kind, Kind::elf);
   EXPECT_FALSE(cannot_run(files));
-  EXPECT_TRUE(start_notices(files, *files[1].elf).empty());
+  EXPECT_TRUE(start_notices(files, {&*files[1].elf, 1}).empty());
 }
 
 TEST_F(Files, AScriptWithoutItsInterpreterCannotRun) {

@@ -13,14 +13,14 @@
 namespace glark::capture {
 namespace {
 
-constexpr GLsizeiptr initial_ring_bytes = GLsizeiptr{4} << 20;
-constexpr GLsizeiptr largest_capture_bytes = GLsizeiptr{1} << 30;
-constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
+constexpr std::int64_t initial_ring_bytes = std::int64_t{4} << 20;
+constexpr std::int64_t largest_capture_bytes = std::int64_t{1} << 30;
+constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 
 constexpr std::array<GLenum, 2> query_targets = {GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, GL_PRIMITIVES_GENERATED};
 
-GLsizeiptr bytes_of(const Layout& layout, std::uint64_t triangles) {
-  return static_cast<GLsizeiptr>(triangles) * layout.triangle_words() * 4;
+std::int64_t bytes_of(const Layout& layout, std::uint64_t triangles) {
+  return static_cast<std::int64_t>(triangles) * layout.triangle_words() * 4;
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ bool CaptureStage::reserve(const Layout& layout, std::uint64_t triangles) {
       return false;
     }
   }
-  const GLsizeiptr needed = bytes_of(layout, triangles) + chunk_overrun;
+  const std::int64_t needed = bytes_of(layout, triangles) + chunk_overrun;
   if (cursor_ + needed <= ring_.size()) {
     return true;
   }
@@ -78,7 +78,8 @@ bool CaptureStage::reserve(const Layout& layout, std::uint64_t triangles) {
   return ring_.reserve(gl_, std::max(needed, initial_ring_bytes), GL_DYNAMIC_COPY);
 }
 
-void CaptureStage::bind_target(GLuint buffer, GLintptr offset, GLsizeiptr size, const core::Bindings& bindings) const {
+void CaptureStage::bind_target(GLuint buffer, GLintptr offset, std::int64_t size,
+                               const core::Bindings& bindings) const {
   gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, offset, size);
   // Restores the generic binding point only: the indexed one belongs to the transform feedback object.
   gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);

@@ -19,7 +19,7 @@ constexpr std::size_t work_header = 12;
 constexpr std::size_t work_pieces = work_header + 2 * pattern::piece_count;
 constexpr std::size_t work_commands = work_pieces + 4 * pattern::piece_count;
 constexpr std::size_t work_words = work_commands + 5 * pattern::piece_count;
-constexpr GLsizeiptr deep_reserve_bytes = GLsizeiptr{32} << 20;
+constexpr std::int64_t deep_reserve_bytes = std::int64_t{32} << 20;
 
 constexpr const char* uniform_names[] = {"record_offset",        "corner_words", "tag_offset", "uniform_tag",
                                          "triangle_bound",       "count_on_gpu", "pool_level", "instance_capacity",
@@ -62,12 +62,12 @@ bool BinStage::prepare(const pattern::GpuPool& pool) {
     command[2] = to[1];
     command[3] = to[2];
   }
-  return work_.allocate(gl_, static_cast<GLsizeiptr>(work_words * sizeof(words[0])), words.data(), GL_DYNAMIC_COPY);
+  return work_.allocate(gl_, static_cast<std::int64_t>(work_words * sizeof(words[0])), words.data(), GL_DYNAMIC_COPY);
 }
 
 namespace {
 
-constexpr GLsizeiptr bytes_an_instance = 12 + 16;  // the numbers of its corners, and its patch
+constexpr std::int64_t bytes_an_instance = 12 + 16;  // the numbers of its corners, and its patch
 
 std::uint32_t most_instances(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
   // A triangle has at most four instances, unless it is cut into tiles (more than tile_level levels on every edge).
@@ -94,7 +94,7 @@ bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, c
     return false;
   }
   if (instances > capacity_ &&
-      !instances_.reserve(gl_, static_cast<GLsizeiptr>(instances) * bytes_an_instance, GL_DYNAMIC_COPY)) {
+      !instances_.reserve(gl_, static_cast<std::int64_t>(instances) * bytes_an_instance, GL_DYNAMIC_COPY)) {
     return false;
   }
   capacity_ = static_cast<std::uint32_t>(instances_.size() / bytes_an_instance);
@@ -153,7 +153,7 @@ constexpr std::size_t command_words = 5;
 InstanceExtent BinStage::extent(const BinnedInstances& sorted) const {
   std::vector<std::uint32_t> all(command_words * pattern::piece_count);
   work_.read(gl_, static_cast<GLintptr>(work_commands * sizeof(all[0])),
-             static_cast<GLsizeiptr>(all.size() * sizeof(all[0])), all.data());
+             static_cast<std::int64_t>(all.size() * sizeof(all[0])), all.data());
   return extent_of(all, sorted.record_stride);
 }
 

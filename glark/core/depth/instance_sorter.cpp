@@ -18,7 +18,7 @@ InstanceSorter::InstanceSorter(const core::Environment& environment, const patte
       bins_(environment.gl, language),
       ordered_(environment.gl, language) {}
 
-bool InstanceSorter::has_numbers() const { return numbers_.size() >= GLsizeiptr{4} * bins_.capacity(); }
+bool InstanceSorter::has_numbers() const { return numbers_.size() >= std::int64_t{4} * bins_.capacity(); }
 
 bool InstanceSorter::reserve_numbers() {
   if (has_numbers()) {
@@ -26,7 +26,7 @@ bool InstanceSorter::reserve_numbers() {
   }
   std::vector<std::uint32_t> numbers(bins_.capacity());
   std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers_.allocate(env_.gl, GLsizeiptr{4} * bins_.capacity(), numbers.data(), GL_STATIC_DRAW);
+  return numbers_.allocate(env_.gl, std::int64_t{4} * bins_.capacity(), numbers.data(), GL_STATIC_DRAW);
 }
 
 bool InstanceSorter::has_room(const SortRoom& room) const {

@@ -12,8 +12,8 @@ constexpr std::size_t command_words = 5;
 constexpr std::size_t instance_count = 1;
 constexpr std::size_t base_instance = 4;
 
-constexpr GLsizeiptr patch_bytes = 16;
-constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
+constexpr std::int64_t patch_bytes = 16;
+constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 
 // Returns whether `next` continues `last` with the same piece.
 bool continues(std::span<const std::uint32_t> last, std::span<const std::uint32_t> next) {
@@ -41,8 +41,8 @@ InstanceExtent extent_of(std::span<const std::uint32_t> commands, GLsizei record
     }
     extent.commands.insert(extent.commands.end(), command.begin(), command.end());
   }
-  extent.bytes = extent.instances * (GLsizeiptr{record_stride} + patch_bytes) + chunk_overrun +
-                 static_cast<GLsizeiptr>(extent.commands.size() * sizeof(extent.commands[0]));
+  extent.bytes = extent.instances * (std::int64_t{record_stride} + patch_bytes) + chunk_overrun +
+                 static_cast<std::int64_t>(extent.commands.size() * sizeof(extent.commands[0]));
   return extent;
 }
 
@@ -50,8 +50,8 @@ BinnedInstances copy_instances(const gl::Dispatch& gl, const BinnedInstances& so
                                const core::GpuBuffer& to) {
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   BinnedInstances result = sorted;
-  const GLsizeiptr records = GLsizeiptr{extent.instances} * sorted.record_stride;
-  const GLsizeiptr patches = patch_bytes * extent.instances;
+  const std::int64_t records = std::int64_t{extent.instances} * sorted.record_stride;
+  const std::int64_t patches = patch_bytes * extent.instances;
   result.records = result.patches = result.commands = to.name();
   result.records_offset = 0;
   result.patches_offset = records + chunk_overrun;
@@ -59,7 +59,7 @@ BinnedInstances copy_instances(const gl::Dispatch& gl, const BinnedInstances& so
   result.command_count = static_cast<GLsizei>(extent.commands.size() / command_words);
   to.copy_from(gl, sorted.records, sorted.records_offset, 0, records);
   to.copy_from(gl, sorted.patches, sorted.patches_offset, result.patches_offset, patches);
-  to.write(gl, result.commands_offset, static_cast<GLsizeiptr>(extent.commands.size() * sizeof(extent.commands[0])),
+  to.write(gl, result.commands_offset, static_cast<std::int64_t>(extent.commands.size() * sizeof(extent.commands[0])),
            extent.commands.data());
   return result;
 }

@@ -16,7 +16,7 @@ namespace glark::depth {
 struct InstanceExtent {
   std::uint32_t instances = 0;
   std::uint64_t refined_triangles = 0;
-  GLsizeiptr bytes = 0;                 // of a copy
+  std::int64_t bytes = 0;               // of a copy
   std::vector<std::uint32_t> commands;  // without empty ones; neighbours that draw the same piece are one
 };
 

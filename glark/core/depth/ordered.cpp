@@ -23,12 +23,12 @@ constexpr std::size_t half_size = 14;
 constexpr int most_triangles = 128;                               // the size of a work group that GL and ES guarantee
 constexpr std::uint32_t group_sizes[] = {8, 32, most_triangles};  // idle invocations are not free
 constexpr int most_instances = 4;                                 // of one triangle that is not deeper than a tile
-constexpr GLsizeiptr slots = GLsizeiptr{most_triangles} * most_instances;
+constexpr std::int64_t slots = std::int64_t{most_triangles} * most_instances;
 constexpr GLintptr patches_offset = slots * 20;
 constexpr GLintptr records_offset = patches_offset + slots * 16;
-constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
+constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 
-GLsizeiptr bytes_for(const capture::Layout& layout) {
+std::int64_t bytes_for(const capture::Layout& layout) {
   return records_offset + slots * layout.triangle_words() * 4 + chunk_overrun;
 }
 
@@ -134,7 +134,7 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
 InstanceExtent OrderedStage::extent(const BinnedInstances& sorted) const {
   gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<std::uint32_t> commands(static_cast<std::size_t>(sorted.command_count) * 5);
-  result_.read(gl_, sorted.commands_offset, static_cast<GLsizeiptr>(commands.size() * sizeof(commands[0])),
+  result_.read(gl_, sorted.commands_offset, static_cast<std::int64_t>(commands.size() * sizeof(commands[0])),
                commands.data());
   return extent_of(commands, sorted.record_stride);
 }

@@ -11,7 +11,7 @@
 namespace glark::depth {
 namespace {
 
-constexpr GLsizeiptr chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
+constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 constexpr const char* types[] = {"", "float", "vec2", "vec3", "vec4"};
 
 // The least number of inputs that hold the words of a corner, four words each.
@@ -53,7 +53,7 @@ Reorder::Mover Reorder::build(int corner_words) const {
 
 bool Reorder::has_room(const capture::Layout& layout, std::uint32_t instances) const {
   return movers_.contains(layout.corner_words) &&
-         static_cast<GLsizeiptr>(instances) * stride(layout) + chunk_overrun <= records_.size();
+         static_cast<std::int64_t>(instances) * stride(layout) + chunk_overrun <= records_.size();
 }
 
 bool Reorder::reserve(const capture::Layout& layout, std::uint32_t instances) {
@@ -65,7 +65,7 @@ bool Reorder::reserve(const capture::Layout& layout, std::uint32_t instances) {
     mover = build(layout.corner_words);
   }
   return mover.program != 0 &&
-         records_.reserve(gl_, static_cast<GLsizeiptr>(instances) * stride(layout) + chunk_overrun, GL_DYNAMIC_COPY);
+         records_.reserve(gl_, static_cast<std::int64_t>(instances) * stride(layout) + chunk_overrun, GL_DYNAMIC_COPY);
 }
 
 void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order,

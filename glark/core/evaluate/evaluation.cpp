@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint64_t most_indices = std::numeric_limits<GLsizei>::max();
 
-GLsizeiptr bytes_of(std::uint64_t vertices, const VertexFormat& format) {
-  return static_cast<GLsizeiptr>(vertices) * format.words * 4;
+std::int64_t bytes_of(std::uint64_t vertices, const VertexFormat& format) {
+  return static_cast<std::int64_t>(vertices) * format.words * 4;
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ bool Evaluation::make_pieces(const core::DrawPlan& plan, core::DrawCache::Entry&
     return false;
   }
   const core::DrawCache::VertexRoom room{bytes_of(batches.vertex_count(), mesh.format),
-                                         static_cast<GLsizeiptr>(mesh.index_count * sizeof(std::uint32_t))};
+                                         static_cast<std::int64_t>(mesh.index_count * sizeof(std::uint32_t))};
   if (!parts_.kept.allocate_vertices(entry, room, grids_.bytes())) {
     return false;
   }

@@ -7,8 +7,8 @@
 namespace glark::evaluate {
 namespace {
 
-GLsizeiptr bytes_of(unsigned level, std::uint32_t triangles) {
-  return static_cast<GLsizeiptr>(lattice_indices(level) * triangles * sizeof(std::uint32_t));
+std::int64_t bytes_of(unsigned level, std::uint32_t triangles) {
+  return static_cast<std::int64_t>(lattice_indices(level) * triangles * sizeof(std::uint32_t));
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ void GridIndices::read_pattern(const gl::Dispatch& gl, const pattern::GpuPool& p
   }
 }
 
-GLsizeiptr GridIndices::bytes_with(unsigned level, std::uint32_t triangles) const {
-  GLsizeiptr bytes = 0;
+std::int64_t GridIndices::bytes_with(unsigned level, std::uint32_t triangles) const {
+  std::int64_t bytes = 0;
   for (unsigned other = 0; other < levels_.size(); ++other) {
     const Level& found = levels_.at(other);
     const bool grows = other == level && triangles > found.triangles;
@@ -48,20 +48,20 @@ void GridIndices::write(const gl::Dispatch& gl, const Level& level, std::uint32_
       indices.push_back(vertex + index);
     }
   }
-  const auto each = static_cast<GLsizeiptr>(level.pattern.size() * sizeof(indices[0]));
+  const auto each = static_cast<std::int64_t>(level.pattern.size() * sizeof(indices[0]));
   level.buffer.write(gl, first * each, triangles * each, indices.data());
 }
 
 bool GridIndices::fill(const gl::Dispatch& gl, Level& level, std::uint32_t triangles) {
-  const auto each = static_cast<GLsizeiptr>(level.pattern.size() * sizeof(std::uint32_t));
-  const GLsizeiptr older = level.buffer.size();
+  const auto each = static_cast<std::int64_t>(level.pattern.size() * sizeof(std::uint32_t));
+  const std::int64_t older = level.buffer.size();
   if (!level.buffer.allocate(gl, triangles * each, nullptr, GL_STATIC_DRAW)) {
     return false;
   }
   level.older_bytes += older;
   level.triangles = 0;
-  constexpr GLsizeiptr bytes_at_once = GLsizeiptr{1} << 20;
-  const auto at_once = static_cast<std::uint32_t>(std::max<GLsizeiptr>(1, bytes_at_once / each));
+  constexpr std::int64_t bytes_at_once = std::int64_t{1} << 20;
+  const auto at_once = static_cast<std::uint32_t>(std::max<std::int64_t>(1, bytes_at_once / each));
   for (std::uint32_t first = 0; first < triangles; first += at_once) {
     write(gl, level, first, std::min(at_once, triangles - first));
   }

@@ -31,9 +31,9 @@ class GridIndices {
     GLsizei vertex_count = 0;
   };
 
-  GLsizeiptr bytes() const { return bytes_with(0, 0); }  // of all index buffers
+  std::int64_t bytes() const { return bytes_with(0, 0); }  // of all index buffers
   // The bytes of all index buffers, once `level` has room for so many coarse triangles.
-  GLsizeiptr bytes_with(unsigned level, std::uint32_t triangles) const;
+  std::int64_t bytes_with(unsigned level, std::uint32_t triangles) const;
   // Needs an ErrorScope.
   Grid ensure(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned level, std::uint32_t triangles);
   void release(const gl::Dispatch& gl);
@@ -44,8 +44,8 @@ class GridIndices {
     GLint first_vertex = 0;
     GLsizei vertex_count = 0;
     core::GpuBuffer buffer;
-    std::uint32_t triangles = 0;  // coarse ones in the buffer
-    GLsizeiptr older_bytes = 0;   // of smaller buffers, which vertex arrays keep alive
+    std::uint32_t triangles = 0;   // coarse ones in the buffer
+    std::int64_t older_bytes = 0;  // of smaller buffers, which vertex arrays keep alive
 
     std::uint32_t grown(std::uint32_t wanted) const {
       return wanted <= triangles ? triangles : std::max(wanted, triangles + triangles / 2);

@@ -22,7 +22,7 @@ struct IndirectCommand {
 std::vector<IndirectCommand> read_commands(const gl::Dispatch& gl, const core::DrawCache::Entry& entry) {
   const depth::BinnedInstances& bins = entry.instances();
   std::vector<IndirectCommand> commands(static_cast<std::size_t>(bins.command_count));
-  const auto bytes = static_cast<GLsizeiptr>(commands.size() * sizeof(commands[0]));
+  const auto bytes = static_cast<std::int64_t>(commands.size() * sizeof(commands[0]));
   if (bytes > 0 && !entry.instance_buffer().read(gl, bins.commands_offset, bytes, commands.data())) {
     commands.clear();
   }
@@ -85,7 +85,7 @@ void PieceBatches::write_indices(const gl::Dispatch& gl, const core::GpuBuffer& 
   GLintptr written = 0;
   std::uint32_t first_vertex = 0;
   const auto flush = [&] {
-    const auto bytes = static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0]));
+    const auto bytes = static_cast<std::int64_t>(indices.size() * sizeof(indices[0]));
     to.write(gl, written, bytes, indices.data());
     written += bytes;
     indices.clear();
@@ -116,7 +116,7 @@ std::vector<submit::PointDraw> PieceBatches::point_draws(const gl::Dispatch& gl,
     }
   }
   std::vector<submit::PointDraw> draws;
-  if (!points.allocate(gl, static_cast<GLsizeiptr>(all.size() * sizeof(all[0])), all.data(), GL_STREAM_DRAW)) {
+  if (!points.allocate(gl, static_cast<std::int64_t>(all.size() * sizeof(all[0])), all.data(), GL_STREAM_DRAW)) {
     return draws;
   }
   for (const Batch& batch : batches_) {

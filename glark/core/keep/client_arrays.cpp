@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace glark::core {
 namespace {
@@ -67,15 +68,17 @@ std::optional<VertexRange> vertices_read(const ArrayDraw& draw, std::span<const 
 }
 
 std::span<const std::byte> bytes_read(int slot, const AttributeSource& source, const VertexRange& range) {
-  constexpr GLintptr least_address = 65536;  // below, Linux maps nothing
+  constexpr std::int64_t least_address = 65536;  // below, Linux maps nothing
+  // In a program of 32 bits, half of all addresses are negative as a GLintptr.
+  const auto address = static_cast<std::int64_t>(static_cast<std::make_unsigned_t<GLintptr>>(source.offset));
   const std::int64_t element = packed_stride(components(slot, source), source.type);
   const std::int64_t stride = source.stride != 0 ? source.stride : element;
-  if (source.offset < least_address || element <= 0 || source.divisor != 0) {
+  if (address < least_address || element <= 0 || source.divisor != 0) {
     return {};
   }
-  const std::int64_t first = source.offset + source.relative_offset + stride * range.first;
+  const std::int64_t first = address + source.relative_offset + stride * range.first;
   const std::int64_t bytes = stride * (range.count - 1) + element;
-  return {reinterpret_cast<const std::byte*>(first), static_cast<std::size_t>(bytes)};
+  return {reinterpret_cast<const std::byte*>(static_cast<std::uintptr_t>(first)), static_cast<std::size_t>(bytes)};
 }
 
 }  // namespace glark::core

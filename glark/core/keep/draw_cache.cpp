@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t frames_to_keep = 120;
 constexpr std::size_t most_entries = 8192;
-constexpr GLsizeiptr most_bytes = GLsizeiptr{256} << 20;
+constexpr std::int64_t most_bytes = std::int64_t{256} << 20;
 
 // One multiplication a word is enough, because the words of keys with the same hash are compared.
 std::uint64_t hash_of(std::span<const std::uint64_t> words) {
@@ -82,7 +82,7 @@ void DrawCache::drop_oldest(const gl::Dispatch& gl) {
   entries_.pop_back();
 }
 
-bool DrawCache::make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeiptr bytes) {
+bool DrawCache::make_room(const gl::Dispatch& gl, const Entry& wanted, std::int64_t bytes) {
   // Repeated draws use all entries in turn. An entry that was not used for two turns is no longer drawn. Dropping an
   // entry in use would only make its draw capture again instead of this one.
   while (kept_bytes_ - wanted.buffer.size() + bytes > most_bytes && &entries_.back() != &wanted &&
@@ -92,7 +92,7 @@ bool DrawCache::make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeipt
   return kept_bytes_ - wanted.buffer.size() + bytes <= most_bytes;
 }
 
-bool DrawCache::allocate(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes) {
+bool DrawCache::allocate(const gl::Dispatch& gl, Entry& entry, std::int64_t bytes) {
   if (bytes <= entry.buffer.size()) {
     return true;
   }
@@ -102,7 +102,7 @@ bool DrawCache::allocate(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes)
   return done;
 }
 
-bool DrawCache::allocate_view(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes) {
+bool DrawCache::allocate_view(const gl::Dispatch& gl, Entry& entry, std::int64_t bytes) {
   GpuBuffer& buffer = entry.view.buffer;
   kept_bytes_ -= buffer.size();
   const bool done = buffer.allocate(gl, bytes, nullptr, GL_STATIC_COPY);
@@ -119,8 +119,8 @@ void DrawCache::drop_view(const gl::Dispatch& gl, Entry& entry) {
   drop_vertices(gl, entry);
 }
 
-bool DrawCache::allocate_vertices(const gl::Dispatch& gl, Entry& entry, const VertexRoom& room, GLsizeiptr budget) {
-  const GLsizeiptr bytes = room.vertices + room.indices;
+bool DrawCache::allocate_vertices(const gl::Dispatch& gl, Entry& entry, const VertexRoom& room, std::int64_t budget) {
+  const std::int64_t bytes = room.vertices + room.indices;
   for (auto at = entries_.rbegin(); at != entries_.rend() && vertex_bytes_ + bytes > budget; ++at) {
     if (&*at != &entry && !repeats(*at)) {
       drop_vertices(gl, *at);

@@ -55,20 +55,20 @@ class DrawCache {
   // Takes the states of the buffers: call it before the draw is captured.
   std::pair<Answer, Entry*> look_up(const gl::Dispatch& gl, const DrawKey& key, const BufferStamps& stamps);
   // Makes room for `bytes`: drops entries whose draws are no longer repeated. False: entries in use fill the budget.
-  bool make_room(const gl::Dispatch& gl, const Entry& wanted, GLsizeiptr bytes);
+  bool make_room(const gl::Dispatch& gl, const Entry& wanted, std::int64_t bytes);
   // Gives the entry a buffer of its own of `bytes`; false without memory. Wrap in an ErrorScope.
-  bool allocate(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes);
+  bool allocate(const gl::Dispatch& gl, Entry& entry, std::int64_t bytes);
   // The same for the instances of its view.
-  bool allocate_view(const gl::Dispatch& gl, Entry& entry, GLsizeiptr bytes);
+  bool allocate_view(const gl::Dispatch& gl, Entry& entry, std::int64_t bytes);
   // Drops the instances of the view, and the vertices that were made of them. The draw begins to repeat again.
   void drop_view(const gl::Dispatch& gl, Entry& entry);
   struct VertexRoom {
-    GLsizeiptr vertices = 0;  // bytes
-    GLsizeiptr indices = 0;   // bytes; 0: in a buffer that draws share
+    std::int64_t vertices = 0;  // bytes
+    std::int64_t indices = 0;   // bytes; 0: in a buffer that draws share
   };
   // Gives the entry buffers for its refined vertices. Drops vertices of draws that are no longer repeated. False: the
   // others fill the budget, or there is no memory. Wrap in an ErrorScope.
-  bool allocate_vertices(const gl::Dispatch& gl, Entry& entry, const VertexRoom& room, GLsizeiptr budget);
+  bool allocate_vertices(const gl::Dispatch& gl, Entry& entry, const VertexRoom& room, std::int64_t budget);
   void drop_vertices(const gl::Dispatch& gl, Entry& entry);
   // Drops entries that no draw of the last frames used.
   void frame_finished(const gl::Dispatch& gl);
@@ -87,8 +87,8 @@ class DrawCache {
   std::vector<BufferStamps::State> states_;  // scratch
   std::uint64_t uses_ = 0;
   std::uint64_t frame_ = 0;
-  GLsizeiptr kept_bytes_ = 0;
-  GLsizeiptr vertex_bytes_ = 0;
+  std::int64_t kept_bytes_ = 0;
+  std::int64_t vertex_bytes_ = 0;
 };
 
 }  // namespace glark::core

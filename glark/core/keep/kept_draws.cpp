@@ -11,8 +11,8 @@ namespace glark::core {
 namespace {
 
 // Bytes of the records of a kept capture. The last vec4 chunk may read past the last record.
-GLsizeiptr bytes_to_keep(const capture::Layout& layout, std::uint64_t triangles) {
-  return static_cast<GLsizeiptr>(triangles) * layout.triangle_words() * 4 + 16;
+std::int64_t bytes_to_keep(const capture::Layout& layout, std::uint64_t triangles) {
+  return static_cast<std::int64_t>(triangles) * layout.triangle_words() * 4 + 16;
 }
 
 // Returns whether glark notices every write to the buffer.
@@ -173,7 +173,7 @@ KeptDraw KeptDraws::find(const DrawCall& call, const KeyFacts& facts) {
     return {};
   }
   ErrorScope errors(env_.errors);
-  const GLsizeiptr bytes = facts.depth.keeps_instances() ? 0 : bytes_to_keep(*facts.capture.layout, call.triangles);
+  const std::int64_t bytes = facts.depth.keeps_instances() ? 0 : bytes_to_keep(*facts.capture.layout, call.triangles);
   if (!all_watched() || !cache_.make_room(env_.gl, *entry, bytes) || !cache_.allocate(env_.gl, *entry, bytes)) {
     entry->refused = true;
     return {};
@@ -207,7 +207,7 @@ void KeptDraws::keep_instances(DrawCache::Entry& entry, const depth::BinnedInsta
 
 void KeptDraws::keep_view(DrawCache::Entry& entry, const depth::BinnedInstances& instances,
                           const depth::InstanceExtent& extent, std::uint64_t number) {
-  const GLsizeiptr bytes = entry.buffer.size() + extent.bytes;
+  const std::int64_t bytes = entry.buffer.size() + extent.bytes;
   if (!cache_.make_room(env_.gl, entry, bytes) || !cache_.allocate_view(env_.gl, entry, extent.bytes)) {
     entry.view.refused = true;
     return;

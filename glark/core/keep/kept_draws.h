@@ -58,8 +58,8 @@ class KeptDraws {
   void drop_view(DrawCache::Entry& entry) { cache_.drop_view(env_.gl, entry); }
 
   // See DrawCache. `shared_bytes`: what the index buffers that draws share take of the user's budget.
-  bool allocate_vertices(DrawCache::Entry& entry, const DrawCache::VertexRoom& room, GLsizeiptr shared_bytes) {
-    const auto budget = static_cast<GLsizeiptr>(env_.options.kept_vertex_bytes);
+  bool allocate_vertices(DrawCache::Entry& entry, const DrawCache::VertexRoom& room, std::int64_t shared_bytes) {
+    const auto budget = static_cast<std::int64_t>(env_.options.kept_vertex_bytes);
     return cache_.allocate_vertices(env_.gl, entry, room, budget - shared_bytes);
   }
   void drop_vertices(DrawCache::Entry& entry) { cache_.drop_vertices(env_.gl, entry); }

@@ -46,7 +46,7 @@ struct RefinedVertices {
   GLsizei index_count = 0;
   bool refused = false;  // with this key: there is no memory, or GL does not draw them
 
-  GLsizeiptr bytes() const { return buffer.size() + indices.size(); }
+  std::int64_t bytes() const { return buffer.size() + indices.size(); }
   void release(const gl::Dispatch& gl) {
     if (vertex_array != 0) {
       gl.DeleteVertexArrays(1, &vertex_array);

@@ -55,11 +55,11 @@ bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level, bool nested) {
   point_into_pool(pool);
   const std::vector<Patch> tiles = uniform_tiles(max_level);
   GpuPool fresh;
-  if (!fresh.vertices_.allocate(gl, static_cast<GLsizeiptr>(pool.vertices.size() * sizeof(pool.vertices[0])),
+  if (!fresh.vertices_.allocate(gl, static_cast<std::int64_t>(pool.vertices.size() * sizeof(pool.vertices[0])),
                                 pool.vertices.data(), GL_STATIC_DRAW) ||
-      !fresh.indices_.allocate(gl, static_cast<GLsizeiptr>(pool.indices.size() * sizeof(pool.indices[0])),
+      !fresh.indices_.allocate(gl, static_cast<std::int64_t>(pool.indices.size() * sizeof(pool.indices[0])),
                                pool.indices.data(), GL_STATIC_DRAW) ||
-      !fresh.patches_.allocate(gl, static_cast<GLsizeiptr>(tiles.size() * sizeof(tiles[0])), tiles.data(),
+      !fresh.patches_.allocate(gl, static_cast<std::int64_t>(tiles.size() * sizeof(tiles[0])), tiles.data(),
                                GL_STATIC_DRAW)) {
     fresh.release(gl);
     return false;
@@ -74,7 +74,7 @@ bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level, bool nested) {
 
 std::vector<std::uint16_t> GpuPool::read_indices(const gl::Dispatch& gl, const Piece& piece) const {
   std::vector<std::uint16_t> indices(piece.index_count);
-  if (!indices_.read(gl, static_cast<GLintptr>(piece.first_index) * 2, static_cast<GLsizeiptr>(indices.size()) * 2,
+  if (!indices_.read(gl, static_cast<GLintptr>(piece.first_index) * 2, static_cast<std::int64_t>(indices.size()) * 2,
                      indices.data())) {
     indices.clear();
   }

@@ -12,7 +12,9 @@
 namespace glark::polygons {
 namespace {
 
-GLsizeiptr bytes_of(const std::vector<float>& words) { return static_cast<GLsizeiptr>(words.size() * sizeof(float)); }
+std::int64_t bytes_of(const std::vector<float>& words) {
+  return static_cast<std::int64_t>(words.size() * sizeof(float));
+}
 
 // Binds a new vertex array whose attribute 0 reads one float a vertex from the buffer.
 GLuint bind_number_array(const gl::Dispatch& gl, GLuint buffer) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
@@ -56,13 +57,25 @@ std::optional<std::string> about_privileges(const ProgramFile& program) {
       program.path, what);
 }
 
-std::optional<std::string> about_elf(const ProgramFile& program, const ElfFile& library) {
+// Programs of 64 and of 32 bits run side by side. The library for the other kind is a package of its own.
+std::string how_to_get_library(const ElfFile& program, const ElfFile& own) {
+  if (program.machine == EM_386 && own.machine == EM_X86_64)
+    return "install the package libglark0:i386 (after dpkg --add-architecture i386)";
+  if (program.machine == EM_X86_64 && program.is_64 && own.machine == EM_386)
+    return "install the package libglark0:amd64 (after dpkg --add-architecture amd64)";
+  return fmt::format("use its {} build", machine_name(own));
+}
+
+std::optional<std::string> about_elf(const ProgramFile& program, std::span<const ElfFile> libraries) {
   const ElfFile& elf = *program.elf;
-  if (elf.machine != library.machine || elf.is_64 != library.is_64)
+  const bool fits = std::any_of(libraries.begin(), libraries.end(), [&](const ElfFile& library) {
+    return elf.machine == library.machine && elf.is_64 == library.is_64;
+  });
+  if (!fits)
     return fmt::format(
-        "{} is for {}, but libGLARK.so is for {} and cannot be preloaded into it, so it stays unrefined; use its {} "
-        "build, or set GLARK_LIBRARY to a libGLARK.so for {}",
-        program.path, machine_name(elf), machine_name(library), machine_name(library), machine_name(elf));
+        "{} is for {}, but there is no libGLARK.so for {}, so it stays unrefined; {}, or set GLARK_LIBRARY to such a "
+        "library",
+        program.path, machine_name(elf), machine_name(elf), how_to_get_library(elf, libraries.front()));
   if (elf.interpreter.empty() && !elf.is_loader)
     return fmt::format(
         "{} is linked statically: nothing can be preloaded into it, so it stays unrefined; only programs that it "
@@ -90,7 +103,7 @@ std::string package_of_loader(const ElfFile& elf) {
 
 }  // namespace
 
-std::vector<std::string> start_notices(std::span<const ProgramFile> files, const ElfFile& library) {
+std::vector<std::string> start_notices(std::span<const ProgramFile> files, std::span<const ElfFile> libraries) {
   std::vector<std::string> notices;
   const auto add = [&](const std::optional<std::string>& notice) {
     if (notice) notices.push_back(*notice);
@@ -98,7 +111,7 @@ std::vector<std::string> start_notices(std::span<const ProgramFile> files, const
   };
   for (const ProgramFile& program : files) {
     if (add(about_starter(program.path)) || add(about_privileges(program))) continue;
-    if (program.kind == Kind::elf) add(about_elf(program, library));
+    if (program.kind == Kind::elf) add(about_elf(program, libraries));
     if (program.kind == Kind::windows)
       notices.push_back(fmt::format("{0} is a Windows program; write: glark run wine {0}", program.path));
   }

@@ -25,7 +25,7 @@ constexpr const char* depth_names[] = {"record_offset",   "corner_words",      "
                                        "half_size"};
 constexpr std::size_t half_size = 12;
 
-constexpr GLsizeiptr limit_bytes = 4 * (1 + 2 * limit_depths + 1);
+constexpr std::int64_t limit_bytes = 4 * (1 + 2 * limit_depths + 1);
 constexpr float most_change_while_morphing =
     1.0F / 16;  // of a level in a frame: at 60 frames a second, a quarter of a second
 

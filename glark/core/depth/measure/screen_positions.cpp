@@ -11,7 +11,7 @@
 namespace glark::depth {
 namespace {
 
-constexpr GLsizeiptr position_bytes = 16;
+constexpr std::int64_t position_bytes = 16;
 constexpr GLsizei chunk_bytes = 16;
 constexpr GLuint record_binding = 0;
 constexpr GLuint lattice_binding = 1;
@@ -43,7 +43,7 @@ struct Lattice {
   // The last one or two triangles, which the feedback needs as three vertices.
   std::array<std::array<std::uint8_t, 3>, 2> tails{{{0, 0, 0}, {0, 1, 1}}};
 };
-constexpr GLsizeiptr bytes_a_triangle(int points) { return points * position_bytes + 4; }
+constexpr std::int64_t bytes_a_triangle(int points) { return points * position_bytes + 4; }
 
 void enable_chunks(const gl::Dispatch& gl, GLuint first, int from, int to) {
   for (int chunk = from; chunk < to; ++chunk) {
@@ -61,20 +61,20 @@ void enable_chunks(const gl::Dispatch& gl, GLuint first, int from, int to) {
 
 // The positions of the last triangles take whole threes.
 GLintptr ScreenPositions::words_offset(int points) const {
-  const GLsizeiptr triangles = (buffer_.size() - 2 * points * position_bytes) / bytes_a_triangle(points);
+  const std::int64_t triangles = (buffer_.size() - 2 * points * position_bytes) / bytes_a_triangle(points);
   return (triangles + 2) * points * position_bytes;
 }
 
 bool ScreenPositions::has_room(std::uint32_t triangles, int points) const {
   return feedback_ != 0 &&
-         (GLsizeiptr{triangles} * bytes_a_triangle(points)) + 2 * points * position_bytes <= buffer_.size();
+         (std::int64_t{triangles} * bytes_a_triangle(points)) + 2 * points * position_bytes <= buffer_.size();
 }
 
 bool ScreenPositions::reserve(std::uint32_t triangles, int points) {
   prepare();
   const bool has_points = points == corners_only || lattice_.name() != 0 ||
                           lattice_.allocate(gl_, sizeof(Lattice), std::array{Lattice{}}.data(), GL_STATIC_DRAW);
-  const GLsizeiptr bytes = (GLsizeiptr{triangles} * bytes_a_triangle(points)) + 2 * points * position_bytes;
+  const std::int64_t bytes = (std::int64_t{triangles} * bytes_a_triangle(points)) + 2 * points * position_bytes;
   return has_points && buffer_.reserve(gl_, bytes, GL_DYNAMIC_COPY);
 }
 

@@ -13,7 +13,7 @@ constexpr const char* uniform_names[] = {"record_offset", "corner_words", "trian
                                          "shown_stamp",   "pool_level",   "culled_side",    "half_size"};
 constexpr std::size_t culled_side_uniform = 6;
 constexpr std::size_t half_size = 7;
-constexpr GLsizeiptr bytes_a_triangle = 3 * 4;
+constexpr std::int64_t bytes_a_triangle = 3 * 4;
 constexpr GLint last_stamp = (1 << 22) - 1;  // a word has 10 bits for the steps
 
 // The measures that the pass depends on.
@@ -31,7 +31,7 @@ int culled_side(const core::Bindings& bindings) {
 }
 
 bool ShownEdges::has_room(std::uint32_t triangles, const Measures& measures) const {
-  return passes_.contains(what_shows(measures)) && GLsizeiptr{triangles} * bytes_a_triangle <= marks_.size();
+  return passes_.contains(what_shows(measures)) && std::int64_t{triangles} * bytes_a_triangle <= marks_.size();
 }
 
 bool ShownEdges::reserve(std::uint32_t triangles, const Measures& measures) {
@@ -47,7 +47,7 @@ bool ShownEdges::reserve(std::uint32_t triangles, const Measures& measures) {
   }
   const std::vector<std::uint32_t> none(std::size_t{triangles} * 3 + std::size_t{triangles}, 0U);
   stamp_ = 0;
-  return marks_.allocate(gl_, static_cast<GLsizeiptr>(none.size() * sizeof(none[0])), none.data(), GL_DYNAMIC_COPY);
+  return marks_.allocate(gl_, static_cast<std::int64_t>(none.size() * sizeof(none[0])), none.data(), GL_DYNAMIC_COPY);
 }
 
 GLint ShownEdges::mark(const ShownRequest& request, const core::Bindings& bindings) {
