@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "glark/core/pattern/border_pieces.h"
+#include "glark/core/pattern/pieces/border_pieces.h"
 #include "glark/core/pattern/uniform_order.h"
-#include "glark/core/pattern/whole_pieces.h"
+#include "glark/core/pattern/pieces/whole_pieces.h"
 
 namespace glark::pattern {
 namespace {

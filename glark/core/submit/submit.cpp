@@ -36,7 +36,7 @@ void SubmitStage::bind_vertex_array(int chunks, Source source, GLuint indices) {
   }
   gl_.BindVertexArray(array.name);
   const std::uint32_t deletions = core::GpuBuffer::deletions();
-  if (array.indices != indices || array.deletions != deletions) {
+  if (!made || array.indices != indices || array.deletions != deletions) {
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
     array.indices = indices;
     array.deletions = deletions;

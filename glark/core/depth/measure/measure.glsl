@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Edge depths without tags. GLARK_PASS: 0 the limits of this frame, 1 the depths of the edges of one draw, 2 the edges
-// of triangles that can be seen. The includer supplies #version, GLARK_PASS and GLARK_CURVES (1: curves are measured).
+// of triangles that can be seen. The includer supplies #version, GLARK_PASS and, for the passes 1 and 2, what
+// measured_edge.glsl needs.
 //
 // The limits: word 0 is the coarseness (float: how many depths the budget takes away). Then come for each depth a pixel
 // limit and a cosine limit (edge_depth.glsl), and one error limit (screen_error.glsl). Then comes the rule that the limits
@@ -72,12 +73,9 @@ layout(std430, binding = 2) readonly buffer Limits { float limits[]; };
 
 uniform int record_offset;  // in words
 uniform int corner_words;
-uniform int normal_offset;  // in a corner; < 0: normals are not measured
 uniform int first_depth;    // word of `ends`
 uniform int triangle_bound;
 uniform int pool_level;
-uniform int on_screen;
-uniform int packed_bits;
 uniform vec2 half_size;
 #if GLARK_CURVES
 uniform int shown_stamp;
@@ -92,6 +90,8 @@ int shown_steps(int first) {
   return word >> step_bits == uint(shown_stamp) ? int(word & ((1u << step_bits) - 1u)) : -1;
 }
 #endif
+
+const int packed_bits = GLARK_STEPS == 1 ? 4 : 10;
 
 int corner_count() { return 3 * triangle_bound; }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/pattern/whole_pieces.h"
+#include "glark/core/pattern/pieces/whole_pieces.h"
 
 #include <algorithm>
 #include <map>
