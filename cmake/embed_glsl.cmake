@@ -31,5 +31,6 @@ set(GLARK_GLSL_HEADERS
   ${PROJECT_SOURCE_DIR}/glark/core/weld/border.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/cells.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/creases.glsl
+  ${PROJECT_SOURCE_DIR}/glark/core/weld/edges.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/tables.glsl
   ${PROJECT_SOURCE_DIR}/glark/core/weld/tangent.glsl)

@@ -144,6 +144,7 @@ class Laboratory:
         build = pathlib.Path(arguments.build).resolve()
         self.jobs = arguments.jobs
         self.quick = arguments.quick
+        self.first = ["--fail-fast"] if arguments.first else []
         self.suite = build / "bin/glark-conformance"
         if not self.suite.is_file():
             raise Complaint(f"{self.suite} is missing: build the target glark-conformance first")
@@ -212,7 +213,7 @@ class Laboratory:
             outcome.problem = self.make_library()
             citing = [name for name, clauses in self.cases.items() if mutant.clause in clauses]
             others = [name for name in self.cases if name not in citing]
-            rounds = [(citing, (1,))] + ([] if self.quick else [(others, (BATCH, "--fail-fast"))])
+            rounds = [(citing, (1, *self.first))] + ([] if self.quick else [(others, (BATCH, "--fail-fast"))])
             for names, options in [] if outcome.problem else rounds:
                 for api in mutant.apis():
                     outcome.failed = outcome.failed or self.judge(api, names, *options)
@@ -274,6 +275,7 @@ def main() -> int:
     parser.add_argument("--filter", action="append", metavar="GLOB", help="only mutants whose names match; may be repeated")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="number of parallel processes")
     parser.add_argument("--quick", action="store_true", help="run only the cases that cite the mutant's sentence")
+    parser.add_argument("--first", action="store_true", help="stop at the first case that fails: faster, but the table then counts one case")
     parser.add_argument("--list", action="store_true", help="print the mutants")
     parser.add_argument("--check", action="store_true", help="only check that every mutant can be made")
     parser.add_argument("--table", metavar="FILE", help="write the rows of the mutants tried into the table between the markers of this document")

@@ -50,6 +50,7 @@ void RefinedDraw::run(const DrawCall& call) {
   }
   const KeyFacts facts = key_facts(plan, parts_.pool);
   KeptDraw kept = parts_.kept.find(call, facts);
+  parts_.views.follow(plan, kept);
   if (draw_kept_vertices(plan, kept)) {
     return;
   }
@@ -173,6 +174,10 @@ depth::BinnedInstances RefinedDraw::sort(const DrawPlan& plan, const Records& re
     statistics().refined_triangles += kept.entry->refined_triangles;
     return kept.entry->bins;
   }
+  if (plan.depth.measured && kept.filled && kept.entry->view.kept()) {
+    statistics().refined_triangles += kept.entry->view.refined_triangles;
+    return kept.entry->view.bins;
+  }
   const depth::SortRequest request{.plan = plan.depth,
                                    .layout = *plan.capture.layout,
                                    .triangles = records.triangles,
@@ -184,6 +189,9 @@ depth::BinnedInstances RefinedDraw::sort(const DrawPlan& plan, const Records& re
   if (keeps && kept.entry != nullptr) {
     ErrorScope errors(env_.errors);
     parts_.kept.keep_instances(*kept.entry, sorted, sorter.extent(request, sorted), records.triangles);
+  } else if (KeptViews::wants(plan, kept)) {
+    ErrorScope errors(env_.errors);
+    parts_.views.keep(kept, sorted, sorter.extent(request, sorted));
   }
   return sorted;
 }

@@ -16,6 +16,7 @@
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
 #include "glark/core/meshes/mesh_watch.h"
+#include "glark/core/passes/kept_views.h"
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
@@ -34,6 +35,7 @@ class RefinedDraw {
     Planner& planner;
     capture::DrawCapture& capture;
     KeptDraws& kept;
+    KeptViews& views;
     evaluate::Evaluation& evaluation;
     TrianglePasses& passes;
     submit::Submission& submission;

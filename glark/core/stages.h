@@ -12,6 +12,7 @@
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
 #include "glark/core/meshes/mesh_watch.h"
+#include "glark/core/passes/kept_views.h"
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
@@ -52,6 +53,7 @@ class Stages {
   DrawPrograms programs_;
   TrianglePasses passes_;
   KeptDraws kept_;
+  KeptViews views_;
   evaluate::Evaluation evaluation_;
   FeedbackInUse feedback_in_use_;
   MeshWatch meshes_;

@@ -183,4 +183,26 @@ MORE = [
              keys=((5, "key Return"), (3, "key Return"))),
 ]
 
-PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS]
+LAST_MET = [
+    *(saver(name) for name in ("glknots", "raverhoop", "squirtorus", "romanboy", "tronbit", "sierpinski3d",
+                               "hypertorus", "antinspect", "maze3d")),
+    Stranger("enemylines3", "game, menu", ("enemylines3",), ["/usr/games/enemylines3"], seconds=10,
+             keys=((3, "key Return"), (2, "key Return"))),
+    Stranger("enemylines7", "game, in play", ("enemylines7",), ["/usr/games/enemylines7"], seconds=12,
+             keys=((3, "key Return"), (2, "key Return"), (2, "key Return"))),
+    Stranger("marsshooter", "game, in play", ("marsshooter",), ["/usr/games/marsshooter"], seconds=14,
+             keys=((5, "key Return"), (2, "key Return"), (2, "key Return"))),
+    Stranger("briquolo", "game, in play", ("briquolo",), ["/usr/games/briquolo", "-r", "400x300"], seconds=12,
+             keys=((4, "key Return"), (2, "key Return"), (2, "key Return"))),
+    Stranger("blockout2", "game, in play", ("blockout2",), ["/usr/games/blockout2"], seconds=12,
+             keys=((4, "key Return"), (2, "key Return"), (2, "key space"))),
+    Stranger("fracplanet", "modeller", ("fracplanet",), ["/usr/bin/fracplanet"], seconds=14, keys=DRAG),
+    Stranger("stormbaancoureur", "game, in play", ("stormbaancoureur",), ["/usr/games/stormbaancoureur", "-w"], seconds=14, frames=200,
+             keys=((4, "key Return"), (2, "keydown Up"))),
+    Stranger("sdl-ball", "game, in play", ("sdl-ball",), ["/usr/games/sdl-ball"], seconds=12, keys=((4, "key Return"), (2, "key space"))),
+    Stranger("g3dviewer", "viewer", ("g3dviewer",), ["/usr/bin/g3dviewer", f"{MODELS}/ball.obj"], seconds=12, keys=DRAG),
+    Stranger("pong2", "game, in play", ("pong2",), ["/usr/games/pong2"], seconds=10, keys=((3, "key s"),)),
+    Stranger("CalculiX", "modeller", ("calculix-cgx",), ["/usr/bin/cgx", "-stl", f"{MODELS}/ball.stl"], seconds=12, keys=DRAG),
+]
+
+PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS, *LAST_MET]

@@ -11,6 +11,12 @@ FINE = "fine already; hardly visible changes"
 POLYGONS = "flat shaded on purpose; stays so"
 
 REMARKS = {
+    "glknots": "tubes are rounder; highlights on them show fully", "raverhoop": SAME, "squirtorus": SAME, "romanboy": SAME, "tronbit": POLYGONS,
+    "sierpinski3d": SAME, "hypertorus": SAME, "antinspect": LINES, "maze3d": SAME,
+    "enemylines3": "bodies of single polygons, " + SAME, "enemylines7": "bodies of single polygons, " + SAME,
+    "marsshooter": MENU, "briquolo": SAME, "blockout2": SAME, "fracplanet": "the coast is as before, the outline rounder",
+    "stormbaancoureur": "its shadows have no partner; " + SAME, "sdl-ball": SAME, "g3dviewer": "redraws seldom, so smooth waits; " + SAME,
+    "pong2": "the ball is rounder", "CalculiX": POLYGONS,
     "GTK 4 widgets": FLAT, "kitty": "an empty window: its text is not in the recording", "kivy": FLAT,
     "Qt bars": SAME, "Qt scatter": SAME, "Qt surface": SAME, "Qt customitems": SAME, "Qt volumetric": SAME,
     "Qt qmlsurface": SAME, "Qt qmlbars": SAME, "Qt threadedqopenglwidget": SAME, "Qt hellowindow": POLYGONS,

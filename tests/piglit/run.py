@@ -34,9 +34,12 @@ MODES = {
     "outputs-3": {**REFINED, "GLARK_REFINE": "outputs", "GLARK_LEVEL": "3"},
     "edge-8": {**REFINED, "GLARK_REFINE": "outputs", "GLARK_EDGE_PIXELS": "8"},
     "inputs-2": {**REFINED, "GLARK_REFINE": "linear", "GLARK_LEVEL": "2"},
+    "smooth-2": {**REFINED, "GLARK_REFINE": "smooth", "GLARK_LEVEL": "2"},
+    "pn-2": {**REFINED, "GLARK_REFINE": "pn", "GLARK_LEVEL": "2"},
 }
 JUDGED = [mode for mode in MODES if mode not in ("plain", "again")]
-TARGET = {"off": 1.0, "outputs-2": 0.999, "outputs-3": 0.999, "edge-8": 0.999, "inputs-2": 0.99}
+TARGET = {"off": 1.0, "outputs-2": 0.999, "outputs-3": 0.999, "edge-8": 0.999, "inputs-2": 0.99, "smooth-2": 0.999,
+          "pn-2": 0.99}
 
 
 class Displays:

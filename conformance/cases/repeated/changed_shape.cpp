@@ -177,7 +177,8 @@ void check_refinement_shader(Test& t) {
   expect_changes(
       t, {{"a uniform", [&] { bend(-0.4F); }},
           {"the uniform again", [&] { bend(0.3F); }},
-          {"another shader", [&] { set_refinement_shader(t, program, "void refine() { position *= 0.7; }"); }}});
+          {"another shader", [&] { set_refinement_shader(t, program, "void refine() { position *= 0.7; }"); }},
+          {"a third shader", [&] { set_refinement_shader(t, program, "void refine() { position *= 0.4; }"); }}});
 }
 
 constexpr Area often_case{"ark.draw.often."};

@@ -3,6 +3,7 @@
 #include "glark/core/depth/bins.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace glark::depth {
@@ -20,30 +21,35 @@ constexpr std::size_t work_commands = work_pieces + 4 * pattern::piece_count;
 constexpr std::size_t work_words = work_commands + 5 * pattern::piece_count;
 constexpr std::int64_t deep_reserve_bytes = std::int64_t{32} << 20;
 
-constexpr const char* uniform_names[] = {
-    "record_offset", "corner_words", "tag_offset", "uniform_tag",       "triangle_bound",
-    "count_on_gpu",  "pool_level",   "interior",   "instance_capacity", "tags_are_edge_depths",
-    "packed_bits",   "depth_steps",  "counted"};
+constexpr const char* uniform_names[] = {"record_offset",        "corner_words", "tag_offset", "uniform_tag",
+                                         "triangle_bound",       "count_on_gpu", "pool_level", "instance_capacity",
+                                         "tags_are_edge_depths", "counted"};
 
 }  // namespace
 
-bool BinStage::compile() {
-  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
-    const core::ComputeText text{.what = "a binning pass",
-                                 .source = bins_source,
-                                 .es = language_ == capture::Language::es,
-                                 .defines = {{"GLARK_PASS", pass}}};
-    if (!passes_[pass].built() && !passes_[pass].build(gl_, text, uniform_names)) {
-      return false;
-    }
+bool BinStage::build(core::ComputePass& pass, std::uint64_t number, const BinKind& kind) const {
+  const bool morphing = kind.interior == pattern::Interior::morphing;
+  const core::ComputeText text{
+      .what = "a binning pass",
+      .source = bins_source,
+      .es = language_ == capture::Language::es,
+      .defines = {{"GLARK_PASS", number},
+                  {"GLARK_INTERIOR", static_cast<std::uint64_t>(kind.interior)},
+                  {"GLARK_STEPS", morphing ? std::uint64_t{pattern::morph_steps} : 1U},
+                  {"GLARK_PACKED_BITS", kind.measured ? static_cast<std::uint64_t>(measured_bits(morphing)) : 0U}}};
+  return pass.build(gl_, text, uniform_names);
+}
+
+bool BinStage::compile(const BinKind& kind) {
+  if (!scan_.built() && !build(scan_, 1, kind)) {
+    return false;
   }
-  return true;
+  Passes& passes = passes_[kind];
+  return (passes.count.built() || build(passes.count, 0, kind)) &&
+         (passes.scatter.built() || build(passes.scatter, 2, kind));
 }
 
 bool BinStage::prepare(const pattern::GpuPool& pool) {
-  if (!compile()) {
-    return false;
-  }
   std::vector<std::uint32_t> words(work_words, 0);
   for (std::size_t piece = 0; piece < pattern::piece_count; ++piece) {
     const pattern::Piece& from = pool.piece(static_cast<int>(piece));
@@ -51,6 +57,10 @@ bool BinStage::prepare(const pattern::GpuPool& pool) {
     to[0] = from.index_count;
     to[1] = from.first_index;
     to[2] = static_cast<std::uint32_t>(from.base_vertex);
+    std::uint32_t* command = &words[work_commands + 5 * piece];
+    command[0] = to[0];
+    command[2] = to[1];
+    command[3] = to[2];
   }
   return work_.allocate(gl_, static_cast<std::int64_t>(work_words * sizeof(words[0])), words.data(), GL_DYNAMIC_COPY);
 }
@@ -72,13 +82,17 @@ std::uint32_t most_instances(const capture::Layout& layout, std::uint32_t triang
 
 }  // namespace
 
-bool BinStage::has_room(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) const {
-  const std::uint32_t instances = most_instances(layout, triangles, deepest_tag);
-  return instances <= capacity_ && reorder_.has_room(layout, instances);
+bool BinStage::has_room(const capture::Layout& layout, std::uint32_t triangles, const DepthPlan& plan) const {
+  const std::uint32_t instances = most_instances(layout, triangles, plan.deepest);
+  return passes_.contains({plan.interior, plan.measured}) && instances <= capacity_ &&
+         reorder_.has_room(layout, instances);
 }
 
-bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) {
-  const std::uint32_t instances = most_instances(layout, triangles, deepest_tag);
+bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, const DepthPlan& plan) {
+  const std::uint32_t instances = most_instances(layout, triangles, plan.deepest);
+  if (!compile({plan.interior, plan.measured})) {
+    return false;
+  }
   if (instances > capacity_ &&
       !instances_.reserve(gl_, static_cast<std::int64_t>(instances) * bytes_an_instance, GL_DYNAMIC_COPY)) {
     return false;
@@ -90,7 +104,6 @@ bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, u
 void BinStage::set_uniforms(const core::ComputePass& pass, const BinRequest& request) const {
   const bool measured = request.measured.buffer != 0;
   const GLintptr offset = measured ? request.measured.offset : request.triangles.offset;
-  const int steps = request.interior == pattern::Interior::morphing ? pattern::morph_steps : 1;
   const GLint values[] = {static_cast<GLint>(offset / 4),
                           request.layout->corner_words,
                           request.layout->tag_offset,
@@ -98,11 +111,8 @@ void BinStage::set_uniforms(const core::ComputePass& pass, const BinRequest& req
                           static_cast<GLint>(request.triangles.count),
                           request.triangles.count_on_gpu ? 1 : 0,
                           static_cast<GLint>(request.pool_level),
-                          static_cast<GLint>(request.interior),
                           static_cast<GLint>(capacity_),
                           request.tags_are_edge_depths ? 1 : 0,
-                          measured ? request.measured.bits : 0,
-                          steps,
                           request.counted ? 1 : 0};
   pass.set_integers(gl_, values);
 }
@@ -113,9 +123,11 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, c
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, instances_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, work_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, count_buffer);
-  for (std::size_t i = 0; i < passes_.size(); ++i) {
-    passes_[i].use(gl_);
-    set_uniforms(passes_[i], request);
+  const Passes& own = passes_.at({request.interior, request.measured.buffer != 0});
+  const core::ComputePass* const passes[] = {&own.count, &scan_, &own.scatter};
+  for (std::size_t i = 0; i < std::size(passes); ++i) {
+    passes[i]->use(gl_);
+    set_uniforms(*passes[i], request);
     core::ComputePass::dispatch(gl_, i == 1 ? 1 : request.triangles.count);
     gl_.MemoryBarrier(i == 2 ? GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT |
                                    GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT
@@ -163,9 +175,12 @@ std::uint64_t BinStage::take_refined_triangles() {
 }
 
 void BinStage::release() {
-  for (core::ComputePass& pass : passes_) {
-    pass.release(gl_);
+  scan_.release(gl_);
+  for (auto& [kind, passes] : passes_) {
+    passes.count.release(gl_);
+    passes.scatter.release(gl_);
   }
+  passes_.clear();
   work_.release(gl_);
   instances_.release(gl_);
   reorder_.release();

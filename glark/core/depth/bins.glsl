@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Sorts the instances of a draw into bins by piece (counting sort). GLARK_PASS: 0 count, 1 scan, 2 scatter.
-// The includer supplies #version and GLARK_PASS.
+// The includer supplies #version and GLARK_PASS; for the passes 0 and 2 also GLARK_INTERIOR (pattern::Interior),
+// GLARK_STEPS (edge_steps.glsl) and GLARK_PACKED_BITS.
 // Based on: Boubekeur 2007, ch. 7.2.2-7.2.3 (edge depths select the pattern). The thesis draws triangle by triangle;
 // the sort is ours.
 #include "glark/core/pattern/pieces.glsl.h"
 
 #if GLARK_PASS == 1
-layout(local_size_x = 1) in;
+layout(local_size_x = 32) in;
+const int scanners = 32;
 #else
 layout(local_size_x = 64) in;
 #endif
@@ -24,7 +26,8 @@ layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
 //   4 to 8   the DrawElementsIndirectCommand of all instances
 //   9 to 11  unused
 // Then counts, cursors, pieces (4 words each:
-// index count, first index, base vertex, 0) and the DrawElementsIndirectCommands of the pieces (5 words each).
+// index count, first index, base vertex, 0) and the DrawElementsIndirectCommands of the pieces (5 words each). The passes
+// write only how many instances a command has, and the first of them.
 layout(std430, binding = 2) buffer Work { uint work[]; };
 layout(std430, binding = 3) readonly buffer Count { uint count_command[]; };
 
@@ -41,46 +44,87 @@ uniform int uniform_tag;
 uniform int triangle_bound;
 uniform int count_on_gpu;
 uniform int pool_level;
-uniform int interior;  // pattern::Interior
 uniform int tags_are_edge_depths;  // corner k holds the depth of edge k
-uniform int packed_bits;           // > 0: records has a word per triangle, this many bits per edge, edge 0 lowest
 uniform int instance_capacity;
 uniform int counted;  // the triangles count for the budget
 
 #if GLARK_PASS == 1
 
-void main() {
-  uint base = 0u;
-  uint capacity = uint(instance_capacity);
-  for (int p = 0; p < piece_count; ++p) {
-    uint wanted = work[counts + p];
-    uint count = min(wanted, capacity - base);
-    uint index_count = work[pieces + 4 * p];
-    work[cursors + p] = base;
-    work[counts + p] = 0u;
-    work[commands + 5 * p] = index_count;
-    work[commands + 5 * p + 1] = count;
-    work[commands + 5 * p + 2] = work[pieces + 4 * p + 1];
-    work[commands + 5 * p + 3] = work[pieces + 4 * p + 2];
-    work[commands + 5 * p + 4] = base;
-    uint triangles = count * (index_count / 3u);
-    uint low = work[0] + triangles;
-    work[1] += low < work[0] ? 1u : 0u;
-    work[0] = low;
-    if (counted != 0) {
-      work[2] += triangles;
-    }
-    base += count;
+shared uint first_of[scanners];  // how many instances come before the pieces of an invocation
+shared uint triangles_low;
+shared uint triangles_high;
+
+// Sums up the instances of all invocations.
+void scan() {
+  uint sum = 0u;
+  for (int i = 0; i < scanners; ++i) {
+    uint wanted = first_of[i];
+    first_of[i] = sum;
+    sum += wanted;
+  }
+  triangles_low = 0u;
+  triangles_high = 0u;
+  work[all_instances] = 3u * min(sum, uint(instance_capacity));
+  work[all_instances + 1] = 1u;
+}
+
+uint place(int piece, uint base) {
+  uint wanted = work[counts + piece];
+  uint count = min(wanted, uint(instance_capacity) - base);
+  work[cursors + piece] = base;
+  work[commands + 5 * piece + 1] = count;
+  work[commands + 5 * piece + 4] = base;
+  if (wanted > 0u) {
+    work[counts + piece] = 0u;
+    uint triangles = count * (work[pieces + 4 * piece] / 3u);
+    uint low = atomicAdd(triangles_low, triangles);
+    atomicAdd(triangles_high, low + triangles < low ? 1u : 0u);
+  }
+  return base + count;
+}
+
+void add_triangles() {
+  uint low = work[0] + triangles_low;
+  work[1] += triangles_high + (low < work[0] ? 1u : 0u);
+  work[0] = low;
+  if (counted != 0) {
+    work[2] += triangles_low;
   }
   work[2] -= min(work[2], work[3]);
   work[3] = 0u;
-  work[all_instances] = 3u * base;
-  work[all_instances + 1] = 1u;
+}
+
+void main() {
+  int self = int(gl_LocalInvocationID.x);
+  int share = (piece_count + scanners - 1) / scanners;
+  int first = share * self;
+  int end = min(first + share, piece_count);
+  uint wanted = 0u;
+  for (int piece = first; piece < end; ++piece) {
+    wanted += work[counts + piece];
+  }
+  first_of[self] = wanted;
+  barrier();
+  if (self == 0) {
+    scan();
+  }
+  barrier();
+  uint base = min(first_of[self], uint(instance_capacity));
+  for (int piece = first; piece < end; ++piece) {
+    base = place(piece, base);
+  }
+  barrier();
+  if (self == 0) {
+    add_triangles();
+  }
 }
 
 #else
 
 #include "glark/core/depth/edge_steps.glsl"
+
+const int interior = GLARK_INTERIOR;
+const int packed_bits = GLARK_PACKED_BITS;  // > 0: records has a word per triangle, this many bits per edge, edge 0 lowest
 
 int triangle;
 ivec3 edge_steps;

@@ -4,13 +4,15 @@
 // From depth tags to draw commands, on the GPU: edge depths, pattern, instances sorted by piece, one command per piece.
 #pragma once
 
-#include <array>
+#include <compare>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/binned_instances.h"
+#include "glark/core/depth/depth_plan.h"
 #include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/depth/reorder.h"
@@ -36,12 +38,11 @@ class BinStage {
  public:
   BinStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language), reorder_(gl, language) {}
 
-  // Compiles the passes and uploads the piece table. Call it again after the pool was replaced. Returns false if
-  // adaptive drawing is not available.
+  // Uploads the piece table. Call it again after the pool was replaced. False without memory.
   bool prepare(const pattern::GpuPool& pool);
-  // Makes room for the instances of a draw; false without memory.
-  bool reserve(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag);
-  bool has_room(const capture::Layout& layout, std::uint32_t triangles, unsigned deepest_tag) const;
+  // Compiles the passes, and makes room for the instances of a draw. Returns false if that fails.
+  bool reserve(const capture::Layout& layout, std::uint32_t triangles, const DepthPlan& plan);
+  bool has_room(const capture::Layout& layout, std::uint32_t triangles, const DepthPlan& plan) const;
   std::uint32_t capacity() const { return capacity_; }  // instances of any draw
   // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer
   // bindings 0 to 3, which the caller restores.
@@ -57,12 +58,24 @@ class BinStage {
   void release();
 
  private:
-  bool compile();
+  // Draws that differ in these have passes of their own.
+  struct BinKind {
+    pattern::Interior interior = pattern::Interior::minimum;
+    bool measured = false;
+    auto operator<=>(const BinKind&) const = default;
+  };
+  struct Passes {
+    core::ComputePass count;
+    core::ComputePass scatter;
+  };
+  bool build(core::ComputePass& pass, std::uint64_t number, const BinKind& kind) const;
+  bool compile(const BinKind& kind);
   void set_uniforms(const core::ComputePass& pass, const BinRequest& request) const;
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::array<core::ComputePass, 3> passes_;
+  core::ComputePass scan_;
+  std::map<BinKind, Passes> passes_;
   core::GpuBuffer work_;
   core::GpuBuffer instances_;
   std::uint32_t capacity_ = 0;  // instances

@@ -49,6 +49,8 @@ struct DepthPlan {
   int depth_steps() const { return morphing ? pattern::morph_steps : 1; }
   // Measured depths change with the camera, so the capture is kept instead of the sorted instances.
   bool keeps_instances() const { return adaptive && !measured && !coarse; }
+  // The depths stay while the view stays. With a budget, they depend on the other draws of the frame.
+  bool keeps_view() const { return measured && !coarse && measure.budget == 0; }
 };
 
 }  // namespace glark::depth

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Depths in steps: whole levels, or morph_steps per level if refined vertices move between levels. The includer has
-// pieces.glsl.h and `pool_level`.
+// pieces.glsl.h and `pool_level`, and supplies GLARK_STEPS.
 
-uniform int depth_steps;  // per level
+const int depth_steps = GLARK_STEPS;  // per level
 
 // Not-a-number gives 0.
 int steps_of(float tag) {

@@ -30,22 +30,20 @@ bool InstanceSorter::reserve_numbers() {
 }
 
 bool InstanceSorter::has_room(const SortRoom& room) const {
-  return prepared_for_ == pool_.number() &&
-         ordered_.has_room(room.layout, room.triangles, room.plan.screen.measures_curves()) &&
-         bins_.has_room(room.layout, room.triangles, room.plan.deepest) &&
-         (!room.plan.measured || measure_.has_room(room.triangles, room.plan.screen.points)) &&
-         (!room.numbered || has_numbers());
+  const Measures measures = measures_of(room.plan, room.layout);
+  return prepared_for_ == pool_.number() && ordered_.has_room(room.layout, room.triangles, measures) &&
+         bins_.has_room(room.layout, room.triangles, room.plan) &&
+         (!room.plan.measured || measure_.has_room(room.triangles, measures)) && (!room.numbered || has_numbers());
 }
 
 bool InstanceSorter::reserve(const SortRoom& room) {
+  const Measures measures = measures_of(room.plan, room.layout);
   if (prepared_for_ != pool_.number() && bins_.prepare(pool_.pool())) {
     prepared_for_ = pool_.number();
   }
-  ordered_.reserve(room.layout, room.triangles,
-                   room.plan.screen.measures_curves());  // if that fails, all draws go through the bins
-  return prepared_for_ == pool_.number() && bins_.reserve(room.layout, room.triangles, room.plan.deepest) &&
-         (!room.plan.measured || measure_.reserve(room.triangles, room.plan.screen.points)) &&
-         (!room.numbered || reserve_numbers());
+  ordered_.reserve(room.layout, room.triangles, measures);  // if that fails, all draws go through the bins
+  return prepared_for_ == pool_.number() && bins_.reserve(room.layout, room.triangles, room.plan) &&
+         (!room.plan.measured || measure_.reserve(room.triangles, measures)) && (!room.numbered || reserve_numbers());
 }
 
 bool InstanceSorter::takes_in_order(const SortRequest& request) const {
@@ -74,9 +72,8 @@ BinnedInstances InstanceSorter::sort(const SortRequest& request) {
                                 .triangles = request.triangles,
                                 .screen = plan.screen,
                                 .normal_offset = plan.normal_offset,
-                                .by_length = plan.measure.pixels > 0,
                                 .pool_level = deepest,
-                                .depth_steps = plan.depth_steps(),
+                                .measures = measures_of(plan, request.layout),
                                 .budget = plan.budget};
   EdgeEnds ends;
   if (plan.measured) {

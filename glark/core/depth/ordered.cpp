@@ -15,13 +15,11 @@ constexpr char ordered_source[] =
     ;
 
 constexpr const char* uniform_names[] = {
-    "record_offset",   "corner_words",     "tag_offset",        "tags_are_edge_depths",
-    "triangle_count",  "pool_level",       "normal_offset",     "on_screen",
-    "depth_steps",     "turn_offset",      "straight_position", "straight_position_words",
-    "straight_normal", "straight_control", "counted",           "by_length",
-    "point_count",     "culled_side",      "half_size"};
-constexpr std::size_t culled_side_uniform = 17;
-constexpr std::size_t half_size = 18;
+    "record_offset",   "corner_words",     "tag_offset",  "tags_are_edge_depths", "triangle_count",
+    "pool_level",      "normal_offset",    "turn_offset", "straight_position",    "straight_position_words",
+    "straight_normal", "straight_control", "counted",     "culled_side",          "half_size"};
+constexpr std::size_t culled_side_uniform = 13;
+constexpr std::size_t half_size = 14;
 constexpr int most_triangles = 128;                               // the size of a work group that GL and ES guarantee
 constexpr std::uint32_t group_sizes[] = {8, 32, most_triangles};  // idle invocations are not free
 constexpr int most_instances = 4;                                 // of one triangle that is not deeper than a tile
@@ -42,39 +40,43 @@ void OrderedStage::Passes::release(const gl::Dispatch& gl) {
   }
 }
 
-void OrderedStage::prepare(bool curves) {
-  Passes& made = passes(curves);
-  made.prepared = true;
-  for (std::size_t i = 0; i < made.by_size.size(); ++i) {
-    const core::ComputeText text{.what = "the pass for small draws",
-                                 .source = ordered_source,
-                                 .es = language_ == capture::Language::es,
-                                 .defines = {{"GLARK_DEPTHS", core::max_supported_level + 1},
-                                             {"GLARK_GROUP", group_sizes[i]},
+OrderedStage::Passes& OrderedStage::prepare(const Measures& measures) {
+  const auto [entry, fresh] = passes_.try_emplace(measures);
+  Passes& made = entry->second;
+  for (std::size_t i = 0; fresh && i < made.by_size.size(); ++i) {
+    core::ComputeText text{.what = "the pass for small draws",
+                           .source = ordered_source,
+                           .es = language_ == capture::Language::es,
+                           .defines = defines_of(measures),
+                           .failure = core::LogLevel::warning};
+    const core::ComputeText::Define own[] = {{"GLARK_GROUP", group_sizes[i]},
                                              {"GLARK_TRIANGLES", most_triangles},
                                              {"GLARK_INSTANCES", most_instances},
-                                             {"GLARK_CURVES", curves ? 1U : 0U}},
-                                 .failure = core::LogLevel::warning};
+                                             {"GLARK_TAGS", measures.tags ? 1U : 0U}};
+    text.defines.insert(text.defines.end(), std::begin(own), std::end(own));
     if (!made.by_size[i].build(gl_, text, uniform_names)) {
       made.release(gl_);
-      return;
+      break;
     }
   }
+  return made;
 }
 
-bool OrderedStage::has_room(const capture::Layout& layout, std::uint32_t triangles, bool curves) const {
-  const Passes& made = passes(curves);
-  return triangles > most_triangles || (made.prepared && (!made.built() || bytes_for(layout) <= result_.size()));
+const OrderedStage::Passes* OrderedStage::find(const Measures& measures) const {
+  const auto found = passes_.find(measures);
+  return found != passes_.end() ? &found->second : nullptr;
 }
 
-void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangles, bool curves) {
+bool OrderedStage::has_room(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures) const {
+  const Passes* const made = find(measures);
+  return triangles > most_triangles || (made != nullptr && (!made->built() || bytes_for(layout) <= result_.size()));
+}
+
+void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures) {
   if (triangles > most_triangles) {
     return;
   }
-  Passes& made = passes(curves);
-  if (!made.prepared) {
-    prepare(curves);
-  }
+  Passes& made = prepare(measures);
   if (made.built() && !result_.reserve(gl_, bytes_for(layout), GL_DYNAMIC_COPY)) {
     made.release(gl_);
   }
@@ -82,9 +84,9 @@ void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangle
 
 bool OrderedStage::takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles,
                          const DepthPlan& plan) const {
-  return passes(plan.screen.measures_curves()).built() && !triangles.count_on_gpu &&
-         triangles.count <= most_triangles && plan.deepest <= static_cast<unsigned>(pattern::tile_level) &&
-         bytes_for(layout) <= result_.size();
+  const Passes* const made = find(measures_of(plan, layout));
+  return made != nullptr && made->built() && !triangles.count_on_gpu && triangles.count <= most_triangles &&
+         plan.deepest <= static_cast<unsigned>(pattern::tile_level) && bytes_for(layout) <= result_.size();
 }
 
 BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bindings& bindings) {
@@ -98,7 +100,7 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
   const auto group = std::lower_bound(std::begin(group_sizes), std::end(group_sizes), triangles.count);
   const MeasureRequest& measure = request.measure;
   const core::ComputePass& pass =
-      passes(measure.screen.measures_curves()).by_size[static_cast<std::size_t>(group - std::begin(group_sizes))];
+      find(measure.measures)->by_size[static_cast<std::size_t>(group - std::begin(group_sizes))];
   pass.use(gl_);
   const auto straight = straight_edge_words(request.measure);
   const GLint values[] = {static_cast<GLint>(triangles.offset / 4),
@@ -108,16 +110,12 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
                           static_cast<GLint>(triangles.count),
                           static_cast<GLint>(request.measure.pool_level),
                           request.measure.normal_offset,
-                          request.measure.screen.name != 0 ? 1 : 0,
-                          request.measure.depth_steps,
                           layout.turn_offset,
                           straight[0],
                           straight[1],
                           straight[2],
                           straight[3],
-                          request.measure.budget.counted ? 1 : 0,
-                          measure.by_length ? 1 : 0,
-                          measure.screen.points};
+                          request.measure.budget.counted ? 1 : 0};
   pass.set_integers(gl_, values);
   gl_.Uniform1f(pass.location(culled_side_uniform), static_cast<float>(culled_side(bindings)));
   gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
@@ -142,10 +140,10 @@ InstanceExtent OrderedStage::extent(const BinnedInstances& sorted) const {
 }
 
 void OrderedStage::release() {
-  for (Passes& made : passes_) {
+  for (auto& [measures, made] : passes_) {
     made.release(gl_);
-    made.prepared = false;
   }
+  passes_.clear();
   result_.release(gl_);
 }
 

@@ -4,7 +4,8 @@
 // Computes edge depths, instances and commands of a draw of few triangles in one work group. The order of the triangles
 // is kept: each triangle has an invocation, each instance a command.
 // The includer supplies #version, GLARK_DEPTHS, GLARK_GROUP (size of the work group), GLARK_TRIANGLES (greatest size of
-// a work group), GLARK_INSTANCES (most instances of one triangle) and GLARK_CURVES (1: curves are measured).
+// a work group), GLARK_INSTANCES (most instances of one triangle), GLARK_TAGS (1: nothing is measured, vertices have
+// tags), and what measured_edge.glsl needs.
 #include "glark/core/pattern/pieces.glsl.h"
 
 layout(local_size_x = GLARK_GROUP) in;
@@ -23,12 +24,10 @@ const int moved_records = patches + 4 * GLARK_TRIANGLES * GLARK_INSTANCES;
 
 uniform int record_offset;  // in words
 uniform int corner_words;
-uniform int tag_offset;  // in a corner; < 0: depths are measured
+uniform int tag_offset;  // in a corner
 uniform int tags_are_edge_depths;
 uniform int triangle_count;
 uniform int pool_level;
-uniform int normal_offset;  // in a corner; < 0: normals are not measured
-uniform int on_screen;
 uniform int counted;  // the triangles count for the budget
 uniform vec2 half_size;
 #if GLARK_CURVES
@@ -41,10 +40,12 @@ int shown_steps(int first) { return int(shown[first]) - 1; }
 int corner_count() { return 3 * triangle_count; }
 
 #include "glark/core/depth/edge_steps.glsl"
+#if !GLARK_TAGS
 #include "glark/core/depth/measure/limits.glsl"
 #include "glark/core/depth/measure/edge_depth.glsl"
 #include "glark/core/depth/measure/measured_edge.glsl"
 #include "glark/core/depth/measure/straight_edge.glsl"
+#endif
 
 shared uint instance_count[GLARK_GROUP];
 shared uint refined_triangles;
@@ -75,13 +76,13 @@ void expand(int triangle) {
   for (int edge = 0; edge < 3; ++edge) {
     int from = 3 * triangle + edge;
     int to = 3 * triangle + (edge == 2 ? 0 : edge + 1);
-    if (tag_offset < 0) {
-      bool straight = is_straight(from, to);
-      edge_steps[edge] = straight ? 0 : measured_steps(from, to);
-      is_flat = straight && (is_flat || edge == 0);
-    } else {
-      edge_steps[edge] = tags_are_edge_depths != 0 ? tag_of(from) : (tag_of(from) + tag_of(to)) >> 1;
-    }
+#if GLARK_TAGS
+    edge_steps[edge] = tags_are_edge_depths != 0 ? tag_of(from) : (tag_of(from) + tag_of(to)) >> 1;
+#else
+    bool straight = is_straight(from, to);
+    edge_steps[edge] = straight ? 0 : measured_steps(from, to);
+    is_flat = straight && (is_flat || edge == 0);
+#endif
   }
   expand_pattern(depth_of(edge_steps.x), depth_of(edge_steps.y), depth_of(edge_steps.z),
                  depth_steps == 1 ? 0 : morphing_interior);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/depth/kept_instances.h"
@@ -28,10 +29,10 @@ class OrderedStage {
  public:
   OrderedStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
 
-  // Compiles the pass when first called; another one for `curves` (ScreenProgram). Rare path: wrap in an ErrorScope.
-  void reserve(const capture::Layout& layout, std::uint32_t triangles, bool curves);
+  // Compiles the passes for these measures when first called. Rare path: wrap in an ErrorScope.
+  void reserve(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures);
   // Returns whether reserve() would change nothing.
-  bool has_room(const capture::Layout& layout, std::uint32_t triangles, bool curves) const;
+  bool has_room(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures) const;
   // Returns whether this stage handles the draw. The draw must have a minimum interior.
   bool takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const DepthPlan& plan) const;
   // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. Valid until the next call.
@@ -43,19 +44,17 @@ class OrderedStage {
  private:
   // The passes by size of the work group; built together.
   struct Passes {
-    bool prepared = false;
     std::array<core::ComputePass, 3> by_size;
 
     bool built() const { return by_size[0].built(); }
     void release(const gl::Dispatch& gl);
   };
-  void prepare(bool curves);
-  Passes& passes(bool curves) { return passes_[curves ? 1 : 0]; }
-  const Passes& passes(bool curves) const { return passes_[curves ? 1 : 0]; }
+  Passes& prepare(const Measures& measures);
+  const Passes* find(const Measures& measures) const;  // null: not prepared
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::array<Passes, 2> passes_;  // without and with curves
+  std::map<Measures, Passes> passes_;
   core::GpuBuffer result_;
 };
 

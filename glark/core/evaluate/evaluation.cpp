@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "glark/core/evaluate/uniform_watch.h"
+#include "glark/core/programs/uniform_watch.h"
 #include "glark/core/refine/program/uniform_copy.h"
 #include "glark/core/shape.h"
 
@@ -34,13 +34,15 @@ bool Evaluation::find_heights(core::HeightMap& heights) const {
   return unit.texture != 0 && textures.trusted(unit.texture);
 }
 
-std::optional<core::RefinedVerticesKey> Evaluation::key_of(const core::DrawPlan& plan) const {
+std::optional<core::RefinedVerticesKey> Evaluation::key_of(const core::DrawPlan& plan,
+                                                           const core::DrawCache::Entry& entry) const {
   const core::DerivedProgram& derived = *plan.derived;
   core::RefinedVerticesKey key{.level = plan.depth.level,
                                .refinement = derived.refinement,
                                .shape_number = core::shape_number(env_.options, env_.ark, derived.refinement),
                                .surface = derived.surface,
-                               .heights = {}};
+                               .heights = {},
+                               .view = entry.view.number};
   if (derived.height_map >= 0 && !find_heights(key.heights)) {
     return std::nullopt;
   }
@@ -66,7 +68,10 @@ const core::RefinedVertices* Evaluation::find(const core::DrawPlan& plan, const 
     return nullptr;
   }
   core::DrawCache::Entry& entry = *kept.entry;
-  const std::optional<core::RefinedVerticesKey> key = key_of(plan);
+  if (plan.depth.measured && !entry.view.kept()) {
+    return nullptr;
+  }
+  const std::optional<core::RefinedVerticesKey> key = key_of(plan, entry);
   if (!key || !(entry.vertices.key == *key)) {
     parts_.kept.drop_vertices(entry);
     entry.vertices.key = key.value_or(core::RefinedVerticesKey{});
@@ -164,7 +169,7 @@ void Evaluation::set_uniforms(const core::DrawPlan& plan, const EvaluationProgra
   copy.name = program.name;
   refine::map_uniform_locations(env_.gl, derived.name, copy);
   refine::copy_uniform_values(env_.gl, derived.name, copy);
-  watch_uniforms(env_.gl, program.uniforms, *plan.program, derived);
+  core::watch_uniforms(env_.gl, program.uniforms, *plan.program, derived);
 }
 
 // Returns whether GL has written all vertices. It writes none in a conditional rendering that is off; such a draw is

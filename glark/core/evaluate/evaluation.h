@@ -42,7 +42,7 @@ class Evaluation {
 
  private:
   // Nothing: something that the vertices depend on may change unseen.
-  std::optional<core::RefinedVerticesKey> key_of(const core::DrawPlan& plan) const;
+  std::optional<core::RefinedVerticesKey> key_of(const core::DrawPlan& plan, const core::DrawCache::Entry& entry) const;
   bool find_heights(core::HeightMap& heights) const;
   bool may_evaluate() const;
   bool make(const core::DrawPlan& plan, core::DrawCache::Entry& entry);

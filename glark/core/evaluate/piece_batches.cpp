@@ -20,9 +20,10 @@ struct IndirectCommand {
 };
 
 std::vector<IndirectCommand> read_commands(const gl::Dispatch& gl, const core::DrawCache::Entry& entry) {
-  std::vector<IndirectCommand> commands(static_cast<std::size_t>(entry.bins.command_count));
+  const depth::BinnedInstances& bins = entry.instances();
+  std::vector<IndirectCommand> commands(static_cast<std::size_t>(bins.command_count));
   const auto bytes = static_cast<std::int64_t>(commands.size() * sizeof(commands[0]));
-  if (bytes > 0 && !entry.buffer.read(gl, entry.bins.commands_offset, bytes, commands.data())) {
+  if (bytes > 0 && !entry.instance_buffer().read(gl, bins.commands_offset, bytes, commands.data())) {
     commands.clear();
   }
   return commands;
@@ -48,7 +49,7 @@ void PieceBatches::add(const Pieces& pieces, std::uint32_t first_index, std::uin
 }
 
 void PieceBatches::add_bins(const Pieces& pieces, const core::DrawCache::Entry& entry) {
-  const depth::BinnedInstances& bins = entry.bins;
+  const depth::BinnedInstances& bins = entry.instances();
   for (const IndirectCommand& command : read_commands(pieces.gl, entry)) {
     const auto first = static_cast<GLintptr>(command.base_instance);
     add(pieces, command.first_index, command.index_count,

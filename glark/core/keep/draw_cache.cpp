@@ -61,8 +61,8 @@ std::pair<DrawCache::Answer, DrawCache::Entry*> DrawCache::look_up(const gl::Dis
   if (!known || entry.states != states_) {
     entry.states = states_;
     entry.filled = entry.refused = false;
-    entry.reuses = entry.frames_reused = 0;
-    drop_vertices(gl, entry);
+    drop_view(gl, entry);
+    entry.view = {};
     return {Answer::fresh, &entry};
   }
   if (entry.filled) {
@@ -76,7 +76,7 @@ void DrawCache::drop_oldest(const gl::Dispatch& gl) {
   Entry& entry = entries_.back();
   kept_bytes_ -= entry.buffer.size();
   entry.buffer.release(gl);
-  drop_vertices(gl, entry);
+  drop_view(gl, entry);
   const auto [first, last] = by_hash_.equal_range(entry.hash);
   by_hash_.erase(std::find_if(first, last, [&](const auto& pair) { return &*pair.second == &entry; }));
   entries_.pop_back();
@@ -100,6 +100,23 @@ bool DrawCache::allocate(const gl::Dispatch& gl, Entry& entry, std::int64_t byte
   const bool done = entry.buffer.allocate(gl, bytes, nullptr, GL_STATIC_COPY);
   kept_bytes_ += entry.buffer.size();
   return done;
+}
+
+bool DrawCache::allocate_view(const gl::Dispatch& gl, Entry& entry, std::int64_t bytes) {
+  GpuBuffer& buffer = entry.view.buffer;
+  kept_bytes_ -= buffer.size();
+  const bool done = buffer.allocate(gl, bytes, nullptr, GL_STATIC_COPY);
+  kept_bytes_ += buffer.size();
+  return done;
+}
+
+void DrawCache::drop_view(const gl::Dispatch& gl, Entry& entry) {
+  kept_bytes_ -= entry.view.buffer.size();
+  entry.view.buffer.release(gl);
+  entry.view.number = 0;
+  entry.view.refused = false;
+  entry.reuses = entry.frames_reused = 0;
+  drop_vertices(gl, entry);
 }
 
 bool DrawCache::allocate_vertices(const gl::Dispatch& gl, Entry& entry, const VertexRoom& room, std::int64_t budget) {
@@ -142,7 +159,8 @@ void DrawCache::release(const gl::Dispatch& gl) {
 std::vector<GLuint> DrawCache::take_buffers() {
   std::vector<GLuint> names;
   for (const Entry& entry : entries_) {
-    for (const GpuBuffer* buffer : {&entry.buffer, &entry.vertices.buffer, &entry.vertices.indices}) {
+    for (const GpuBuffer* buffer :
+         {&entry.buffer, &entry.view.buffer, &entry.vertices.buffer, &entry.vertices.indices}) {
       if (buffer->name() != 0) {
         names.push_back(buffer->name());
       }

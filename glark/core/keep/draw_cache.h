@@ -14,6 +14,7 @@
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/keep/draw_key.h"
+#include "glark/core/keep/kept_view.h"
 #include "glark/core/keep/refined_vertices.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/arrays/buffer_stamps.h"
@@ -39,12 +40,16 @@ class DrawCache {
     std::uint64_t refined_triangles = 0;  // their number in the bins
     std::uint64_t last_use = 0;
     std::uint64_t last_frame = 0;
+    KeptView view;  // of a measured draw
     RefinedVertices vertices;
     unsigned reuses = 0;         // of the filled entry
     unsigned frames_reused = 0;  // frames in which it was reused
 
     // Programs that never end a frame repeat their draws, too.
     bool repeats_often() const { return frames_reused > 2 || reuses > 16; }
+    // The instances that are drawn, and the buffer that holds their commands.
+    const depth::BinnedInstances& instances() const { return view.kept() ? view.bins : bins; }
+    const GpuBuffer& instance_buffer() const { return view.kept() ? view.buffer : buffer; }
   };
 
   // Takes the states of the buffers: call it before the draw is captured.
@@ -53,6 +58,10 @@ class DrawCache {
   bool make_room(const gl::Dispatch& gl, const Entry& wanted, std::int64_t bytes);
   // Gives the entry a buffer of its own of `bytes`; false without memory. Wrap in an ErrorScope.
   bool allocate(const gl::Dispatch& gl, Entry& entry, std::int64_t bytes);
+  // The same for the instances of its view.
+  bool allocate_view(const gl::Dispatch& gl, Entry& entry, std::int64_t bytes);
+  // Drops the instances of the view, and the vertices that were made of them. The draw begins to repeat again.
+  void drop_view(const gl::Dispatch& gl, Entry& entry);
   struct VertexRoom {
     std::int64_t vertices = 0;  // bytes
     std::int64_t indices = 0;   // bytes; 0: in a buffer that draws share

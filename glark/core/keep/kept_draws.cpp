@@ -205,4 +205,16 @@ void KeptDraws::keep_instances(DrawCache::Entry& entry, const depth::BinnedInsta
   entry.filled = true;
 }
 
+void KeptDraws::keep_view(DrawCache::Entry& entry, const depth::BinnedInstances& instances,
+                          const depth::InstanceExtent& extent, std::uint64_t number) {
+  const std::int64_t bytes = entry.buffer.size() + extent.bytes;
+  if (!cache_.make_room(env_.gl, entry, bytes) || !cache_.allocate_view(env_.gl, entry, extent.bytes)) {
+    entry.view.refused = true;
+    return;
+  }
+  entry.view.bins = depth::copy_instances(env_.gl, instances, extent, entry.view.buffer);
+  entry.view.refined_triangles = extent.refined_triangles;
+  entry.view.number = number;
+}
+
 }  // namespace glark::core

@@ -52,6 +52,11 @@ class KeptDraws {
   void keep_instances(DrawCache::Entry& entry, const depth::BinnedInstances& instances,
                       const depth::InstanceExtent& extent, const capture::CoarseTriangles& triangles);
 
+  // Copies the instances of a measured draw to the view of the entry. `number` tells views apart.
+  void keep_view(DrawCache::Entry& entry, const depth::BinnedInstances& instances, const depth::InstanceExtent& extent,
+                 std::uint64_t number);
+  void drop_view(DrawCache::Entry& entry) { cache_.drop_view(env_.gl, entry); }
+
   // See DrawCache. `shared_bytes`: what the index buffers that draws share take of the user's budget.
   bool allocate_vertices(DrawCache::Entry& entry, const DrawCache::VertexRoom& room, std::int64_t shared_bytes) {
     const auto budget = static_cast<std::int64_t>(env_.options.kept_vertex_bytes);

@@ -30,6 +30,7 @@ struct RefinedVerticesKey {
   float shape_number = 0;
   SurfaceWords surface;
   HeightMap heights = {};
+  std::uint64_t view = 0;             // number of the view that the depths were measured in
   std::uint64_t shader = 0;           // the derived program's number, if it has a refinement shader of the application
   std::uint64_t uniform_changes = 0;  // of this shader
   bool operator==(const RefinedVerticesKey&) const = default;

@@ -35,6 +35,13 @@ bool has_made_normals(const std::vector<capture::Field>* fields) {
   return normal != nullptr && normal->made;
 }
 
+// A polygon that glBegin..glEnd draws alone. Its neighbours are other draws, so nothing says whether it is a part of a
+// smooth surface or the panel of a body whose edges would come apart.
+bool is_lone_polygon(const DrawCall& call) {
+  const bool polygon = call.mode == GL_POLYGON ? call.whole_polygons : call.triangles > 0 && call.triangles <= 2;
+  return !call.from_arrays && call.exact && polygon;
+}
+
 bool is_position_vector(const capture::Field* position) {
   return position != nullptr && !position->is_array &&
          (position->type == GL_FLOAT_VEC3 || position->type == GL_FLOAT_VEC4);
@@ -48,7 +55,7 @@ bool may_make_normals(const ContextOptions& options, const std::vector<capture::
 }
 
 std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause) {
-  if (!cause && !has_normals(call, inputs)) {
+  if (!cause && (is_lone_polygon(call) || !has_normals(call, inputs))) {
     cause = Cause::no_surface;
   }
   Framebuffers& framebuffers = env_.state.framebuffers();
@@ -57,35 +64,38 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs
                                             .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors),
                                             .triangles = call.triangles},
                                            cause);
-  const bool made = has_made_normals(inputs.fields);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {
     return cause;
   }
-  pass->made = pass->curves && made;
-  if (call.list_segment != 0) {
-    return ask(mesh_of_list(call.list_segment), *pass, cause);
+  pass->made = pass->curves && has_made_normals(inputs.fields);
+  return call.list_segment != 0 ? ask(mesh_of_list(call.list_segment), *pass, cause)
+         : call.from_arrays     ? judge_arrays(inputs, *pass, cause)
+                                : judge_loose(*pass, cause);
+}
+
+std::optional<Cause> MeshWatch::judge_loose(const MeshPass& pass, std::optional<Cause> cause) {
+  if (pass.curves && !pass.made) {
+    table_.set_normals(loose_mesh, {loose_mesh, GL_FLOAT});
   }
-  if (!call.from_arrays) {
-    if (pass->curves && !made) {
-      table_.set_normals(loose_mesh, {loose_mesh, GL_FLOAT});
-    }
-    return cause == Cause::not_triangles ? cause : ask(loose_mesh, *pass, cause);
-  }
+  return cause == Cause::not_triangles ? cause : ask(loose_mesh, pass, cause);
+}
+
+std::optional<Cause> MeshWatch::judge_arrays(const Inputs& inputs, MeshPass pass, std::optional<Cause> cause) {
   const std::vector<capture::Field>* fields = inputs.fields != nullptr ? inputs.fields : known_fields();
   const capture::Field* position = fields != nullptr ? capture::find_role(*fields, capture::Role::position) : nullptr;
   if (position != nullptr || fields == nullptr) {
     const int slot = position != nullptr ? slot_of(*position) : vertex_slot_in_use();
     const MeshKey mesh = key_of(slot);
-    if (pass->curves && !inputs.lent_normal && !made) {
+    if (pass.curves && !inputs.lent_normal && !pass.made) {
       note_normals(mesh, slot, *fields);
     }
-    pass->lacks_normal = cause == Cause::no_surface;
-    return ask(mesh, *pass, cause);
+    pass.lacks_normal = cause == Cause::no_surface;
+    return ask(mesh, pass, cause);
   }
   for (const capture::Field& field : *fields) {
     if (is_float_vector(field)) {
-      cause = ask(key_of(slot_of(field)), *pass, cause);
+      cause = ask(key_of(slot_of(field)), pass, cause);
     }
   }
   return cause;

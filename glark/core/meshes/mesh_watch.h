@@ -41,6 +41,8 @@ class MeshWatch {
   void frame_finished() { table_.frame_finished(); }
 
  private:
+  std::optional<Cause> judge_loose(const MeshPass& pass, std::optional<Cause> cause);  // from glBegin..glEnd
+  std::optional<Cause> judge_arrays(const Inputs& inputs, MeshPass pass, std::optional<Cause> cause);
   // The stage reads no normal: finds an array that holds the normals of its mesh, or the normals of its list.
   ChosenNormal unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
   bool makes_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const;

@@ -34,6 +34,7 @@ bool ComputePass::build(const gl::Dispatch& gl, const ComputeText& text, std::sp
   }
   program_ = program;
   locations_.clear();
+  integers_.assign(uniforms.size(), 0);  // as GL initialises uniforms
   for (const char* name : uniforms) {
     locations_.push_back(gl.GetUniformLocation(program, name));
   }
@@ -48,8 +49,9 @@ void ComputePass::release(const gl::Dispatch& gl) {
 
 void ComputePass::set_integers(const gl::Dispatch& gl, std::span<const GLint> values) const {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (locations_[i] >= 0) {
+    if (locations_[i] >= 0 && integers_[i] != values[i]) {
       gl.Uniform1i(locations_[i], values[i]);
+      integers_[i] = values[i];
     }
   }
 }

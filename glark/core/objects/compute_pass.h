@@ -40,7 +40,7 @@ class ComputePass {
   void use(const gl::Dispatch& gl) const { gl.UseProgram(program_); }
   // -1: the linker has removed the uniform.
   GLint location(std::size_t uniform) const { return locations_[uniform]; }
-  // Sets the first uniforms, which are integers. The pass must be in use.
+  // Sets the first uniforms, which are integers, where they differ from the last values. The pass must be in use.
   void set_integers(const gl::Dispatch& gl, std::span<const GLint> values) const;
 
   // Dispatches at least `invocations` in groups of group_size. Groups beyond the guaranteed limit go to the second
@@ -50,6 +50,7 @@ class ComputePass {
  private:
   GLuint program_ = 0;
   std::vector<GLint> locations_;
+  mutable std::vector<GLint> integers_;  // the values that GL has
 };
 
 }  // namespace glark::core

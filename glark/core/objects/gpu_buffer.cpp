@@ -3,10 +3,17 @@
 #include "glark/core/objects/gpu_buffer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <limits>
 
 namespace glark::core {
+namespace {
+
+std::atomic<std::uint32_t> deleted{0};
+
+}  // namespace
+
 CopyWriteBinding::CopyWriteBinding(const gl::Dispatch& gl, GLuint buffer) : gl_(gl) {
   GLint previous = 0;
   gl.GetIntegerv(GL_COPY_WRITE_BUFFER_BINDING, &previous);
@@ -72,9 +79,12 @@ void GpuBuffer::copy_from(const gl::Dispatch& gl, GLuint buffer, std::int64_t fr
 void GpuBuffer::release(const gl::Dispatch& gl) {
   if (name_ != 0) {
     gl.DeleteBuffers(1, &name_);
+    deleted.fetch_add(1, std::memory_order_relaxed);
     name_ = 0;
     size_ = 0;
   }
 }
+
+std::uint32_t GpuBuffer::deletions() { return deleted.load(std::memory_order_relaxed); }
 
 }  // namespace glark::core

@@ -40,6 +40,10 @@ class GpuBuffer {
   void copy_from(const gl::Dispatch& gl, GLuint buffer, std::int64_t from, std::int64_t to, std::int64_t size) const;
   void release(const gl::Dispatch& gl);
 
+  // The number of buffers of ours that were deleted, in all contexts. Drivers give the name of a deleted buffer to a new
+  // one, while a vertex array still holds the deleted one. So a remembered name is valid until this number changes.
+  static std::uint32_t deletions();
+
   GLuint name() const { return name_; }
   std::int64_t size() const { return size_; }
 

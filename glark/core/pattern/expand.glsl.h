@@ -11,7 +11,8 @@
 //
 // Based on: Boubekeur 2007, ch. 7.2.3, Algorithm 5 (interior at the minimum depth, the border split). The thesis keeps
 // one pattern for every triple. Here the border is cut at the corners, so that 278 pieces make all 1728 triples: the
-// pool is 1.1 MB at level 10 instead of 26 MB. The ring of triangles along an edge is zipped, not split triangle by
+// pool is 1.2 MB at level 10 instead of 26 MB. Only shallow patterns are pieces of their own, because they have few
+// triangles for the cost of an instance. The ring of triangles along an edge is zipped, not split triangle by
 // triangle. Splitting leaves the corner triangles undefined, which belong to two edges, and its angles are worse.
 #pragma once
 
@@ -29,8 +30,11 @@ namespace glark::pattern {
 #endif
 
 // The values of pattern::Interior, for GLSL.
+const int minimum_interior = 0;
 const int smooth_interior = 1;
 const int morphing_interior = 2;
+
+const int interior_of_parts = 3;
 
 GLARK_SHARED_FUNCTION int lesser(int a, int b) { return a < b ? a : b; }
 GLARK_SHARED_FUNCTION int greater(int a, int b) { return a < b ? b : a; }
@@ -53,6 +57,11 @@ GLARK_SHARED_FUNCTION int skirt_of(int level, int d, int interior) {
                                                                        : skirt_piece(level, d);
 }
 
+// A pattern that is one piece (whole_piece).
+GLARK_SHARED_FUNCTION bool is_whole(int least, int most, int interior) {
+  return interior == minimum_interior && least > 0 && least < most && most <= deepest_whole;
+}
+
 // Expands one tile. All its depths are equal and at most 8, or the least depth is 0 or 2..6. GLARK_EMIT stands here
 // only twice, because processors that run both sides of a branch pay for each place.
 GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int d2, int interior, float ou, float ov,
@@ -62,17 +71,19 @@ GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int 
   // Skirts cut the corners in another way than a regular pattern. While morphing, equal depths have skirts, too.
   bool regular = least == most && (interior != morphing_interior || least == 0);
   int inner = interior == morphing_interior ? morphing_level(d0, d1, d2) : least;
-  bool skirted = !regular && (inner >= shallowest_interior || lifts_interior(least, most, interior));
+  bool entire = is_whole(least, most, interior);
+  bool skirted = !regular && !entire && (inner >= shallowest_interior || lifts_interior(least, most, interior));
   bool centred = !regular && !skirted && interior == morphing_interior;
   int level = greater(inner, shallowest_interior);
-  int short_edge = d0 == 0 ? 0 : d1 == 0 ? 1 : 2;  // of a fan
-  int fan = short_edge == 0 ? fan_piece(d1, d2) : short_edge == 1 ? fan_piece(d2, d0) : fan_piece(d0, d1);
-  bool fanned = !regular && !skirted && !centred;
-  int first = centred ? centre_skirt_piece(d0) : fan;
+  int short_edge = d0 == least ? 0 : d1 == least ? 1 : 2;  // edge 0 of a fan or a whole pattern
+  int after = short_edge == 0 ? d1 : short_edge == 1 ? d2 : d0;
+  int before = short_edge == 0 ? d2 : short_edge == 1 ? d0 : d1;
+  bool turned = !regular && !skirted && !centred;
+  int first = centred ? centre_skirt_piece(d0) : entire ? whole_piece(least, after, before) : fan_piece(after, before);
   GLARK_EMIT(regular   ? uniform_piece(least)
              : skirted ? interior_piece(level)
                        : first,
-             ou, ov, s, fanned ? float(short_edge) : 0.0f);
+             ou, ov, s, turned ? float(short_edge) : 0.0f);
   for (int edge = centred ? 1 : 0; edge < 3 && (skirted || centred); ++edge) {
     int d = edge == 0 ? d0 : edge == 1 ? d1 : d2;
     GLARK_EMIT(centred ? centre_skirt_piece(d) : skirt_of(level, d, interior), ou, ov, s, float(edge));
@@ -85,13 +96,14 @@ GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int 
 // 10.9 degrees instead of 4.7.
 GLARK_SHARED_FUNCTION int tile_halvings(int least, int most, int interior) {
   if (interior == morphing_interior && least <= tile_level) return 0;
+  if (is_whole(least, most, interior)) return 0;
   if (least == most) return greater(least - deepest_uniform, 0);
   return least == 1 ? 1 : greater(least - tile_level, 0);
 }
 
 // Emits the instances of the pattern with 2^e0, 2^e1 and 2^e2 segments on edges 0, 1 and 2; depths are 0..11.
-// interior 0: at the least depth; 1: wider transitions where depths differ by 3 or more; 2: morphing.
-// With 2, patterns whose least depth is above tile_level are as with 0, and their tiles have no centre.
+// interior 0: at the least depth; 1: wider transitions where depths differ by 3 or more; 2: morphing; 3: as 0, but no
+// piece is a whole pattern. With 2, patterns whose least depth is above tile_level are as with 0, and their tiles have no centre.
 GLARK_EXPAND_FUNCTION void expand_pattern(GLARK_SINK_PARAMETER int e0, int e1, int e2, int interior) {
   int least = lesser(e0, lesser(e1, e2));
   int most = greater(e0, greater(e1, e2));

@@ -12,6 +12,7 @@ enum class Interior {
   minimum = 0,   // as deep as the shallowest edge
   smooth = 1,    // the same with wider transitions where depths differ by 3 or more; more triangles, better angles
   morphing = 2,  // for a nested pool, while vertices move between levels
+  parts = 3,  // the triangles of minimum, without pieces that are whole patterns: whole_pieces.cpp makes these of them
 };
 
 // One piece and where it lies: with local barycentrics l, tile weights t[(k + r) mod 3] = l[k], and then

@@ -28,10 +28,11 @@ std::vector<Patch> uniform_tiles(unsigned max_level) {
 // takes a slower path for every index, which costs a sixth of the speed of the vertex stage.
 void point_into_pool(Pool& pool) {
   assert(pool.vertices.size() <= 0x10000);
-  // The other pieces share these indices, or their base vertex is 0.
-  for (int m = 0; m <= deepest_uniform; ++m) {
-    const Piece& piece = pool.pieces[static_cast<std::size_t>(uniform_piece(m))];
-    for (std::uint32_t i = 0; i < piece.index_count; ++i) {
+  // Interiors share the indices of uniform pieces.
+  for (int number = 0; number < piece_count; ++number) {
+    const Piece& piece = pool.pieces[static_cast<std::size_t>(number)];
+    const bool shares = number >= first_interior && number < first_skirt;
+    for (std::uint32_t i = 0; i < piece.index_count && !shares; ++i) {
       std::uint16_t& index = pool.indices[piece.first_index + i];
       index = static_cast<std::uint16_t>(index + piece.base_vertex);
     }

@@ -26,7 +26,9 @@ const int first_interior = 9;       // first_uniform + deepest_uniform + 1
 const int first_skirt = 14;         // first_interior + tile_level - shallowest_interior + 1
 const int first_smooth_skirt = 74;  // first_skirt + 5 * 12
 const int first_fan = 134;          // first_smooth_skirt + 5 * 12
-const int piece_count = 278;        // first_fan + 12 * 12
+const int first_whole = 278;        // first_fan + 12 * 12
+const int deepest_whole = 5;        // up to here, a pattern of the minimum interior is one piece
+const int piece_count = 333;        // first_whole + 5 * 5 + 4 * 4 + 3 * 3 + 2 * 2 + 1
 
 // m = 0..8: 2^m segments on every edge.
 GLARK_SHARED_FUNCTION int uniform_piece(int m) { return first_uniform + m; }
@@ -51,6 +53,13 @@ GLARK_SHARED_FUNCTION int centre_skirt_piece(int d) { return first_smooth_skirt 
 
 // b, c = 0..11: 1 segment on edge 0, 2^b on edge 1, 2^c on edge 2.
 GLARK_SHARED_FUNCTION int fan_piece(int b, int c) { return first_fan + b * (deepest_level + 1) + c; }
+
+// m = 1..5, b, c = m..5: a whole pattern, with 2^m segments on edge 0, 2^b on edge 1, 2^c on edge 2. Empty where all
+// three are equal. Nested pools have none of these pieces.
+GLARK_SHARED_FUNCTION int whole_piece(int m, int b, int c) {
+  int n = deepest_whole - m + 1;
+  return piece_count - n * (n + 1) * (2 * n + 1) / 6 + (b - m) * n + (c - m);
+}
 
 #ifdef __cplusplus
 }  // namespace glark::pattern

@@ -6,8 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "glark/core/pattern/border_pieces.h"
+#include "glark/core/pattern/pieces/border_pieces.h"
 #include "glark/core/pattern/uniform_order.h"
+#include "glark/core/pattern/pieces/whole_pieces.h"
 
 namespace glark::pattern {
 namespace {
@@ -53,6 +54,7 @@ Pool build_pool(unsigned max_level, bool nested) {
   pool.nested = nested;
   append_border_pieces(pool);
   for (int m = 0; m <= std::min(static_cast<int>(max_level), deepest_uniform); ++m) append_uniform(pool, m);
+  if (!nested) append_whole_pieces(pool);
   return pool;
 }
 

@@ -67,8 +67,8 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
     {"no_depth_writes", "the user wants draws that write no depth to be left alone",
      "take no-depth-writes out of leave-draws"},
     {"no_surface",
-     "smooth curves only what is known to be a surface: the vertices have no normals of their own, or the vertex stage "
-     "cannot run between them",
+     "smooth curves only what is known to be a surface: the vertices have no normals of their own, the vertex stage "
+     "cannot run between them, or glBegin..glEnd draws a single polygon",
      "--normal if the normal was not found; --normals geometry makes normals; --refine pn, linear or outputs refines "
      "such draws, too"},
     {"mesh_waits", "smooth curves a mesh when two frames have shown all passes over it",

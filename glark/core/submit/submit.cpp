@@ -30,18 +30,23 @@ const void* index_offset(std::uint32_t first_index) {
 
 void SubmitStage::bind_vertex_array(int chunks, Source source, GLuint indices) {
   VertexArray& array = arrays_[{chunks, source}];
-  if (array.name != 0) {
-    gl_.BindVertexArray(array.name);
-    if (array.indices != indices) {
-      gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
-      array.indices = indices;
-    }
-    return;
+  const bool made = array.name != 0;
+  if (!made) {
+    gl_.GenVertexArrays(1, &array.name);
   }
-  gl_.GenVertexArrays(1, &array.name);
   gl_.BindVertexArray(array.name);
-  gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
-  array.indices = indices;
+  const std::uint32_t deletions = core::GpuBuffer::deletions();
+  if (!made || array.indices != indices || array.deletions != deletions) {
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+    array.indices = indices;
+    array.deletions = deletions;
+  }
+  if (!made) {
+    enable_inputs(chunks, source);
+  }
+}
+
+void SubmitStage::enable_inputs(int chunks, Source source) {
   gl_.EnableVertexAttribArray(lattice_location);
   gl_.VertexAttribFormat(lattice_location, 2, GL_UNSIGNED_SHORT, GL_FALSE, 0);
   gl_.VertexAttribBinding(lattice_location, lattice_binding);

@@ -66,6 +66,7 @@ class SubmitStage {
  private:
   enum class Source { whole, uniform, binned, numbered };
   void bind_vertex_array(int chunks, Source source, GLuint indices);
+  void enable_inputs(int chunks, Source source);  // of a new vertex array
 
   const gl::Dispatch& gl_;
   struct Key {
@@ -76,6 +77,7 @@ class SubmitStage {
   struct VertexArray {
     GLuint name = 0;
     GLuint indices = 0;
+    std::uint32_t deletions = 0;  // GpuBuffer::deletions() when `indices` was bound
   };
   std::map<Key, VertexArray> arrays_;
 };

@@ -5,8 +5,9 @@
 // position gets its least texture coordinate and one normal. weld.glsl includes this file, declares the tables, and
 // finds positions and edges.
 
-int border_of(int corner) { return border_table() + 5 * slot_of_place(corner); }
+int border_of(int corner) { return border_table() + 5 * place_of(corner); }
 
+#if GLARK_PASS == 2
 // The angle of the triangle at a corner; 0 without an area.
 float angle_at(int corner) {
   int next = next_corner(corner);
@@ -31,7 +32,7 @@ void insert_border(int corner) {
     }
     now = seen;
   }
-  int first = int(tables[vertex_table() + 2 * slot_of_place(corner)]) - 1;
+  int first = int(tables[vertex_table() + 2 * place_of(corner)]) - 1;
   if (normal_words(corner) != normal_words(first)) {
     atomicOr(tables[word + 1], 1u);
   }
@@ -42,7 +43,7 @@ void insert_border(int corner) {
     }
   }
 }
-
+#elif GLARK_PASS == 7
 // The normal of a position: the common normal of all corners there, else the direction of their sum. Zero if the sum is
 // almost zero.
 vec3 normal_of_place(int corner) {
@@ -54,16 +55,15 @@ vec3 normal_of_place(int corner) {
   return all(lessThan(abs(sum), ivec3(64))) ? vec3(0.0) : glark_pn_unit(vec3(sum));
 }
 
-void write_border(int half_edge) {
+void write_border(int half_edge, int slot) {
   int to = record_offset + half_edge * corner_words + border_offset;
   int next = next_corner(half_edge);
   uvec2 own = coordinate_of(int(tables[border_of(half_edge)]) - 1);
   uvec3 normal = floatBitsToUint(normal_of_place(half_edge));
   uvec2 near = own;
   uvec2 far = coordinate_of(int(tables[border_of(next)]) - 1);
-  int slot = slot_of(half_edge);
   if (slot >= 0) {
-    bool falling = before(position_of(next), position_of(half_edge));
+    bool falling = is_falling(half_edge);
     near = coordinate_of(end_of_side(tables[2 * slot], falling));
     far = coordinate_of(end_of_side(tables[2 * slot], !falling));
   }
@@ -72,3 +72,4 @@ void write_border(int half_edge) {
     records[to + i] = words[i];
   }
 }
+#endif

@@ -18,39 +18,35 @@ const int extent_words = 6;  // the greatest coordinates, then the least ones, a
 vec3 middle_of_cells;
 float cells_per_unit = 0.0;  // a power of two; 0: the bits decide
 
-bool is_finite(uvec3 words) { return all(lessThan(words & 0x7fffffffu, uvec3(0x7f800000u))); }
+bool is_finite(uint word) { return (word & 0x7fffffffu) < 0x7f800000u; }
 
 // Whole numbers in the order of the numbers that the bits mean. No number has 0.
 uint ordered(uint bits) { return bits >= 0x80000000u ? ~bits : bits | 0x80000000u; }
 float unordered(uint word) { return uintBitsToFloat(word >= 0x80000000u ? word & 0x7fffffffu : ~word); }
 
-void extend_to(int word, uint value) {
-  if (value > tables[word]) {
-    atomicMax(tables[word], value);
-  }
-}
-
 void extend(int corner) {
-  uvec3 position = position_of(corner).xyz;
-  if (!is_finite(position)) {
-    return;
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    uint word = ordered(position[axis]);
-    extend_to(extent_offset + axis, word);
-    extend_to(extent_offset + 3 + axis, ~word);
+  for (int axis = 0; axis < corners_of_triangle; ++axis) {
+    uint position = word_of(corner, position_offset + axis);
+    for (int end = 0; end < ends_of_edge && is_finite(position); ++end) {
+      uint value = end == 0 ? ordered(position) : ~ordered(position);
+      int word = extent_offset + 3 * end + axis;
+      if (value > tables[word]) {
+        atomicMax(tables[word], value);
+      }
+    }
   }
 }
 
 // The step is a power of two. It is at least some units in the last place of the greatest coordinate.
 void find_cells() {
   const int exponent_of_steps = 20;  // in half of the extent, rounded up
-  if (tables[extent_offset] == 0u) {
-    return;
-  }
   float size = 0.0;
-  for (int axis = 0; axis < 3; ++axis) {
-    precise float greatest = 0.5 * unordered(tables[extent_offset + axis]);
+  for (int axis = 0; axis < corners_of_triangle; ++axis) {
+    uint most = tables[extent_offset + axis];
+    if (most == 0u) {
+      continue;  // no coordinate is finite
+    }
+    precise float greatest = 0.5 * unordered(most);
     precise float least = 0.5 * unordered(~tables[extent_offset + 3 + axis]);
     precise float middle = greatest + least;
     precise float half_of_extent = greatest - least;
@@ -61,28 +57,38 @@ void find_cells() {
   cells_per_unit = size > 0.0 ? uintBitsToFloat(uint(127 + min(exponent_of_steps - exponent, 126)) << 23) : 0.0;
 }
 
-uvec4 cell_of(int corner) {
-  uvec4 position = position_of(corner);
-  if (cells_per_unit == 0.0 || !is_finite(position.xyz)) {
-    return position;
+// A word of the cell of a corner.
+uint cell_word(int corner, int i) {
+  uint word = word_of(corner, position_offset + i);
+  if (i > 2 || cells_per_unit == 0.0 || !is_finite(word)) {
+    return word;
   }
-  precise vec3 steps = (uintBitsToFloat(position.xyz) - middle_of_cells) * cells_per_unit;
-  return uvec4(uvec3(ivec3(roundEven(steps))), position.w);
+  precise float steps = (uintBitsToFloat(word) - middle_of_cells[i]) * cells_per_unit;
+  return uint(int(roundEven(steps)));
+}
+#else
+void find_cells() {}
+uint cell_word(int corner, int i) { return word_of(corner, position_offset + i); }
+#endif
+
+int cell_words() { return position_words; }
+
+uint hash_of_cell(int corner) {
+  uint hash = 0u;
+  for (int i = 0; i < cell_words(); ++i) {
+    hash = hashed(hash, cell_word(corner, i));
+  }
+  return hash;
 }
 
-// The order of two sides by their positions, which differ within their cells.
-int order_in_cells(uint side, uint other) {
-  for (int end = 0; end < 2; ++end) {
-    uvec4 a = position_of(end_of_side(side, end == 1));
-    uvec4 b = position_of(end_of_side(other, end == 1));
-    if (a != b) {
-      return before(a, b) ? -1 : 1;
+// 0: both corners have the same cell; -1: that of `a` comes first; 1: that of `b`.
+int order_of_cells(int a, int b) {
+  for (int i = 0; i < cell_words(); ++i) {
+    uint word = cell_word(a, i);
+    uint other = cell_word(b, i);
+    if (word != other) {
+      return word < other ? -1 : 1;
     }
   }
   return 0;
 }
-#else
-void find_cells() {}
-uvec4 cell_of(int corner) { return position_of(corner); }
-int order_in_cells(uint side, uint other) { return 0; }
-#endif

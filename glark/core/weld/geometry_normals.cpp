@@ -17,20 +17,18 @@ constexpr char normals_source[] =
 
 constexpr const char* uniform_names[] = {"record_offset",   "corner_words",   "triangle_bound", "count_on_gpu",
                                          "position_offset", "position_words", "normal_offset",  "slot_count",
-                                         "key_count",       "key_words",      "least_cosine"};
-constexpr std::size_t key_words = 9;
-constexpr std::size_t least_cosine = 10;
+                                         "key_count",       "key_offset",     "ends_of_edge",   "corners_of_triangle",
+                                         "least_cosine"};
+constexpr std::size_t least_cosine = 12;
 
 }  // namespace
 
 bool GeometryNormals::build() {
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
-    const core::ComputeText text{
-        .what = "a pass that makes normals",
-        .source = normals_source,
-        .es = language_ == capture::Language::es,
-        .defines = {
-            {"GLARK_PASS", pass}, {"GLARK_GROUP", core::ComputePass::group_size}, {"GLARK_KEY_WORDS", most_key_words}}};
+    const core::ComputeText text{.what = "a pass that makes normals",
+                                 .source = normals_source,
+                                 .es = language_ == capture::Language::es,
+                                 .defines = {{"GLARK_PASS", pass}, {"GLARK_GROUP", core::ComputePass::group_size}}};
     if (!passes_.at(pass).built() && !passes_.at(pass).build(gl_, text, uniform_names)) {
       return false;
     }
@@ -41,7 +39,6 @@ bool GeometryNormals::build() {
 void GeometryNormals::run(const GeometryNormalsRequest& request) const {
   const capture::Layout& layout = *request.layout;
   const capture::Field* position = capture::find_role(layout.fields, capture::Role::position);
-  const std::span<const GLint> keys = request.key_words.first(std::min(request.key_words.size(), most_key_words));
   const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
                           layout.corner_words,
                           static_cast<GLint>(request.triangles.count),
@@ -50,7 +47,10 @@ void GeometryNormals::run(const GeometryNormalsRequest& request) const {
                           position->words,
                           capture::normal_offset(layout.fields),
                           static_cast<GLint>(request.slots),
-                          static_cast<GLint>(keys.size())};
+                          request.keys,
+                          request.key_offset,
+                          ends_of_edge,
+                          corners_of_triangle};
   constexpr float rounding = 1e-4F;  // faces that meet at exactly the angle join
   const float cosine = std::cos(request.crease * std::numbers::pi_v<float> / 180) - rounding;
   for (std::size_t i = 0; i < passes_.size(); ++i) {
@@ -59,9 +59,6 @@ void GeometryNormals::run(const GeometryNormalsRequest& request) const {
     pass.set_integers(gl_, values);
     if (pass.location(least_cosine) >= 0) {
       gl_.Uniform1f(pass.location(least_cosine), cosine);
-    }
-    if (!keys.empty() && pass.location(key_words) >= 0) {
-      gl_.Uniform1iv(pass.location(key_words), static_cast<GLsizei>(keys.size()), keys.data());
     }
     core::ComputePass::dispatch(gl_, i == 0 ? static_cast<std::uint32_t>(request.slots) : 3 * request.triangles.count);
     gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

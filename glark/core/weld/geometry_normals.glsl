@@ -4,7 +4,6 @@
 // Makes corner normals from positions, for meshes without normals. The includer supplies #version and:
 //   GLARK_PASS       0 clear the table, 1 link the corners at each position, 2 write the normals
 //   GLARK_GROUP      size of a work group
-//   GLARK_KEY_WORDS  most words of a key besides the position
 //
 // The normal of a corner is the mean of the faces around its position, weighted by their angles there. Only faces count
 // that a fan of triangles joins to the corner's own one: neighbours share an edge and meet at no more than the crease

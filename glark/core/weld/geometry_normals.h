@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
@@ -19,9 +18,10 @@ namespace glark::weld {
 struct GeometryNormalsRequest {
   const capture::Layout* layout = nullptr;  // its normal is written
   capture::CoarseTriangles triangles;
-  std::span<const GLint> key_words;  // WeldRequest::key_words
-  float crease = 0;                  // degrees; faces that meet at more keep their own normals
-  std::uint64_t slots = 0;           // of the table: 4 or more for each triangle
+  GLint keys = 0;           // number of WeldRequest::key_words
+  GLint key_offset = 0;     // of them, in words of the tables
+  float crease = 0;         // degrees; faces that meet at more keep their own normals
+  std::uint64_t slots = 0;  // of the table: 4 or more for each triangle
 };
 
 class GeometryNormals {

@@ -2,17 +2,22 @@
 // SPDX-License-Identifier: MIT
 //
 // The coarse records and the hash tables of welding: what a corner holds, which slot a content gets, and how a side of
-// an edge is named. weld.glsl includes this file.
+// an edge is named. weld.glsl and geometry_normals.glsl include this file.
+//
+// These shaders must compile fast: the user waits for them. Where the compiler inlines functions and unrolls loops, the
+// time grows faster than the number of accesses to buffers. So a value that two corners or two ends need is read in a
+// loop, and the loop has a bound that the compiler does not know.
 
 layout(std430, binding = 0) buffer Records { uint records[]; };
-// Slots of edges (2 words: least and greatest side; 0: empty). Slots of vertices (2 words: a corner from 1, the bits of
-// the greatest tag). The edge slot of each half-edge. The vertex slot of each corner. Parts of edges and of vertices
-// exist only if these are welded.
-// Then, if asked for: for each slot of edges, the side that turns most. For each slot of vertices, 5 words for
-// displacement: the corner, from 1, with the least texture coordinate; 1 if the normals differ; their sum in fixed
-// point. Last, if curved triangles stay near their coarse ones: for each slot of edges, the first side of the list of
-// its sides, and the inverted bits of the least height; for each half-edge, the next side in the list. The second word
-// of a vertex slot is then 1 if the edges are straight there.
+// First come the parts that begin with 0, where they are needed:
+//   for each slot of edges: least and greatest side (0: empty)
+//   for each slot of vertices: a corner, from 1; the bits of the greatest tag, or 1 if the edges are straight there
+//   for each slot of edges: the side that turns most
+//   for each slot of vertices, 5 words for displacement: the corner, from 1, with the least texture coordinate; 1 if the
+//   normals differ; their sum in fixed point
+//   for each slot of edges: the first side of the list of its sides; the inverted bits of the least height
+// Then come the slot of each half-edge (edges.glsl), the slot of each corner, and the next side in the list of each
+// half-edge.
 layout(std430, binding = 1) coherent buffer Tables { uint tables[]; };
 layout(std430, binding = 2) readonly buffer Count { uint count_command[]; };
 
@@ -36,9 +41,11 @@ const int tag_offset = -1;
 #else
 uniform int tag_offset;  // in a corner; < 0: the tags are not welded
 #endif
-uniform int slot_count;      // of either table
+uniform int slot_count;  // of either table
 uniform int key_count;
-uniform int key_words[GLARK_KEY_WORDS];  // vertices with different values here are never welded
+uniform int key_offset;  // in the tables: words of a corner. Vertices with different values there are never welded
+uniform int ends_of_edge;                // 2
+uniform int corners_of_triangle;         // 3
 
 uint word_of(int corner, int word) {
   uint value = records[record_offset + corner * corner_words + word];
@@ -52,7 +59,8 @@ uvec4 position_of(int corner) {
 
 bool same_key(int a, int b) {
   for (int i = 0; i < key_count; ++i) {
-    if (word_of(a, key_words[i]) != word_of(b, key_words[i])) {
+    int word = int(tables[key_offset + i]);
+    if (word_of(a, word) != word_of(b, word)) {
       return false;
     }
   }
@@ -69,16 +77,20 @@ uint hashed(uint hash, uint word) {
 
 uint hashed(uint hash, uvec4 words) { return hashed(hashed(hashed(hashed(hash, words.x), words.y), words.z), words.w); }
 
-int first_slot(uint hash, int corner) {
-  for (int i = 0; i < key_count; ++i) {
-    hash = hashed(hash, word_of(corner, key_words[i]));
-  }
+int slot_for(uint hash) {
   hash = (hash ^ (hash >> 16)) * 0x85ebca6bu;
   hash = (hash ^ (hash >> 13)) * 0xc2b2ae35u;
   uint slot;
   uint rest;
   umulExtended(hash ^ (hash >> 16), uint(slot_count), slot, rest);
   return int(slot);
+}
+
+int first_slot(uint hash, int corner) {
+  for (int i = 0; i < key_count; ++i) {
+    hash = hashed(hash, word_of(corner, int(tables[key_offset + i])));
+  }
+  return slot_for(hash);
 }
 
 int next_slot(int slot) { return slot + 1 < slot_count ? slot + 1 : 0; }
@@ -89,12 +101,13 @@ bool before(uvec4 a, uvec4 b) {
 }
 
 bool joins_edges() { return control_offset >= 0 || turn_offset >= 0 || border_offset >= 0; }
-bool joins_vertices() { return tag_offset >= 0 || border_offset >= 0 || GLARK_CREASED == 1; }
 int vertex_table() { return joins_edges() ? 2 * slot_count : 0; }
-int edge_slots() { return vertex_table() + (joins_vertices() ? 2 * slot_count : 0); }
-int vertex_slots() { return edge_slots() + (joins_edges() ? 3 * triangle_bound : 0); }
-int turn_table() { return vertex_slots() + (joins_vertices() ? 3 * triangle_bound : 0); }
+int turn_table() { return vertex_table() + 2 * slot_count; }
 int border_table() { return turn_table() + (turn_offset >= 0 ? slot_count : 0); }
+int crease_table() { return border_table() + (border_offset >= 0 ? 5 * slot_count : 0); }
+int edge_slots() { return crease_table() + (GLARK_CREASED == 1 ? 2 * slot_count : 0); }  // the parts before it are cleared
+int vertex_slots() { return edge_slots() + (joins_edges() ? 3 * triangle_bound : 0); }
+int side_list() { return vertex_slots() + 3 * triangle_bound; }
 
 // A side of an edge is named by its half-edge (the number of the corner where it begins), and by whether this corner is
 // the higher end. All sides have the lower end first.

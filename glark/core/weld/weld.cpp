@@ -14,16 +14,13 @@ constexpr char weld_source[] =
     ;
 
 constexpr const char* uniform_names[] = {
-    "record_offset", "corner_words",   "triangle_bound", "count_on_gpu",  "position_offset",   "position_words",
-    "normal_offset", "control_offset", "turn_offset",    "border_offset", "coordinate_offset", "tag_offset",
-    "slot_count",    "key_count",      "extent_offset",  "key_words",     "crease_cosine",     "steepest_cosine"};
-constexpr std::size_t key_words = 15;
-constexpr std::size_t crease_cosine = 16;
-constexpr std::size_t steepest_cosine = 17;
-constexpr std::uint32_t extent[6] = {};           // the words of cells.glsl, before the first corner
-constexpr std::uint32_t most_in_one_group = 128;  // triangles: one dispatch costs less than several
-
-bool takes_one_dispatch(std::uint32_t triangles) { return triangles <= most_in_one_group; }
+    "record_offset",     "corner_words",  "triangle_bound",      "count_on_gpu",  "position_offset",
+    "position_words",    "normal_offset", "control_offset",      "turn_offset",   "border_offset",
+    "coordinate_offset", "tag_offset",    "slot_count",          "key_count",     "extent_offset",
+    "key_offset",        "ends_of_edge",  "corners_of_triangle", "crease_cosine", "steepest_cosine"};
+constexpr std::size_t crease_cosine = 18;
+constexpr std::size_t steepest_cosine = 19;
+constexpr std::uint32_t extent[6] = {};  // the words of cells.glsl, before the first corner
 
 // The size of each table. A triangle adds at most 3 entries.
 std::uint64_t slots_for(std::uint32_t triangles) { return 4 * std::max<std::uint64_t>(4, triangles); }
@@ -32,16 +29,30 @@ std::uint64_t slots_for(std::uint32_t triangles) { return 4 * std::max<std::uint
 std::uint64_t table_words(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles) {
   const std::uint64_t slots = slots_for(static_cast<std::uint32_t>(triangles));
   const bool creased = plan.creased(layout);
-  const std::uint64_t tables =
-      (layout.joins_edges() ? 1 : 0) + (layout.tagged || layout.displaced() || creased ? 1 : 0);
+  const std::uint64_t tables = layout.joins_edges() ? 2 : 1;
   const std::uint64_t more = (layout.turn_offset >= 0 ? 1 : 0) + (layout.displaced() ? 5 : 0) + (creased ? 2 : 0);
   return tables * (2 * slots + 3 * triangles) + more * slots + (creased ? 3 * triangles : 0);
 }
 
+std::uint64_t normals_words(const WeldPlan& plan, std::uint64_t triangles) {
+  return plan.makes_normals ? 2 * slots_for(static_cast<std::uint32_t>(triangles)) + 6 * triangles : 0;
+}
+
+// The extent lies behind the tables, and the words of the key behind the extent.
+std::uint64_t extent_offset(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles) {
+  return std::max(table_words(plan, layout, triangles), normals_words(plan, triangles));
+}
+
+std::uint64_t key_offset(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles) {
+  return extent_offset(plan, layout, triangles) + std::size(extent);
+}
+
 std::uint64_t bytes_for(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles) {
-  const std::uint64_t for_normals =
-      plan.makes_normals ? 2 * slots_for(static_cast<std::uint32_t>(triangles)) + 6 * triangles : 0;
-  return 4 * std::max(table_words(plan, layout, triangles), for_normals) + sizeof(extent);
+  return 4 * (key_offset(plan, layout, triangles) + most_key_words);
+}
+
+std::span<const GLint> used_keys(const WeldRequest& request) {
+  return request.key_words.first(std::min(request.key_words.size(), most_key_words));
 }
 
 // Sets the limits of creases.glsl. Faces that meet at exactly the angle of the limit do not make a crease.
@@ -74,7 +85,6 @@ bool WeldStage::build(Ability ability, Pass pass) {
                                .es = language_ == capture::Language::es,
                                .defines = {{"GLARK_PASS", static_cast<std::uint64_t>(pass)},
                                            {"GLARK_GROUP", core::ComputePass::group_size},
-                                           {"GLARK_KEY_WORDS", most_key_words},
                                            {"GLARK_DISPLACED", ability == Ability::displaced ? 1U : 0U},
                                            {"GLARK_CREASED", ability == Ability::creased ? 1U : 0U}}};
   core::ComputePass& built = this->pass(ability, pass);
@@ -88,21 +98,34 @@ bool WeldStage::can_hold(const WeldPlan& plan, const capture::Layout& layout, st
   return bytes_for(plan, layout, triangles) <= static_cast<std::uint64_t>(largest_block_);
 }
 
+bool WeldStage::needs(const WeldPlan& plan, const capture::Layout& layout, Pass pass) {
+  switch (pass) {
+    case Pass::join: return layout.joins_edges();
+    case Pass::rank_turns: return layout.turn_offset >= 0;
+    case Pass::measure_faces:
+    case Pass::look_beyond:
+    case Pass::mark: return plan.creased(layout);
+    case Pass::clear:
+    case Pass::place:
+    case Pass::write: break;
+  }
+  return true;
+}
+
 // Room for many triangles is also room for few.
 bool WeldStage::has_room(const WeldPlan& plan, const capture::Layout& layout, std::uint32_t triangles) const {
+  const Ability needed = ability(plan, layout);
   return (!plan.makes_normals || normals_.built()) &&
-         pass(ability(plan, layout), takes_one_dispatch(triangles) ? Pass::all : Pass::write).built() &&
+         std::all_of(std::begin(all_passes), std::end(all_passes),
+                     [&](Pass pass) { return !needs(plan, layout, pass) || this->pass(needed, pass).built(); }) &&
          bytes_for(plan, layout, triangles) <= static_cast<std::uint64_t>(tables_.size());
 }
 
 bool WeldStage::reserve(const WeldPlan& plan, const capture::Layout& layout, std::uint32_t triangles) {
   const Ability needed = ability(plan, layout);
-  const auto builds_several = [&] {
-    return build(needed, Pass::clear) && build(needed, Pass::insert) &&
-           (needed != Ability::creased || build(needed, Pass::mark)) && build(needed, Pass::write);
-  };
-  const bool built = build(needed, Pass::all) && (takes_one_dispatch(triangles) || builds_several());
-  return built && (!plan.makes_normals || normals_.build()) && can_hold(plan, layout, triangles) &&
+  return std::all_of(std::begin(all_passes), std::end(all_passes),
+                     [&](Pass pass) { return !needs(plan, layout, pass) || build(needed, pass); }) &&
+         (!plan.makes_normals || normals_.build()) && can_hold(plan, layout, triangles) &&
          tables_.reserve(gl_, static_cast<std::int64_t>(bytes_for(plan, layout, triangles)), GL_DYNAMIC_COPY);
 }
 
@@ -110,10 +133,10 @@ void WeldStage::dispatch(Pass step, const WeldRequest& request, std::uint32_t in
   const capture::Layout& layout = *request.layout;
   const core::ComputePass& program = pass(ability(*request.plan, layout), step);
   const capture::Field* position = capture::find_role(layout.fields, capture::Role::position);
-  const std::span<const GLint> keys = request.key_words.first(std::min(request.key_words.size(), most_key_words));
+  const std::uint32_t triangles = request.triangles.count;
   const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
                           layout.corner_words,
-                          static_cast<GLint>(request.triangles.count),
+                          static_cast<GLint>(triangles),
                           request.triangles.count_on_gpu ? 1 : 0,
                           position->offset,
                           position->words,
@@ -123,15 +146,15 @@ void WeldStage::dispatch(Pass step, const WeldRequest& request, std::uint32_t in
                           request.edges ? layout.border_offset : -1,
                           layout.coordinate_offset,
                           request.tags ? layout.tag_offset : -1,
-                          static_cast<GLint>(slots_for(request.triangles.count)),
-                          static_cast<GLint>(keys.size()),
-                          static_cast<GLint>(table_words(*request.plan, layout, request.triangles.count))};
+                          static_cast<GLint>(slots_for(triangles)),
+                          static_cast<GLint>(used_keys(request).size()),
+                          static_cast<GLint>(extent_offset(*request.plan, layout, triangles)),
+                          static_cast<GLint>(key_offset(*request.plan, layout, triangles)),
+                          ends_of_edge,
+                          corners_of_triangle};
   program.use(gl_);
   program.set_integers(gl_, values);
   set_limits(gl_, program, request.plan->crease);
-  if (!keys.empty() && program.location(key_words) >= 0) {
-    gl_.Uniform1iv(program.location(key_words), static_cast<GLsizei>(keys.size()), keys.data());
-  }
   core::ComputePass::dispatch(gl_, invocations);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -140,6 +163,7 @@ void WeldStage::run(const WeldRequest& request, GLuint captured_count) {
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, captured_count);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, tables_.name());
+  upload_keys(request);
   if (request.normals) {
     make_normals(request);
   }
@@ -149,29 +173,37 @@ void WeldStage::run(const WeldRequest& request, GLuint captured_count) {
   gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
+void WeldStage::upload_keys(const WeldRequest& request) const {
+  const std::span<const GLint> keys = used_keys(request);
+  if (!keys.empty()) {
+    const std::uint64_t offset = key_offset(*request.plan, *request.layout, request.triangles.count);
+    gl_.BufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(4 * offset),
+                      static_cast<GLsizeiptr>(keys.size_bytes()), keys.data());
+  }
+}
+
 void WeldStage::make_normals(const WeldRequest& request) const {
   normals_.run({.layout = request.layout,
                 .triangles = request.triangles,
-                .key_words = request.key_words,
+                .keys = static_cast<GLint>(used_keys(request).size()),
+                .key_offset = static_cast<GLint>(key_offset(*request.plan, *request.layout, request.triangles.count)),
                 .crease = request.plan->crease,
                 .slots = slots_for(request.triangles.count)});
 }
 
 void WeldStage::weld(const WeldRequest& request) const {
+  const capture::Layout& layout = *request.layout;
   const std::uint32_t triangles = request.triangles.count;
-  if (takes_one_dispatch(triangles)) {
-    dispatch(Pass::all, request, 1);
-  } else {
-    if (request.plan->creased(*request.layout)) {
-      const std::uint64_t words = table_words(*request.plan, *request.layout, triangles);
-      gl_.BufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(4 * words), sizeof(extent), extent);
+  if (request.plan->creased(layout)) {
+    const std::uint64_t offset = extent_offset(*request.plan, layout, triangles);
+    gl_.BufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(4 * offset), sizeof(extent), extent);
+  }
+  for (const Pass pass : all_passes) {
+    const bool for_all = pass == Pass::clear || pass == Pass::place || pass == Pass::write;
+    if ((request.edges || for_all) && needs(*request.plan, layout, pass)) {
+      const auto slots = static_cast<std::uint32_t>(slots_for(triangles));
+      dispatch(pass, request, pass == Pass::clear ? slots : 3 * triangles);
     }
-    dispatch(Pass::clear, request, static_cast<std::uint32_t>(slots_for(triangles)));
-    dispatch(Pass::insert, request, 3 * triangles);
-    if (request.plan->creased(*request.layout)) {
-      dispatch(Pass::mark, request, 3 * triangles);
-    }
-    dispatch(Pass::write, request, 3 * triangles);
   }
 }
 

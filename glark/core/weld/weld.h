@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <span>
 
 #include "glark/core/capture/coarse_triangles.h"
@@ -50,6 +51,10 @@ struct WeldRequest {
 
 inline constexpr std::size_t most_key_words = 32;
 
+// Bounds of loops, as uniforms: compilers would unroll loops with constants.
+inline constexpr GLint ends_of_edge = 2;
+inline constexpr GLint corners_of_triangle = 3;
+
 class WeldStage {
  public:
   WeldStage(const gl::Dispatch& gl, capture::Language language)
@@ -66,20 +71,25 @@ class WeldStage {
   void release();
 
  private:
-  enum class Pass { clear, insert, mark, write, all };
+  // In their order. Each is small, because the time to compile a pass grows faster than its size.
+  enum class Pass { clear, place, join, rank_turns, measure_faces, look_beyond, mark, write };
+  static constexpr Pass all_passes[] = {Pass::clear,         Pass::place,       Pass::join, Pass::rank_turns,
+                                        Pass::measure_faces, Pass::look_beyond, Pass::mark, Pass::write};
+  static bool needs(const WeldPlan& plan, const capture::Layout& layout, Pass pass);
   // What the passes can do. A pass that can do less compiles faster.
   enum class Ability { plain, displaced, creased };
   static Ability ability(const WeldPlan& plan, const capture::Layout& layout);
   core::ComputePass& pass(Ability ability, Pass pass);
   const core::ComputePass& pass(Ability ability, Pass pass) const;
   bool build(Ability ability, Pass pass);
+  void upload_keys(const WeldRequest& request) const;
   void make_normals(const WeldRequest& request) const;
   void weld(const WeldRequest& request) const;
   void dispatch(Pass pass, const WeldRequest& request, std::uint32_t invocations) const;
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  std::array<std::array<core::ComputePass, 5>, 3> passes_;  // by ability
+  std::array<std::array<core::ComputePass, std::size(all_passes)>, 3> passes_;  // by ability
   GeometryNormals normals_;
   core::GpuBuffer tables_;
   GLint64 largest_block_ = 0;

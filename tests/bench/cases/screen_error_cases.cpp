@@ -30,6 +30,12 @@ double triangles_of(const Competitor& competitor) {
   return count;
 }
 
+// Draws until the refined vertices are kept.
+void keep(const Competitor& competitor) {
+  competitor.prepare();
+  for (int i = 0; i < 45; ++i) competitor.draw();
+}
+
 // Returns the largest screen error whose silhouettes are as good as `limit`, in steps of a quarter of a level.
 float error_within(const Subject& subject, const ErrorMeter& meter, double limit) {
   const auto error = [](int step) { return std::exp2(-0.5F * static_cast<float>(step)); };
@@ -53,7 +59,9 @@ void compare(Report& report, const Effort& effort, const std::string& name, cons
     const ScreenErrors uniform_errors = meter.of(subject.refined(level));
     const float error = error_within(subject, meter, uniform_errors.silhouette);
     const ScreenErrors errors = meter.of(subject.measured(ErrorMeter::zoom * error));
+    keep(subject.measured(error));
     const auto times = interleave({subject.measured(error), subject.refined(level)}, effort);
+    const auto moving = interleave({subject.moving(subject.measured(error)), subject.refined(level)}, effort);
     const auto uniform = static_cast<double>(mesh.triangles() << (2 * level));
     report.add({"screen-error/" + name + "/level" + std::to_string(level),
                 "thesis 2.5x to 4.6x",
@@ -70,7 +78,9 @@ void compare(Report& report, const Effort& effort, const std::string& name, cons
                  {"uniform_depth_pixels", uniform_errors.depth},
                  {"adaptive_depth_pixels", errors.depth},
                  {"uniform_ms", times[1].median() * 1e3},
-                 {"adaptive_ms", times[0].median() * 1e3}}});
+                 {"adaptive_ms", times[0].median() * 1e3},
+                 {"moving_ms", moving[0].median() * 1e3},
+                 {"moving_ratio", speed_ratio(moving[1], moving[0])}}});
   }
   glARKParameteriARK(GL_WELD_ARK, GL_FALSE);
   glARKParameteriARK(GL_REFINEMENT_ARK, GL_LINEAR_INPUTS_ARK);

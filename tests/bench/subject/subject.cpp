@@ -3,7 +3,9 @@
 #include "tests/bench/subject/subject.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <memory>
 
 namespace glark::bench {
 namespace {
@@ -152,6 +154,24 @@ Competitor Subject::touched(const Competitor& competitor) const {
   return {competitor.prepare, [this, draw_one = competitor.draw] {
             glBufferSubData(GL_ARRAY_BUFFER, 0, sizeof(float), first_vertex_.position);
             draw_one();
+          }};
+}
+
+Competitor Subject::moving(const Competitor& competitor) const {
+  const auto matrix = std::make_shared<std::array<GLfloat, 16>>();
+  const auto location = std::make_shared<GLint>();
+  return {[=] {
+            competitor.prepare();
+            GLint program = 0;
+            glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+            const auto name = static_cast<GLuint>(program);
+            *location = glGetUniformLocation(name, "projection");
+            glGetUniformfv(name, *location, matrix->data());
+          },
+          [=] {
+            (*matrix)[0] *= 1.000001F;
+            glUniformMatrix4fv(*location, 1, GL_FALSE, matrix->data());
+            competitor.draw();
           }};
 }
 

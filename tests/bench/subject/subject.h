@@ -30,6 +30,9 @@ class Subject {
   // Writes a few bytes of the vertices before each draw, so that nothing can be cached.
   Competitor touched(const Competitor& competitor) const;
 
+  // Moves the camera a little before each draw, so that depths are measured again.
+  Competitor moving(const Competitor& competitor) const;
+
   // Draws one of several objects with the current program. Uses the object's vertex array, or vertex array 0 with all
   // pointers set again.
   void draw_by_array() const;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "glark/core/pattern/pieces.glsl.h"
@@ -36,13 +37,27 @@ TEST(Expand, DepthZeroIsARotatedFan) {
 }
 
 TEST(Expand, DepthOneIsFourTiles) {
-  EXPECT_EQ(pieces_of(1, 1, 3),
+  EXPECT_EQ(pieces_of(1, 1, 3, Interior::parts),
             (std::vector<int>{fan_piece(0, 2), uniform_piece(0), uniform_piece(0), fan_piece(0, 2)}));
+  EXPECT_EQ(pieces_of(1, 1, 6),
+            (std::vector<int>{fan_piece(0, 5), uniform_piece(0), uniform_piece(0), fan_piece(0, 5)}));
 }
 
 TEST(Expand, MiddleDepthsAreInteriorAndSkirts) {
   EXPECT_EQ(pieces_of(4, 3, 6),
             (std::vector<int>{interior_piece(3), skirt_piece(3, 4), skirt_piece(3, 3), skirt_piece(3, 6)}));
+  EXPECT_EQ(pieces_of(4, 3, 5, Interior::parts),
+            (std::vector<int>{interior_piece(3), skirt_piece(3, 4), skirt_piece(3, 3), skirt_piece(3, 5)}));
+}
+
+TEST(Expand, ShallowDepthsAreOneRotatedPiece) {
+  for (const std::array<int, 3> e : {std::array{1, 2, 3}, {3, 1, 2}, {2, 3, 1}}) {
+    const auto instances = expand(e[0], e[1], e[2], Interior::minimum);
+    ASSERT_EQ(instances.size(), 1u);
+    EXPECT_EQ(instances[0].piece, whole_piece(1, 2, 3));
+    EXPECT_EQ(instances[0].r, static_cast<float>(std::find(e.begin(), e.end(), 1) - e.begin()));
+  }
+  EXPECT_EQ(pieces_of(3, 5, 4), std::vector<int>{whole_piece(3, 5, 4)});
 }
 
 TEST(Expand, DeepDepthsAreTilesOfTheTileLevel) {
@@ -54,7 +69,7 @@ TEST(Expand, DeepDepthsAreTilesOfTheTileLevel) {
 }
 
 TEST(Expand, InteriorsDifferFromThreeLevelsOn) {
-  EXPECT_EQ(pieces_of(3, 3, 5, Interior::smooth), pieces_of(3, 3, 5));
+  EXPECT_EQ(pieces_of(3, 3, 5, Interior::smooth), pieces_of(3, 3, 5, Interior::parts));
   EXPECT_NE(pieces_of(3, 3, 6, Interior::smooth), pieces_of(3, 3, 6));
   EXPECT_EQ(pieces_of(0, 2, 2, Interior::smooth), pieces_of(0, 2, 2));
   EXPECT_EQ(pieces_of(0, 1, 3, Interior::smooth),

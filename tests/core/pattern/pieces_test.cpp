@@ -22,6 +22,11 @@ TEST(Pieces, NumbersFillTheTableOnce) {
   for (int b = 0; b <= 11; ++b) {
     for (int c = 0; c <= 11; ++c) numbers.push_back(fan_piece(b, c));
   }
+  for (int m = 1; m <= 5; ++m) {
+    for (int b = m; b <= 5; ++b) {
+      for (int c = m; c <= 5; ++c) numbers.push_back(whole_piece(m, b, c));
+    }
+  }
   ASSERT_EQ(numbers.size(), static_cast<std::size_t>(piece_count));
   for (int k = 0; k < piece_count; ++k) EXPECT_EQ(numbers[static_cast<std::size_t>(k)], k);
 }

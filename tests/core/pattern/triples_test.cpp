@@ -36,6 +36,7 @@ std::string defect_of_triple(const Pool& pool, std::array<int, 3> e, Interior in
 void expect_conforming(const Pool& pool, std::array<int, 3> e) {
   EXPECT_EQ(defect_of_triple(pool, e, Interior::minimum), "");
   EXPECT_EQ(defect_of_triple(pool, e, Interior::smooth), "") << "smooth";
+  EXPECT_EQ(defect_of_triple(pool, e, Interior::parts), "") << "parts";
 }
 
 // The pool is no deeper than needed, so that a missing piece is noticed.
@@ -81,12 +82,37 @@ TEST(Triples, DeepestPoolDrawsWhatASmallerOneDraws) {
   EXPECT_EQ(assemble(small, instances).triangles, assemble(deepest_pool(), instances).triangles);
 }
 
+bool before(Point a, Point b) { return a.u != b.u ? a.u < b.u : a.v < b.v; }
+
+// The triangles in an order of their own, each from its least corner on.
+std::vector<Triangle> sorted_triangles(const Pool& pool, const std::vector<Instance>& instances) {
+  std::vector<Triangle> triangles = assemble(pool, instances).triangles;
+  for (Triangle& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end(), before), t.end());
+  std::sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), before);
+  });
+  return triangles;
+}
+
+TEST(Triples, WholePiecesHaveTheTrianglesOfTheirParts) {
+  const Pool pool = build_pool(5);
+  for (int e0 = 1; e0 <= 5; ++e0) {
+    for (int e1 = 1; e1 <= 5; ++e1) {
+      for (int e2 = 1; e2 <= 5; ++e2) {
+        EXPECT_EQ(sorted_triangles(pool, expand(e0, e1, e2, Interior::minimum)),
+                  sorted_triangles(pool, expand(e0, e1, e2, Interior::parts)))
+            << e0 << ' ' << e1 << ' ' << e2;
+      }
+    }
+  }
+}
+
 // Tests the checks themselves: they must notice each kind of damage.
 class Damage : public ::testing::Test {
  protected:
   std::string defect() const { return defect_of(assemble(pool, instances), {2, 3, 4}); }
   Pool pool = build_pool(4);
-  std::vector<Instance> instances = expand(2, 3, 4, Interior::minimum);
+  std::vector<Instance> instances = expand(2, 3, 4, Interior::parts);
 };
 
 TEST_F(Damage, NoneIsNone) { EXPECT_EQ(defect(), ""); }

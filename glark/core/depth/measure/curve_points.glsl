@@ -7,7 +7,7 @@
 // Points of a triangle: its corners; the points at 1/4 and 3/4 of edge 0, then of edges 1 and 2; the centre; if there
 // are 13, the middles of the edges. Edge 0 begins at corner 0.
 
-uniform int point_count;  // of a triangle: 10 or 13
+const int point_count = GLARK_POINTS;  // of a triangle: 10 or 13
 
 const int first_quarter = 3;
 const int centre = 9;

@@ -13,56 +13,84 @@ constexpr char measure_source[] =
 #include "glark/core/depth/measure/measure.glsl.inc"
     ;
 
-// Uniforms of the pass that makes the limits.
-constexpr const char* limit_names[] = {"pixels", "radians_of_turn", "error", "budget", "restart", "most_change"};
-enum LimitUniform : std::size_t { pixels, radians_of_turn, error, budget, restart_limits, most_change };
+// The end of the limits' buffer, as measure.glsl reads it.
+struct LimitRule {
+  GLfloat pixels;
+  GLfloat radians_of_turn;
+  GLfloat error;
+  GLfloat budget;
+  GLfloat most_change;
+  GLfloat restart;  // 1: all depths begin at no coarseness. The pass that makes the limits sets it to 0
+};
 
 // Uniforms of the pass that measures; all but the last are integers.
 constexpr const char* depth_names[] = {"record_offset",   "corner_words",      "normal_offset",
                                        "first_depth",     "triangle_bound",    "pool_level",
-                                       "on_screen",       "packed_bits",       "depth_steps",
                                        "turn_offset",     "straight_position", "straight_position_words",
-                                       "straight_normal", "straight_control",  "by_length",
-                                       "point_count",     "shown_stamp",       "half_size"};
-constexpr std::size_t half_size = 17;
+                                       "straight_normal", "straight_control",  "shown_stamp",
+                                       "half_size"};
+constexpr std::size_t half_size = 12;
 
-constexpr std::int64_t limit_bytes = 4 * (1 + 2 * limit_depths + 1);
+constexpr std::int64_t rule_offset = 4 * (1 + 2 * limit_depths + 1);
+constexpr std::int64_t limit_bytes = rule_offset + sizeof(LimitRule);
 constexpr float most_change_while_morphing =
     1.0F / 16;  // of a level in a frame: at 60 frames a second, a quarter of a second
 
 }  // namespace
 
-core::ComputeText measuring_pass(capture::Language language, std::uint64_t pass, bool curves) {
-  return {.what = "a measuring pass",
-          .source = measure_source,
-          .es = language == capture::Language::es,
-          .defines = {{"GLARK_PASS", pass}, {"GLARK_DEPTHS", limit_depths}, {"GLARK_CURVES", curves ? 1U : 0U}}};
+Measures measures_of(const DepthPlan& plan, const capture::Layout& layout) {
+  if (layout.tag_offset >= 0) {
+    return {.tags = true, .depth_steps = plan.depth_steps()};
+  }
+  const bool has_position = capture::find_role(layout.fields, capture::Role::position) != nullptr;
+  return {.lengths = plan.screen.name != 0 && (plan.measure.pixels > 0 || !plan.screen.measures_curves()),
+          .normals = plan.normal_offset >= 0,
+          .straight = plan.budget.curves_only && has_position && capture::normal_offset(layout.fields) >= 0,
+          .points = plan.screen.points,
+          .depth_steps = plan.depth_steps()};
+}
+
+std::vector<core::ComputeText::Define> defines_of(const Measures& measures) {
+  const auto flag = [](bool on) { return std::uint64_t{on ? 1U : 0U}; };
+  return {{"GLARK_DEPTHS", limit_depths},
+          {"GLARK_CURVES", flag(measures.curves())},
+          {"GLARK_LENGTHS", flag(measures.lengths)},
+          {"GLARK_NORMALS", flag(measures.normals)},
+          {"GLARK_STRAIGHT", flag(measures.straight)},
+          {"GLARK_POINTS", static_cast<std::uint64_t>(measures.points)},
+          {"GLARK_STEPS", static_cast<std::uint64_t>(measures.depth_steps)}};
+}
+
+core::ComputeText measuring_pass(capture::Language language, std::uint64_t pass, const Measures& measures) {
+  core::ComputeText text{.what = "a measuring pass",
+                         .source = measure_source,
+                         .es = language == capture::Language::es,
+                         .defines = defines_of(measures)};
+  text.defines.push_back({"GLARK_PASS", pass});
+  return text;
 }
 
 // Tries to compile each pass only once.
-bool MeasureStage::prepare(bool curves) {
-  if (limits_.name() == 0 && !tried_[0] && !tried_[1]) {
-    limits_pass_.build(gl_, measuring_pass(language_, 0, false), limit_names);
+bool MeasureStage::prepare(const Measures& measures) {
+  if (limits_.name() == 0 && depth_passes_.empty()) {
+    limits_pass_.build(gl_, measuring_pass(language_, 0, {}), {});
     limits_.allocate(gl_, limit_bytes, nullptr, GL_DYNAMIC_COPY);
   }
-  core::ComputePass& pass = depth_passes_[curves ? 1 : 0];
-  bool& tried = tried_[curves ? 1 : 0];
-  if (!tried) {
-    tried = true;
-    pass.build(gl_, measuring_pass(language_, 1, curves), depth_names);
+  const auto [entry, fresh] = depth_passes_.try_emplace(measures);
+  if (fresh) {
+    entry->second.build(gl_, measuring_pass(language_, 1, measures), depth_names);
   }
-  return limits_pass_.built() && limits_.name() != 0 && pass.built();
+  return limits_pass_.built() && limits_.name() != 0 && entry->second.built();
 }
 
-bool MeasureStage::has_room(std::uint32_t triangles, int points) const {
-  const bool curves = points > corners_only;
-  return limits_.name() != 0 && tried_[curves ? 1 : 0] && positions_.has_room(triangles, points) &&
-         (!curves || shown_.has_room(triangles));
+bool MeasureStage::has_room(std::uint32_t triangles, const Measures& measures) const {
+  return limits_.name() != 0 && depth_passes_.contains(measures) && positions_.has_room(triangles, measures.points) &&
+         (!measures.curves() || shown_.has_room(triangles, measures));
 }
 
-bool MeasureStage::reserve(std::uint32_t triangles, int points) {
-  const bool curves = points > corners_only;
-  return prepare(curves) && positions_.reserve(triangles, points) && (!curves || shown_.reserve(triangles));
+bool MeasureStage::reserve(std::uint32_t triangles, const Measures& measures) {
+  return prepare(measures) && positions_.reserve(triangles, measures.points) &&
+         (!measures.curves() || shown_.reserve(triangles, measures));
 }
 
 // The limits change only between frames, so that every pass over the same geometry gets the same depths.
@@ -71,17 +99,22 @@ void MeasureStage::update_limits(const core::EdgeMeasure& rule, bool morphs, GLu
   if (!restart && !(frame_finished_ && rule.budget > 0)) {
     return;
   }
+  if (restart || morphs != morphs_) {
+    const LimitRule words{.pixels = rule.pixels,
+                          .radians_of_turn = rule.degrees * std::numbers::pi_v<float> / 180.0F,
+                          .error = rule.error,
+                          .budget = static_cast<GLfloat>(rule.budget),
+                          .most_change = morphs ? most_change_while_morphing : 0.0F,
+                          .restart = restart ? 1.0F : 0.0F};
+    gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    limits_.write(gl_, rule_offset, sizeof(words), &words);
+  }
   rule_ = rule;
+  morphs_ = morphs;
   frame_finished_ = false;
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, limits_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, work);
   limits_pass_.use(gl_);
-  gl_.Uniform1f(limits_pass_.location(pixels), rule.pixels);
-  gl_.Uniform1f(limits_pass_.location(radians_of_turn), rule.degrees * std::numbers::pi_v<float> / 180.0F);
-  gl_.Uniform1f(limits_pass_.location(error), rule.error);
-  gl_.Uniform1i(limits_pass_.location(budget), static_cast<GLint>(rule.budget));
-  gl_.Uniform1i(limits_pass_.location(restart_limits), restart ? 1 : 0);
-  gl_.Uniform1f(limits_pass_.location(most_change), morphs ? most_change_while_morphing : 0.0F);
   core::ComputePass::dispatch(gl_, 1);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -91,7 +124,7 @@ EdgeEnds MeasureStage::find_ends(const MeasureRequest& request, const core::Edge
   if (request.screen.name != 0) {  // with the storage buffers of the application still bound
     positions_.capture({*request.layout, request.triangles, request.screen}, bindings);
   }
-  update_limits(rule, request.depth_steps > 1, work);
+  update_limits(rule, request.measures.depth_steps > 1, work);
   return {positions_.buffer(), limits_.name()};
 }
 
@@ -106,16 +139,13 @@ std::array<GLint, straight_edge_uniforms> straight_edge_words(const MeasureReque
 
 MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::Bindings& bindings) {
   const bool curves = request.screen.measures_curves();
-  const MeasuredDepths result{positions_.buffer(), positions_.words_offset(request.screen.points),
-                              request.depth_steps == 1 ? 4 : 10};
+  const MeasuredDepths result{positions_.buffer(), positions_.words_offset(request.screen.points)};
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, positions_.buffer());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, limits_.name());
-  const GLint stamp = curves ? shown_.mark({*request.layout, request.triangles, request.screen.points,
-                                            request.pool_level, request.depth_steps},
-                                           bindings)
-                             : 0;
-  const core::ComputePass& pass = depth_passes_[curves ? 1 : 0];
+  const GLint stamp =
+      curves ? shown_.mark({*request.layout, request.triangles, request.measures, request.pool_level}, bindings) : 0;
+  const core::ComputePass& pass = depth_passes_.at(request.measures);
   pass.use(gl_);
   const auto straight = straight_edge_words(request);
   const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
@@ -124,16 +154,11 @@ MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::
                           static_cast<GLint>(result.offset / 4),
                           static_cast<GLint>(request.triangles.count),
                           static_cast<GLint>(request.pool_level),
-                          request.screen.name != 0 ? 1 : 0,
-                          result.bits,
-                          request.depth_steps,
                           request.layout->turn_offset,
                           straight[0],
                           straight[1],
                           straight[2],
                           straight[3],
-                          request.by_length ? 1 : 0,
-                          request.screen.points,
                           stamp};
   pass.set_integers(gl_, values);
   gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
@@ -144,10 +169,10 @@ MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::
 
 void MeasureStage::release() {
   limits_pass_.release(gl_);
-  for (core::ComputePass& pass : depth_passes_) {
+  for (auto& [measures, pass] : depth_passes_) {
     pass.release(gl_);
   }
-  tried_ = {};
+  depth_passes_.clear();
   rule_ = core::EdgeMeasure{};
   limits_.release(gl_);
   positions_.release();

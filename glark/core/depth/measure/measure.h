@@ -7,12 +7,14 @@
 #pragma once
 
 #include <array>
+#include <map>
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/context_options.h"
 #include "glark/core/depth/depth_plan.h"
 #include "glark/core/depth/measure/measured_depths.h"
+#include "glark/core/depth/measure/measuring_pass.h"
 #include "glark/core/depth/measure/screen_positions.h"
 #include "glark/core/depth/measure/shown_edges.h"
 #include "glark/core/objects/compute_pass.h"
@@ -27,9 +29,8 @@ struct MeasureRequest {
   capture::CoarseTriangles triangles;
   ScreenProgram screen = {};
   int normal_offset = -1;  // of the normal in a captured corner; -1: normals are not measured
-  bool by_length = true;   // of the edge on the screen, if the screen is measured
   unsigned pool_level = 0;
-  int depth_steps = 1;  // steps per level: 1, or pattern::morph_steps
+  Measures measures = {};
   BudgetPlan budget = {};
 };
 
@@ -42,10 +43,9 @@ class MeasureStage {
   MeasureStage(const gl::Dispatch& gl, capture::Language language)
       : gl_(gl), language_(language), positions_(gl), shown_(gl, language) {}
 
-  // `points`: ScreenProgram::points.
-  bool has_room(std::uint32_t triangles, int points) const;
+  bool has_room(std::uint32_t triangles, const Measures& measures) const;
   // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
-  bool reserve(std::uint32_t triangles, int points);
+  bool reserve(std::uint32_t triangles, const Measures& measures);
   // Called when a frame has ended. With a budget, the frame's number of triangles decides how coarse the next frame is.
   void frame_finished() { frame_finished_ = true; }
   // `work`: BinStage::work_buffer(). Changes the program, the vertex array and the storage buffer bindings 0 to 3,
@@ -57,18 +57,18 @@ class MeasureStage {
   void release();
 
  private:
-  bool prepare(bool curves);
+  bool prepare(const Measures& measures);
   void update_limits(const core::EdgeMeasure& rule, bool morphs, GLuint work);
 
   const gl::Dispatch& gl_;
   capture::Language language_;
   core::ComputePass limits_pass_;
-  std::array<core::ComputePass, 2> depth_passes_;  // without and with curves
-  std::array<bool, 2> tried_{};
+  std::map<Measures, core::ComputePass> depth_passes_;
   core::GpuBuffer limits_;
   ScreenPositions positions_;
   ShownEdges shown_;
   core::EdgeMeasure rule_;  // the limits are made for this rule
+  bool morphs_ = false;     // and for draws that morph
   bool frame_finished_ = false;
 };
 

@@ -2,22 +2,27 @@
 // SPDX-License-Identifier: MIT
 //
 // The measured depth, in steps, between two captured corners, for measure.glsl and ordered.glsl. Both declare
-// `records`, `ends`, `corner_count()` and the uniforms. With GLARK_CURVES, they also declare
+// `records`, `ends`, `corner_count()` and the uniforms. They supply, each 0 or 1:
+//   GLARK_CURVES   curves are measured
+//   GLARK_LENGTHS  the lengths of edges on the screen are measured
+//   GLARK_NORMALS  the angles between normals are measured
+//   GLARK_STRAIGHT straight edges have depth 0
+// Processors that run both sides of a branch would pay for what is not measured, so each set has its own program.
+// With GLARK_CURVES, they also supply GLARK_POINTS (of each triangle), and declare
 //   void show_edge(int first, int steps)  called for each edge of a triangle that can be seen; `first` names the edge,
 //                                         and the inside of the triangle needs `steps`
 //   int shown_steps(int first)            after all calls of show_edge(): the most steps; -1: nobody sees the edge
 
+#if GLARK_NORMALS
+uniform int normal_offset;  // in a corner
+#endif
 uniform int turn_offset;  // in a corner; < 0: each side of an edge is measured by itself
 
 #if GLARK_CURVES
 #include "glark/core/depth/measure/screen_error.glsl"
 #include "glark/core/depth/measure/curve_points.glsl"
 #include "glark/core/depth/measure/hidden_triangle.glsl"
-
-uniform int by_length;  // the lengths of edges on the screen are measured
 #else
-const int by_length = 1;
-
 vec4 position_of(int corner) {
   return uintBitsToFloat(uvec4(ends[4 * corner], ends[4 * corner + 1], ends[4 * corner + 2], ends[4 * corner + 3]));
 }
@@ -63,12 +68,12 @@ int measured_steps(int a, int b) {
   }
   steps = max(inside, steps_by_error(a, b, half_size, pool_level));
 #endif
-  if (on_screen != 0 && by_length != 0) {
-    steps = min(steps, glark_steps_on_screen(position_of(a), position_of(b), half_size, depth_of(steps)));
-  }
-  if (normal_offset >= 0) {
-    ivec2 side = side_that_turns_most(a, b);
-    steps = min(steps, glark_steps_of_turn(normal_at(side.x, normal_offset), normal_at(side.y, normal_offset), depth_of(steps)));
-  }
+#if GLARK_LENGTHS
+  steps = min(steps, glark_steps_on_screen(position_of(a), position_of(b), half_size, depth_of(steps)));
+#endif
+#if GLARK_NORMALS
+  ivec2 side = side_that_turns_most(a, b);
+  steps = min(steps, glark_steps_of_turn(normal_at(side.x, normal_offset), normal_at(side.y, normal_offset), depth_of(steps)));
+#endif
   return steps;
 }

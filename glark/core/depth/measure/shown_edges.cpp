@@ -10,12 +10,16 @@ namespace glark::depth {
 namespace {
 
 constexpr const char* uniform_names[] = {"record_offset", "corner_words", "triangle_bound", "turn_offset",
-                                         "point_count",   "shown_stamp",  "pool_level",     "depth_steps",
-                                         "culled_side",   "half_size"};
-constexpr std::size_t culled_side_uniform = 8;
-constexpr std::size_t half_size = 9;
+                                         "shown_stamp",   "pool_level",   "culled_side",    "half_size"};
+constexpr std::size_t culled_side_uniform = 6;
+constexpr std::size_t half_size = 7;
 constexpr std::int64_t bytes_a_triangle = 3 * 4;
 constexpr GLint last_stamp = (1 << 22) - 1;  // a word has 10 bits for the steps
+
+// The measures that the pass depends on.
+Measures what_shows(const Measures& measures) {
+  return {.points = measures.points, .depth_steps = measures.depth_steps};
+}
 
 }  // namespace
 
@@ -26,19 +30,19 @@ int culled_side(const core::Bindings& bindings) {
   return (bindings.culled_face == GL_BACK) == (bindings.front_face == GL_CCW) ? 1 : -1;
 }
 
-bool ShownEdges::has_room(std::uint32_t triangles) const {
-  return pass_.built() && std::int64_t{triangles} * bytes_a_triangle <= marks_.size();
+bool ShownEdges::has_room(std::uint32_t triangles, const Measures& measures) const {
+  return passes_.contains(what_shows(measures)) && std::int64_t{triangles} * bytes_a_triangle <= marks_.size();
 }
 
-bool ShownEdges::reserve(std::uint32_t triangles) {
-  if (!tried_) {
-    tried_ = true;
-    pass_.build(gl_, measuring_pass(language_, 2, true), uniform_names);
+bool ShownEdges::reserve(std::uint32_t triangles, const Measures& measures) {
+  const auto [entry, fresh] = passes_.try_emplace(what_shows(measures));
+  if (fresh) {
+    entry->second.build(gl_, measuring_pass(language_, 2, entry->first), uniform_names);
   }
-  if (!pass_.built()) {
+  if (!entry->second.built()) {
     return false;
   }
-  if (has_room(triangles)) {
+  if (has_room(triangles, measures)) {
     return true;
   }
   const std::vector<std::uint32_t> none(std::size_t{triangles} * 3 + std::size_t{triangles}, 0U);
@@ -51,40 +55,41 @@ GLint ShownEdges::mark(const ShownRequest& request, const core::Bindings& bindin
   if (request.layout.turn_offset < 0) {
     return 0;
   }
-  pass_.use(gl_);
+  const core::ComputePass& pass = passes_.at(what_shows(request.measures));
+  pass.use(gl_);
   if (stamp_ == last_stamp) {
-    clear();
+    clear(pass);
   }
   ++stamp_;
   const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
                           request.layout.corner_words,
                           static_cast<GLint>(request.triangles.count),
                           request.layout.turn_offset,
-                          request.points,
                           stamp_,
-                          static_cast<GLint>(request.pool_level),
-                          request.depth_steps};
-  pass_.set_integers(gl_, values);
-  gl_.Uniform1f(pass_.location(culled_side_uniform), static_cast<float>(culled_side(bindings)));
-  gl_.Uniform2f(pass_.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
+                          static_cast<GLint>(request.pool_level)};
+  pass.set_integers(gl_, values);
+  gl_.Uniform1f(pass.location(culled_side_uniform), static_cast<float>(culled_side(bindings)));
+  gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   core::ComputePass::dispatch(gl_, request.triangles.count);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return stamp_;
 }
 
 // The pass is in use.
-void ShownEdges::clear() {
+void ShownEdges::clear(const core::ComputePass& pass) {
   const auto triangles = static_cast<std::uint32_t>(marks_.size() / bytes_a_triangle);
-  const GLint values[] = {0, 0, static_cast<GLint>(triangles), 0, 0, 0};
-  pass_.set_integers(gl_, values);
+  const GLint values[] = {0, 0, static_cast<GLint>(triangles), 0, 0};
+  pass.set_integers(gl_, values);
   core::ComputePass::dispatch(gl_, triangles);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   stamp_ = 0;
 }
 
 void ShownEdges::release() {
-  pass_.release(gl_);
-  tried_ = false;
+  for (auto& [measures, pass] : passes_) {
+    pass.release(gl_);
+  }
+  passes_.clear();
   marks_.release(gl_);
 }
 

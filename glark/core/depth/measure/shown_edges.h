@@ -6,9 +6,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/depth/measure/measuring_pass.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/bindings.h"
@@ -21,18 +23,17 @@ int culled_side(const core::Bindings& bindings);
 struct ShownRequest {
   const capture::Layout& layout;
   capture::CoarseTriangles triangles;
-  int points = 0;  // ScreenProgram::points
+  Measures measures;
   unsigned pool_level = 0;
-  int depth_steps = 1;
 };
 
 class ShownEdges {
  public:
   ShownEdges(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
 
-  bool has_room(std::uint32_t triangles) const;
+  bool has_room(std::uint32_t triangles, const Measures& measures) const;
   // Compiles the pass when first called; false without memory. Rare path: wrap in an ErrorScope.
-  bool reserve(std::uint32_t triangles);
+  bool reserve(std::uint32_t triangles, const Measures& measures);
   // Binds the marks to storage binding 3, where the depth pass reads them. The caller has bound the records and the
   // positions to 0 and 1, and the limits to 2. Returns the stamp of this draw. Does nothing if the layout does not tell
   // the sides of an edge.
@@ -40,12 +41,11 @@ class ShownEdges {
   void release();
 
  private:
-  void clear();
+  void clear(const core::ComputePass& pass);
 
   const gl::Dispatch& gl_;
   capture::Language language_;
-  core::ComputePass pass_;
-  bool tried_ = false;
+  std::map<Measures, core::ComputePass> passes_;
   core::GpuBuffer marks_;  // a word for each corner
   GLint stamp_ = 0;        // of the last draw; older marks count as cleared
 };

@@ -11,7 +11,9 @@
 //
 // Includes measured_edge.glsl first.
 
-// Words in a corner. straight_normal < 0: straight edges are measured like others.
+#if GLARK_STRAIGHT
+
+// Words in a corner.
 uniform int straight_position;
 uniform int straight_position_words;
 uniform int straight_normal;
@@ -60,9 +62,15 @@ bool turns(int a, int b) {
 
 // The edge from a to b, which follows a in its triangle.
 bool is_straight(int a, int b) {
-  if (straight_normal < 0 || leans(a, b, 0) || leans(b, a, 3)) {
+  if (leans(a, b, 0) || leans(b, a, 3)) {
     return false;
   }
   ivec2 side = side_that_turns_most(a, b);
   return !turns(side.x, side.y);
 }
+
+#else
+
+bool is_straight(int a, int b) { return false; }
+
+#endif

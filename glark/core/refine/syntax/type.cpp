@@ -9,10 +9,14 @@
 namespace glark::refine {
 namespace {
 
-struct StorageWord {
+template <typename Meaning>
+struct Word {
   std::string_view word;
-  StorageClass storage;
+  Meaning meaning;
 };
+using StorageWord = Word<StorageClass>;
+using BasicWord = Word<BasicType>;
+
 constexpr std::array storage_words = {
     StorageWord{"temp", StorageClass::local},          StorageWord{"const", StorageClass::local},
     StorageWord{"global", StorageClass::global},       StorageWord{"in", StorageClass::input},
@@ -23,10 +27,6 @@ constexpr std::array storage_words = {
     StorageWord{"gl_PointSize", StorageClass::output}, StorageWord{"gl_ClipVertex", StorageClass::output},
 };
 
-struct BasicWord {
-  std::string_view word;
-  BasicType basic;
-};
 constexpr std::array basic_words = {
     BasicWord{"void", BasicType::none},        BasicWord{"float", BasicType::floating},
     BasicWord{"double", BasicType::floating},  BasicWord{"float16_t", BasicType::floating},
@@ -39,6 +39,13 @@ constexpr std::array basic_words = {
 };
 
 constexpr std::array ignored_words = {"lowp", "mediump", "highp", "of", "vector", "(read", "only)"};
+
+// Null if `rows` has no such word.
+template <typename Rows>
+auto meaning_of(std::string_view word, const Rows& rows) -> const decltype(rows.front().meaning)* {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.word == word; });
+  return found == rows.end() ? nullptr : &found->meaning;
+}
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 
@@ -90,11 +97,9 @@ class TypeReader {
   }
 
   static bool read_storage(std::string_view word, Type& type) {
-    const auto* const found = std::find_if(storage_words.begin(), storage_words.end(),
-                                           [&](const StorageWord& row) { return row.word == word; });
-    if (found == storage_words.end()) return false;
-    type.storage = found->storage;
-    return true;
+    const StorageClass* const storage = meaning_of(word, storage_words);
+    if (storage) type.storage = *storage;
+    return storage != nullptr;
   }
 
   // Returns true after the last word of the type.
@@ -114,9 +119,8 @@ class TypeReader {
   }
 
   void read_basic(std::string_view word, Type& type) {
-    const auto* const found =
-        std::find_if(basic_words.begin(), basic_words.end(), [&](const BasicWord& row) { return row.word == word; });
-    type.basic = found == basic_words.end() ? BasicType::opaque : found->basic;
+    const BasicType* const basic = meaning_of(word, basic_words);
+    type.basic = basic ? *basic : BasicType::opaque;
     if (!type.is_structure() || at_ == text_.size() || text_[at_] != '{') return;
     do {
       ++at_;

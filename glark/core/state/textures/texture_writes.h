@@ -20,7 +20,7 @@ class TextureWrites {
       textures_.wrote(texture, state_.stamps().next());
     }
   }
-  // Of the active unit.
+  // To the texture that is bound to `target` of the active unit.
   void to_target(GLenum target) {
     note_list();
     if (textures_.watched() && target == GL_TEXTURE_2D) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/pattern/zipper.h"
+#include "glark/core/pattern/pieces/zipper.h"
 
 namespace glark::pattern {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/pattern/border_pieces.h"
+#include "glark/core/pattern/pieces/border_pieces.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "glark/core/pattern/zipper.h"
+#include "glark/core/pattern/pieces/zipper.h"
 
 namespace glark::pattern {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/evaluate/uniform_watch.h"
+#include "glark/core/programs/uniform_watch.h"
 
-namespace glark::evaluate {
+namespace glark::core {
 
-void watch_uniforms(const gl::Dispatch& gl, std::span<const std::string> names, const core::Program& program,
-                    core::DerivedProgram& derived) {
+void watch_uniforms(const gl::Dispatch& gl, std::span<const std::string> names, const Program& program,
+                    DerivedProgram& derived) {
   const std::lock_guard lock(program.mutex);
   if (derived.shape_uniforms == nullptr) {
-    derived.shape_uniforms = std::make_unique<core::ShapeUniforms>();
+    derived.shape_uniforms = std::make_unique<ShapeUniforms>();
   }
   for (const std::string& name : names) {
     const GLint location = gl.GetUniformLocation(derived.name, name.c_str());
@@ -20,4 +20,4 @@ void watch_uniforms(const gl::Dispatch& gl, std::span<const std::string> names, 
   }
 }
 
-}  // namespace glark::evaluate
+}  // namespace glark::core

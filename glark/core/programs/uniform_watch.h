@@ -8,10 +8,10 @@
 #include "glark/core/state/programs/program.h"
 #include "glark/gl/dispatch.h"
 
-namespace glark::evaluate {
+namespace glark::core {
 
 // From now on, derived.shape_uniforms counts the changes of these uniforms of the derived program.
-void watch_uniforms(const gl::Dispatch& gl, std::span<const std::string> names, const core::Program& program,
-                    core::DerivedProgram& derived);
+void watch_uniforms(const gl::Dispatch& gl, std::span<const std::string> names, const Program& program,
+                    DerivedProgram& derived);
 
-}  // namespace glark::evaluate
+}  // namespace glark::core
