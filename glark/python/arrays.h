@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // NumPy arrays as spans, and results as NumPy arrays. An array of the right type in rows (C order) is read where it lies;
-// others are converted first. Results are never copied: an array keeps what owns its memory alive.
+// others are converted first (array_argument.h). Results are never copied: an array keeps what owns its memory alive.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,19 +20,20 @@
 #include <utility>
 #include <vector>
 
+#include "glark/python/array_argument.h"
+
 namespace glark::python {
 
 namespace py = pybind11;
 
-template <class T>
-using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
 template <class T>
 using OptionalArray = std::optional<Array<T>>;
 
 // The numbers of an array of rows with `columns` numbers, or of a flat array if `columns` is 1. Throws ArgumentError for
 // another shape.
 template <class T>
-std::span<const T> rows(const Array<T>& array, py::ssize_t columns, const char* name) {
+std::span<const T> rows(const Array<T>& given, py::ssize_t columns, const char* name) {
+  const auto& array = given.checked(name);
   const bool fits = columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns;
   if (!fits) {
     std::string shape;

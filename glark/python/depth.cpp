@@ -3,17 +3,18 @@
 #include <glark/depth.h>
 
 #include "glark/python/arrays.h"
+#include "glark/python/guarded.h"
 
 namespace glark::python {
 namespace {
 
-using depth::Tagger;
+using Tagger = Guarded<depth::Tagger>;  // metrics keep what they have measured
 
 // Lets `fill` write one tag for each vertex.
 template <class Fill>
-py::array_t<float> tags_by(const Tagger& tagger, const Fill& fill) {
-  std::vector<float> tags(tagger.vertices());
-  without_gil([&] { fill(std::span<float>(tags)); });
+py::array_t<float> tags_by(Tagger& tagger, const Fill& fill) {
+  std::vector<float> tags(tagger.fixed().vertices());
+  tagger.change([&](depth::Tagger& metrics) { fill(metrics, std::span<float>(tags)); });
   return owned(std::move(tags), 1);
 }
 
@@ -27,7 +28,7 @@ py::array_t<float> by_curvature(Tagger& tagger, const Array<float>& positions, f
                                 const OptionalArray<float>& normals) {
   const auto points = rows(positions, 3, "positions");
   const auto given = rows(normals, 3, "normals");
-  return tags_by(tagger, [&](auto tags) { tagger.by_curvature(points, given, tolerance, tags); });
+  return tags_by(tagger, [&](auto& metrics, auto tags) { metrics.by_curvature(points, given, tolerance, tags); });
 }
 
 py::array_t<float> by_curvature_on_screen(Tagger& tagger, const Array<float>& positions, float pixels,
@@ -36,25 +37,27 @@ py::array_t<float> by_curvature_on_screen(Tagger& tagger, const Array<float>& po
   const auto points = rows(positions, 3, "positions");
   const auto given = rows(normals, 3, "normals");
   const depth::View from = view_of(eye, pixels_at_one, nearest);
-  return tags_by(tagger, [&](auto tags) { tagger.by_curvature(points, given, from, pixels, tags); });
+  return tags_by(tagger, [&](auto& metrics, auto tags) { metrics.by_curvature(points, given, from, pixels, tags); });
 }
 
 py::array_t<float> by_displacement(Tagger& tagger, const Array<float>& texcoords, const Array<float>& heights,
                                    float tolerance) {
-  if (heights.ndim() != 2) {
+  const auto& image = heights.checked("heights");
+  if (image.ndim() != 2) {
     throw ArgumentError("glark: heights is no image; give it the shape (height, width)");
   }
   const auto coordinates = rows(texcoords, 2, "texcoords");
-  const depth::HeightMap map{.heights = {heights.data(), static_cast<std::size_t>(heights.size())},
-                             .width = static_cast<std::uint32_t>(heights.shape(1)),
-                             .height = static_cast<std::uint32_t>(heights.shape(0))};
-  return tags_by(tagger, [&](auto tags) { tagger.by_displacement(coordinates, map, tolerance, tags); });
+  const depth::HeightMap map{.heights = {image.data(), static_cast<std::size_t>(image.size())},
+                             .width = static_cast<std::uint32_t>(image.shape(1)),
+                             .height = static_cast<std::uint32_t>(image.shape(0))};
+  return tags_by(tagger, [&](auto& metrics, auto tags) { metrics.by_displacement(coordinates, map, tolerance, tags); });
 }
 
 py::tuple keep_budget(const Tagger& tagger, const Array<float>& tags, std::uint64_t triangles, bool geomorph) {
   const auto given = rows(tags, 1, "tags");
   std::vector<float> kept(given.begin(), given.end());
-  const depth::Budget budget = without_gil([&] { return tagger.keep_budget(triangles, kept, rule_of(geomorph)); });
+  const depth::Budget budget = tagger.read(
+      [&](const depth::Tagger& metrics) { return metrics.keep_budget(triangles, kept, rule_of(geomorph)); });
   return py::make_tuple(owned(std::move(kept), 1), budget.triangles, budget.kept);
 }
 
@@ -70,15 +73,15 @@ void bind_depth(py::module_& parent) {
            }),
            py::arg("vertices"), py::arg("triangles"), py::arg("max_level"),
            "vertices: their number. triangles: (triangles, 3). max_level: 0 to 11.")
-      .def_property_readonly("vertices", &Tagger::vertices)
-      .def_property_readonly("max_level", &Tagger::max_level)
+      .def_property_readonly("vertices", [](const Tagger& tagger) { return tagger.fixed().vertices(); })
+      .def_property_readonly("max_level", [](const Tagger& tagger) { return tagger.fixed().max_level(); })
       .def(
           "by_distance",
-          [](const Tagger& tagger, const Array<float>& positions, const std::array<float, 3>& point, float nearest,
+          [](Tagger& tagger, const Array<float>& positions, const std::array<float, 3>& point, float nearest,
              float farthest, float finest, float coarsest) {
             const auto points = rows(positions, 3, "positions");
-            return tags_by(tagger, [&](auto tags) {
-              tagger.by_distance(points, {point, nearest, farthest, finest, coarsest}, tags);
+            return tags_by(tagger, [&](auto& metrics, auto tags) {
+              metrics.by_distance(points, {point, nearest, farthest, finest, coarsest}, tags);
             });
           },
           py::arg("positions"), py::arg("point"), py::kw_only(), py::arg("nearest") = range.nearest,
@@ -90,7 +93,8 @@ void bind_depth(py::module_& parent) {
              float pixels_at_one, float nearest) {
             const auto points = rows(positions, 3, "positions");
             const depth::View from = view_of(eye, pixels_at_one, nearest);
-            return tags_by(tagger, [&](auto tags) { tagger.by_edge_length(points, from, pixels, tags); });
+            return tags_by(tagger,
+                           [&](auto& metrics, auto tags) { metrics.by_edge_length(points, from, pixels, tags); });
           },
           py::arg("positions"), py::arg("pixels"), py::arg("eye"), py::arg("pixels_at_one"), py::kw_only(),
           py::arg("nearest") = 0.01F,
@@ -105,7 +109,9 @@ void bind_depth(py::module_& parent) {
       .def(
           "refined_triangles",
           [](const Tagger& tagger, const Array<float>& tags, bool geomorph) {
-            return tagger.refined_triangles(rows(tags, 1, "tags"), rule_of(geomorph));
+            const auto given = rows(tags, 1, "tags");
+            return tagger.read(
+                [&](const auto& metrics) { return metrics.refined_triangles(given, rule_of(geomorph)); });
           },
           py::arg("tags"), py::arg("geomorph") = false, "The number of triangles that the extension draws.")
       .def("keep_budget", &keep_budget, py::arg("tags"), py::arg("triangles"), py::arg("geomorph") = false,

@@ -21,7 +21,7 @@ Geometry read(const std::string& file, bool skip_invalid) {
 // Colours may have three or four columns.
 std::vector<std::uint8_t> with_alpha(const OptionalArray<std::uint8_t>& colours) {
   if (!colours) return {};
-  if (colours->ndim() == 2 && colours->shape(1) == 4) {
+  if (const auto& given = colours->checked("colours"); given.ndim() == 2 && given.shape(1) == 4) {
     const auto all = rows(*colours, 4, "colours");
     return {all.begin(), all.end()};
   }

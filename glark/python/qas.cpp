@@ -3,12 +3,13 @@
 #include <glark/qas.h>
 
 #include "glark/python/arrays.h"
+#include "glark/python/guarded.h"
 
 namespace glark::python {
 namespace {
 
 using qas::LoopSurface;
-using qas::Surface;
+using Surface = Guarded<qas::Surface>;
 
 constexpr std::array schemes = {std::pair{"loop", qas::Scheme::loop},
                                 std::pair{"butterfly", qas::Scheme::modified_butterfly}};
@@ -34,10 +35,18 @@ py::array_t<float> corners(std::size_t count, const Write& write) {
 
 py::tuple sample_of(const qas::Sample& sample) { return py::make_tuple(sample.position, sample.normal); }
 
-py::tuple refine(const LoopSurface& surface, std::size_t triangles, unsigned level, unsigned threads) {
+// LoopSurface does not tell its number of triangles.
+struct Loop {
+  Guarded<LoopSurface> surface;
+  std::size_t triangles;
+
+  explicit Loop(const qas::Mesh& mesh) : surface(mesh), triangles(mesh.triangles.size() / 3) {}
+};
+
+py::tuple refine(const Loop& loop, unsigned level, unsigned threads) {
   const std::size_t side = (std::size_t{1} << std::min(level, 11U)) + 1;
-  std::vector<qas::Sample> samples(triangles * side * (side + 1) / 2);
-  without_gil([&] { surface.refine(level, samples, threads); });
+  std::vector<qas::Sample> samples(loop.triangles * side * (side + 1) / 2);
+  loop.surface.read([&](const auto& surface) { surface.refine(level, samples, threads); });
   std::vector<float> positions;
   std::vector<float> normals;
   positions.reserve(3 * samples.size());
@@ -48,12 +57,6 @@ py::tuple refine(const LoopSurface& surface, std::size_t triangles, unsigned lev
   }
   return py::make_tuple(owned(std::move(positions), 3), owned(std::move(normals), 3));
 }
-
-// LoopSurface does not tell its number of triangles.
-struct Loop {
-  LoopSurface surface;
-  std::size_t triangles;
-};
 
 void bind_surface(py::module_& module) {
   py::class_<Surface>(module, "Surface", "A subdivision surface as quadratic patches, updated in real time.")
@@ -71,33 +74,37 @@ void bind_surface(py::module_& module) {
           "update",
           [](Surface& surface, const Array<float>& positions) {
             const auto points = rows(positions, 3, "positions");
-            without_gil([&] { surface.update(points); });
+            surface.change([&](auto& all) { all.update(points); });
           },
           py::arg("positions"), "positions: (vertices, 3). Arrays that were taken before show the new values.")
       .def_property_readonly(
           "limit_positions",
-          [](const py::object& self) { return vectors(self.cast<Surface&>().limit_positions(), self); },
+          [](const py::object& self) { return vectors(self.cast<Surface&>().fixed().limit_positions(), self); },
           "(points, 4) float32: x, y, z, 1")
       .def_property_readonly(
-          "limit_normals", [](const py::object& self) { return vectors(self.cast<Surface&>().limit_normals(), self); },
+          "limit_normals",
+          [](const py::object& self) { return vectors(self.cast<Surface&>().fixed().limit_normals(), self); },
           "(points, 4) float32: x, y, z, 0")
       .def(
           "corners",
           [](const Surface& surface) {
-            return corners<qas::Corner>(surface.corner_count(), [&](auto all) { surface.write_corners(all); });
+            return corners<qas::Corner>(surface.fixed().corner_count(), [&](auto all) {
+              surface.read([&](const auto& values) { values.write_corners(all); });
+            });
           },
           "(corners, 12) float32: position, edge_position, normal, edge_normal; three corners for each patch")
       .def(
           "quartic_corners",
           [](const Surface& surface) {
-            return corners<qas::QuarticCorner>(surface.quartic_corner_count(),
-                                               [&](auto all) { surface.write_quartic_corners(all); });
+            return corners<qas::QuarticCorner>(surface.fixed().quartic_corner_count(), [&](auto all) {
+              surface.read([&](const auto& values) { values.write_quartic_corners(all); });
+            });
           },
           "(corners, 32) float32: four points and four normals of four numbers; only with splits=1")
       .def(
           "evaluate",
           [](const Surface& surface, std::size_t patch, const std::array<float, 3>& barycentric) {
-            return sample_of(surface.evaluate(patch, barycentric));
+            return sample_of(surface.read([&](const auto& all) { return all.evaluate(patch, barycentric); }));
           },
           py::arg("patch"), py::arg("barycentric"), "The position and the normal at (w, u, v).");
 }
@@ -111,24 +118,25 @@ void bind_qas(py::module_& parent) {
       .def(py::init([](std::size_t vertices, const Array<std::uint32_t>& triangles,
                        const OptionalArray<std::uint32_t>& creases) {
              const qas::Mesh mesh = mesh_of(vertices, triangles, creases);
-             return Loop{LoopSurface(mesh), mesh.triangles.size() / 3};
+             return without_gil([&] { return std::make_unique<Loop>(mesh); });
            }),
            py::arg("vertices"), py::arg("triangles"), py::arg("creases") = py::none())
       .def(
           "update",
-          [](Loop& loop, const Array<float>& positions) { loop.surface.update(rows(positions, 3, "positions")); },
+          [](Loop& loop, const Array<float>& positions) {
+            const auto points = rows(positions, 3, "positions");
+            loop.surface.change([&](auto& surface) { surface.update(points); });
+          },
           py::arg("positions"))
       .def(
           "evaluate",
           [](const Loop& loop, std::size_t triangle, const std::array<float, 3>& barycentric) {
-            return sample_of(loop.surface.evaluate(triangle, barycentric));
+            return sample_of(
+                loop.surface.read([&](const auto& surface) { return surface.evaluate(triangle, barycentric); }));
           },
           py::arg("triangle"), py::arg("barycentric"))
       .def(
-          "refine",
-          [](const Loop& loop, unsigned level, unsigned threads) {
-            return refine(loop.surface, loop.triangles, level, threads);
-          },
+          "refine", [](const Loop& loop, unsigned level, unsigned threads) { return refine(loop, level, threads); },
           py::arg("level"), py::arg("threads") = 0,
           "Positions and normals of all triangles at the vertices of the uniform pattern of a level, 0 to 11.");
   const qas::ShaderInputs names;

@@ -3,19 +3,20 @@
 #include <glark/surfel.h>
 
 #include "glark/python/arrays.h"
+#include "glark/python/guarded.h"
 
 namespace glark::python {
 namespace {
 
 using surfel::Frame;
-using surfel::Strips;
+using Strips = Guarded<surfel::Strips>;
 
 surfel::Cloud cloud_of(const Array<float>& positions, const OptionalArray<float>& normals) {
   return {.positions = rows(positions, 3, "positions"), .normals = rows(normals, 3, "normals")};
 }
 
 py::dict counts_of(const Strips& strips, unsigned level) {
-  const surfel::Counts counts = strips.counts(level);
+  const surfel::Counts counts = strips.read([&](const auto& all) { return all.counts(level); });
   py::dict result;
   result["outer"] = counts.outer;
   result["redundant"] = counts.redundant;
@@ -48,8 +49,13 @@ Frame select(const Strips& strips, const Array<float>& matrix, unsigned width, u
     }
   }
   Frame frame;
-  without_gil([&] { strips.select(given, frame); });
+  strips.read([&](const auto& all) { all.select(given, frame); });
   return frame;
+}
+
+template <class Values>
+auto copied(const Values& values) {
+  return std::vector(values.begin(), values.end());
 }
 
 py::array_t<std::uint64_t> ranges_of(const std::vector<surfel::Range>& ranges) {
@@ -103,15 +109,22 @@ void bind_surfel(py::module_& parent) {
            py::arg("delta_d") = defaults.delta_d, py::arg("inflation") = defaults.inflation,
            py::arg("reach") = defaults.reach, py::arg("turn_edges") = defaults.turn_edges, py::arg("levels") = 1,
            py::arg("threads") = 0, "positions: (points, 3). normals: (points, 3), or none. levels: of detail, 1 to 16.")
-      .def_property_readonly("point_count", &Strips::point_count)
-      .def_property_readonly("level_count", &Strips::level_count)
       .def_property_readonly(
-          "indices", [](const py::object& self) { return view(self.cast<Strips&>().indices(), 1, self); },
-          "uint32, all strips of all levels. update() may replace the array.")
+          "point_count",
+          [](const Strips& strips) { return strips.read([](const auto& all) { return all.point_count(); }); })
+      .def_property_readonly("level_count", [](const Strips& strips) { return strips.fixed().level_count(); })
+      .def_property_readonly(
+          "indices",
+          [](const Strips& strips) {
+            return owned(strips.read([](const auto& all) { return copied(all.indices()); }), 1);
+          },
+          "uint32, all strips of all levels: a copy, because update() changes them.")
       .def(
           "nodes",
-          [](const py::object& self, unsigned level) { return view(self.cast<Strips&>().nodes(level), 1, self); },
-          py::arg("level") = 0, "(nodes,) records of the stripping tree; level 0 is the finest")
+          [](const Strips& strips, unsigned level) {
+            return owned(strips.read([&](const auto& all) { return copied(all.nodes(level)); }), 1);
+          },
+          py::arg("level") = 0, "(nodes,) records of the stripping tree, a copy; level 0 is the finest")
       .def("counts", &counts_of, py::arg("level") = 0)
       .def("select", &select, py::arg("clip_from_object"), py::arg("width"), py::arg("height"), py::kw_only(),
            py::arg("cull_frustum") = true, py::arg("cull_back_faces") = true, py::arg("point_pixels") = 1.0F,
@@ -123,7 +136,7 @@ void bind_surfel(py::module_& parent) {
              const Array<std::uint32_t>& moved) {
             const surfel::Cloud cloud = cloud_of(positions, normals);
             const std::span<const std::uint32_t> indices = rows(moved, 1, "moved");
-            return ranges_of(without_gil([&] { return strips.update(cloud, indices); }));
+            return ranges_of(strips.change([&](auto& all) { return all.update(cloud, indices); }));
           },
           py::arg("positions"), py::arg("normals"), py::arg("moved"),
           "Points moved or are new. Returns (ranges, 2): first and count of the indices that changed.");

@@ -72,7 +72,8 @@ struct Budget {
 class GLARK_EXPORT Tagger {
  public:
   // triangles: three vertices each. They are copied. Throws Error for a number of indices that is not a multiple of
-  // three, an index beyond the vertices, or a level above 11. Triangles may be degenerate, repeated or non-manifold.
+  // three, more than 2^28 vertices, an index beyond the vertices, or a level above 11. Triangles may be degenerate,
+  // repeated or non-manifold.
   Tagger(std::size_t vertices, std::span<const std::uint32_t> triangles, unsigned max_level);
   ~Tagger();
   Tagger(const Tagger& other);

@@ -65,4 +65,11 @@ TEST(PnInC, AnErrorNamesTheElement) {
 }
 
 }  // namespace
+
+TEST(PnInC, ANullObjectHasNothing) {
+  EXPECT_EQ(0u, glark_pn_positions(nullptr).count);
+  EXPECT_EQ(0u, glark_pn_sources(nullptr).count);
+  EXPECT_EQ(0u, glark_pn_corners(nullptr));
+}
+
 }  // namespace glark::test

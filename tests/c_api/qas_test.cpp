@@ -106,4 +106,17 @@ TEST(QasTextInC, NamesAreThoseGiven) {
 }
 
 }  // namespace
+
+TEST(LoopInC, ANullObjectHasNothing) {
+  EXPECT_EQ(0u, glark_qas_surface_limit_positions(nullptr).count);
+  EXPECT_EQ(0u, glark_qas_surface_corner_vertices(nullptr).count);
+  EXPECT_EQ(0u, glark_qas_surface_corner_count(nullptr));
+}
+
+TEST(QasNullInC, ANullObjectHasNothing) {
+  EXPECT_EQ(0u, glark_qas_surface_limit_positions(nullptr).count);
+  EXPECT_EQ(0u, glark_qas_surface_corner_vertices(nullptr).count);
+  EXPECT_EQ(0u, glark_qas_surface_corner_count(nullptr));
+}
+
 }  // namespace glark::test

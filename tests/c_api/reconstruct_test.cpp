@@ -48,4 +48,15 @@ TEST(ReconstructInC, AnErrorNamesTheElement) {
 }
 
 }  // namespace
+
+TEST(ReconstructInC, ANullObjectHasNothing) {
+  EXPECT_EQ(0u, glark_reconstruct_positions(nullptr).count);
+  EXPECT_EQ(0u, glark_reconstruct_mesh_counts(nullptr).levels);
+}
+
+TEST(ReconstructNullInC, ANullObjectHasNothing) {
+  EXPECT_EQ(0u, glark_reconstruct_positions(nullptr).count);
+  EXPECT_EQ(0u, glark_reconstruct_mesh_counts(nullptr).levels);
+}
+
 }  // namespace glark::test

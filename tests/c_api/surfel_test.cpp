@@ -85,4 +85,13 @@ TEST_F(SurfelInC, AnErrorNamesTheElement) {
 }
 
 }  // namespace
+
+TEST(SurfelNullInC, ANullObjectHasNothing) {
+  EXPECT_EQ(0u, glark_surfel_strips_indices(nullptr).count);
+  EXPECT_EQ(nullptr, glark_surfel_frame_counts(nullptr));
+  EXPECT_EQ(nullptr, glark_surfel_frame_offsets(nullptr));
+  EXPECT_EQ(0, glark_surfel_frame_draws(nullptr));
+  EXPECT_EQ(0u, glark_surfel_frame_numbers(nullptr).strips);
+}
+
 }  // namespace glark::test

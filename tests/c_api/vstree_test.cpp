@@ -100,4 +100,12 @@ TEST(VstreeInC, AnUnknownEnumerationIsAnError) {
 }
 
 }  // namespace
+
+TEST(VstreeNullInC, ANullObjectHasNothing) {
+  const float origin[3] = {0, 0, 0};
+  EXPECT_EQ(0u, glark_vstree_tree_nodes(nullptr).count);
+  EXPECT_EQ(0xffffffffu, glark_vstree_tree_leaf_of(nullptr, origin));
+  EXPECT_EQ(0u, glark_vstree_simplified_positions(nullptr).count);
+}
+
 }  // namespace glark::test

@@ -122,6 +122,8 @@ TEST(Tagger, MeshesThatAreNoneAreRejected) {
             std::string::npos);
   EXPECT_NE(error_of([&] { Tagger(4, std::span(square).first(4), 6); }).find("4 indices"), std::string::npos);
   EXPECT_NE(error_of([&] { Tagger(4, square, 12); }).find("level 12 exceeds 11"), std::string::npos);
+  const std::size_t too_many = (std::size_t{1} << 28) + 1;
+  EXPECT_NE(error_of([&] { Tagger(too_many, square, 5); }).find("are more than 2^28"), std::string::npos);
 }
 
 TEST(Tagger, BadInputNamesTheVertexAndWritesNothing) {

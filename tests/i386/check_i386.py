@@ -24,7 +24,7 @@ ARGUMENTS = argparse.Namespace()
 
 def environment(**more) -> dict:
     kept = {key: value for key, value in os.environ.items() if not key.startswith("GLARK_") and key != "LD_PRELOAD"}
-    return kept | {"GLARK_CONFIG": "/dev/null", "LIBGL_ALWAYS_SOFTWARE": "1", "vblank_mode": "0"} | more
+    return kept | {"GLARK_CONFIG": "/dev/null", "LIBGL_ALWAYS_SOFTWARE": "1"} | more
 
 
 def compile_programs(compiler: str, folder: pathlib.Path) -> str:

@@ -42,6 +42,31 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(glark.ArgumentError, "4"):
             glark.reconstruct(points)
 
+    def test_values_that_do_not_fit_are_told(self):
+        corners = numpy.eye(4, 3, dtype=numpy.float32)
+        for triangles, told in (
+            ([[0, 1, -1]], "triangles has the value -1; give it integers from 0 to 4294967295"),
+            (numpy.array([[0, 1, 2**32]], numpy.uint64), "triangles has the value 4294967296"),
+            ([[0, 1, 1.5]], "triangles has the type float64; give it integers"),
+            ([[0, 1], [2]], "triangles cannot be read as an array"),
+        ):
+            with self.assertRaisesRegex(glark.ArgumentError, told):
+                glark.vstree.simplify(corners, triangles)
+        for points, told in (
+            (None, "positions is None"),
+            (corners + 1j, "positions has the type complex"),
+            ([["a", "b", "c"]], "positions has the type <U1; give it numbers"),
+        ):
+            with self.assertRaisesRegex(glark.ArgumentError, told):
+                glark.reconstruct(points)
+        with self.assertRaisesRegex(glark.ArgumentError, "colours has the value 300; give it integers from 0 to 255"):
+            glark.vstree.simplify(corners, colours=numpy.full((4, 3), 300))
+
+    def test_arrays_at_odd_addresses_are_read(self):
+        points = sphere(50)
+        odd = numpy.frombuffer(b"x" + points.tobytes(), numpy.uint8)[1:].view(numpy.float32).reshape(-1, 3)
+        numpy.testing.assert_array_equal(glark.vstree.estimate_normals(points), glark.vstree.estimate_normals(odd))
+
     def test_no_points_give_empty_results(self):
         empty = numpy.zeros((0, 3), numpy.float32)
         self.assertEqual((0, 3), glark.reconstruct(empty).positions.shape)

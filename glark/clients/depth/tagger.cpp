@@ -13,12 +13,14 @@ using common::Vector3f;
 using common::vector_at;
 
 constexpr unsigned deepest_level = 11;
+constexpr std::size_t most_vertices = std::size_t{1} << 28;
 
 }  // namespace
 
 Tagger::Tagger(std::size_t vertices, std::span<const std::uint32_t> triangles, unsigned max_level)
     : vertices_(vertices), max_level_(max_level) {
   require(max_level <= deepest_level, "level {} exceeds {}, the deepest of the extension", max_level, deepest_level);
+  require(vertices <= most_vertices, "{} vertices are more than 2^28; split the mesh", vertices);
   require(triangles.size() % 3 == 0, "{} indices are no whole number of triangles", triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     require(triangles[i] < vertices, "triangle {} has the vertex {}; there are {}", i / 3, triangles[i], vertices);

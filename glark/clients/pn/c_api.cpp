@@ -67,22 +67,43 @@ glark_code glark_pn_derive_tags(const glark_pn_mesh* mesh, const glark_pn_option
 
 void glark_pn_tagged_mesh_free(glark_pn_tagged_mesh* tagged) { std::unique_ptr<glark_pn_tagged_mesh>{tagged}; }
 
-glark_floats glark_pn_positions(const glark_pn_tagged_mesh* tagged) { return array_of(tagged->mesh.positions); }
-glark_floats glark_pn_normals(const glark_pn_tagged_mesh* tagged) { return array_of(tagged->mesh.normals); }
+glark_floats glark_pn_positions(const glark_pn_tagged_mesh* tagged) {
+  if (tagged == nullptr) return {};
+  return array_of(tagged->mesh.positions);
+}
+glark_floats glark_pn_normals(const glark_pn_tagged_mesh* tagged) {
+  if (tagged == nullptr) return {};
+  return array_of(tagged->mesh.normals);
+}
 glark_floats glark_pn_discontinuities(const glark_pn_tagged_mesh* tagged) {
+  if (tagged == nullptr) return {};
   return array_of(tagged->mesh.discontinuities);
 }
-glark_floats glark_pn_tags(const glark_pn_tagged_mesh* tagged) { return array_of(tagged->mesh.tags); }
-glark_indices glark_pn_triangles(const glark_pn_tagged_mesh* tagged) { return array_of(tagged->mesh.triangles); }
+glark_floats glark_pn_tags(const glark_pn_tagged_mesh* tagged) {
+  if (tagged == nullptr) return {};
+  return array_of(tagged->mesh.tags);
+}
+glark_indices glark_pn_triangles(const glark_pn_tagged_mesh* tagged) {
+  if (tagged == nullptr) return {};
+  return array_of(tagged->mesh.triangles);
+}
 glark_indices glark_pn_sources(const glark_pn_tagged_mesh* tagged) {
+  if (tagged == nullptr) return {};
   const auto& sources = tagged->mesh.sources;
   return {sources.empty() ? nullptr : sources.front().data(), 2 * sources.size()};
 }
 glark_indices glark_pn_triangle_sources(const glark_pn_tagged_mesh* tagged) {
+  if (tagged == nullptr) return {};
   return array_of(tagged->mesh.triangle_sources);
 }
-size_t glark_pn_crease_vertices(const glark_pn_tagged_mesh* tagged) { return tagged->mesh.crease_vertices; }
-size_t glark_pn_corners(const glark_pn_tagged_mesh* tagged) { return tagged->mesh.corners; }
+size_t glark_pn_crease_vertices(const glark_pn_tagged_mesh* tagged) {
+  if (tagged == nullptr) return {};
+  return tagged->mesh.crease_vertices;
+}
+size_t glark_pn_corners(const glark_pn_tagged_mesh* tagged) {
+  if (tagged == nullptr) return {};
+  return tagged->mesh.corners;
+}
 
 glark_code glark_pn_evaluate(const glark_pn_corner corners[3], const double barycentric[3], glark_pn_sample* sample,
                              glark_error* error) {

@@ -110,21 +110,28 @@ glark_code glark_qas_surface_update(glark_qas_surface* surface, glark_floats pos
 }
 
 glark_floats glark_qas_surface_limit_positions(const glark_qas_surface* surface) {
+  if (surface == nullptr) return {};
   return floats_of(surface->surface.limit_positions());
 }
 glark_floats glark_qas_surface_limit_normals(const glark_qas_surface* surface) {
+  if (surface == nullptr) return {};
   return floats_of(surface->surface.limit_normals());
 }
 glark_qas_patches glark_qas_surface_patches(const glark_qas_surface* surface) {
+  if (surface == nullptr) return {};
   const auto patches = surface->surface.patches();
   return {reinterpret_cast<const glark_qas_patch*>(patches.data()), patches.size()};
 }
 glark_indices glark_qas_surface_corner_vertices(const glark_qas_surface* surface) {
+  if (surface == nullptr) return {};
   const auto vertices = surface->surface.corner_vertices();
   return {vertices.empty() ? nullptr : vertices.front().data(), 2 * vertices.size()};
 }
 
-size_t glark_qas_surface_corner_count(const glark_qas_surface* surface) { return surface->surface.corner_count(); }
+size_t glark_qas_surface_corner_count(const glark_qas_surface* surface) {
+  if (surface == nullptr) return {};
+  return surface->surface.corner_count();
+}
 glark_code glark_qas_surface_write_corners(const glark_qas_surface* surface, glark_qas_corner* corners, size_t count,
                                            glark_error* error) {
   return guarded(error, [&] {
@@ -132,6 +139,7 @@ glark_code glark_qas_surface_write_corners(const glark_qas_surface* surface, gla
   });
 }
 size_t glark_qas_surface_quartic_corner_count(const glark_qas_surface* surface) {
+  if (surface == nullptr) return {};
   return surface->surface.quartic_corner_count();
 }
 glark_code glark_qas_surface_write_quartic_corners(const glark_qas_surface* surface, glark_qas_quartic_corner* corners,

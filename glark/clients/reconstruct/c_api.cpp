@@ -57,12 +57,25 @@ glark_code glark_reconstruct(const glark_vstree_point_set* points, const glark_r
 
 void glark_reconstruct_mesh_free(glark_reconstruct_mesh* mesh) { std::unique_ptr<glark_reconstruct_mesh>{mesh}; }
 
-glark_floats glark_reconstruct_positions(const glark_reconstruct_mesh* mesh) { return array_of(mesh->mesh.positions); }
-glark_floats glark_reconstruct_normals(const glark_reconstruct_mesh* mesh) { return array_of(mesh->mesh.normals); }
-glark_bytes glark_reconstruct_colours(const glark_reconstruct_mesh* mesh) { return array_of(mesh->mesh.colours); }
-glark_indices glark_reconstruct_triangles(const glark_reconstruct_mesh* mesh) { return array_of(mesh->mesh.triangles); }
+glark_floats glark_reconstruct_positions(const glark_reconstruct_mesh* mesh) {
+  if (mesh == nullptr) return {};
+  return array_of(mesh->mesh.positions);
+}
+glark_floats glark_reconstruct_normals(const glark_reconstruct_mesh* mesh) {
+  if (mesh == nullptr) return {};
+  return array_of(mesh->mesh.normals);
+}
+glark_bytes glark_reconstruct_colours(const glark_reconstruct_mesh* mesh) {
+  if (mesh == nullptr) return {};
+  return array_of(mesh->mesh.colours);
+}
+glark_indices glark_reconstruct_triangles(const glark_reconstruct_mesh* mesh) {
+  if (mesh == nullptr) return {};
+  return array_of(mesh->mesh.triangles);
+}
 
 glark_reconstruct_counts glark_reconstruct_mesh_counts(const glark_reconstruct_mesh* mesh) {
+  if (mesh == nullptr) return {};
   const Reconstructed& made = mesh->mesh;
   return {made.base_vertices, made.base_triangles, made.levels, made.node_side, made.noise, made.left_out};
 }

@@ -95,11 +95,18 @@ glark_code glark_surfel_strips_create(const glark_surfel_cloud* cloud, const gla
 
 void glark_surfel_strips_free(glark_surfel_strips* strips) { std::unique_ptr<glark_surfel_strips>{strips}; }
 
-size_t glark_surfel_strips_point_count(const glark_surfel_strips* strips) { return strips->strips.point_count(); }
+size_t glark_surfel_strips_point_count(const glark_surfel_strips* strips) {
+  if (strips == nullptr) return {};
+  return strips->strips.point_count();
+}
 glark_indices glark_surfel_strips_indices(const glark_surfel_strips* strips) {
+  if (strips == nullptr) return {};
   return array_of(strips->strips.indices());
 }
-unsigned glark_surfel_strips_level_count(const glark_surfel_strips* strips) { return strips->strips.level_count(); }
+unsigned glark_surfel_strips_level_count(const glark_surfel_strips* strips) {
+  if (strips == nullptr) return {};
+  return strips->strips.level_count();
+}
 
 glark_code glark_surfel_strips_nodes(const glark_surfel_strips* strips, unsigned level, glark_surfel_nodes* nodes,
                                      glark_error* error) {
@@ -130,12 +137,23 @@ glark_code glark_surfel_strips_select(const glark_surfel_strips* strips, const g
   });
 }
 
-int32_t glark_surfel_frame_draws(const glark_surfel_frame* frame) { return frame->frame.draws(); }
-const int32_t* glark_surfel_frame_counts(const glark_surfel_frame* frame) { return frame->frame.counts.data(); }
-const void* const* glark_surfel_frame_offsets(const glark_surfel_frame* frame) { return frame->frame.offsets.data(); }
-glark_indices glark_surfel_frame_points(const glark_surfel_frame* frame) { return array_of(frame->frame.points); }
+int32_t glark_surfel_frame_draws(const glark_surfel_frame* frame) {
+  if (frame == nullptr) return {};
+  return frame->frame.draws();
+}
+const int32_t* glark_surfel_frame_counts(const glark_surfel_frame* frame) {
+  return frame == nullptr ? nullptr : frame->frame.counts.data();
+}
+const void* const* glark_surfel_frame_offsets(const glark_surfel_frame* frame) {
+  return frame == nullptr ? nullptr : frame->frame.offsets.data();
+}
+glark_indices glark_surfel_frame_points(const glark_surfel_frame* frame) {
+  if (frame == nullptr) return {};
+  return array_of(frame->frame.points);
+}
 
 glark_surfel_frame_statistics glark_surfel_frame_numbers(const glark_surfel_frame* frame) {
+  if (frame == nullptr) return {};
   const surfel::Frame& numbers = frame->frame;
   return {numbers.level, numbers.indices, numbers.strips, numbers.visited, numbers.out_of_frustum, numbers.back_faces};
 }

@@ -105,18 +105,33 @@ glark_code glark_vstree_tree_create(const glark_vstree_point_set* points, const 
 void glark_vstree_tree_free(glark_vstree_tree* tree) { std::unique_ptr<glark_vstree_tree>{tree}; }
 
 glark_vstree_nodes glark_vstree_tree_nodes(const glark_vstree_tree* tree) {
+  if (tree == nullptr) return {};
   const auto nodes = tree->tree.nodes();
   return {reinterpret_cast<const glark_vstree_node*>(nodes.data()), nodes.size()};
 }
 glark_vstree_frames glark_vstree_tree_frames(const glark_vstree_tree* tree) {
+  if (tree == nullptr) return {};
   const auto frames = tree->tree.frames();
   return {reinterpret_cast<const glark_vstree_frame*>(frames.data()), frames.size()};
 }
-glark_indices glark_vstree_tree_order(const glark_vstree_tree* tree) { return array_of(tree->tree.order()); }
-size_t glark_vstree_tree_leaf_count(const glark_vstree_tree* tree) { return tree->tree.leaf_count(); }
-size_t glark_vstree_tree_bytes(const glark_vstree_tree* tree) { return tree->tree.bytes(); }
-float glark_vstree_tree_diagonal(const glark_vstree_tree* tree) { return tree->tree.diagonal(); }
+glark_indices glark_vstree_tree_order(const glark_vstree_tree* tree) {
+  if (tree == nullptr) return {};
+  return array_of(tree->tree.order());
+}
+size_t glark_vstree_tree_leaf_count(const glark_vstree_tree* tree) {
+  if (tree == nullptr) return {};
+  return tree->tree.leaf_count();
+}
+size_t glark_vstree_tree_bytes(const glark_vstree_tree* tree) {
+  if (tree == nullptr) return {};
+  return tree->tree.bytes();
+}
+float glark_vstree_tree_diagonal(const glark_vstree_tree* tree) {
+  if (tree == nullptr) return {};
+  return tree->tree.diagonal();
+}
 uint32_t glark_vstree_tree_leaf_of(const glark_vstree_tree* tree, const float position[3]) {
+  if (tree == nullptr || position == nullptr) return vstree::none;
   return tree->tree.leaf_of({position[0], position[1], position[2]});
 }
 
@@ -181,20 +196,26 @@ void glark_vstree_simplified_free(glark_vstree_simplified* simplified) {
 }
 
 glark_floats glark_vstree_simplified_positions(const glark_vstree_simplified* simplified) {
+  if (simplified == nullptr) return {};
   return array_of(simplified->mesh.positions);
 }
 glark_floats glark_vstree_simplified_normals(const glark_vstree_simplified* simplified) {
+  if (simplified == nullptr) return {};
   return array_of(simplified->mesh.normals);
 }
 glark_bytes glark_vstree_simplified_colours(const glark_vstree_simplified* simplified) {
+  if (simplified == nullptr) return {};
   return array_of(simplified->mesh.colours);
 }
 glark_floats glark_vstree_simplified_texcoords(const glark_vstree_simplified* simplified) {
+  if (simplified == nullptr) return {};
   return array_of(simplified->mesh.texcoords);
 }
 glark_indices glark_vstree_simplified_triangles(const glark_vstree_simplified* simplified) {
+  if (simplified == nullptr) return {};
   return array_of(simplified->mesh.triangles);
 }
 glark_indices glark_vstree_simplified_representatives(const glark_vstree_simplified* simplified) {
+  if (simplified == nullptr) return {};
   return array_of(simplified->mesh.representatives);
 }

@@ -80,7 +80,7 @@ bool CaptureStage::reserve(const Layout& layout, std::uint64_t triangles) {
 
 void CaptureStage::bind_target(GLuint buffer, GLintptr offset, std::int64_t size,
                                const core::Bindings& bindings) const {
-  gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, offset, size);
+  gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, offset, static_cast<GLsizeiptr>(size));
   // Restores the generic binding point only: the indexed one belongs to the transform feedback object.
   gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);
 }
@@ -138,7 +138,7 @@ CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles,
   }
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
   if (current_.buffer == ring_.name()) {
-    cursor_ += bytes_of(layout, triangles);
+    cursor_ += static_cast<GLintptr>(bytes_of(layout, triangles));
   }
   return result;
 }

@@ -54,7 +54,7 @@ class CaptureStage {
 
  private:
   GLuint build(const CaptureSources& sources) const;
-  void bind_target(GLuint buffer, GLintptr offset, GLsizeiptr size, const core::Bindings& bindings) const;
+  void bind_target(GLuint buffer, GLintptr offset, std::int64_t size, const core::Bindings& bindings) const;
 
   const gl::Dispatch& gl_;
   Language language_;

@@ -54,8 +54,8 @@ BinnedInstances copy_instances(const gl::Dispatch& gl, const BinnedInstances& so
   const std::int64_t patches = patch_bytes * extent.instances;
   result.records = result.patches = result.commands = to.name();
   result.records_offset = 0;
-  result.patches_offset = records + chunk_overrun;
-  result.commands_offset = result.patches_offset + patches;
+  result.patches_offset = static_cast<GLintptr>(records + chunk_overrun);
+  result.commands_offset = result.patches_offset + static_cast<GLintptr>(patches);
   result.command_count = static_cast<GLsizei>(extent.commands.size() / command_words);
   to.copy_from(gl, sorted.records, sorted.records_offset, 0, records);
   to.copy_from(gl, sorted.patches, sorted.patches_offset, result.patches_offset, patches);

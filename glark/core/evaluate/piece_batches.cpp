@@ -82,7 +82,7 @@ void PieceBatches::add_tiles(const Pieces& pieces, const core::DrawPlan& plan,
 
 void PieceBatches::write_indices(const gl::Dispatch& gl, const core::GpuBuffer& to) const {
   std::vector<std::uint32_t> indices;
-  GLintptr written = 0;
+  std::int64_t written = 0;
   std::uint32_t first_vertex = 0;
   const auto flush = [&] {
     const auto bytes = static_cast<std::int64_t>(indices.size() * sizeof(indices[0]));

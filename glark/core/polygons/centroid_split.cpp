@@ -100,7 +100,8 @@ void CentroidSplit::write_table(const SplitRequest& request) {
     const std::uint32_t next[] = {words[words.size() - 2] + sides - 2, words.back() + sides};
     words.insert(words.end(), std::begin(next), std::end(next));
   }
-  gl_.BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, table_bytes(request), words.data());  // bound just now
+  gl_.BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(table_bytes(request)),
+                    words.data());  // bound just now
 }
 
 capture::CoarseTriangles CentroidSplit::split(const SplitRequest& request, GLuint captured_count) {

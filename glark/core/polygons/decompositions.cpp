@@ -61,7 +61,7 @@ std::vector<float> Decompositions::probe(GLenum mode, GLenum convention) {
     const capture::FeedbackAside aside(env_.gl, capture_.stage(), env_.bindings());
     plan.program = capture_.stage().program_for(layout, env_.ark.tag_attribute);
   }
-  std::vector<float> corners(3 * triangles, -1.0F);
+  std::vector<float> corners(static_cast<std::size_t>(3 * triangles), -1.0F);
   const bool drawn =
       plan.program != 0 && capture_.stage().reserve(layout, triangles) && draw_probe(mode, plan, corners);
   if (!drawn || std::find(corners.begin(), corners.end(), -1.0F) != corners.end()) {

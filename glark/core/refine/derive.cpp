@@ -295,6 +295,7 @@ class Deriver {
     std::vector<std::string> declarations(units_.size());
     for (std::size_t u = 0; u < units_.size(); ++u) declarations[u] = built_in_declarations(u);
     const std::string declarations_in_main = missing_declarations_in_main();
+    if (units_.size() == 1) declarations[0] += replace_indexed_outputs(units_[0], prefix_, plan_.outputs);
     for (VertexUnit& unit : units_) rewrite_unit(unit, prefix_, new_names_);
     for (std::size_t u = 0; u < units_.size(); ++u) {
       Tokens& tokens = units_[u].tokens;

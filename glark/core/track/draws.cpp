@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "glark/core/track/filled_draws.h"
 #include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
 
@@ -180,6 +181,11 @@ bool joins_strips(const Context& c, GLenum mode, GLsizei draws) {
   return c.state().lists().compiling() && mode == GL_TRIANGLE_STRIP && draws > 1;
 }
 
+// A list is compiled as the application asks: Mesa 22 turns a polygon of few vertices in a list into a triangle.
+track::FilledDraws filled_draws(const Context& c, GLenum mode, const GLsizei* count, GLsizei draws) {
+  return {mode, count, c.state().lists().compiling() ? 0 : draws};
+}
+
 }  // namespace
 
 using track::draw_arrays;
@@ -271,6 +277,7 @@ void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsize
 }
 
 void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
+  const track::FilledDraws filled = filled_draws(c, mode, count, draws);
   const track::Polygons polygons = track::polygons_of(c, mode, count, draws);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
@@ -278,13 +285,18 @@ void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei*
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
                   .from_arrays = true,
-                  .issue = [&] { c.gl().MultiDrawArrays(mode, first, count, draws); }});
+                  .issue = [&] {
+                    filled.needed()
+                        ? c.gl().MultiDrawArrays(mode, filled.arguments(first).data(), filled.counts(), draws)
+                        : c.gl().MultiDrawArrays(mode, first, count, draws);
+                  }});
 }
 
 void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                        GLsizei draws) {
   c.state().refresh();
   const bool exact = !track::restarts(c) && !joins_strips(c, mode, draws);
+  const track::FilledDraws filled = filled_draws(c, mode, count, draws);
   const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
@@ -293,23 +305,33 @@ void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
                   .polygon_sides = polygons.sides(),
                   .from_arrays = true,
                   .indexed = true,
-                  .issue = [&] { c.gl().MultiDrawElements(mode, count, type, indices, draws); }});
+                  .issue = [&] {
+                    filled.needed()
+                        ? c.gl().MultiDrawElements(mode, filled.counts(), type, filled.arguments(indices).data(), draws)
+                        : c.gl().MultiDrawElements(mode, count, type, indices, draws);
+                  }});
 }
 
 void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                                  GLsizei draws, const GLint* base_vertex) {
   c.state().refresh();
   const bool exact = !track::restarts(c) && !joins_strips(c, mode, draws);
+  const track::FilledDraws filled = filled_draws(c, mode, count, draws);
   const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
-  track::draw(c,
-              {.mode = mode,
-               .triangles = track::triangles_of_all(mode, count, draws),
-               .exact = exact,
-               .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
-               .polygon_sides = polygons.sides(),
-               .from_arrays = true,
-               .indexed = true,
-               .issue = [&] { c.gl().MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); }});
+  track::draw(c, {.mode = mode,
+                  .triangles = track::triangles_of_all(mode, count, draws),
+                  .exact = exact,
+                  .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
+                  .polygon_sides = polygons.sides(),
+                  .from_arrays = true,
+                  .indexed = true,
+                  .issue = [&] {
+                    filled.needed()
+                        ? c.gl().MultiDrawElementsBaseVertex(mode, filled.counts(), type,
+                                                             filled.arguments(indices).data(), draws,
+                                                             filled.arguments(base_vertex).data())
+                        : c.gl().MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex);
+                  }});
 }
 
 void Rectd(Context& c, GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {

@@ -143,20 +143,22 @@ void look_beyond(int half_edge) {
   vec3 face = face_normal_of(half_edge);
   bool bends = false;
   bool has_own = false;
-  int corner = half_edge;  // -1: the normal does not count
+  bool counts = true;
+  int corner = half_edge;
   uint side = tables[first_side(slot)];
-  for (int count = 0;; ++count) {
-    has_own = has_own || (corner >= 0 && is_normal_of(corner, face));
-    if (side == 0u || count == most_sides) {
-      break;
+  for (int left = most_sides; corner >= 0; --left) {
+    bool own = is_normal_of(corner, face);
+    has_own = has_own || (own && counts);
+    corner = -1;
+    if (side != 0u && left > 0) {
+      int other_half_edge = half_edge_of(side);
+      vec3 other = direction_of(other_half_edge);
+      float cosine = dot(direction, other);
+      counts = other != vec3(0.0) && cosine < same;
+      bends = bends || (counts && cosine > opposite);
+      corner = next_corner(next_corner(other_half_edge));
+      side = tables[next_side(other_half_edge)];
     }
-    int other_half_edge = half_edge_of(side);
-    vec3 other = direction_of(other_half_edge);
-    float cosine = dot(direction, other);
-    bool counts = other != vec3(0.0) && cosine < same;
-    bends = bends || (counts && cosine > opposite);
-    corner = counts ? next_corner(next_corner(other_half_edge)) : -1;
-    side = tables[next_side(other_half_edge)];
   }
   tables[edge_slots() + half_edge] |= (bends || side != 0u ? bends_beyond : 0u) | (has_own ? has_own_normal : 0u);
 }

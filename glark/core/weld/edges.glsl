@@ -33,35 +33,45 @@ int slot_of(int half_edge) {
   bool falling = is_falling(half_edge);
   int low = falling ? to : from;
   int high = falling ? from : to;
-  slot = first_slot_of_edge(low, high);
-  for (uint side = tables[2 * slot]; side != 0u; side = tables[2 * slot]) {
-    if (is_edge_of(low, high, side)) {
-      return slot;
-    }
-    slot = next_slot(slot);
+  int next = first_slot_of_edge(low, high);
+  uint side = tables[2 * next];
+  while (side != 0u && slot < 0) {
+    slot = is_edge_of(low, high, side) ? next : -1;
+    next = next_slot(next);
+    side = tables[2 * next];
   }
-  return -1;
+  return slot;
 }
 #endif
 
 #if GLARK_PASS == 2 || GLARK_PASS == 3
 int order_of_words(uvec4 own, uvec4 others) { return own == others ? 0 : before(own, others) ? -1 : 1; }
 
+// The planes decide first, then the positions, which differ within their cells. `by_plane` chooses, so that the
+// compiler has one copy of both.
+uvec4 content_of(int corner, bool by_plane) {
+#if GLARK_CREASED
+  int offset = by_plane ? normal_offset : position_offset;
+  uvec3 words = uvec3(word_of(corner, offset), word_of(corner, offset + 1), word_of(corner, offset + 2));
+  uint w = !by_plane && position_words > 3 ? word_of(corner, position_offset + 3) : 0u;
+  return by_plane ? plane_of_normal(words) : uvec4(words, w);
+#else
+  return plane_of(corner);
+#endif
+}
+
 // -1: `side` comes before `other`; 1: after it; 0: they are equal.
 int order_of(uint side, uint other) {
   int order = 0;
-  for (int end = 0; end < ends_of_edge && order == 0; ++end) {
-    order = order_of_words(plane_of(end_of_side(side, end == 1)), plane_of(end_of_side(other, end == 1)));
+  int steps = GLARK_CREASED == 1 ? 2 * ends_of_edge : ends_of_edge;
+  for (int i = 0; i < steps && order == 0; ++i) {
+    bool high = (i & 1) == 1;
+    order = order_of_words(content_of(end_of_side(side, high), i < 2), content_of(end_of_side(other, high), i < 2));
   }
 #if GLARK_DISPLACED
   for (int end = 0; end < ends_of_edge && order == 0 && border_offset >= 0; ++end) {
     order = order_of_words(uvec4(coordinate_of(end_of_side(side, end == 1)), 0u, 0u),
                            uvec4(coordinate_of(end_of_side(other, end == 1)), 0u, 0u));
-  }
-#endif
-#if GLARK_CREASED
-  for (int end = 0; end < ends_of_edge && order == 0; ++end) {  // positions differ within their cells
-    order = order_of_words(position_of(end_of_side(side, end == 1)), position_of(end_of_side(other, end == 1)));
   }
 #endif
   return order;
@@ -82,13 +92,16 @@ void rank_side(int word, uint side, int direction) {
 }
 
 int claim_slot(int low_place, int high_place, uint side) {
-  int slot = first_slot_of_edge(low_place, high_place);
-  for (;; slot = next_slot(slot)) {
-    uint taken = atomicCompSwap(tables[2 * slot], 0u, side);
+  int slot = -1;
+  int next = first_slot_of_edge(low_place, high_place);
+  while (slot < 0) {
+    uint taken = atomicCompSwap(tables[2 * next], 0u, side);
     if (taken == 0u || is_edge_of(low_place, high_place, taken)) {
-      return slot;
+      slot = next;
     }
+    next = next_slot(next);
   }
+  return slot;
 }
 
 // A triangle with two corners in one place is not a side of its edges: its normals belong to the triangles that it

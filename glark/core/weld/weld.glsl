@@ -26,8 +26,7 @@ int place_of(int corner) { return int(tables[vertex_slots() + corner]); }
 
 // The tangent plane of the normal. Of the two opposite directions, it is the one whose first nonzero component is
 // positive. Zero if the normal is zero or not finite.
-uvec4 plane_of(int corner) {
-  uvec3 words = uvec3(word_of(corner, normal_offset), word_of(corner, normal_offset + 1), word_of(corner, normal_offset + 2));
+uvec4 plane_of_normal(uvec3 words) {
   if (any(greaterThanEqual(words & 0x7fffffffu, uvec3(0x7f800000u)))) {
     return uvec4(0u);
   }
@@ -42,6 +41,8 @@ uvec4 plane_of(int corner) {
 uvec3 normal_words(int corner) {
   return uvec3(word_of(corner, normal_offset), word_of(corner, normal_offset + 1), word_of(corner, normal_offset + 2));
 }
+
+uvec4 plane_of(int corner) { return plane_of_normal(normal_words(corner)); }
 
 vec3 normal_of(int corner) {
   int word = record_offset + corner * corner_words + normal_offset;
@@ -67,13 +68,15 @@ void clear(int slot) {
 #elif GLARK_PASS == 1
 // Corners are in one place if they have the same cell and the same key. A place is named by its slot.
 void find_place(int corner) {
-  int slot = first_slot(hash_of_cell(corner), corner);
-  for (;; slot = next_slot(slot)) {
-    uint taken = atomicCompSwap(tables[vertex_table() + 2 * slot], 0u, uint(corner + 1));
+  int slot = -1;
+  int next = first_slot(hash_of_cell(corner), corner);
+  while (slot < 0) {
+    uint taken = atomicCompSwap(tables[vertex_table() + 2 * next], 0u, uint(corner + 1));
     int other = int(taken) - 1;
     if (taken == 0u || (order_of_cells(corner, other) == 0 && same_key(corner, other))) {
-      break;
+      slot = next;
     }
+    next = next_slot(next);
   }
   if (tag_offset >= 0) {
     float tag = uintBitsToFloat(word_of(corner, tag_offset));

@@ -7,8 +7,10 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -47,10 +49,13 @@ void read_segments(std::string_view bytes, ElfFile& file) {
   if (!header) return;
   file.machine = header->e_machine;
   for (unsigned i = 0; i < header->e_phnum; ++i) {
-    const auto segment = value_at<Segment>(bytes, header->e_phoff + std::size_t{i} * header->e_phentsize);
+    const std::uint64_t at = header->e_phoff + std::uint64_t{i} * header->e_phentsize;
+    const auto segment = value_at<Segment>(bytes, static_cast<std::size_t>(std::min<std::uint64_t>(at, bytes.size())));
     if (!segment) return;
     if (segment->p_type != PT_INTERP || segment->p_offset >= bytes.size()) continue;
-    const std::string_view text = bytes.substr(segment->p_offset, segment->p_filesz);
+    const std::string_view rest = bytes.substr(static_cast<std::size_t>(segment->p_offset));
+    const std::string_view text =
+        rest.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(segment->p_filesz, rest.size())));
     file.interpreter = std::string(text.substr(0, text.find('\0')));
   }
 }

@@ -5,7 +5,8 @@
  *
  * The C functions do what the C++ functions of the same names in glark/NAME.h do; those headers say which values are
  * allowed. The same library has both. Every function that can fail returns a code, and takes a glark_error that may be
- * NULL. After a failure, nothing is written to other results.
+ * NULL. After a failure, nothing is written to other results. Functions that only read an object take a NULL object, too:
+ * it has nothing, so they return 0 or an empty array.
  * Arrays are a pointer and a number of elements. A count of 0 with NULL is an empty array. */
 #ifndef GLARK_C_TYPES_H
 #define GLARK_C_TYPES_H

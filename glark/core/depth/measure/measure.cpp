@@ -13,9 +13,15 @@ constexpr char measure_source[] =
 #include "glark/core/depth/measure/measure.glsl.inc"
     ;
 
-// Uniforms of the pass that makes the limits.
-constexpr const char* limit_names[] = {"pixels", "radians_of_turn", "error", "budget", "restart", "most_change"};
-enum LimitUniform : std::size_t { pixels, radians_of_turn, error, budget, restart_limits, most_change };
+// The end of the limits' buffer, as measure.glsl reads it.
+struct LimitRule {
+  GLfloat pixels;
+  GLfloat radians_of_turn;
+  GLfloat error;
+  GLfloat budget;
+  GLfloat most_change;
+  GLfloat restart;  // 1: all depths begin at no coarseness. The pass that makes the limits sets it to 0
+};
 
 // Uniforms of the pass that measures; all but the last are integers.
 constexpr const char* depth_names[] = {"record_offset",   "corner_words",      "normal_offset",
@@ -25,7 +31,8 @@ constexpr const char* depth_names[] = {"record_offset",   "corner_words",      "
                                        "half_size"};
 constexpr std::size_t half_size = 12;
 
-constexpr std::int64_t limit_bytes = 4 * (1 + 2 * limit_depths + 1);
+constexpr std::int64_t rule_offset = 4 * (1 + 2 * limit_depths + 1);
+constexpr std::int64_t limit_bytes = rule_offset + sizeof(LimitRule);
 constexpr float most_change_while_morphing =
     1.0F / 16;  // of a level in a frame: at 60 frames a second, a quarter of a second
 
@@ -66,7 +73,7 @@ core::ComputeText measuring_pass(capture::Language language, std::uint64_t pass,
 // Tries to compile each pass only once.
 bool MeasureStage::prepare(const Measures& measures) {
   if (limits_.name() == 0 && depth_passes_.empty()) {
-    limits_pass_.build(gl_, measuring_pass(language_, 0, {}), limit_names);
+    limits_pass_.build(gl_, measuring_pass(language_, 0, {}), {});
     limits_.allocate(gl_, limit_bytes, nullptr, GL_DYNAMIC_COPY);
   }
   const auto [entry, fresh] = depth_passes_.try_emplace(measures);
@@ -92,17 +99,22 @@ void MeasureStage::update_limits(const core::EdgeMeasure& rule, bool morphs, GLu
   if (!restart && !(frame_finished_ && rule.budget > 0)) {
     return;
   }
+  if (restart || morphs != morphs_) {
+    const LimitRule words{.pixels = rule.pixels,
+                          .radians_of_turn = rule.degrees * std::numbers::pi_v<float> / 180.0F,
+                          .error = rule.error,
+                          .budget = static_cast<GLfloat>(rule.budget),
+                          .most_change = morphs ? most_change_while_morphing : 0.0F,
+                          .restart = restart ? 1.0F : 0.0F};
+    gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    limits_.write(gl_, rule_offset, sizeof(words), &words);
+  }
   rule_ = rule;
+  morphs_ = morphs;
   frame_finished_ = false;
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, limits_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, work);
   limits_pass_.use(gl_);
-  gl_.Uniform1f(limits_pass_.location(pixels), rule.pixels);
-  gl_.Uniform1f(limits_pass_.location(radians_of_turn), rule.degrees * std::numbers::pi_v<float> / 180.0F);
-  gl_.Uniform1f(limits_pass_.location(error), rule.error);
-  gl_.Uniform1i(limits_pass_.location(budget), static_cast<GLint>(rule.budget));
-  gl_.Uniform1i(limits_pass_.location(restart_limits), restart ? 1 : 0);
-  gl_.Uniform1f(limits_pass_.location(most_change), morphs ? most_change_while_morphing : 0.0F);
   core::ComputePass::dispatch(gl_, 1);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

@@ -6,7 +6,9 @@
 // measured_edge.glsl needs.
 //
 // The limits: word 0 is the coarseness (float: how many depths the budget takes away). Then come for each depth a pixel
-// limit and a cosine limit (edge_depth.glsl), and one error limit (screen_error.glsl).
+// limit and a cosine limit (edge_depth.glsl), and one error limit (screen_error.glsl). Then comes the rule that the limits
+// follow, in the order of LimitRule (measure.cpp). Uniforms would not do: with zink (Mesa 22), this pass never sees that
+// they change.
 #if GLARK_PASS == 0
 
 layout(local_size_x = 1) in;
@@ -14,12 +16,7 @@ layout(local_size_x = 1) in;
 layout(std430, binding = 0) buffer Limits { float limits[]; };
 layout(std430, binding = 1) buffer Work { uint work[]; };  // bins.glsl; word 2 counts the triangles of the last frame
 
-uniform float pixels;
-uniform float radians_of_turn;
-uniform float error;  // in pixels
-uniform int budget;  // 0: none
-uniform int restart;
-uniform float most_change;  // of the coarseness, from one frame to the next; 0: no limit
+const int rule = 2 + 2 * GLARK_DEPTHS;
 
 const float pi = 3.14159265;
 // A fraction of the budget. If a frame uses fewer triangles, depths grow again. All edges may grow by one depth at
@@ -37,9 +34,15 @@ float next_coarseness(float coarseness, float use) {
 }
 
 void main() {
+  float pixels = limits[rule];
+  float radians_of_turn = limits[rule + 1];
+  float error = limits[rule + 2];  // in pixels
+  float budget = limits[rule + 3];  // 0: none
+  float most_change = limits[rule + 4];  // of the coarseness, from one frame to the next; 0: no limit
+  bool restart = limits[rule + 5] != 0.0;
   float coarseness = 0.0;
-  if (budget > 0 && restart == 0) {
-    float use = float(work[2]) / float(budget);
+  if (budget > 0.0 && !restart) {
+    float use = float(work[2]) / budget;
     coarseness = next_coarseness(limits[0], use);
     if (most_change > 0.0 && use <= most_use) {
       coarseness = clamp(coarseness, limits[0] - most_change, limits[0] + most_change);
@@ -47,6 +50,7 @@ void main() {
     coarseness = clamp(coarseness, 0.0, float(GLARK_DEPTHS));
   }
   work[2] = 0u;
+  limits[rule + 5] = 0.0;
   limits[0] = coarseness;
   for (int depth = 0; depth < GLARK_DEPTHS; ++depth) {
     float segments = exp2(float(depth) + coarseness);

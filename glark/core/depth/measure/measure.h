@@ -68,6 +68,7 @@ class MeasureStage {
   ScreenPositions positions_;
   ShownEdges shown_;
   core::EdgeMeasure rule_;  // the limits are made for this rule
+  bool morphs_ = false;     // and for draws that morph
   bool frame_finished_ = false;
 };
 

@@ -62,7 +62,7 @@ void enable_chunks(const gl::Dispatch& gl, GLuint first, int from, int to) {
 // The positions of the last triangles take whole threes.
 GLintptr ScreenPositions::words_offset(int points) const {
   const std::int64_t triangles = (buffer_.size() - 2 * points * position_bytes) / bytes_a_triangle(points);
-  return (triangles + 2) * points * position_bytes;
+  return static_cast<GLintptr>((triangles + 2) * points * position_bytes);
 }
 
 bool ScreenPositions::has_room(std::uint32_t triangles, int points) const {

@@ -28,7 +28,8 @@ struct InputVariable {
 // An output of the vertex stage, declared in or (built-in) assigned to unit `unit`.
 struct OutputVariable {
   std::size_t unit = 0;
-  std::string path;  // "color", "block.color", "gl_Position"
+  std::string path;     // "color", "block.color", "gl_Position"
+  std::string written;  // the global that the stage writes in its place; empty: the output itself
   std::string type;
   std::vector<std::string> sizes;  // array sizes, none open
   bool flat = false;
@@ -120,6 +121,11 @@ bool is_flat(const OutputVariable& output, const std::vector<Structure>& structu
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types);
 bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit);
 bool unit_has_screen_outputs(const EpiloguePlan& plan, std::size_t unit);
+
+// indexed_outputs.cpp: lets the stage write globals in place of arrays of outputs whose index is not constant. Compilers
+// make a choice among all elements of such an output wherever it is written, and the stage is inlined at each corner. A
+// global stays an array. Returns the declarations of the globals, and sets OutputVariable::written.
+std::string replace_indexed_outputs(VertexUnit& unit, const std::string& prefix, std::vector<OutputVariable>& outputs);
 
 // Functions "@begin_<unit>", "@gather_<unit>" and "@settle_<unit>": see add_functions().
 std::string morph_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& added_types);

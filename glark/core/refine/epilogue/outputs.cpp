@@ -369,8 +369,9 @@ std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet
       paths.push_back(saved);
       if (interpolated && copied && slot != plan.provoking_corner) continue;
       variables += declaration(output, saved);
-      saves[slot] += output.clamped ? "  " + saved + " = clamp(" + output.path + ", 0.0, 1.0);\n"
-                                    : statements.copy(output.sizes, {saved, output.path});
+      const std::string& written = output.written.empty() ? output.path : output.written;
+      saves[slot] += output.clamped ? "  " + saved + " = clamp(" + written + ", 0.0, 1.0);\n"
+                                    : statements.copy(output.sizes, {saved, written});
     }
     const std::string& source = paths[interpolated ? 1 + plan.provoking_corner : 1];
     if (copied) {

@@ -46,6 +46,28 @@ TEST(DeriveOutputs, VertexIdIsThatOfTheCorners) {
   EXPECT_EQ(middle(e), (std::vector<float>{20}));
 }
 
+// The names of the array and of a swizzle are the same.
+TEST(DeriveOutputs, AnArrayWithAnIndexIsWrittenAsAGlobal) {
+  ASSERT_TRUE(make_current(Api::core));
+  const Experiment e = experiment(
+      "#version 330 core\nuniform int i; in float a; out float st[3]; void main() { st[2 - i] = a * a; st[i] = a; "
+      "st[i + 1] = vec4(1, 2, 3, 4).st.x; gl_Position = vec4(st[2]); }",
+      {"st[0]", "st[1]", "st[2]", "gl_Position"}, 7);
+  EXPECT_EQ(middle(e), (std::vector<float>{5, 1, 36, 36, 36, 36, 36}));
+  const Derivation derivation = derive_vertex_stage(e.request);
+  EXPECT_NE(derivation.vertex_sources.at(0).find("glark_written_st[i]"), std::string::npos);
+}
+
+// The API sees the member of the structure, so its name must stay.
+TEST(DeriveOutputs, AnArrayKeepsItsNameIfAMemberHasIt) {
+  ASSERT_TRUE(make_current(Api::core));
+  const Experiment e = experiment(
+      "#version 330 core\nstruct S { int m; }; uniform S s; in float a; out float m[2]; void main() { m[s.m] = a; "
+      "m[1] = a * a; gl_Position = vec4(1); }",
+      {"m[0]", "m[1]"}, 2);
+  EXPECT_EQ(middle(e), (std::vector<float>{5, 36}));
+}
+
 TEST(DeriveOutputs, FlatAndIntegerOutputsTakeTheProvokingCorner) {
   ASSERT_TRUE(make_current(Api::core));
   Experiment e = experiment(

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Faults of OpenGL drivers, each shown by a few calls and without glark. Prints the driver, then a line for each fault:
+// its name, "yes", "no" or "unknown" (the driver lacks the feature), and what the driver did.
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <stdio.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define MOST_CORNERS 64
+
+typedef struct {
+  unsigned triangles;
+  float corners[MOST_CORNERS];  // the number of each vertex
+} Capture;
+
+static GLuint program_of(GLenum stage, const char* source, const char* captured) {
+  const GLuint shader = glCreateShader(stage);
+  const GLuint program = glCreateProgram();
+  glShaderSource(shader, 1, &source, NULL);
+  glCompileShader(shader);
+  glAttachShader(program, shader);
+  if (captured != NULL) {
+    glTransformFeedbackVaryings(program, 1, &captured, GL_INTERLEAVED_ATTRIBS);
+  }
+  glLinkProgram(program);
+  glUseProgram(program);
+  return program;
+}
+
+// Adds a fragment shader, and links again.
+static void add_fragment_shader(GLuint program, const char* source) {
+  const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER);
+  glShaderSource(shader, 1, &source, NULL);
+  glCompileShader(shader);
+  glAttachShader(program, shader);
+  glLinkProgram(program);
+}
+
+static void bind_result(void) {
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, sizeof(float) * MOST_CORNERS, NULL, GL_STREAM_READ);
+}
+
+// The triangles that the driver makes of a draw.
+static Capture capture(void (*draw)(GLenum), GLenum mode) {
+  Capture result;
+  GLuint query = 0;
+  glGenQueries(1, &query);
+  bind_result();
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  draw(mode);
+  glEndTransformFeedback();
+  glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+  glDisable(GL_RASTERIZER_DISCARD);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &result.triangles);
+  glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, sizeof(result.corners), result.corners);
+  glDeleteQueries(1, &query);
+  return result;
+}
+
+static void print_fault(const char* name, unsigned found, unsigned expected, const char* what) {
+  printf("%s: %s: %u %s, expected %u\n", name, found == expected ? "no" : "yes", found, what, expected);
+}
+
+static void draw_with_an_empty_draw(GLenum mode) {
+  const GLint first[] = {0, 4, 4};
+  const GLsizei count[] = {4, 0, 4};
+  glMultiDrawArrays(mode, first, count, 3);
+}
+
+static void draw_with_restart(GLenum mode) {
+  glEnable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+  glDrawElements(mode, 9, GL_UNSIGNED_SHORT, NULL);
+  glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+}
+
+// OpenGL 4.6 compatibility, 10.1 and 10.3.6: two quads are four triangles.
+static void show_polygons(void) {
+  static const GLushort indices[] = {0, 1, 2, 3, 0xFFFF, 4, 5, 6, 7};
+  static const struct {
+    const char* name;
+    GLenum mode;
+    void (*draw)(GLenum);
+  } rows[] = {{"empty_draw_quads", GL_QUADS, draw_with_an_empty_draw},
+              {"empty_draw_quad_strip", GL_QUAD_STRIP, draw_with_an_empty_draw},
+              {"empty_draw_polygon", GL_POLYGON, draw_with_an_empty_draw},
+              {"restart_quads", GL_QUADS, draw_with_restart},
+              {"restart_quad_strip", GL_QUAD_STRIP, draw_with_restart},
+              {"restart_polygon", GL_POLYGON, draw_with_restart}};
+  GLuint buffer = 0;
+  program_of(GL_VERTEX_SHADER,
+             "#version 330 compatibility\nout float number;\n"
+             "void main() { number = float(gl_VertexID); gl_Position = vec4(1.0); }\n",
+             "number");
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof(indices), indices, GL_STATIC_DRAW);
+  for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); ++i) {
+    print_fault(rows[i].name, capture(rows[i].draw, rows[i].mode).triangles, 4, "triangles of two polygons");
+  }
+}
+
+static GLuint captured_points = 0;  // a transform feedback object that has captured eight vertices
+
+static void draw_captured(GLenum mode) { glDrawTransformFeedback(mode, captured_points); }
+
+// OpenGL 4.6, 13.3.2: the draw equals DrawArrays with as many vertices as were captured.
+static void show_captured_polygons(void) {
+  GLuint buffer = 0;
+  glGenTransformFeedbacks(1, &captured_points);
+  glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, captured_points);
+  glGenBuffers(1, &buffer);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 8 * sizeof(float), NULL, GL_DYNAMIC_COPY);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, 8);
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+  program_of(GL_VERTEX_SHADER,
+             "#version 330 compatibility\nlayout(location = 0) in float value; out float number;\n"
+             "void main() { number = value; gl_Position = vec4(1.0); }\n",
+             "number");
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glVertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 0, NULL);
+  glEnableVertexAttribArray(0);
+  print_fault("captured_triangle_fan", capture(draw_captured, GL_TRIANGLE_FAN).triangles, 6, "triangles of a fan");
+  print_fault("captured_quads", capture(draw_captured, GL_QUADS).triangles, 4, "triangles of two quads");
+  print_fault("captured_quad_strip", capture(draw_captured, GL_QUAD_STRIP).triangles, 6, "triangles of a quad strip");
+  print_fault("captured_polygon", capture(draw_captured, GL_POLYGON).triangles, 6, "triangles of a polygon");
+}
+
+// OpenGL 4.6, 5.1.3: the name of a deleted buffer is free, although a vertex array still holds the buffer.
+static void show_name_of_deleted_buffer(void) {
+  const float values[] = {1, 2};
+  GLuint arrays[2] = {0, 0};
+  GLuint buffer = 0;
+  float found = 0;
+  program_of(GL_VERTEX_SHADER,
+             "#version 430\nlayout(location = 0) in float value; out float number;\n"
+             "void main() { number = value; gl_Position = vec4(1.0); }\n",
+             "number");
+  glGenVertexArrays(2, arrays);
+  glGenBuffers(1, &buffer);
+  for (int i = 0; i < 2; ++i) {
+    glBindVertexArray(arrays[0]);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, sizeof(float), &values[i], GL_STATIC_DRAW);
+    glVertexAttribFormat(0, 1, GL_FLOAT, GL_FALSE, 0);
+    glVertexAttribBinding(0, 0);
+    glEnableVertexAttribArray(0);
+    glBindVertexBuffer(0, buffer, 0, sizeof(float));
+    if (i == 0) {
+      glBindVertexArray(arrays[1]);
+      glBindBuffer(GL_ARRAY_BUFFER, 0);
+      glDeleteBuffers(1, &buffer);
+    }
+  }
+  bind_result();
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, 1);
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, sizeof(found), &found);
+  print_fault("name_of_deleted_buffer", (unsigned)found, 2, "is the value of the new buffer");
+}
+
+static int make_context(void) {
+  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+  if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API)) {
+    return 0;
+  }
+  const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, NULL);
+  return context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
+}
+
+static void bind_framebuffer(void) {
+  GLuint framebuffer = 0;
+  GLuint colours = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glGenRenderbuffers(1, &colours);
+  glBindRenderbuffer(GL_RENDERBUFFER, colours);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 8, 8);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours);
+  glViewport(0, 0, 8, 8);  // without a surface, it is empty
+}
+
+// Captures with a clip distance that the program does not write, and draws with a program that writes it.
+static void capture_and_clip(void) {
+  const float corners[] = {-1, -1, 1, -1, 0, 1};
+  GLuint buffer = 0;
+  GLubyte pixel[4];
+  const GLuint clipped =
+      program_of(GL_VERTEX_SHADER,
+                 "#version 430\nlayout(location = 0) in vec2 position; out float gl_ClipDistance[1];\n"
+                 "void main() { gl_Position = vec4(position, 0.0, 1.0); gl_ClipDistance[0] = position.x; }\n",
+                 NULL);
+  add_fragment_shader(clipped, "#version 430\nout vec4 colour; void main() { colour = vec4(1.0); }\n");
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER, sizeof(corners), corners, GL_STATIC_DRAW);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, NULL);
+  glEnableVertexAttribArray(0);
+  glEnable(GL_CLIP_DISTANCE0);
+  program_of(GL_VERTEX_SHADER,
+             "#version 430\nlayout(location = 0) in vec2 position; out vec4 number;\n"
+             "void main() { number = vec4(position, 0.0, 1.0); gl_Position = vec4(position, 0.0, 1.0); }\n",
+             "number");
+  bind_result();
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glUseProgram(clipped);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+}
+
+// Runs `draw` in a process of its own. Call before there is a context.
+static unsigned signal_of(void (*draw)(void)) {
+  int status = 0;
+  const pid_t child = fork();
+  if (child == 0) {
+    GLuint array = 0;
+    if (make_context()) {
+      bind_framebuffer();
+      glGenVertexArrays(1, &array);
+      glBindVertexArray(array);
+      draw();
+    }
+    _exit(0);
+  }
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status) ? (unsigned)WTERMSIG(status) : 0;
+}
+
+int main(void) {
+  const unsigned clip_signal = signal_of(capture_and_clip);
+  GLint major = 0;
+  GLint minor = 0;
+  GLuint array = 0;
+  if (!make_context()) {
+    fputs("faults: EGL gives no context of OpenGL\n", stderr);
+    return 1;
+  }
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  printf("renderer: %s\nversion: %s\n", (const char*)glGetString(GL_RENDERER), (const char*)glGetString(GL_VERSION));
+  print_fault("capture_and_clip", clip_signal, 0, "is the signal that ends a program");
+  bind_framebuffer();
+  glGenVertexArrays(1, &array);
+  glBindVertexArray(array);
+  show_polygons();
+  if (10 * major + minor >= 43) {
+    show_captured_polygons();
+    show_name_of_deleted_buffer();
+  } else {
+    puts("captured_quads: unknown: needs OpenGL 4.0\nname_of_deleted_buffer: unknown: needs OpenGL 4.3");
+  }
+  return 0;
+}
