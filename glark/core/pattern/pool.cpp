@@ -7,8 +7,8 @@
 #include <string>
 
 #include "glark/core/pattern/pieces/border_pieces.h"
-#include "glark/core/pattern/uniform_order.h"
 #include "glark/core/pattern/pieces/whole_pieces.h"
+#include "glark/core/pattern/uniform_order.h"
 
 namespace glark::pattern {
 namespace {
