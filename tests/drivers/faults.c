@@ -9,7 +9,8 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <stdio.h>
-#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #define MOST_CORNERS 64
 
@@ -30,6 +31,15 @@ static GLuint program_of(GLenum stage, const char* source, const char* captured)
   glLinkProgram(program);
   glUseProgram(program);
   return program;
+}
+
+// Adds a fragment shader, and links again.
+static void add_fragment_shader(GLuint program, const char* source) {
+  const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER);
+  glShaderSource(shader, 1, &source, NULL);
+  glCompileShader(shader);
+  glAttachShader(program, shader);
+  glLinkProgram(program);
 }
 
 static void bind_result(void) {
@@ -185,9 +195,61 @@ static void bind_framebuffer(void) {
   glBindRenderbuffer(GL_RENDERBUFFER, colours);
   glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 8, 8);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours);
+  glViewport(0, 0, 8, 8);  // without a surface, it is empty
+}
+
+// Captures with a clip distance that the program does not write, and draws with a program that writes it.
+static void capture_and_clip(void) {
+  const float corners[] = {-1, -1, 1, -1, 0, 1};
+  GLuint buffer = 0;
+  GLubyte pixel[4];
+  const GLuint clipped =
+      program_of(GL_VERTEX_SHADER,
+                 "#version 430\nlayout(location = 0) in vec2 position; out float gl_ClipDistance[1];\n"
+                 "void main() { gl_Position = vec4(position, 0.0, 1.0); gl_ClipDistance[0] = position.x; }\n",
+                 NULL);
+  add_fragment_shader(clipped, "#version 430\nout vec4 colour; void main() { colour = vec4(1.0); }\n");
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER, sizeof(corners), corners, GL_STATIC_DRAW);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, NULL);
+  glEnableVertexAttribArray(0);
+  glEnable(GL_CLIP_DISTANCE0);
+  program_of(GL_VERTEX_SHADER,
+             "#version 430\nlayout(location = 0) in vec2 position; out vec4 number;\n"
+             "void main() { number = vec4(position, 0.0, 1.0); gl_Position = vec4(position, 0.0, 1.0); }\n",
+             "number");
+  bind_result();
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glUseProgram(clipped);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+}
+
+// Runs `draw` in a process of its own. Call before there is a context.
+static unsigned signal_of(void (*draw)(void)) {
+  int status = 0;
+  const pid_t child = fork();
+  if (child == 0) {
+    GLuint array = 0;
+    if (make_context()) {
+      bind_framebuffer();
+      glGenVertexArrays(1, &array);
+      glBindVertexArray(array);
+      draw();
+    }
+    _exit(0);
+  }
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status) ? (unsigned)WTERMSIG(status) : 0;
 }
 
 int main(void) {
+  const unsigned clip_signal = signal_of(capture_and_clip);
   GLint major = 0;
   GLint minor = 0;
   GLuint array = 0;
@@ -198,6 +260,7 @@ int main(void) {
   glGetIntegerv(GL_MAJOR_VERSION, &major);
   glGetIntegerv(GL_MINOR_VERSION, &minor);
   printf("renderer: %s\nversion: %s\n", (const char*)glGetString(GL_RENDERER), (const char*)glGetString(GL_VERSION));
+  print_fault("capture_and_clip", clip_signal, 0, "is the signal that ends a program");
   bind_framebuffer();
   glGenVertexArrays(1, &array);
   glBindVertexArray(array);

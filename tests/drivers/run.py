@@ -28,6 +28,7 @@ PLATFORMS = {"egl": ("gl-compat", "gl-core", "gles"), "glx": ("gl-compat", "gl-c
 STEPS = ("faults", "conformance", "clients", "piglit")
 CASES_A_PROCESS = "40"
 CASE_SECONDS = "300"
+SOCKET = pathlib.Path("/tmp/.virgl_test")  # Mesa 22 loses the connection at any other path
 # Client -> options of tests/clients/run_client.py, program. "@" stands for the folder of our clients.
 CLIENTS = {
     "egl_impostors": ("--mode", "@client_egl_impostors"),
@@ -90,19 +91,17 @@ class Judge:
         if not self.driver_.server:
             yield
             return
-        with tempfile.TemporaryDirectory() as folder:
-            socket = pathlib.Path(folder) / "socket"
-            environment = dict(os.environ, GALLIUM_DRIVER="llvmpipe", LIBGL_ALWAYS_SOFTWARE="1")
-            program = subprocess.Popen([self.driver_.server, "--use-egl-surfaceless", f"--socket-path={socket}"], env=environment,
-                                       stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            self.environment_["VTEST_SOCKET_NAME"] = str(socket)
-            try:
-                while not socket.exists() and program.poll() is None:
-                    time.sleep(0.05)
-                yield
-            finally:
-                program.terminate()
-                program.wait()
+        SOCKET.unlink(missing_ok=True)
+        environment = {name: value for name, value in os.environ.items() if name != "GALLIUM_DRIVER"}
+        program = subprocess.Popen([self.driver_.server, "--use-egl-surfaceless"], env=environment, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            while not SOCKET.exists() and program.poll() is None:
+                time.sleep(0.05)
+            yield
+        finally:
+            program.terminate()
+            program.wait()
 
     def run(self, command: list, seconds: float = 3600) -> subprocess.CompletedProcess:
         return subprocess.run([str(word) for word in command], env=self.environment_, stdin=subprocess.DEVNULL,

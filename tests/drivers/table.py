@@ -10,7 +10,12 @@ HERE = pathlib.Path(__file__).resolve().parent
 BEGIN, END = "<!-- drivers -->", "<!-- end of drivers -->"
 CELLS = [f"{platform}-{api}" for platform, apis in (("egl", ("gl-compat", "gl-core", "gles")), ("glx", ("gl-compat", "gl-core", "gles")),
                                                     ("osmesa", ("gl-compat", "gl-core"))) for api in apis]
+UNKNOWN = "not explained"
 GOOD = ("Pass", "NotSupported", "QualityWarning", "Unimplemented")
+
+
+def version_of(text: str) -> str:
+    return re.sub(r".*(Mesa [0-9.]+).*", r"\1", text)
 
 
 class Row:
@@ -21,11 +26,13 @@ class Row:
         lines = (folder / "faults.txt").read_text().splitlines() if (folder / "faults.txt").exists() else []
         said = dict(line.split(": ", 1) for line in lines)
         self.obstacle = said.pop("cannot run", "")
-        self.version = re.sub(r".*(Mesa [0-9.]+).*", r"\1", said.pop("version", ""))
+        self.version = version_of(said.pop("version", ""))
         self.renderer = said.pop("renderer", "")
         self.faults = {name: text.split(": ", 1)[1] for name, text in said.items() if text.startswith("yes")}
         self.cells = {cell: json.loads(file.read_text()) for cell in CELLS
                       if (file := folder / cell / "results.json").exists()}
+        for results in self.cells.values():
+            self.version = self.version or version_of(results["environment"]["version"])
         self.clients = json.loads((folder / "clients.json").read_text()) if (folder / "clients.json").exists() else {}
         self.piglit = self.piglit_of(folder / "piglit.txt")
 
@@ -59,7 +66,7 @@ def reason_of(row: Row, case: str) -> str:
     for driver, pattern, reason in reasons():
         if re.fullmatch(driver, row.title) and re.fullmatch(pattern, case):
             return reason
-    return "not explained"
+    return UNKNOWN
 
 
 def cell_text(row: Row, cell: str, all_cases: int) -> str:
@@ -81,21 +88,37 @@ def piglit_text(row: Row) -> str:
     return ", ".join(f"{mode} {same} of {tests}" for mode, (same, tests) in row.piglit.items()) or "-"
 
 
+def failures_of(row: Row) -> list:
+    """A line for each reason, and for each case without one."""
+    groups = {}
+    for case, (cells, said) in sorted(row.bad().items()):
+        reason = reason_of(row, case)
+        reason = f"{reason}: {said}" if reason == UNKNOWN else reason
+        cases, where = groups.setdefault(reason, ([], set()))
+        cases.append(f"`{case}`")
+        where.update(cells)
+    for client, said in row.clients.items():
+        if said:
+            reason = reason_of(row, "client " + client)
+            groups.setdefault(f"{reason}: {said}", ([], set()))[0].append(f"client {client}")
+    return [f"| {row.title} | {', '.join(cases)} | {', '.join(sorted(where))} | {reason} |" for reason, (cases, where) in groups.items()]
+
+
 def lines_of(rows: list) -> list:
     lines = ["| driver | " + " | ".join(CELLS) + " | clients | piglit |", "|---" * (len(CELLS) + 3) + "|"]
     all_cases = max((len(results["results"]) for row in rows for results in row.cells.values()), default=0)
     for row in rows:
         cells = [cell_text(row, cell, all_cases) for cell in CELLS] if not row.obstacle else [f"cannot run: {row.obstacle}"]
         lines.append(f"| {row.title} | " + " | ".join(cells) + f" | {clients_text(row)} | {piglit_text(row)} |")
-    lines += ["", "### What fails", "", "| driver | case | where | what | why |", "|---|---|---|---|---|"]
+    lines += ["", "### What fails", "", "| driver | cases | where | why |", "|---|---|---|---|"]
     for row in rows:
-        for case, (cells, said) in sorted(row.bad().items()):
-            lines.append(f"| {row.title} | `{case}` | {', '.join(cells)} | {said} | {reason_of(row, case)} |")
-        for client, said in row.clients.items():
-            if said:
-                lines.append(f"| {row.title} | client {client} | | {said} | {reason_of(row, 'client ' + client)} |")
-    lines += ["", "### Faults without glark", "", "| driver | fault | what the driver does |", "|---|---|---|"]
-    lines += [f"| {row.title} | `{name}` | {said} |" for row in rows for name, said in row.faults.items()]
+        lines += failures_of(row)
+    faults = {}
+    for row in rows:
+        for name, said in row.faults.items():
+            faults.setdefault((name, said), []).append(row.title)
+    lines += ["", "### Faults without glark", "", "| fault | what the driver does | drivers |", "|---|---|---|"]
+    lines += [f"| `{name}` | {said} | {'; '.join(titles)} |" for (name, said), titles in sorted(faults.items())]
     return lines
 
 

@@ -9,7 +9,7 @@ import table
 
 
 def results(**verdicts: str) -> str:
-    return json.dumps({"results": [{"name": name.replace("_", "."), "verdict": verdict, "messages": [f"{name} differs"], "output": ""}
+    return json.dumps({"environment": {"version": "4.6 Mesa 22.3.6"}, "results": [{"name": name.replace("_", "."), "verdict": verdict, "messages": [f"{name} differs"], "output": ""}
                                    for name, verdict in verdicts.items()]})
 
 
@@ -37,6 +37,12 @@ class Table(unittest.TestCase):
         self.assertEqual(table.cell_text(self.row(), "egl-gl-core", 3), "-")
         self.assertEqual(table.cell_text(self.row(), "egl-gles", 12), "1 (1 in 4), **1 fail**")
         self.assertEqual(self.row().bad(), {"ark.c": (["egl-gles", "glx-gl-core"], "ark_c differs")})
+
+    def test_a_line_for_each_reason(self) -> None:
+        self.add("egl-gles", ark_a="Fail", ark_b="Fail", **{"ark_coarse_centroid_restart": "Fail"})
+        lines = table.failures_of(self.row())
+        self.assertEqual(len(lines), 3)
+        self.assertIn("| zink, Mesa 22.3.6 | `ark.a` | egl-gles | not explained: ark_a differs |", lines)
 
     def test_only_faults_that_are_there(self) -> None:
         self.assertEqual(self.row().faults, {"restart_polygon": "6 triangles, expected 4"})
