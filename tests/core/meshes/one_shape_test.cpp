@@ -197,27 +197,6 @@ TEST_P(OneShape, StaysFlatWithShadowVolumes) {
   EXPECT_TRUE(frames[3] == frames[0]);
 }
 
-// The edges of a body come apart if each of its polygons is a draw of its own: the normals of a panel look like those of a
-// ball's facet.
-TEST(LonePolygons, StayAsTheyAre) {
-  EXPECT_TRUE(as_under_glark_run);
-  const OsmesaContext context{Profile::compatibility};
-  glEnable(GL_DEPTH_TEST);
-  const std::vector<std::array<GLfloat, 3>> corners = ball_corners();
-  for (const GLenum mode : {GL_TRIANGLES, GL_POLYGON, GL_TRIANGLE_STRIP}) {
-    const std::vector<Picture> frames = draw_frames(5, [&] {
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (i % 3 == 0) glBegin(mode);
-        glNormal3fv(corners[i].data());
-        glVertex3fv(corners[i].data());
-        if (i % 3 == 2) glEnd();
-      }
-    });
-    EXPECT_TRUE(frames[4] == frames[0]) << mode;
-    EXPECT_NEAR(covered_pixels(frames[4]), octahedron_pixels, octahedron_pixels / 50) << mode;
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(, OneShape,
                          testing::Values(Source::buffer, Source::client_memory, Source::list, Source::immediate),
                          source_name);
