@@ -109,11 +109,7 @@ void bind_surface(py::module_& module) {
           py::arg("patch"), py::arg("barycentric"), "The position and the normal at (w, u, v).");
 }
 
-}  // namespace
-
-void bind_qas(py::module_& parent) {
-  py::module_ module = parent.def_submodule("qas", "Subdivision surfaces in real time.");
-  bind_surface(module);
+void bind_loop(py::module_& module) {
   py::class_<Loop>(module, "LoopSurface", "The exact limit surface of Loop's scheme.")
       .def(py::init([](std::size_t vertices, const Array<std::uint32_t>& triangles,
                        const OptionalArray<std::uint32_t>& creases) {
@@ -139,6 +135,14 @@ void bind_qas(py::module_& parent) {
           "refine", [](const Loop& loop, unsigned level, unsigned threads) { return refine(loop, level, threads); },
           py::arg("level"), py::arg("threads") = 0,
           "Positions and normals of all triangles at the vertices of the uniform pattern of a level, 0 to 11.");
+}
+
+}  // namespace
+
+void bind_qas(py::module_& parent) {
+  py::module_ module = parent.def_submodule("qas", "Subdivision surfaces in real time.");
+  bind_surface(module);
+  bind_loop(module);
   const qas::ShaderInputs names;
   module.def(
       "refinement_shader",

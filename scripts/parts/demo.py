@@ -118,7 +118,7 @@ def run_variant(program: Program, variant: str, build: pathlib.Path, out: pathli
                    "--capture", f"{program.frame}:{picture}", "--stats", str(statistics), *wireframe, "--", *command]
     if program.needs_display:
         until = [] if program.ends else ["--until", str(picture)]
-        command = [str(ROOT / "scripts" / "with_display"), "--seconds", str(SECONDS), *until, "--", *command]
+        command = [str(ROOT / "scripts" / "parts" / "with_display"), "--seconds", str(SECONDS), *until, "--", *command]
 
     log = out / f"{program.name}-{variant}.log"
     with open(log, "w") as sink:

@@ -27,7 +27,7 @@ def environment(more: dict) -> dict:
 
 
 def on_display(command: list, *options: str) -> list:
-    return [str(ROOT / "scripts" / "with_display"), "--screen", "640x480x24", *options, "--", *command]
+    return [str(ROOT / "scripts" / "parts" / "with_display"), "--screen", "640x480x24", *options, "--", *command]
 
 
 def run(command: list, more: dict, log: pathlib.Path, limit: float, **options) -> subprocess.CompletedProcess:

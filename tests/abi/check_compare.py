@@ -9,7 +9,7 @@ import unittest
 
 import compare
 
-HERE = pathlib.Path(__file__).resolve().parent
+DESCRIPTIONS = pathlib.Path(__file__).resolve().parent / "descriptions"
 NAME = "libglark-depth"
 
 
@@ -17,12 +17,12 @@ class Notices(unittest.TestCase):
     def complaints(self, find="", change="", symbols=lambda names: names):
         with tempfile.TemporaryDirectory() as temporary:
             new = pathlib.Path(temporary) / f"{NAME}.abi"
-            text = (HERE / f"{NAME}.abi").read_text()
+            text = (DESCRIPTIONS / f"{NAME}.abi").read_text()
             self.assertIn(find, text, "the change cannot be planted")
             new.write_text(text.replace(find, change) if find else text)
-            names = (HERE / f"{NAME}.symbols").read_text().splitlines()
+            names = (DESCRIPTIONS / f"{NAME}.symbols").read_text().splitlines()
             new.with_suffix(".symbols").write_text("\n".join(symbols(names)))
-            return compare.complaints_about(HERE / f"{NAME}.abi", new)
+            return compare.complaints_about(DESCRIPTIONS / f"{NAME}.abi", new)
 
     def test_the_same(self):
         self.assertEqual([], self.complaints())

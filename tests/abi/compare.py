@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Compares binary interfaces: fails if a program that was linked with the old one may not work with the new one.
 
-  compare.py OLD_FOLDER NEW_FOLDER    descriptions as scripts/abi writes them: NAME.abi (abidw's) and NAME.symbols
+  compare.py OLD_FOLDER NEW_FOLDER    descriptions as scripts/parts/abi writes them: NAME.abi (abidw's) and NAME.symbols
   compare.py OLD.symbols LIBRARY      only the names that a library exports
 
 A library whose SONAME has changed is another library: programs are linked with it again.
@@ -14,7 +14,7 @@ import xml.etree.ElementTree as ElementTree
 
 ERROR_BITS = 1 | 2   # abidiff failed, or was called wrongly
 CHANGE_BITS = 4 | 8  # something changed, which may be, or certainly is, incompatible
-REMEDY = "programs that were linked before may not work; keep the interface, or raise GLARK_SOVERSION and run scripts/abi --update"
+REMEDY = "programs that were linked before may not work; keep the interface, or raise GLARK_SOVERSION and run scripts/parts/abi --update"
 
 
 def soname(description: pathlib.Path) -> str:

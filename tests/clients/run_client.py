@@ -22,7 +22,7 @@ import tempfile
 
 import judge
 
-WITH_DISPLAY = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "with_display"
+WITH_DISPLAY = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "parts" / "with_display"
 FRAMES = 3
 CAPTURED_FRAME = 10
 LEVEL = 2

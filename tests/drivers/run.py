@@ -115,7 +115,7 @@ class Judge:
             for api in PLATFORMS[platform]:
                 if not fnmatch.fnmatchcase(f"{platform}-{api}", self.options_.platform):
                     continue
-                display = [ROOT / "scripts/with_display", "--"] if platform == "glx" else []
+                display = [ROOT / "scripts/parts/with_display", "--"] if platform == "glx" else []
                 report = self.folder_ / f"{platform}-{api}"
                 (report / "results.json").unlink(missing_ok=True)
                 done = self.run([*display, self.build_ / "bin/glark-conformance", "--implementation", self.library(), "--platform",
@@ -146,7 +146,7 @@ class Judge:
         """Runs a program refined. A driver that lacks features passes through, and one line of the log says so."""
         with tempfile.TemporaryDirectory() as folder:
             settings = [f"LD_PRELOAD={self.library()}", "GLARK_ENABLE=1", "GLARK_CONFIG=/dev/null"]
-            done = self.run([ROOT / "scripts/with_display", "--", "env", *settings, self.build_ / "bin/client_immediate", "3", f"{folder}/picture.ppm"])
+            done = self.run([ROOT / "scripts/parts/with_display", "--", "env", *settings, self.build_ / "bin/client_immediate", "3", f"{folder}/picture.ppm"])
         lines = [line for line in done.stderr.split("\n") if line.startswith("glark:")]
         return "" if done.returncode == 0 and len(lines) == 1 else f"status {done.returncode}, {len(lines)} lines: {done.stderr[:100]}"
 

@@ -13,7 +13,7 @@ try:
 except ModuleNotFoundError:
     sys.exit(77)  # the test is skipped
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "parts"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "parts" / "strangers"))
 from breakage import breakage, curved, exact
 
 HEIGHT, WIDTH = 180, 240

@@ -5,7 +5,7 @@ import pathlib
 import sys
 import unittest
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "parts"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "parts" / "strangers"))
 from refined_share import life, mean_of_programs, settled
 
 

@@ -89,14 +89,18 @@ bool OrderedStage::takes(const capture::Layout& layout, const capture::CoarseTri
          plan.deepest <= static_cast<unsigned>(pattern::tile_level) && bytes_for(layout) <= result_.size();
 }
 
-BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bindings& bindings) {
-  const capture::Layout& layout = *request.measure.layout;
-  const capture::CoarseTriangles& triangles = request.measure.triangles;
-  const GLuint buffers[] = {triangles.buffer, result_.name(), request.work, request.ends.positions,
+void OrderedStage::bind_buffers(const OrderedRequest& request) const {
+  const GLuint buffers[] = {request.measure.triangles.buffer, result_.name(), request.work, request.ends.positions,
                             request.ends.limits};
   for (GLuint i = 0; i < std::size(buffers); ++i) {
     gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i]);
   }
+}
+
+BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bindings& bindings) {
+  const capture::Layout& layout = *request.measure.layout;
+  const capture::CoarseTriangles& triangles = request.measure.triangles;
+  bind_buffers(request);
   const auto group = std::lower_bound(std::begin(group_sizes), std::end(group_sizes), triangles.count);
   const MeasureRequest& measure = request.measure;
   const core::ComputePass& pass =

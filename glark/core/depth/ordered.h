@@ -50,6 +50,7 @@ class OrderedStage {
     void release(const gl::Dispatch& gl);
   };
   Passes& prepare(const Measures& measures);
+  void bind_buffers(const OrderedRequest& request) const;
   const Passes* find(const Measures& measures) const;  // null: not prepared
 
   const gl::Dispatch& gl_;

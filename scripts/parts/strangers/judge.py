@@ -22,15 +22,17 @@ import time
 
 import numpy
 
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent))
 import breakage
 import contact_sheet
-from models import write_models
 from recording import Failure, on_display, read_frames, run
+from models import write_models
 from refined_share import life, percent, share_text
-from stranger_programs import MODELS, PROGRAMS, Stranger
-from stranger_remarks import REMARKS
+from programs import MODELS, PROGRAMS, Stranger
+from remarks import REMARKS
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+ROOT = HERE.parent.parent.parent
 LEVEL = 2
 NUMBERS = ("vanished", "appeared", "stripes", "strays")
 MARKS = ("<!-- programs: written by scripts/strangers --write -->", "<!-- end of programs -->")
