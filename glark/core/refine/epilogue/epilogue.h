@@ -122,7 +122,7 @@ std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet
 bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit);
 bool unit_has_screen_outputs(const EpiloguePlan& plan, std::size_t unit);
 
-// indexed_outputs.cpp: lets the stage write globals in place of arrays of outputs whose index is not constant. Compilers
+// indexed_outputs.cpp: lets the stage write globals in place of matrices, and of arrays whose index is not constant. Compilers
 // make a choice among all elements of such an output wherever it is written, and the stage is inlined at each corner. A
 // global stays an array. Returns the declarations of the globals, and sets OutputVariable::written.
 std::string replace_indexed_outputs(VertexUnit& unit, const std::string& prefix, std::vector<OutputVariable>& outputs);

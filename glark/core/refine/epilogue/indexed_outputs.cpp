@@ -54,10 +54,11 @@ std::vector<Token*> uses_in_functions(VertexUnit& unit, const std::string& name)
 std::string replace_indexed_outputs(VertexUnit& unit, const std::string& prefix, std::vector<OutputVariable>& outputs) {
   std::string declarations;
   for (OutputVariable& output : outputs) {
-    const bool simple = output.indexed_words > 0 && output.path.find_first_of(".[") == std::string::npos &&
-                        numeric_type(std::string_view(output.type)) != nullptr &&
+    const NumericType* const type = numeric_type(std::string_view(output.type));
+    const bool simple = type != nullptr && output.path.find_first_of(".[") == std::string::npos &&
                         std::all_of(output.sizes.begin(), output.sizes.end(), is_number);
-    if (!simple) continue;
+    const bool has_index = output.indexed_words > 0 || (type != nullptr && type->columns > 1);  // maybe of a column
+    if (!simple || !has_index) continue;
     const std::vector<Token*> uses = uses_in_functions(unit, output.path);
     if (uses.empty()) continue;
     output.written = prefix + "written_" + output.path;
