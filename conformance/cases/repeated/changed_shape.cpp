@@ -166,6 +166,37 @@ void check_drawn_texture(Test& t) {
                       }}});
 }
 
+// The depths follow from the lengths of edges on the screen. No draw repeats while the expected pictures are made.
+void check_measured(Test& t) {
+  const GLuint program =
+      build_program(t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 1) in vec3 normal;\n"
+                                  "uniform float scale; out vec4 colour;\n"
+                                  "void main() { colour = vec4(abs(normalize(normal)), 1.0);\n"
+                                  "  gl_Position = vec4(scale * position.xyz, 1.6); }\n"});
+  gl.UseProgram(program);
+  upload(bent_mesh());
+  refine_by_tags(5, GL_CURVED_PN_ARK);
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  const auto look = [program](float scale, GLint pixels) {
+    gl.Uniform1f(gl.GetUniformLocation(program, "scale"), scale);
+    gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, pixels);
+  };
+  const auto expect_after = [&](const std::function<void()>& first, const std::function<void()>& then,
+                                const char* what) {
+    then();
+    const Picture expected = picture_of(draw_all);
+    first();
+    repeat_often(draw_all);
+    t.expect(count_different(picture_of(draw_all), expected, 8) > 60, std::string(what) + " shows");
+    then();
+    t.expect_same_picture(picture_of(draw_all), expected, std::string("after ") + what, 4, 40);
+  };
+  expect_after([&] { look(0.1F, 16); }, [&] { look(1, 16); }, "a uniform");
+  expect_after([&] { look(1, 1000); }, [&] { look(1, 4); }, "finer edges");
+  expect_after([&] { look(1, 4); }, [&] { look(1, 1000); }, "coarser edges");
+  t.expect_no_error("measured depths");
+}
+
 void check_refinement_shader(Test& t) {
   const GLuint program = shape_program(t);
   gl.UseProgram(program);
@@ -189,6 +220,9 @@ Cases changed_shape_cases() {
   return {
       often_case("depth_tags", {"11.R.13-1"}, "Repeat a draw very often with depth tags that are rewritten.",
                  "The depths of earlier draws.", check_depth_tags),
+      often_case("measured", {"11.R.13-1", "11.R.4-4"},
+                 "Repeat a draw with measured depths very often; change a uniform of its positions, and the measure.",
+                 "The depths of the earlier view.", check_measured),
       often_case("scalar_tags", {"11.R.13-1"},
                  "Repeat a draw very often with scalar tags that are rewritten, and then are current values.",
                  "The surface of earlier tags.", check_scalar_tags),
