@@ -66,10 +66,23 @@ const TypeRow* row_of(GLenum type) {
   return found != std::end(type_rows) ? found : nullptr;
 }
 
-// "tex" names a texture unless it is a part of "vertex".
+// A word in a name does not count if it is a part of a longer word with another meaning.
+struct LongerWord {
+  std::string_view text;
+  std::size_t at;         // where the part begins
+  std::string_view part;  // or a word that begins with it
+};
+constexpr LongerWord longer_words[] = {{"vertex", 3, "tex"}, {"normaliz", 0, "norm"}, {"normalis", 0, "norm"}};
+
 bool contains(const std::string& lower, std::string_view word) {
+  const auto is_part = [&](std::size_t at) {
+    return std::ranges::any_of(longer_words, [&](const LongerWord& longer) {
+      return word.size() < longer.text.size() && word.starts_with(longer.part) && at >= longer.at &&
+             lower.compare(at - longer.at, longer.text.size(), longer.text) == 0;
+    });
+  };
   std::size_t at = lower.find(word);
-  while (at != std::string::npos && word.starts_with("tex") && at >= 3 && lower.compare(at - 3, 6, "vertex") == 0) {
+  while (at != std::string::npos && is_part(at)) {
     at = lower.find(word, at + 1);
   }
   return at != std::string::npos;
@@ -131,8 +144,9 @@ Field* find_at(std::vector<Field>& fields, int location) {
 bool names_something_else(const Field& field) {
   const std::string name = lower_case(field.name);
   return std::ranges::any_of(
-      std::initializer_list<std::string_view>{"col", "rgb", "tan", "bin", "bitan", "tex", "uv", "weight", "joint",
-                                              "bone", "vel", "off", "size", "scale", "inst", "pos", "vert", "coord"},
+      std::initializer_list<std::string_view>{"col",    "rgb",   "tan",  "bin",   "bitan",    "tex",     "uv",
+                                              "weight", "joint", "bone", "vel",   "off",      "size",    "scale",
+                                              "inst",   "pos",   "vert", "coord", "normaliz", "normalis"},
       [&](std::string_view word) { return contains(name, word); });
 }
 

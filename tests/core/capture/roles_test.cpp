@@ -39,6 +39,13 @@ TEST(Roles, AreFoundByName) {
   EXPECT_EQ(roles({"vertexColor", "vertexNormal", "vertexPosition"}), "vertexPosition vertexNormal -");
 }
 
+TEST(Roles, APartOfALongerWordIsNoName) {
+  EXPECT_EQ(roles({"position", "color", "normalization"}), "position - -");
+  EXPECT_EQ(roles({"position", "isNormalised", "d2"}), "position - -");
+  EXPECT_EQ(roles({"position", "normalizedNormal"}), "position normalizedNormal -");
+  EXPECT_EQ(roles({"vertex_pos", "vertex2"}), "vertex_pos - -");
+}
+
 TEST(Roles, AreGuessedByLocation) {
   EXPECT_EQ(roles({"a", "b", "c2"}), "a b -");
   EXPECT_EQ(roles({"a", "b2", "c"}), "a c -");
