@@ -38,6 +38,7 @@ MODES = {
     "pn-2": {**REFINED, "GLARK_REFINE": "pn", "GLARK_LEVEL": "2"},
 }
 JUDGED = [mode for mode in MODES if mode not in ("plain", "again")]
+USUAL = [mode for mode in JUDGED if mode != "pn-2"]  # curved triangles change what tests draw; only a slice was looked at
 TARGET = {"off": 1.0, "outputs-2": 0.999, "outputs-3": 0.999, "edge-8": 0.999, "inputs-2": 0.99, "smooth-2": 0.999,
           "pn-2": 0.99}
 
@@ -187,7 +188,7 @@ def main() -> int:
     parser.add_argument("--tests", default="", metavar="REGEX", help="only tests whose names match")
     parser.add_argument("--list", type=pathlib.Path, metavar="FILE", help="only the tests that FILE names, a line each")
     parser.add_argument("--part", default="1/1", metavar="I/N", help="the I-th of N parts, each a mixture of all kinds")
-    parser.add_argument("--modes", default=",".join(JUDGED), help="comma separated, of: " + ", ".join(JUDGED))
+    parser.add_argument("--modes", default=",".join(USUAL), help="comma separated, of: " + ", ".join(JUDGED))
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--fresh", action="store_true", help="forget what the judged modes gave before")
     arguments = parser.parse_args()
