@@ -14,7 +14,7 @@ const ElfFile of_64{.machine = EM_X86_64, .is_64 = true};
 const ElfFile of_32{.machine = EM_386};
 const std::vector<std::string> folders{"lib", "lib/x86_64-linux-gnu"};
 
-// The files that are there.
+// Reads from a table of files instead of from the disk.
 ReadElf files(const std::map<std::string, ElfFile>& there) {
   return [there](const std::string& path) {
     const auto found = there.find(path);

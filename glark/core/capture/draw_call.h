@@ -64,6 +64,8 @@ struct DrawCall {
   std::span<const std::uint32_t> commands =
       {};       // words of the indirect commands; `arrays` has only mode and index type
   Issue issue;  // makes the application's own call
+  const Issue* captured =
+      nullptr;  // if set, the call while it is captured: the same triangles, by what drivers get right
 };
 
 inline bool is_triangle_mode(GLenum mode) {

@@ -36,7 +36,7 @@ std::optional<CoarseTriangles> DrawCapture::run(const core::DrawCall& call, cons
   const auto capture = [&] {
     begin(plan, target);
     quiet.interrupt();
-    call.issue();
+    (call.captured != nullptr ? *call.captured : call.issue)();
     quiet.hush();
     return end(plan, call.triangles, call.exact);
   };

@@ -84,7 +84,8 @@ std::uint32_t most_instances(const capture::Layout& layout, std::uint32_t triang
 
 bool BinStage::has_room(const capture::Layout& layout, std::uint32_t triangles, const DepthPlan& plan) const {
   const std::uint32_t instances = most_instances(layout, triangles, plan.deepest);
-  return passes_.contains({plan.interior, plan.measured}) && instances <= capacity_ &&
+  const auto found = passes_.find({plan.interior, plan.measured});
+  return found != passes_.end() && found->second.built() && instances <= capacity_ &&
          reorder_.has_room(layout, instances);
 }
 

@@ -67,6 +67,7 @@ class BinStage {
   struct Passes {
     core::ComputePass count;
     core::ComputePass scatter;
+    bool built() const { return count.built() && scatter.built(); }
   };
   bool build(core::ComputePass& pass, std::uint64_t number, const BinKind& kind) const;
   bool compile(const BinKind& kind);

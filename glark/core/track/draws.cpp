@@ -181,9 +181,21 @@ bool joins_strips(const Context& c, GLenum mode, GLsizei draws) {
   return c.state().lists().compiling() && mode == GL_TRIANGLE_STRIP && draws > 1;
 }
 
-// A list is compiled as the application asks: Mesa 22 turns a polygon of few vertices in a list into a triangle.
-track::FilledDraws filled_draws(const Context& c, GLenum mode, const GLsizei* count, GLsizei draws) {
-  return {mode, count, c.state().lists().compiling() ? 0 : draws};
+// Lists of draws from an index array. `filled` makes the same triangles, without empty draws.
+void draw_index_lists(Context& c, GLenum mode, const GLsizei* count, GLsizei draws, const Issue& issue,
+                      const Issue* filled) {
+  c.state().refresh();
+  const bool exact = !track::restarts(c) && !joins_strips(c, mode, draws);
+  const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
+  track::draw(c, {.mode = mode,
+                  .triangles = track::triangles_of_all(mode, count, draws),
+                  .exact = exact,
+                  .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
+                  .polygon_sides = polygons.sides(),
+                  .from_arrays = true,
+                  .indexed = true,
+                  .issue = issue,
+                  .captured = filled});
 }
 
 }  // namespace
@@ -277,7 +289,11 @@ void DrawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsize
 }
 
 void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
-  const track::FilledDraws filled = filled_draws(c, mode, count, draws);
+  const track::FilledDraws filled(mode, count, draws);
+  const auto draw_filled = [&] {
+    c.gl().MultiDrawArrays(mode, filled.arguments(first).data(), filled.counts(), draws);
+  };
+  const Issue captured(draw_filled);
   const track::Polygons polygons = track::polygons_of(c, mode, count, draws);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
@@ -285,53 +301,34 @@ void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei*
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
                   .from_arrays = true,
-                  .issue = [&] {
-                    filled.needed()
-                        ? c.gl().MultiDrawArrays(mode, filled.arguments(first).data(), filled.counts(), draws)
-                        : c.gl().MultiDrawArrays(mode, first, count, draws);
-                  }});
+                  .issue = [&] { c.gl().MultiDrawArrays(mode, first, count, draws); },
+                  .captured = filled.needed() ? &captured : nullptr});
 }
 
 void MultiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                        GLsizei draws) {
-  c.state().refresh();
-  const bool exact = !track::restarts(c) && !joins_strips(c, mode, draws);
-  const track::FilledDraws filled = filled_draws(c, mode, count, draws);
-  const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
-  track::draw(c, {.mode = mode,
-                  .triangles = track::triangles_of_all(mode, count, draws),
-                  .exact = exact,
-                  .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
-                  .polygon_sides = polygons.sides(),
-                  .from_arrays = true,
-                  .indexed = true,
-                  .issue = [&] {
-                    filled.needed()
-                        ? c.gl().MultiDrawElements(mode, filled.counts(), type, filled.arguments(indices).data(), draws)
-                        : c.gl().MultiDrawElements(mode, count, type, indices, draws);
-                  }});
+  const track::FilledDraws filled(mode, count, draws);
+  const auto draw_filled = [&] {
+    c.gl().MultiDrawElements(mode, filled.counts(), type, filled.arguments(indices).data(), draws);
+  };
+  const Issue captured(draw_filled);
+  draw_index_lists(
+      c, mode, count, draws, [&] { c.gl().MultiDrawElements(mode, count, type, indices, draws); },
+      filled.needed() ? &captured : nullptr);
 }
 
 void MultiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
                                  GLsizei draws, const GLint* base_vertex) {
-  c.state().refresh();
-  const bool exact = !track::restarts(c) && !joins_strips(c, mode, draws);
-  const track::FilledDraws filled = filled_draws(c, mode, count, draws);
-  const track::Polygons polygons = track::polygons_of(c, mode, count, exact ? draws : 0);
-  track::draw(c, {.mode = mode,
-                  .triangles = track::triangles_of_all(mode, count, draws),
-                  .exact = exact,
-                  .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
-                  .polygon_sides = polygons.sides(),
-                  .from_arrays = true,
-                  .indexed = true,
-                  .issue = [&] {
-                    filled.needed()
-                        ? c.gl().MultiDrawElementsBaseVertex(mode, filled.counts(), type,
-                                                             filled.arguments(indices).data(), draws,
-                                                             filled.arguments(base_vertex).data())
-                        : c.gl().MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex);
-                  }});
+  const track::FilledDraws filled(mode, count, draws);
+  const auto draw_filled = [&] {
+    c.gl().MultiDrawElementsBaseVertex(mode, filled.counts(), type, filled.arguments(indices).data(), draws,
+                                       filled.arguments(base_vertex).data());
+  };
+  const Issue captured(draw_filled);
+  draw_index_lists(
+      c, mode, count, draws,
+      [&] { c.gl().MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base_vertex); },
+      filled.needed() ? &captured : nullptr);
 }
 
 void Rectd(Context& c, GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Lists of draws without empty ones. zink and virpipe (Mesa 22 to 25) lose the quads and polygons that follow an empty
-// draw of one glMultiDraw call. They keep them if the draw has one vertex, of which GL makes no polygon either. The
-// number of draws stays, and so does gl_DrawID.
+// Lists of draws without empty ones, for captures; the application's own call stays as it is. zink and virpipe
+// (Mesa 22 to 25) lose the quads and polygons that follow an empty draw of one glMultiDraw call. They keep them if the
+// draw has one vertex, from which GL makes no polygon either. The number of draws stays, and so does gl_DrawID.
 #pragma once
 
 #include <vector>

@@ -4,9 +4,9 @@
 // The coarse records and the hash tables of welding: what a corner holds, which slot a content gets, and how a side of
 // an edge is named. weld.glsl and geometry_normals.glsl include this file.
 //
-// These shaders must compile fast: the user waits for them. Where the compiler inlines functions and unrolls loops, the
-// time grows faster than the number of accesses to buffers. So a value that two corners or two ends need is read in a
-// loop, and the loop has a bound that the compiler does not know.
+// These shaders must compile fast, because the user waits for them. When the compiler inlines functions and unrolls
+// loops, its time grows faster than the number of buffer accesses. So what is read for two corners or two ends is read
+// in a loop, and the compiler cannot unroll it because its bound is not a constant.
 
 layout(std430, binding = 0) buffer Records { uint records[]; };
 // First come the parts that begin with 0, where they are needed:

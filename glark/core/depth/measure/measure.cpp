@@ -84,7 +84,9 @@ bool MeasureStage::prepare(const Measures& measures) {
 }
 
 bool MeasureStage::has_room(std::uint32_t triangles, const Measures& measures) const {
-  return limits_.name() != 0 && depth_passes_.contains(measures) && positions_.has_room(triangles, measures.points) &&
+  const auto found = depth_passes_.find(measures);
+  return limits_.name() != 0 && found != depth_passes_.end() && found->second.built() &&
+         positions_.has_room(triangles, measures.points) &&
          (!measures.curves() || shown_.has_room(triangles, measures));
 }
 

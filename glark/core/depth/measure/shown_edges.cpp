@@ -31,7 +31,8 @@ int culled_side(const core::Bindings& bindings) {
 }
 
 bool ShownEdges::has_room(std::uint32_t triangles, const Measures& measures) const {
-  return passes_.contains(what_shows(measures)) && std::int64_t{triangles} * bytes_a_triangle <= marks_.size();
+  const auto found = passes_.find(what_shows(measures));
+  return found != passes_.end() && found->second.built() && std::int64_t{triangles} * bytes_a_triangle <= marks_.size();
 }
 
 bool ShownEdges::reserve(std::uint32_t triangles, const Measures& measures) {
