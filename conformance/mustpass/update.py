@@ -15,7 +15,8 @@ HERE = Path(__file__).resolve().parent
 HEAD = """# SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 #
-# The cases that an implementation has to pass, version 1; update.py writes this file.
+# The cases that an implementation has to pass, version 1; update.py writes this file. Behind its name, a case has the
+# APIs in which NotSupported is no answer.
 """
 
 
@@ -33,8 +34,9 @@ def excluded() -> dict:
 def main() -> None:
     listed = subprocess.run([sys.argv[1], "--list", "--json"], capture_output=True, text=True, check=True).stdout
     out = excluded()
-    names = [case["name"] for case in json.loads(listed)["cases"] if case["written"] and case["name"] not in out]
-    (HERE / "1.txt").write_text(HEAD + "\n".join(names) + "\n")
+    cases = [case for case in json.loads(listed)["cases"] if case["written"] and case["name"] not in out]
+    lines = [" ".join([case["name"]] + ([] if case["optional"] else case["apis"])) for case in cases]
+    (HERE / "1.txt").write_text(HEAD + "\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

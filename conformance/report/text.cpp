@@ -37,6 +37,12 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
+nlohmann::json counts_of(const std::vector<Record>& records) {
+  nlohmann::json counts = nlohmann::json::object();
+  for (const auto& [verdict, count] : count_verdicts(records)) counts[std::string(name_of(verdict))] = count;
+  return counts;
+}
+
 // JUnit has only four outcomes.
 std::string junit_body(const Record& record) {
   const std::string verdict(name_of(record.verdict));
@@ -59,15 +65,13 @@ std::string junit_body(const Record& record) {
 }  // namespace
 
 std::string as_json(const Report& report) {
-  nlohmann::json counts = nlohmann::json::object();
-  for (const auto& [verdict, count] : count_verdicts(report.records)) counts[std::string(name_of(verdict))] = count;
   nlohmann::json records = nlohmann::json::array();
   for (const Record& record : report.records) records.push_back(as_json(record));
   const nlohmann::json all = {{"format", "glark-conformance results 1"},
                               {"environment", report.environment},
                               {"command", report.command},
                               {"seconds", report.seconds},
-                              {"counts", counts},
+                              {"counts", counts_of(report.records)},
                               {"results", records}};
   return all.dump(1, ' ', true, nlohmann::json::error_handler_t::replace) + '\n';
 }
@@ -95,6 +99,7 @@ Report parse_report(const std::string& text, const std::string& name) {
       record.messages = each.at("messages").get<std::vector<std::string>>();
       report.records.push_back(std::move(record));
     }
+    if (all.at("counts") != counts_of(report.records)) throw std::runtime_error(name + ": its counts are wrong");
     return report;
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(name + ": " + error.what());

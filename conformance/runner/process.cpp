@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <stdexcept>
 
 extern char** environ;
@@ -104,6 +105,15 @@ Process::~Process() {
 
 bool Process::read_report(std::string& text) { return read_all(report_, text); }
 bool Process::read_output(std::string& text) { return read_all(output_, text); }
+
+TimeUsed Process::used() const {
+  TimeUsed used{.clock = std::chrono::duration<double>(Clock::now() - started_).count()};
+  clockid_t id = 0;
+  timespec time{};
+  if (clock_getcpuclockid(pid_, &id) == 0 && clock_gettime(id, &time) == 0)
+    used.processor = static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  return used;
+}
 
 void Process::kill() { ::kill(-pid_, SIGKILL); }
 

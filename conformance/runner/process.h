@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "conformance/runner/time_limit.h"
+
 namespace glark::conformance {
 
 using Clock = std::chrono::steady_clock;
@@ -30,7 +32,8 @@ class Process {
   void kill();
   // Waits for the end of the process; returns the status of waitpid.
   int wait();
-  Clock::time_point started() const { return started_; }
+  // What the process has used since its start. Its child processes do not count.
+  TimeUsed used() const;
 
  private:
   pid_t pid_ = -1;

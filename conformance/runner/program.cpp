@@ -65,7 +65,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--jobs", options.run.jobs, "number of parallel processes")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  app.add_option("--timeout", options.run.seconds, "time limit of a case, in seconds")
+  app.add_option("--timeout", options.run.seconds, "time limit of a case, in seconds that it computes")
       ->check(CLI::Range(1, 86400))
       ->capture_default_str();
   app.add_option("--batch", options.run.cases_in_process, "number of cases in one process")
@@ -105,7 +105,7 @@ std::vector<std::string> selected_names(const Options& options) {
   read_shard(options.shard, selection);
   if (options.is_must_pass) {
     selection.has_list = true;
-    selection.names = must_pass();
+    for (const RequiredCase& required : must_pass()) selection.names.push_back(required.name);
   }
   if (!options.case_list.empty()) {
     selection.has_list = true;
@@ -124,6 +124,13 @@ std::vector<std::string> selected_names(const Options& options) {
   }
 }
 
+std::vector<std::string_view> apis_of(const Case& each) {
+  std::vector<std::string_view> names;
+  for (const Api api : {Api::gl_compat, Api::gl_core, Api::gles})
+    if (each.apis.contains(api)) names.push_back(name_of(api));
+  return names;
+}
+
 int list(const std::vector<std::string>& names, bool is_json) {
   if (!is_json) {
     for (const std::string& name : names) std::printf("%s\n", name.c_str());
@@ -135,6 +142,8 @@ int list(const std::vector<std::string>& names, bool is_json) {
       cases.push_back({{"name", each.name},
                        {"clauses", each.clauses},
                        {"plan", each.plan},
+                       {"apis", apis_of(each)},
+                       {"optional", each.is_optional},
                        {"written", static_cast<bool>(each.check)}});
   std::printf("%s\n", nlohmann::json{{"cases", cases}}.dump(1).c_str());
   return exit_status::passed;

@@ -31,13 +31,16 @@ std::vector<std::string> arguments_of(const RunOptions& options, const char* tas
 class Worker {
  public:
   Worker(std::vector<Record*> records, const RunOptions& options)
-      : records_(std::move(records)), process_(arguments(records_, options), options.implementation) {}
+      : records_(std::move(records)),
+        process_(arguments(records_, options), options.implementation),
+        limit_(options.seconds) {}
 
   Process& process() { return process_; }
   bool is_finished() const { return done_ == records_.size(); }
   Record& current() { return *records_[done_]; }
   std::vector<Record*> left() const { return {records_.begin() + static_cast<std::ptrdiff_t>(done_), records_.end()}; }
-  double seconds_of_current() const { return std::chrono::duration<double>(Clock::now() - case_began_).count(); }
+  // Returns why the current case must end, or nothing.
+  std::optional<std::string> is_late() { return limit_.exceeded(process_.used()); }
 
   // Reads new messages. Returns false once the process has closed its report.
   bool listen(const Progress& progress) {
@@ -79,10 +82,12 @@ class Worker {
 
   void finish(Record& record, Verdict verdict, const Progress& progress) {
     record.verdict = record.seen = verdict;
-    record.seconds = seconds_of_current();
+    const TimeUsed now = process_.used();
+    record.seconds = now.clock - case_began_;
     record.output = std::move(output_);
     output_.clear();
-    case_began_ = Clock::now();
+    case_began_ = now.clock;
+    limit_.begin(now);
     record.is_over = true;
     ++done_;
     if (!progress(record)) records_.resize(done_);
@@ -91,7 +96,8 @@ class Worker {
   std::vector<Record*> records_;
   std::size_t done_ = 0;
   Process process_;
-  Clock::time_point case_began_ = Clock::now();
+  TimeLimit limit_;
+  double case_began_ = 0;  // in seconds after the start of the process
   std::string text_;
   std::string output_;
 };
@@ -158,10 +164,10 @@ class Scheduler {
     if (!open) {
       const int status = worker.process().wait();
       worker.blame(WIFSIGNALED(status) ? Verdict::crash : Verdict::missing, how_it_ended(status), progress_);
-    } else if (worker.seconds_of_current() > options_.seconds) {
+    } else if (const auto why = worker.is_late()) {
       worker.process().kill();
       worker.process().wait();
-      worker.blame(Verdict::timeout, fmt::format("no result after {} s", options_.seconds), progress_);
+      worker.blame(Verdict::timeout, *why, progress_);
     } else {
       return false;
     }
@@ -199,20 +205,21 @@ Environment describe_environment(const RunOptions& options) {
   Process process(arguments_of(options, "describe"), options.implementation);
   std::string text;
   std::string output;
-  bool is_late = false;
-  while (!is_late && process.read_report(text)) {
+  TimeLimit limit(options.seconds);
+  std::optional<std::string> late;
+  while (!late && process.read_report(text)) {
     std::array<pollfd, 2> news = {pollfd{process.report_descriptor(), POLLIN, 0},
                                   pollfd{process.output_descriptor(), POLLIN, 0}};
     poll(news.data(), news.size(), 200);
     process.read_output(output);
-    is_late = Clock::now() - process.started() > std::chrono::seconds(options.seconds);
+    late = limit.exceeded(process.used());
   }
-  if (is_late) process.kill();
+  if (late) process.kill();
   process.read_output(output);
   const int status = process.wait();
   const auto message = nlohmann::json::parse(text, nullptr, false);
   if (message.is_discarded()) {
-    const std::string why = is_late ? fmt::format("none after {} s", options.seconds) : how_it_ended(status);
+    const std::string why = late ? *late : how_it_ended(status);
     throw std::runtime_error("no context: " + why + (output.empty() ? "" : '\n' + output));
   }
   if (message.contains("not loaded")) throw std::invalid_argument(message["not loaded"].get<std::string>() + output);

@@ -13,7 +13,7 @@ struct RunOptions {
   Api api = Api::gl_compat;
   unsigned seed = 1;
   int jobs = 1;
-  int seconds = 60;  // for one case
+  int seconds = 60;  // that one case may compute
   int cases_in_process = 1;
   int retries = 0;  // of a case that fails; if it passes then, it is a flake
   bool is_verbose = false;

@@ -6,6 +6,7 @@
 #include <archive_entry.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -41,6 +42,12 @@ class Unfinished {
 };
 
 }  // namespace
+
+void check_inside(const std::string& name) {
+  const std::filesystem::path path(name);
+  if (name.empty() || path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
+    throw std::runtime_error('"' + name + "\" leads out of the report's folder");
+}
 
 std::string sha256(const std::string& bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
@@ -90,7 +97,10 @@ Files read_archive(const std::string& path) {
     const int status = archive_read_next_header(in.get(), &entry);
     if (status == ARCHIVE_EOF) return files;
     if (status != ARCHIVE_OK) fail(path, in.get());
-    const std::string name = archive_entry_pathname(entry);
+    const char* const pathname = archive_entry_pathname(entry);
+    const std::string name = pathname != nullptr ? pathname : "";
+    check_inside(name);
+    if (archive_entry_filetype(entry) != AE_IFREG) throw std::runtime_error(path + ": " + name + " is no plain file");
     const la_int64_t size = archive_entry_size(entry);
     if (size < 0 || static_cast<std::size_t>(size) > most_bytes)
       throw std::runtime_error(path + ": " + name + " is too large");

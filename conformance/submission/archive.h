@@ -9,6 +9,9 @@ namespace glark::conformance {
 
 using Files = std::map<std::string, std::string>;  // name in the archive, bytes
 
+// Throws std::runtime_error unless the name of a file stays inside the folder that it is relative to.
+void check_inside(const std::string& name);
+
 // The SHA-256 sum in hexadecimal digits.
 std::string sha256(const std::string& bytes);
 

@@ -36,6 +36,8 @@ struct Case {
   std::string plan;                  // how the case checks the sentences
   std::string wrong = {};            // what typical wrong implementations do or draw, and how that shows
   Apis apis = every_api;
+  // The case needs what an implementation may lack. Only such a case may call Test::not_supported().
+  bool is_optional = false;
   // Checks what must hold without refinement, in a context of its own. If it fails, the case cannot judge.
   std::function<void(Test&)> control = {};
   std::function<void(Test&)> check = {};  // empty: planned, not written

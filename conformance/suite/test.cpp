@@ -178,6 +178,12 @@ void run_half(Test& test, const std::function<void(Test&)>& half) {
   }
 }
 
+// An answer of "not supported" that nobody expects would hide a failure.
+void check_support(Test& test, const Case& test_case) {
+  if (test.verdict() == Verdict::not_supported && !test_case.is_optional)
+    test.conclude(Verdict::internal_error, "NotSupported, but the case is not marked as optional");
+}
+
 }  // namespace
 
 Result run_case(const Case& test_case, Platform& platform, Api api, unsigned random_seed) {
@@ -196,6 +202,7 @@ Result run_case(const Case& test_case, Platform& platform, Api api, unsigned ran
       run_half(test, test_case.control);
       if (test.verdict() == Verdict::fail)
         test.conclude(Verdict::internal_error, "the control failed, without refinement");
+      check_support(test, test_case);
       if (test.verdict() == Verdict::internal_error || test.verdict() == Verdict::not_supported) return result_of(test);
     }
   }
@@ -203,6 +210,7 @@ Result run_case(const Case& test_case, Platform& platform, Api api, unsigned ran
   run_half(test, test_case.check);
   if (test.verdict() == Verdict::pass && test.expectations() == 0)
     test.conclude(Verdict::internal_error, "nothing was checked");
+  check_support(test, test_case);
   return result_of(test);
 }
 

@@ -58,7 +58,7 @@ class Test {
   void require(bool holds, std::string_view what);
   void fail(std::string_view what) { expect(false, what); }
 
-  // These end the case.
+  // These end the case. A case that calls not_supported() is marked with Case::is_optional.
   [[noreturn]] void not_supported(std::string_view why);
   [[noreturn]] void internal_error(std::string_view why);
 

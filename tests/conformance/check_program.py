@@ -15,8 +15,8 @@ FAKE, SUITE, LIBRARY = os.environ["FAKE"], os.environ["SUITE"], os.environ["LIBR
 VERDICTS = {
     "pass": "Pass", "pass_too": "Pass", "fail": "Fail", "equal": "Fail", "error_left": "Fail", "nothing": "InternalError",
     "throws": "InternalError", "control": "InternalError", "not_supported": "NotSupported", "warning": "QualityWarning",
-    "planned": "Unimplemented", "crash": "Crash", "vanish": "Missing", "hang": "Timeout", "unsteady": "Fail",
-    "es_only": "NotSupported",
+    "planned": "Unimplemented", "crash": "Crash", "vanish": "Missing", "hang": "Timeout", "spin": "Timeout", "unsteady": "Fail",
+    "es_only": "NotSupported", "unexpectedly_not_supported": "InternalError",
 }
 
 

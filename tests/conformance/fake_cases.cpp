@@ -51,7 +51,8 @@ std::vector<Case> written_cases() {
           fake("throws", [](Test&) { throw std::runtime_error("thrown"); }),
           fake(
               "control", [](Test& t) { t.expect(true, "fine"); }, [](Test& t) { t.fail("the driver is wrong"); }),
-          fake("not_supported", [](Test& t) { t.not_supported("no such thing here"); }),
+          optional(fake("not_supported", [](Test& t) { t.not_supported("no such thing here"); })),
+          fake("unexpectedly_not_supported", [](Test& t) { t.not_supported("no such thing here"); }),
           fake("warning", [](Test& t) { t.quality_warning("slow"); }),
           fake("planned", {}),
           fake("crash", [](Test&) { std::fputs("about to crash\n", stderr), std::raise(SIGSEGV); }),
@@ -59,6 +60,11 @@ std::vector<Case> written_cases() {
           fake("hang",
                [](Test&) {
                  for (;;) pause();
+               }),
+          fake("spin",
+               [](Test&) {
+                 for (volatile unsigned i = 0;; i = i + 1) {
+                 }
                }),
           fake("unsteady", check_unsteady),
           {.name = "ark.fake.es_only",

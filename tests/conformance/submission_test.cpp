@@ -29,9 +29,10 @@ class Submission : public testing::Test {
   void write_results(Verdict verdict) const {
     Report report;
     report.environment["GL_ARK_adaptive_refinement"] = "yes";
-    for (const std::string& name : must_pass()) {
+    report.environment["api"] = "gl-core";
+    for (const RequiredCase& required : must_pass()) {
       Record record;
-      record.name = name;
+      record.name = required.name;
       record.verdict = record.seen = verdict;
       report.records.push_back(record);
     }
@@ -54,13 +55,64 @@ TEST_F(Submission, FailureBehindABaselineDoesNot) {
   report.records.front().seen = Verdict::fail;
   write_report(report, folder_);
   package(folder_, path("a.tar.gz"));
-  EXPECT_EQ(verify(path("a.tar.gz")), std::vector<std::string>{must_pass().front() + " did not pass: Fail"});
+  EXPECT_EQ(verify(path("a.tar.gz")), std::vector<std::string>{must_pass().front().name + " did not pass: Fail"});
 }
 
 TEST_F(Submission, NothingSupportedDoesNot) {
   write_results(Verdict::not_supported);
   package(folder_, path("a.tar.gz"));
-  EXPECT_EQ(verify(path("a.tar.gz")), std::vector<std::string>{"nothing passed"});
+  std::vector<std::string> complaints;
+  for (const RequiredCase& required : must_pass())
+    if (required.apis.contains(Api::gl_core)) complaints.push_back(required.name + " has to be supported");
+  EXPECT_GT(complaints.size(), 1000U);
+  EXPECT_LT(complaints.size(), must_pass().size() - 300);  // cases of other APIs, and optional ones
+  EXPECT_EQ(verify(path("a.tar.gz")), complaints);
+}
+
+TEST_F(Submission, VerdictsAgreeWithWhatWasSeen) {
+  write_results(Verdict::pass);
+  Report report = read_report(path("results.json"));
+  report.records[0].verdict = Verdict::fail;
+  report.records[1].verdict = Verdict::expected_fail;
+  report.records[2].verdict = Verdict::unexpected_pass;  // a baseline expects its failure
+  write_report(report, folder_);
+  package(folder_, path("a.tar.gz"));
+  EXPECT_EQ(verify(path("a.tar.gz")),
+            (std::vector<std::string>{must_pass()[0].name + " is Fail, but what was seen is Pass",
+                                      must_pass()[1].name + " is ExpectedFail, but what was seen is Pass"}));
+}
+
+TEST_F(Submission, ResultsNameTheirApi) {
+  write_results(Verdict::pass);
+  Report report = read_report(path("results.json"));
+  report.environment["api"] = "vulkan";
+  write_report(report, folder_);
+  package(folder_, path("a.tar.gz"));
+  EXPECT_EQ(verify(path("a.tar.gz")), std::vector<std::string>{"the results do not name their API"});
+}
+
+TEST_F(Submission, CountsAreThoseOfTheResults) {
+  write_results(Verdict::pass);
+  std::string text = read_file(path("results.json"));
+  const std::string count = "\"Pass\": " + std::to_string(must_pass().size());
+  ASSERT_NE(text.find(count), std::string::npos);
+  text.replace(text.find(count), count.size(), count + "0");
+  write_file(path("results.json"), text);
+  EXPECT_THROW(package(folder_, path("a.tar.gz")), std::runtime_error);
+}
+
+TEST_F(Submission, NothingOutsideTheFolder) {
+  write_results(Verdict::pass);
+  Report report = read_report(path("results.json"));
+  for (const char* image : {"../secret.png", "/etc/passwd", "images/../../secret.png", ""}) {
+    report.records[0].images = {image};
+    write_report(report, folder_);
+    EXPECT_THROW(package(folder_, path("a.tar.gz")), std::runtime_error) << image;
+  }
+  for (const char* name : {"../stranger", "/stranger", "images/../../stranger"}) {
+    write_archive({{name, "text"}}, path("b.tar.gz"));
+    EXPECT_THROW(verify(path("b.tar.gz")), std::runtime_error) << name;
+  }
 }
 
 TEST_F(Submission, ChangedFileIsFound) {

@@ -327,12 +327,14 @@ constexpr Area draw_case{"ark.draw.particular."};
 
 Cases draw_limits_cases() {
   Cases cases;
-  for (const bool is_indexed : {false, true})
+  for (const bool is_indexed : {false, true}) {
     cases.push_back(draw_case(
         std::string("indirect_count.") + (is_indexed ? "elements" : "arrays"), {"10.R.2-2"},
         "A buffer says that two of four records are to be drawn.",
         "All four records count, though two of them have no vertices.",
         [is_indexed](Test& t) { check_indirect_count(t, is_indexed); }, desktop_apis));
+    cases.back().is_optional = true;  // ARB_indirect_parameters
+  }
   cases.push_back(draw_case("feedback_stream", {"10.R.2-2"}, "Draw what stream 1 of a geometry shader captured.",
                             "As many vertices as stream 0 has.", check_stream, desktop_apis));
   cases.push_back(
@@ -344,11 +346,13 @@ Cases draw_limits_cases() {
         "Count more than a hundred thousand triangles between one Begin and End.",
         "Triangles beyond the implementation's buffer are lost, or one at each seam.",
         [mode](Test& t) { check_many_immediate(t, mode); }, compat_only));
-  for (const bool is_uniform : {true, false})
+  for (const bool is_uniform : {true, false}) {
     cases.push_back(draw_case(std::string("many_inputs.") + (is_uniform ? "uniform" : "tags"), {"11.R.6-4", "11.R.6-2"},
                               "Twelve inputs and other vertices from draw to draw: compare by bits.",
                               "The inputs of the first draw, or of another triangle.",
                               [is_uniform](Test& t) { check_many_inputs(t, is_uniform); }));
+    cases.back().is_optional = true;  // as many inputs as that
+  }
   for (const int count : {6, 200})
     for (const bool by_degrees : {false, true})
       cases.push_back(draw_case(

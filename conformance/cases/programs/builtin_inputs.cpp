@@ -128,9 +128,9 @@ Cases builtin_inputs_cases() {
                  "Numbers of refined vertices; the square of a refined number.", check_vertex_id, every_api),
       stage_case("vertex_id.refinement_shader", {"11.R.10-4"}, "Use a refinement shader together with gl_VertexID.",
                  "The shader is executed; the status becomes FALSE.", check_vertex_id_shader, every_api),
-      stage_case("draw_parameters", {"11.R.10-3", "11.R.10-5"},
-                 "Two indirect draws with base vertices and base instances.",
-                 "Values of the implementation's own draws.", check_draw_parameters, desktop_apis)};
+      optional(stage_case("draw_parameters", {"11.R.10-3", "11.R.10-5"},
+                          "Two indirect draws with base vertices and base instances.",
+                          "Values of the implementation's own draws.", check_draw_parameters, desktop_apis))};
   for (const GLenum refinement : {GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK})
     cases.push_back(
         {.name = std::string("ark.stage.instance_id.") + (refinement == GL_LINEAR_INPUTS_ARK ? "inputs" : "outputs"),

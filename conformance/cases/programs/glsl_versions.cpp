@@ -121,6 +121,7 @@ Case version_case(const Version& version, const char* leaf, std::vector<std::str
           .plan = "A vertex shader of this version: " + std::string(leaf) + ".",
           .wrong = "The implementation's additions do not suit this version: the shader is drawn unrefined.",
           .apis = {version.api},
+          .is_optional = true,
           .check = [version, check](Test& t) { check(t, version); }};
 }
 
