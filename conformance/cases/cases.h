@@ -37,12 +37,6 @@ struct Area {
   }
 };
 
-// Marks a case that needs what an implementation may lack.
-inline Case optional(Case each) {
-  each.is_optional = true;
-  return each;
-}
-
 #define GLARK_CASES(folder, name) Cases name##_cases();
 #include "conformance/cases/files.inc"
 #undef GLARK_CASES

@@ -144,6 +144,7 @@ int list(const std::vector<std::string>& names, bool is_json) {
                        {"plan", each.plan},
                        {"apis", apis_of(each)},
                        {"optional", each.is_optional},
+                       {"commands", each.commands},
                        {"written", static_cast<bool>(each.check)}});
   std::printf("%s\n", nlohmann::json{{"cases", cases}}.dump(1).c_str());
   return exit_status::passed;

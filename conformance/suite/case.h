@@ -38,10 +38,17 @@ struct Case {
   Apis apis = every_api;
   // The case needs what an implementation may lack. Only such a case may call Test::not_supported().
   bool is_optional = false;
+  std::vector<std::string> commands = {};  // the commands of GL whose effect on draws the case checks; "DrawArrays"
   // Checks what must hold without refinement, in a context of its own. If it fails, the case cannot judge.
   std::function<void(Test&)> control = {};
   std::function<void(Test&)> check = {};  // empty: planned, not written
 };
+
+// Marks a case that needs what an implementation may lack.
+inline Case optional(Case each) {
+  each.is_optional = true;
+  return each;
+}
 
 // The program's cases, in any order. cases/written_cases.cpp defines it; tests of the suite define their own.
 std::vector<Case> written_cases();

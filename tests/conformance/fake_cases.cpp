@@ -63,7 +63,8 @@ std::vector<Case> written_cases() {
                }),
           fake("spin",
                [](Test&) {
-                 for (volatile unsigned i = 0;; i = i + 1) {
+                 volatile bool goes_on = true;
+                 while (goes_on) {
                  }
                }),
           fake("unsteady", check_unsteady),

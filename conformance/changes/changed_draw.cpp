@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "conformance/changes/changed_draw.h"
+
+#include <fmt/core.h>
+
+#include <cctype>
+#include <iterator>
+#include <utility>
+
+#include "conformance/changes/combinations.h"
+#include "conformance/changes/paths.h"
+#include "conformance/support/capture.h"
+
+namespace glark::conformance {
+namespace {
+
+constexpr std::array<GLenum, refinement_count> refinements = {GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK,
+                                                              GL_CURVED_PN_ARK};
+constexpr std::array<const char*, refinement_count> refinement_names = {"linear inputs", "linear outputs",
+                                                                        "curved triangles"};
+
+void refine(const Combination& one) {
+  const GLenum refinement = refinements[one.refinement];
+  if (one.depths == Depths::uniform) {
+    refine_uniformly(2, refinement);
+    return;
+  }
+  refine_by_tags(3, refinement);
+  if (one.depths == Depths::measured) {
+    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+    gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 8);
+  }
+}
+
+std::string text_of(const Combination& one, const Path& path) {
+  return fmt::format("{} of {} triangles, {}, {}, refined {} times before", path.name, one.triangles,
+                     refinement_names[one.refinement], depths_names[static_cast<std::size_t>(one.depths)], one.history);
+}
+
+bool concerns(const Change& change, const Path& path) {
+  if (change.concern == Concern::indices) return path.has_indices;
+  if (change.concern == Concern::commands) return path.has_commands;
+  if (change.concern == Concern::instances) return path.has_instances;
+  return true;
+}
+
+bool shows(const Change& change, const Path& path) {
+  return !(path.copies_arrays && change.concern == Concern::arrays);
+}
+
+// Ends the case at the first picture that is wrong.
+void expect_picture(Test& t, const Picture& actual, const Picture& expected, const std::string& what) {
+  t.require(t.expect_same_picture(actual, expected, what, 4, 80), "the picture is that of the unrefined draw");
+}
+
+void check_combination(Test& t, const Change& change, const Combination& one, bool is_refined) {
+  const Path& path = paths()[one.path];
+  const std::string what = text_of(one, path);
+  Scene scene(t, one.triangles);
+  if (path.prepare != nullptr) path.prepare(t, scene);
+  const auto draw = [&] { path.draw(scene); };
+  const Picture before = picture_of(draw);
+  t.require(count_different(before, Picture(surface_size, surface_size), 8) > 1000, "something is drawn: " + what);
+  if (is_refined) refine(one);
+  for (int i = 0; is_refined && i < one.history; ++i) {
+    const Picture again = picture_of(draw);
+    if (i + 1 == one.history) expect_picture(t, again, before, "before the change: " + what);
+  }
+  change.make(t, scene);
+  t.expect_no_error("the change: " + what);
+  const Picture first = picture_of(draw);
+  const Picture second = picture_of(draw);
+  gl.Disable(GL_ARK);
+  const Picture plain = picture_of(draw);
+  if (shows(change, path))
+    t.require(count_different(before, plain, 8) > 20, "the change shows without refinement: " + what);
+  expect_picture(t, first, plain, "after the change: " + what);
+  expect_picture(t, second, plain, "the second draw after the change: " + what);
+  t.expect_no_error(what);
+}
+
+void check_change(Test& t, const Change& change, std::size_t number, bool is_refined) {
+  if (!t.is_gles() && t.version() < change.version)
+    t.not_supported(fmt::format("OpenGL {}.{} is needed", change.version / 10, change.version % 10));
+  for (const Combination& one : combinations_of(number, paths().size())) {
+    const Path& path = paths()[one.path];
+    if (path.apis.contains(t.api()) && concerns(change, path)) check_combination(t, change, one, is_refined);
+  }
+}
+
+// "BindVertexArray" as the part of a case's name: "bind_vertex_array".
+std::string lower_case(const char* leaf) {
+  std::string text;
+  for (const char* c = leaf; *c != 0; ++c) {
+    const bool is_upper = std::isupper(static_cast<unsigned char>(*c)) != 0;
+    if (is_upper && !text.empty() && text.back() != '.') text += '_';
+    text += static_cast<char>(std::tolower(static_cast<unsigned char>(*c)));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<Change> joined(std::vector<std::vector<Change>> tables) {
+  std::vector<Change> all;
+  for (std::vector<Change>& table : tables) std::move(table.begin(), table.end(), std::back_inserter(all));
+  return all;
+}
+
+std::vector<Case> change_cases(const char* area, const std::vector<Change>& changes, std::size_t first) {
+  std::vector<Case> cases;
+  for (const Change& change : changes) {
+    const std::size_t number = first + static_cast<std::size_t>(&change - changes.data());
+    Case made{.name = fmt::format("ark.change.{}.{}", area, lower_case(change.leaf)),
+              .clauses = {"10.R.2-1", "11.R.13-1"},
+              .plan =
+                  "Draw, change what the draw reads, and draw again, in all kinds of draws: the picture is that of "
+                  "the unrefined draw.",
+              .wrong = "What the draw read before the change.",
+              .apis = change.apis,
+              .is_optional = change.version != 0,
+              .control = [&change, number](Test& t) { check_change(t, change, number, false); },
+              .check = [&change, number](Test& t) { check_change(t, change, number, true); }};
+    for (const char* command : change.commands) made.commands.push_back(command);
+    cases.push_back(std::move(made));
+  }
+  return cases;
+}
+
+}  // namespace glark::conformance

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// In which circumstances a change is tested: the draw, how its depths are chosen, how often it was drawn before, and so
+// on. Most faults need only two circumstances at once (a command and a kind of draw, for example). So the combinations
+// are a covering array of strength 2: each change meets each value of each circumstance, and over all changes each two
+// values meet.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace glark::conformance {
+
+enum class Depths { uniform, tags, measured };
+inline constexpr std::array<const char*, 3> depths_names = {"a uniform depth", "depth tags", "measured depths"};
+
+// How often the draw was refined before the change: an implementation may keep more the more often a draw repeats.
+inline constexpr std::array<int, 4> histories = {0, 1, 3, 24};
+
+// The triangles of the mesh.
+inline constexpr std::array<int, 2> sizes = {4, 192};
+
+struct Combination {
+  std::size_t path = 0;        // the kind of draw, see paths.h
+  std::size_t refinement = 0;  // of `refinements`, see changed_draw.h
+  Depths depths = Depths::uniform;
+  int history = 0;
+  int triangles = 4;
+};
+
+inline constexpr std::size_t refinement_count = 3;
+
+// The combinations of a change. Changes are numbered from 0; each gets one combination for each path.
+std::vector<Combination> combinations_of(std::size_t change, std::size_t paths);
+
+}  // namespace glark::conformance
