@@ -28,6 +28,7 @@ struct Scene {
   Scene& operator=(const Scene&) = delete;
 
   GLsizei vertices() const { return vertex_count; }
+  GLsizeiptr colour_bytes() const { return 4 * GLsizeiptr{vertex_count}; }  // of one content
   // Where the other content begins, in bytes.
   GLintptr other_colours() const { return 4 * vertex_count; }
   GLintptr other_indices() const { return 2 * vertex_count; }

@@ -43,9 +43,7 @@ class Test {
   bool expect(bool holds, std::string_view what);
   template <typename A, typename B>
   bool expect_equal(const A& actual, const B& expected, std::string_view what);
-  // Expects
-  // actual - expected
-  // <= tolerance. NaN fails.
+  // Expects the difference, without its sign, to be at most the tolerance. NaN fails.
   bool expect_near(double actual, double expected, double tolerance, std::string_view what);
   // Takes one error from the GL; GL_NO_ERROR stands for no error.
   bool expect_error(GLenum expected, std::string_view what);

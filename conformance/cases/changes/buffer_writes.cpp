@@ -10,12 +10,9 @@
 namespace glark::conformance {
 namespace {
 
-std::size_t bytes_of(const Scene& s) { return 4 * static_cast<std::size_t>(s.vertices()); }
-GLsizeiptr size_of(const Scene& s) { return 4 * GLsizeiptr{s.vertices()}; }
-
 // Another buffer with the other colours, bound to the target.
 GLuint source_of(Scene& s, GLenum target) {
-  s.made.push_back(make_buffer(target, s.new_colours().data(), bytes_of(s)));
+  s.made.push_back(make_buffer(target, s.new_colours().data(), static_cast<std::size_t>(s.colour_bytes())));
   return s.made.back();
 }
 
@@ -23,17 +20,13 @@ constexpr std::uint32_t one_colour = 0xff30c0f0;
 
 void write_mapped(Test& t, Scene& s, void* mapped) {
   t.require(mapped != nullptr, "the buffer can be mapped");
-  std::memcpy(mapped, s.new_colours().data(), bytes_of(s));
+  std::memcpy(mapped, s.new_colours().data(), static_cast<std::size_t>(s.colour_bytes()));
 }
 
 void unmap(Test& t) { t.require(gl.UnmapBuffer(GL_ARRAY_BUFFER) == GL_TRUE, "the mapped content is kept"); }
 
 void map_range(Test& t, Scene& s, GLbitfield flags) {
-  write_mapped(t, s, gl.MapBufferRange(GL_ARRAY_BUFFER, 0, size_of(s), GL_MAP_WRITE_BIT | flags));
-}
-
-void map_named(Test& t, Scene& s, GLbitfield flags) {
-  write_mapped(t, s, gl.MapNamedBufferRange(s.colours, 0, size_of(s), GL_MAP_WRITE_BIT | flags));
+  write_mapped(t, s, gl.MapBufferRange(GL_ARRAY_BUFFER, 0, s.colour_bytes(), GL_MAP_WRITE_BIT | flags));
 }
 
 // Runs a compute shader for each vertex.
@@ -66,7 +59,7 @@ void store_indirectly(Test& t, Scene& s) {
   compute(t, s, storing, GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT, [&] {
     const GLuint groups[] = {static_cast<GLuint>(s.vertices()), 1, 1};
     s.made.push_back(make_buffer(GL_DISPATCH_INDIRECT_BUFFER, groups, sizeof(groups)));
-    gl.BindBufferRange(GL_SHADER_STORAGE_BUFFER, 1, s.colours, 0, size_of(s));
+    gl.BindBufferRange(GL_SHADER_STORAGE_BUFFER, 1, s.colours, 0, s.colour_bytes());
     gl.DispatchComputeIndirect(0);
   });
 }
@@ -126,15 +119,6 @@ void feed_back(Test& t, Scene& s, const std::function<void()>& bind) {
   if (refines) gl.Enable(GL_ARK);
 }
 
-void feed_back_object(Test& t, Scene& s) {
-  GLuint object = 0;
-  gl.CreateTransformFeedbacks(1, &object);
-  gl.TransformFeedbackBufferRange(object, 0, s.colours, 0, size_of(s));
-  feed_back(t, s, [&] { gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, object); });
-  gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
-  gl.DeleteTransformFeedbacks(1, &object);
-}
-
 // The colours become those of a row of pixels.
 void show_pixels(const Scene& s) {
   gl.ClearColor(0.2F, 0.9F, 0.4F, 1);
@@ -154,47 +138,16 @@ void readn_pixels(Test&, Scene& s) {
   gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
-// A texture whose pixels are the other colours.
-GLuint texture_of(const Scene& s) {
-  GLuint texture = 0;
-  gl.GenTextures(1, &texture);
-  gl.BindTexture(GL_TEXTURE_2D, texture);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, s.vertices() / 6, 6, 0, GL_RGBA, GL_UNSIGNED_BYTE, s.new_colours().data());
-  return texture;
-}
-
-void read_texture(Scene& s, const std::function<void(GLuint)>& read) {
-  const GLuint texture = texture_of(s);
-  gl.BindBuffer(GL_PIXEL_PACK_BUFFER, s.colours);
-  read(texture);
-  gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  gl.BindTexture(GL_TEXTURE_2D, s.image);
-  gl.DeleteTextures(1, &texture);
-}
-
-// The result of a query becomes the colour of the first vertices: no sample passes, so they turn black.
-void query(Test&, Scene& s, const std::function<void(GLuint)>& read) {
-  GLuint name = 0;
-  gl.GenQueries(1, &name);
-  gl.BeginQuery(GL_SAMPLES_PASSED, name);
-  gl.EndQuery(GL_SAMPLES_PASSED);
-  gl.Finish();
-  gl.BindBuffer(GL_QUERY_BUFFER, s.colours);
-  read(name);
-  gl.BindBuffer(GL_QUERY_BUFFER, 0);
-  gl.DeleteQueries(1, &name);
-}
-
 void delete_and_name_again(Test&, Scene& s) {
   gl.DeleteBuffers(1, &s.colours);
-  s.colours = make_buffer(GL_ARRAY_BUFFER, s.new_colours().data(), bytes_of(s));
+  s.colours = make_buffer(GL_ARRAY_BUFFER, s.new_colours().data(), static_cast<std::size_t>(s.colour_bytes()));
   s.point_at(0);
 }
 
 void copy(Scene& s, GLenum from, GLenum to) {
   source_of(s, from);
   gl.BindBuffer(to, s.colours);
-  gl.CopyBufferSubData(from, to, 0, 0, size_of(s));
+  gl.CopyBufferSubData(from, to, 0, 0, s.colour_bytes());
 }
 
 std::vector<Change> common() {
@@ -202,17 +155,19 @@ std::vector<Change> common() {
       {"BufferData",
        {"BufferData"},
        Concern::arrays,
-       [](Test&, Scene& s) { gl.BufferData(GL_ARRAY_BUFFER, size_of(s), s.new_colours().data(), GL_STATIC_DRAW); }},
+       [](Test&, Scene& s) {
+         gl.BufferData(GL_ARRAY_BUFFER, s.colour_bytes(), s.new_colours().data(), GL_STATIC_DRAW);
+       }},
       {"BufferSubData",
        {"BufferSubData"},
        Concern::arrays,
-       [](Test&, Scene& s) { gl.BufferSubData(GL_ARRAY_BUFFER, 0, size_of(s), s.new_colours().data()); }},
+       [](Test&, Scene& s) { gl.BufferSubData(GL_ARRAY_BUFFER, 0, s.colour_bytes(), s.new_colours().data()); }},
       {"other_target",
        {"BufferSubData"},
        Concern::arrays,
        [](Test&, Scene& s) {
          gl.BindBuffer(GL_COPY_WRITE_BUFFER, s.colours);
-         gl.BufferSubData(GL_COPY_WRITE_BUFFER, 0, size_of(s), s.new_colours().data());
+         gl.BufferSubData(GL_COPY_WRITE_BUFFER, 0, s.colour_bytes(), s.new_colours().data());
        }},
       {"one_vertex",
        {"BufferSubData"},
@@ -220,7 +175,7 @@ std::vector<Change> common() {
        [](Test&, Scene& s) {
          // The middle of the smaller mesh has large triangles; in the larger one, a row of triangles changes.
          const GLsizei first = s.vertices() < 100 ? 3 : s.vertices() / 2;
-         gl.BufferSubData(GL_ARRAY_BUFFER, 4 * GLintptr{first}, size_of(s) / 8, s.new_colours().data() + first);
+         gl.BufferSubData(GL_ARRAY_BUFFER, 4 * GLintptr{first}, s.colour_bytes() / 8, s.new_colours().data() + first);
        }},
       {"MapBufferRange",
        {"MapBufferRange", "UnmapBuffer"},
@@ -249,7 +204,7 @@ std::vector<Change> common() {
        Concern::arrays,
        [](Test& t, Scene& s) {
          map_range(t, s, GL_MAP_FLUSH_EXPLICIT_BIT);
-         gl.FlushMappedBufferRange(GL_ARRAY_BUFFER, 0, size_of(s));
+         gl.FlushMappedBufferRange(GL_ARRAY_BUFFER, 0, s.colour_bytes());
          unmap(t);
        }},
       {"CopyBufferSubData",
@@ -279,6 +234,15 @@ std::vector<Change> common() {
   };
 }
 
+void feed_back_object(Test& t, Scene& s) {
+  GLuint object = 0;
+  gl.CreateTransformFeedbacks(1, &object);
+  gl.TransformFeedbackBufferRange(object, 0, s.colours, 0, s.colour_bytes());
+  feed_back(t, s, [&] { gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, object); });
+  gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+  gl.DeleteTransformFeedbacks(1, &object);
+}
+
 std::vector<Change> desktop() {
   return {
       {"MapBuffer",
@@ -300,121 +264,10 @@ std::vector<Change> desktop() {
        {"ClearBufferSubData"},
        Concern::arrays,
        [](Test&, Scene& s) {
-         gl.ClearBufferSubData(GL_ARRAY_BUFFER, GL_R32UI, 0, size_of(s), GL_RED_INTEGER, GL_UNSIGNED_INT, &one_colour);
+         gl.ClearBufferSubData(GL_ARRAY_BUFFER, GL_R32UI, 0, s.colour_bytes(), GL_RED_INTEGER, GL_UNSIGNED_INT,
+                               &one_colour);
        },
        desktop_apis},
-      {"GetTexImage",
-       {"GetTexImage"},
-       Concern::arrays,
-       [](Test&, Scene& s) {
-         read_texture(s, [](GLuint) { gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); });
-       },
-       desktop_apis},
-      {"GetTextureImage",
-       {"GetTextureImage"},
-       Concern::arrays,
-       [](Test&, Scene& s) {
-         read_texture(s, [&](GLuint texture) {
-           gl.GetTextureImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, 4 * s.vertices(), nullptr);
-         });
-       },
-       desktop_apis,
-       45},
-      {"GetTextureSubImage",
-       {"GetTextureSubImage"},
-       Concern::arrays,
-       [](Test&, Scene& s) {
-         read_texture(s, [&](GLuint texture) {
-           gl.GetTextureSubImage(texture, 0, 0, 0, 0, s.vertices() / 6, 6, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                                 4 * s.vertices(), nullptr);
-         });
-       },
-       desktop_apis,
-       45},
-      {"GetQueryObjectuiv",
-       {"GetQueryObjectuiv"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [](GLuint name) {
-           for (std::uintptr_t i = 0; i < 9; ++i)
-             gl.GetQueryObjectuiv(name, GL_QUERY_RESULT, reinterpret_cast<GLuint*>(4 * i));
-         });
-       },
-       desktop_apis,
-       44},
-      {"GetQueryObjectiv",
-       {"GetQueryObjectiv"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [](GLuint name) {
-           for (std::uintptr_t i = 0; i < 9; ++i)
-             gl.GetQueryObjectiv(name, GL_QUERY_RESULT, reinterpret_cast<GLint*>(4 * i));
-         });
-       },
-       desktop_apis,
-       44},
-      {"GetQueryObjectui64v",
-       {"GetQueryObjectui64v"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [](GLuint name) {
-           for (std::uintptr_t i = 0; i < 5; ++i)
-             gl.GetQueryObjectui64v(name, GL_QUERY_RESULT, reinterpret_cast<GLuint64*>(8 * i));
-         });
-       },
-       desktop_apis,
-       44},
-      {"GetQueryObjecti64v",
-       {"GetQueryObjecti64v"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [](GLuint name) {
-           for (std::uintptr_t i = 0; i < 5; ++i)
-             gl.GetQueryObjecti64v(name, GL_QUERY_RESULT, reinterpret_cast<GLint64*>(8 * i));
-         });
-       },
-       desktop_apis,
-       44},
-      {"GetQueryBufferObjectuiv",
-       {"GetQueryBufferObjectuiv"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [&](GLuint name) {
-           for (GLintptr i = 0; i < 9; ++i) gl.GetQueryBufferObjectuiv(name, s.colours, GL_QUERY_RESULT, 4 * i);
-         });
-       },
-       desktop_apis,
-       45},
-      {"GetQueryBufferObjectiv",
-       {"GetQueryBufferObjectiv"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [&](GLuint name) {
-           for (GLintptr i = 0; i < 9; ++i) gl.GetQueryBufferObjectiv(name, s.colours, GL_QUERY_RESULT, 4 * i);
-         });
-       },
-       desktop_apis,
-       45},
-      {"GetQueryBufferObjectui64v",
-       {"GetQueryBufferObjectui64v"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [&](GLuint name) {
-           for (GLintptr i = 0; i < 5; ++i) gl.GetQueryBufferObjectui64v(name, s.colours, GL_QUERY_RESULT, 8 * i);
-         });
-       },
-       desktop_apis,
-       45},
-      {"GetQueryBufferObjecti64v",
-       {"GetQueryBufferObjecti64v"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [&](GLuint name) {
-           for (GLintptr i = 0; i < 5; ++i) gl.GetQueryBufferObjecti64v(name, s.colours, GL_QUERY_RESULT, 8 * i);
-         });
-       },
-       desktop_apis,
-       45},
       {"TransformFeedbackBufferRange",
        {"TransformFeedbackBufferRange"},
        Concern::arrays,
@@ -424,105 +277,10 @@ std::vector<Change> desktop() {
   };
 }
 
-// Direct state access: the buffer is bound to no target.
-std::vector<Change> direct() {
-  return {
-      {"NamedBufferData",
-       {"NamedBufferData"},
-       Concern::arrays,
-       [](Test&, Scene& s) {
-         gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         gl.NamedBufferData(s.colours, size_of(s), s.new_colours().data(), GL_STATIC_DRAW);
-       },
-       desktop_apis,
-       45},
-      {"NamedBufferSubData",
-       {"NamedBufferSubData"},
-       Concern::arrays,
-       [](Test&, Scene& s) {
-         gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         gl.NamedBufferSubData(s.colours, 0, size_of(s), s.new_colours().data());
-       },
-       desktop_apis,
-       45},
-      {"MapNamedBuffer",
-       {"MapNamedBuffer", "UnmapNamedBuffer"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         write_mapped(t, s, gl.MapNamedBuffer(s.colours, GL_WRITE_ONLY));
-         gl.UnmapNamedBuffer(s.colours);
-       },
-       desktop_apis,
-       45},
-      {"MapNamedBufferRange",
-       {"MapNamedBufferRange"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         map_named(t, s, 0);
-         gl.UnmapNamedBuffer(s.colours);
-       },
-       desktop_apis,
-       45},
-      {"FlushMappedNamedBufferRange",
-       {"FlushMappedNamedBufferRange"},
-       Concern::arrays,
-       [](Test& t, Scene& s) {
-         gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         map_named(t, s, GL_MAP_FLUSH_EXPLICIT_BIT);
-         gl.FlushMappedNamedBufferRange(s.colours, 0, size_of(s));
-         gl.UnmapNamedBuffer(s.colours);
-       },
-       desktop_apis,
-       45},
-      {"CopyNamedBufferSubData",
-       {"CopyNamedBufferSubData"},
-       Concern::arrays,
-       [](Test&, Scene& s) {
-         const GLuint source = source_of(s, GL_COPY_READ_BUFFER);
-         gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         gl.CopyNamedBufferSubData(source, s.colours, 0, 0, size_of(s));
-       },
-       desktop_apis,
-       45},
-      {"ClearNamedBufferData",
-       {"ClearNamedBufferData"},
-       Concern::arrays,
-       [](Test&, Scene& s) {
-         gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         gl.ClearNamedBufferData(s.colours, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &one_colour);
-       },
-       desktop_apis,
-       45},
-      {"ClearNamedBufferSubData",
-       {"ClearNamedBufferSubData"},
-       Concern::arrays,
-       [](Test&, Scene& s) {
-         gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         gl.ClearNamedBufferSubData(s.colours, GL_R32UI, 0, size_of(s), GL_RED_INTEGER, GL_UNSIGNED_INT, &one_colour);
-       },
-       desktop_apis,
-       45},
-      {"CreateBuffers",
-       {"CreateBuffers", "NamedBufferStorage"},
-       Concern::arrays,
-       [](Test&, Scene& s) {
-         gl.DeleteBuffers(1, &s.colours);
-         gl.CreateBuffers(1, &s.colours);
-         gl.NamedBufferStorage(s.colours, size_of(s), s.new_colours().data(), 0);
-         gl.BindBuffer(GL_ARRAY_BUFFER, s.colours);
-         s.point_at(0);
-       },
-       desktop_apis,
-       45},
-  };
-}
-
 }  // namespace
 
 Cases buffer_writes_cases() {
-  static const std::vector<Change> changes = joined({common(), desktop(), direct()});
+  static const std::vector<Change> changes = joined({common(), desktop()});
   return change_cases("buffer", changes, 0);
 }
 
