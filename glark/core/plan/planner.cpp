@@ -77,8 +77,7 @@ Planner::Planner(const Environment& environment, const Parts& parts)
 Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   env_.state.refresh();
   const std::shared_ptr<Program> current = env_.state.programs().current();
-  const std::unique_lock lock =
-      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
+  const auto lock = current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
   env_.compilation.begin_draw(compile_pace(env_.options, env_.ark, env_.compilation.has_shown_frame()));
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
@@ -99,9 +98,8 @@ Decision Planner::plan(const DrawCall& call, Purpose purpose) {
 
 // Programs of the draw are not compiled. If other passes over the mesh are curved already, they are compiled now.
 void Planner::decide_again(const DrawCall& call, Purpose purpose, Decision& decision) {
-  const bool curved = smooth() && parts_.meshes.is_curved(call, decision.plan.program->fields);
   decision.cause = Cause::compiling;
-  if (curved) {
+  if (smooth() && parts_.meshes.is_curved(call, decision.plan.program->fields)) {
     env_.compilation.begin_draw(CompilePace::at_once);
     decision.plan = {};
     decision.cause = decide(call, purpose, decision.plan);

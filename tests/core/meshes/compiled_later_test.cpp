@@ -4,7 +4,9 @@
 // --refine smooth without --wait: the passes over a mesh stay as they are until all programs are compiled. Then all of
 // them are curved. Nobody knows in which frame that is.
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <vector>
 
 #include "tests/core/meshes/ball.h"
@@ -40,6 +42,13 @@ class CompiledLater : public testing::TestWithParam<Source> {
     glDepthFunc(GL_LESS);
     glUseProgram(0);
   }
+  // Milliseconds of processor time. Prints the figures of docs/explanation/compiling.md.
+  static void print_times(const std::vector<std::clock_t>& begins, std::ptrdiff_t round_from) {
+    std::clock_t longest = 0;
+    for (std::size_t i = 1; i < begins.size(); ++i) longest = std::max(longest, begins[i] - begins[i - 1]);
+    std::printf("longest frame: %.0f ms, round from frame %td\n", 1e3 * static_cast<double>(longest) / CLOCKS_PER_SEC,
+                round_from + 1);
+  }
   static bool is_round(const Picture& picture) { return covered_pixels(picture) > round_pixels; }
 
   OsmesaContext context_{Profile::compatibility};
@@ -52,11 +61,18 @@ TEST_P(CompiledLater, AllPassesBecomeRoundInOneFrame) {
                               "void main() { normal = gl_Normal; gl_Position = ftransform(); }",
                     .fragment = "varying vec3 normal;\n"
                                 "void main() { gl_FragColor = vec4(0.0, 1.0, 0.001 * normal.x, 1.0); }"});
-  const std::vector<Picture> frames = draw_frames(enough_frames, [&] { draw_twice(green); });
+  std::vector<std::clock_t> begins;
+  const std::vector<Picture> frames = draw_frames(enough_frames, [&] {
+    begins.push_back(std::clock());
+    draw_twice(green);
+  });
   for (std::size_t i = 0; i < frames.size(); ++i) EXPECT_EQ(red_pixels(frames[i]), 0) << i;
   const auto first = std::find_if(frames.begin(), frames.end(), is_round);
   ASSERT_NE(first, frames.end());
-  EXPECT_GT(first - frames.begin(), 2) << "the passes cannot be compiled in one frame";
+  print_times(begins, first - frames.begin());
+  if (std::getenv("GLARK_WAIT") == nullptr) {
+    EXPECT_GT(first - frames.begin(), 2) << "the passes cannot be compiled in one frame";
+  }
   EXPECT_TRUE(std::all_of(first, frames.end(), is_round)) << "round meshes stay round";
   for (auto frame = frames.begin(); frame != first; ++frame) {
     EXPECT_NEAR(covered_pixels(*frame), octahedron_pixels, octahedron_pixels / 50) << frame - frames.begin();
