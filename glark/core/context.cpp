@@ -54,8 +54,8 @@ void Context::start() {
   }
   state_.arrays().read_client_state();
   supported_ = supported_functions(gl_, capabilities_);
-  stages_ =
-      std::make_unique<Stages>(Environment{supported_, capabilities_, options_, ark_, state_, pending_error_, *share_});
+  stages_ = std::make_unique<Stages>(
+      Environment{supported_, capabilities_, options_, ark_, state_, pending_error_, *share_, compilation_});
   const auto attributes = static_cast<GLuint>(capabilities_.max_vertex_attributes);
   ark_.tag_attribute = attributes - 1;
   ark_.discontinuity_attribute = attributes - 2;

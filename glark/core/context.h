@@ -11,6 +11,7 @@
 
 #include "glark/core/ark_state.h"
 #include "glark/core/context_options.h"
+#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/error_scope.h"
 #include "glark/core/state/arrays/buffer_writes.h"
 #include "glark/core/state/attribute_stack.h"
@@ -94,6 +95,7 @@ class Context final : private ProgramWatcher {
   AttributeStack attribute_stack_;
   PendingError pending_error_;
   GlState state_;
+  Compilation compilation_{supported_};
   bool refining_ = false;
   std::unique_ptr<Stages> stages_;
 };

@@ -65,6 +65,8 @@ struct ContextOptions {
   std::vector<DrawRule> rules = {};              // of transparent refinement; the first one that matches applies
   AttributeRoles roles = {};
   std::uint64_t kept_vertex_bytes = std::uint64_t{256} << 20;  // of refined vertices that a context keeps
+  bool wait =
+      true;  // compile what a draw needs at once; else a few programs in each frame, and draw unrefined until then
   bool read_counts = false;  // once a frame, reads back the counts that only the GPU knows, for the statistics
 };
 

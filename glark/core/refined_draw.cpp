@@ -5,6 +5,7 @@
 #include <string>
 
 #include "glark/core/objects/application_message.h"
+#include "glark/core/passes/compile_ahead.h"
 #include "glark/core/state/draw_state.h"
 
 namespace glark::core {
@@ -38,12 +39,15 @@ void RefinedDraw::run(const DrawCall& call) {
     env_.errors.raise(GL_INVALID_OPERATION);
     return;
   }
+  if (decision.cause == Cause::mesh_waits) {
+    compile_ahead(parts_.meshes, parts_.passes, call, decision.plan, call.triangles);
+  }
   if (decision.cause || call.triangles == 0) {
     draw_as_asked(call, decision.plan, decision.cause.value_or(Cause::not_triangles), quiet);
     return;
   }
   const DrawPlan& plan = decision.plan;
-  if (const std::optional<Cause> cause = parts_.passes.ensure_room(plan, call.triangles)) {
+  if (const std::optional<Cause> cause = parts_.passes.ensure_room(plan, call.triangles, call.exact)) {
     parts_.meshes.judge(call, {.fields = &plan.program->fields}, cause);
     draw_as_asked(call, plan, *cause, quiet);
     return;
@@ -155,6 +159,11 @@ bool RefinedDraw::draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept)
 void RefinedDraw::refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept,
                          bool welded) {
   const bool sorted = kept.filled && plan.depth.keeps_instances();
+  std::optional<Compilation::Step> first_draw;
+  if (!plan.derived->drawn) {
+    plan.derived->drawn = true;
+    first_draw.emplace(env_.compilation, Compilation::Step::Kind::first_draw);
+  }
   parts_.submission.begin(plan, plan.depth.adaptive || captured.count_on_gpu);
   submit::RefinedTriangles refined;
   const Records records = sorted ? Records{captured} : parts_.passes.split(plan, captured);

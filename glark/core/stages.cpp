@@ -16,7 +16,7 @@ Stages::Stages(const Environment& environment)
       meshes_(env_),
       planner_(env_, {pool_, capture_, programs_, passes_.weld_stage(), feedback_in_use_, meshes_}),
       feedback_(env_, feedback_in_use_, planner_, programs_.in_use()),
-      immediate_(env_, planner_, passes_, capture_),
+      immediate_(env_, planner_, meshes_, passes_, capture_),
       submission_(env_, {pool_, programs_, capture_.stage(), feedback_in_use_}),
       draw_(env_, {pool_, planner_, capture_, kept_, views_, evaluation_, passes_, submission_, feedback_, immediate_,
                    meshes_}) {}
@@ -39,12 +39,14 @@ void Stages::frame_finished() {
   kept_.frame_finished();
   draw_.frame_finished();
   meshes_.frame_finished();
+  env_.compilation.frame_finished();
   ends_frames_ = true;
 }
 
 void Stages::pixels_read() {
   if (!ends_frames_) {
     meshes_.frame_finished();
+    env_.compilation.frame_finished();
   }
 }
 
@@ -58,6 +60,7 @@ void Stages::release() {
   capture_.release();
   passes_.release();
   submission_.release();
+  env_.compilation.release();
   env_.state.programs().pipelines().release();
   pool_.release();
 }

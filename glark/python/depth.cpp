@@ -3,9 +3,13 @@
 #include <glark/depth.h>
 
 #include "glark/python/arrays.h"
+#include "glark/python/bound_class.h"
 #include "glark/python/guarded.h"
 
 namespace glark::python {
+
+template <>
+inline constexpr bool is_bound<Guarded<depth::Tagger>> = true;
 namespace {
 
 using Tagger = Guarded<depth::Tagger>;  // metrics keep what they have measured

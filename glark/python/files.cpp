@@ -4,8 +4,12 @@
 
 #include "glark/clients/geometry/formats.h"
 #include "glark/python/arrays.h"
+#include "glark/python/bound_class.h"
 
 namespace glark::python {
+
+template <>
+inline constexpr bool is_bound<geometry::Geometry> = true;
 namespace {
 
 using geometry::Geometry;

@@ -3,8 +3,12 @@
 #include <glark/pn.h>
 
 #include "glark/python/arrays.h"
+#include "glark/python/bound_class.h"
 
 namespace glark::python {
+
+template <>
+inline constexpr bool is_bound<pn::TaggedMesh> = true;
 namespace {
 
 using pn::TaggedMesh;

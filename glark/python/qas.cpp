@@ -3,9 +3,18 @@
 #include <glark/qas.h>
 
 #include "glark/python/arrays.h"
+#include "glark/python/bound_class.h"
 #include "glark/python/guarded.h"
 
 namespace glark::python {
+
+namespace {
+struct Loop;
+}
+template <>
+inline constexpr bool is_bound<Guarded<qas::Surface>> = true;
+template <>
+inline constexpr bool is_bound<Loop> = true;
 namespace {
 
 using qas::LoopSurface;

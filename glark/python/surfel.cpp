@@ -3,9 +3,15 @@
 #include <glark/surfel.h>
 
 #include "glark/python/arrays.h"
+#include "glark/python/bound_class.h"
 #include "glark/python/guarded.h"
 
 namespace glark::python {
+
+template <>
+inline constexpr bool is_bound<surfel::Frame> = true;
+template <>
+inline constexpr bool is_bound<Guarded<surfel::Strips>> = true;
 namespace {
 
 using surfel::Frame;

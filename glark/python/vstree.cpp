@@ -3,8 +3,14 @@
 #include <glark/vstree.h>
 
 #include "glark/python/arrays.h"
+#include "glark/python/bound_class.h"
 
 namespace glark::python {
+
+template <>
+inline constexpr bool is_bound<vstree::Simplified> = true;
+template <>
+inline constexpr bool is_bound<vstree::Tree> = true;
 namespace {
 
 using vstree::Clustering;

@@ -120,6 +120,7 @@ Parsed parse(const char* const* environment, std::span<const std::string> names)
   limit_level(parsed);
   settings.context.transparent = settings.context.transparent && !settings.leave_alone;
   settings.context.read_counts = !settings.statistics_file.empty();
+  settings.context.wait = settings.context.wait || !settings.captures.empty();  // the same pictures in each run
   if (settings.everything) {
     settings.context.left_draws = 0;
     settings.context.left_shaders.clear();

@@ -204,6 +204,12 @@ constexpr std::array other_settings{
             "Draws that do not change are then refined once, and drawn like static meshes.",
             [](Settings& s, std::string_view text) { return assign(parse_megabytes(text), s.context.kept_vertex_bytes); }},
 
+    Setting{cost, "wait", "GLARK_WAIT", Kind::toggle, "", switch_needed, "0", "off",
+            "Compile everything that a draw needs before it is drawn",
+            "Otherwise a frame compiles a few shader programs, and draws that need more stay unrefined until then. Programs "
+            "that call the extension wait in any case, and so do runs with --capture.",
+            [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.wait); }},
+
     Setting{draws, "leave-draws", "GLARK_LEAVE_DRAWS", Kind::value, "RULES",
             "a list of screen-quads, overlays, orthographic, blended, no-depth-test, no-depth-writes, or none",
             "screen-quads,overlays,orthographic", "",

@@ -23,8 +23,8 @@ FRAMES = 30
 LEVEL = 2
 LIMIT = 300             # seconds for one replay
 TOLERATED = 0.05 / 100  # share of the pixels
-REFINED = {"GLARK_ENABLE": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": "outputs", "GLARK_EVERYTHING": "1"}
-CURVED = {"GLARK_ENABLE": "1", "GLARK_LEVEL": "3", "GLARK_REFINE": "pn"}
+REFINED = {"GLARK_ENABLE": "1", "GLARK_WAIT": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": "outputs", "GLARK_EVERYTHING": "1"}
+CURVED = {"GLARK_ENABLE": "1", "GLARK_WAIT": "1", "GLARK_LEVEL": "3", "GLARK_REFINE": "pn"}
 MARKS = ("<!-- {}: written by scripts/traces --write -->", "<!-- end of {} -->")
 
 

@@ -17,12 +17,23 @@ namespace {
 
 std::atomic<core::LogLevel> most_verbose{core::LogLevel::warning};
 
+// A user who sees warnings at a terminal also sees why a program takes long to start.
+bool is_shown(core::LogLevel level) {
+  const core::LogLevel most = most_verbose.load(std::memory_order_relaxed);
+  return level <= most ||
+         (level == core::LogLevel::progress && most == core::LogLevel::warning && isatty(STDERR_FILENO) != 0);
+}
+
 iovec piece(std::string_view text) { return {const_cast<char*>(text.data()), text.size()}; }
 
 void write_line(core::LogLevel level, std::string_view message) {
-  constexpr std::array<std::string_view, 4> prefixes{"glark: error: ", "glark: ", "glark: ", "glark: debug: "};
-  if (level > most_verbose.load(std::memory_order_relaxed)) return;
+  constexpr std::array<std::string_view, 5> prefixes{
+      "glark: error: ", "glark: ", "glark: ", "glark: ", "glark: debug: "};
   const int saved = errno;
+  if (!is_shown(level)) {
+    errno = saved;
+    return;
+  }
   const std::array pieces{piece(prefixes[static_cast<std::size_t>(level)]), piece(message), piece("\n")};
   static_cast<void>(!writev(STDERR_FILENO, pieces.data(), pieces.size()));
   errno = saved;

@@ -97,7 +97,7 @@ def environment() -> dict:
 
 
 def complaints_about(mode: str, runner: Runner) -> list:
-    refinement = {"GLARK_ENABLE": "1", "GLARK_EVERYTHING": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": "outputs"}
+    refinement = {"GLARK_ENABLE": "1", "GLARK_WAIT": "1", "GLARK_EVERYTHING": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": "outputs"}
     if mode == "alive":
         return judge.life_complaints(runner.statistics(refinement), LEVEL)
     plain, _ = runner.picture("plain", {})
@@ -106,7 +106,7 @@ def complaints_about(mode: str, runner: Runner) -> list:
         passed, statistics = runner.picture("passthrough", {"GLARK_LEVEL": str(LEVEL)})
         complaints += judge.identity_complaints(plain, passed) + judge.off_complaints(statistics)
     elif mode == "measured":
-        settings = {"GLARK_ENABLE": "1", "GLARK_EDGE_PIXELS": "8", "GLARK_REFINE": "outputs"}
+        settings = {"GLARK_ENABLE": "1", "GLARK_WAIT": "1", "GLARK_EDGE_PIXELS": "8", "GLARK_REFINE": "outputs"}
         refined, statistics = runner.picture("measured", settings)
         complaints += judge.likeness_complaints(plain, refined) + judge.measured_complaints(statistics)
     elif mode in ["refined", *REFINEMENTS]:

@@ -230,6 +230,42 @@ static void capture_and_clip(void) {
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
 }
 
+// Draws captured vertices beside an array of integers, which become floats. Drivers convert such arrays by themselves.
+static void draw_captured_integers(void) {
+  const GLuint tags[12] = {0};
+  GLuint buffers[2];
+  program_of(GL_VERTEX_SHADER,
+             "#version 430\nout float number; void main() { number = float(gl_VertexID); gl_Position = vec4(0.0); }\n",
+             "number");
+  glGenTransformFeedbacks(1, &captured_points);
+  glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, captured_points);
+  glGenBuffers(2, buffers);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffers[0]);
+  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 12 * sizeof(float), NULL, GL_DYNAMIC_COPY);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, 12);
+  glEndTransformFeedback();
+  glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+  glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
+  glVertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 0, NULL);
+  glEnableVertexAttribArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, buffers[1]);
+  glBufferData(GL_ARRAY_BUFFER, sizeof(tags), tags, GL_STATIC_DRAW);
+  glVertexAttribPointer(1, 1, GL_UNSIGNED_INT, GL_FALSE, 0, NULL);
+  glEnableVertexAttribArray(1);
+  program_of(GL_VERTEX_SHADER,
+             "#version 430\nlayout(location = 0) in float value; layout(location = 1) in float tag; out float number;\n"
+             "void main() { number = value + tag; gl_Position = vec4(0.0); }\n",
+             "number");
+  bind_result();
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glDrawTransformFeedback(GL_TRIANGLES, captured_points);
+  glEndTransformFeedback();
+  glDisable(GL_RASTERIZER_DISCARD);
+  glFinish();
+}
+
 // Runs `draw` in a process of its own. Call before there is a context.
 static unsigned signal_of(void (*draw)(void)) {
   int status = 0;
@@ -250,6 +286,7 @@ static unsigned signal_of(void (*draw)(void)) {
 
 int main(void) {
   const unsigned clip_signal = signal_of(capture_and_clip);
+  const unsigned integer_signal = signal_of(draw_captured_integers);
   GLint major = 0;
   GLint minor = 0;
   GLuint array = 0;
@@ -261,6 +298,7 @@ int main(void) {
   glGetIntegerv(GL_MINOR_VERSION, &minor);
   printf("renderer: %s\nversion: %s\n", (const char*)glGetString(GL_RENDERER), (const char*)glGetString(GL_VERSION));
   print_fault("capture_and_clip", clip_signal, 0, "is the signal that ends a program");
+  print_fault("captured_integers", integer_signal, 0, "is the signal that ends a program");
   bind_framebuffer();
   glGenVertexArrays(1, &array);
   glBindVertexArray(array);

@@ -145,7 +145,7 @@ class Judge:
     def log_complaint(self) -> str:
         """Runs a program refined. A driver that lacks features passes through, and one line of the log says so."""
         with tempfile.TemporaryDirectory() as folder:
-            settings = [f"LD_PRELOAD={self.library()}", "GLARK_ENABLE=1", "GLARK_CONFIG=/dev/null"]
+            settings = [f"LD_PRELOAD={self.library()}", "GLARK_ENABLE=1", "GLARK_WAIT=1", "GLARK_CONFIG=/dev/null"]
             done = self.run([ROOT / "scripts/parts/with_display", "--", "env", *settings, self.build_ / "bin/client_immediate", "3", f"{folder}/picture.ppm"])
         lines = [line for line in done.stderr.split("\n") if line.startswith("glark:")]
         return "" if done.returncode == 0 and len(lines) == 1 else f"status {done.returncode}, {len(lines)} lines: {done.stderr[:100]}"

@@ -25,7 +25,7 @@ PLAIN_LIMIT = 30  # seconds; a test that is slower on the plain driver is left o
 LIMIT = 120       # seconds with the library; a slower test hangs
 
 # Mode -> further environment. No draw is exempt, because an exempt draw proves nothing.
-REFINED = {"GLARK_ENABLE": "1", "GLARK_EVERYTHING": "1"}
+REFINED = {"GLARK_ENABLE": "1", "GLARK_EVERYTHING": "1", "GLARK_WAIT": "1"}
 MODES = {
     "plain": None,
     "again": None,  # the second run on the plain driver: a test that changes is not stable

@@ -56,7 +56,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, Contexts,
 void expect_draws(const std::string& program, int waiting, int refined) {
   const std::string file = testing::TempDir() + "widget" + std::to_string(getpid()) + ".json";
   const Outcome outcome = run_preloaded(
-      program, "GLARK_ENABLE=1 GLARK_REFINE=smooth GLARK_LEVEL=2 GLARK_CONFIG=/dev/null GLARK_STATS=" + file);
+      program,
+      "GLARK_ENABLE=1 GLARK_REFINE=smooth GLARK_WAIT=1 GLARK_LEVEL=2 GLARK_CONFIG=/dev/null GLARK_STATS=" + file);
   if (outcome.status == 3) GTEST_SKIP() << "no such context here";
   EXPECT_EQ(outcome.output, "error 0\n");
   const nlohmann::json draws = nlohmann::json::parse(read_file(file))["draws"];

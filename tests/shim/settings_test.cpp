@@ -108,6 +108,13 @@ TEST(Settings, AProblemNamesVariableValueAndLimit) {
 
 TEST(Settings, AProblemLeavesTheDefault) { EXPECT_EQ(parse_all({"GLARK_LEVEL=-1"}).settings.context.level, 2u); }
 
+// The same pictures in each run: a frame that is captured does not depend on how fast the driver compiles.
+TEST(Settings, CapturesWaitForTheCompiler) {
+  EXPECT_FALSE(parse_all({"GLARK_ENABLE=1"}).settings.context.wait);
+  EXPECT_TRUE(parse_all({"GLARK_ENABLE=1", "GLARK_WAIT=1"}).settings.context.wait);
+  EXPECT_TRUE(parse_all({"GLARK_ENABLE=1", "GLARK_CAPTURE=3:x.png"}).settings.context.wait);
+}
+
 TEST(Settings, ALevelRaisesTheLimitThatNobodySet) {
   const Parsed parsed = parse_all({"GLARK_ENABLE=1", "GLARK_LEVEL=8"});
   EXPECT_TRUE(parsed.problems.empty());

@@ -27,7 +27,7 @@ constexpr const char* uniform_names[] = {"record_offset",        "corner_words",
 
 }  // namespace
 
-bool BinStage::build(core::ComputePass& pass, std::uint64_t number, const BinKind& kind) const {
+bool BinStage::build(core::ComputePass& pass, std::uint64_t number, const BinKind& kind) {
   const bool morphing = kind.interior == pattern::Interior::morphing;
   const core::ComputeText text{
       .what = "a binning pass",
@@ -37,16 +37,15 @@ bool BinStage::build(core::ComputePass& pass, std::uint64_t number, const BinKin
                   {"GLARK_INTERIOR", static_cast<std::uint64_t>(kind.interior)},
                   {"GLARK_STEPS", morphing ? std::uint64_t{pattern::morph_steps} : 1U},
                   {"GLARK_PACKED_BITS", kind.measured ? static_cast<std::uint64_t>(measured_bits(morphing)) : 0U}}};
-  return pass.build(gl_, text, uniform_names);
+  return compilation_.build(pass, text, uniform_names);
 }
 
 bool BinStage::compile(const BinKind& kind) {
-  if (!scan_.built() && !build(scan_, 1, kind)) {
-    return false;
-  }
   Passes& passes = passes_[kind];
-  return (passes.count.built() || build(passes.count, 0, kind)) &&
-         (passes.scatter.built() || build(passes.scatter, 2, kind));
+  const bool scan = build(scan_, 1, kind);
+  const bool count = build(passes.count, 0, kind);
+  const bool scatter = build(passes.scatter, 2, kind);
+  return scan && count && scatter;
 }
 
 bool BinStage::prepare(const pattern::GpuPool& pool) {

@@ -50,47 +50,16 @@ uniform int counted;  // the triangles count for the budget
 
 #if GLARK_PASS == 1
 
-shared uint first_of[scanners];  // how many instances come before the pieces of an invocation
+shared uint wanted_by[scanners];  // instances of the pieces of each invocation
 shared uint triangles_low;
 shared uint triangles_high;
-
-// Sums up the instances of all invocations.
-void scan() {
-  uint sum = 0u;
-  for (int i = 0; i < scanners; ++i) {
-    uint wanted = first_of[i];
-    first_of[i] = sum;
-    sum += wanted;
-  }
-  triangles_low = 0u;
-  triangles_high = 0u;
-  work[all_instances] = 3u * min(sum, uint(instance_capacity));
-  work[all_instances + 1] = 1u;
-}
-
-uint place(int piece, uint base) {
-  uint wanted = work[counts + piece];
-  uint count = min(wanted, uint(instance_capacity) - base);
-  work[cursors + piece] = base;
-  work[commands + 5 * piece + 1] = count;
-  work[commands + 5 * piece + 4] = base;
-  if (wanted > 0u) {
-    work[counts + piece] = 0u;
-    uint triangles = count * (work[pieces + 4 * piece] / 3u);
-    uint low = atomicAdd(triangles_low, triangles);
-    atomicAdd(triangles_high, low + triangles < low ? 1u : 0u);
-  }
-  return base + count;
-}
 
 void add_triangles() {
   uint low = work[0] + triangles_low;
   work[1] += triangles_high + (low < work[0] ? 1u : 0u);
   work[0] = low;
-  if (counted != 0) {
-    work[2] += triangles_low;
-  }
-  work[2] -= min(work[2], work[3]);
+  uint used = work[2] + (counted != 0 ? triangles_low : 0u);
+  work[2] = used - min(used, work[3]);
   work[3] = 0u;
 }
 
@@ -103,18 +72,37 @@ void main() {
   for (int piece = first; piece < end; ++piece) {
     wanted += work[counts + piece];
   }
-  first_of[self] = wanted;
+  wanted_by[self] = wanted;
+  triangles_low = 0u;
+  triangles_high = 0u;
   barrier();
-  if (self == 0) {
-    scan();
+  uint capacity = uint(instance_capacity);
+  uint base = 0u;
+  uint all = 0u;
+  for (int i = 0; i < scanners; ++i) {
+    base += i < self ? wanted_by[i] : 0u;
+    all += wanted_by[i];
   }
-  barrier();
-  uint base = min(first_of[self], uint(instance_capacity));
+  base = min(base, capacity);
+  uint triangles = 0u;
+  uint overflows = 0u;
   for (int piece = first; piece < end; ++piece) {
-    base = place(piece, base);
+    uint count = min(work[counts + piece], capacity - base);
+    work[counts + piece] = 0u;
+    work[cursors + piece] = base;
+    work[commands + 5 * piece + 1] = count;
+    work[commands + 5 * piece + 4] = base;
+    uint more = count * (work[pieces + 4 * piece] / 3u);
+    triangles += more;
+    overflows += triangles < more ? 1u : 0u;
+    base += count;
   }
+  uint low = atomicAdd(triangles_low, triangles);
+  atomicAdd(triangles_high, overflows + (low + triangles < low ? 1u : 0u));
   barrier();
   if (self == 0) {
+    work[all_instances] = 3u * min(all, capacity);
+    work[all_instances + 1] = 1u;
     add_triangles();
   }
 }

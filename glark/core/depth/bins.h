@@ -16,6 +16,7 @@
 #include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/depth/reorder.h"
+#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/pattern/gpu_pool.h"
@@ -36,7 +37,8 @@ struct BinRequest {
 
 class BinStage {
  public:
-  BinStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language), reorder_(gl, language) {}
+  BinStage(core::Compilation& compilation, capture::Language language)
+      : gl_(compilation.gl()), compilation_(compilation), language_(language), reorder_(compilation, language) {}
 
   // Uploads the piece table. Call it again after the pool was replaced. False without memory.
   bool prepare(const pattern::GpuPool& pool);
@@ -69,11 +71,12 @@ class BinStage {
     core::ComputePass scatter;
     bool built() const { return count.built() && scatter.built(); }
   };
-  bool build(core::ComputePass& pass, std::uint64_t number, const BinKind& kind) const;
+  bool build(core::ComputePass& pass, std::uint64_t number, const BinKind& kind);
   bool compile(const BinKind& kind);
   void set_uniforms(const core::ComputePass& pass, const BinRequest& request) const;
 
   const gl::Dispatch& gl_;
+  core::Compilation& compilation_;
   capture::Language language_;
   core::ComputePass scan_;
   std::map<BinKind, Passes> passes_;

@@ -14,9 +14,9 @@ InstanceSorter::InstanceSorter(const core::Environment& environment, const patte
                                capture::Language language)
     : env_(environment),
       pool_(pool),
-      measure_(environment.gl, language),
-      bins_(environment.gl, language),
-      ordered_(environment.gl, language) {}
+      measure_(environment.compilation, language),
+      bins_(environment.compilation, language),
+      ordered_(environment.compilation, language) {}
 
 bool InstanceSorter::has_numbers() const { return numbers_.size() >= std::int64_t{4} * bins_.capacity(); }
 
@@ -29,11 +29,32 @@ bool InstanceSorter::reserve_numbers() {
   return numbers_.allocate(env_.gl, std::int64_t{4} * bins_.capacity(), numbers.data(), GL_STATIC_DRAW);
 }
 
+namespace {
+
+// Returns whether a draw keeps the order of its triangles. It then needs the passes of OrderedStage alone.
+bool is_ordered(const SortRoom& room) {
+  return room.exact && !room.stored && OrderedStage::may_take(room.triangles, room.plan);
+}
+
+}  // namespace
+
+bool InstanceSorter::has_room_in_bins(const SortRoom& room, const Measures& measures) const {
+  return bins_.has_room(room.layout, room.triangles, room.plan) &&
+         (!room.plan.measured || measure_.has_depths(room.triangles, measures)) && (!room.numbered || has_numbers());
+}
+
 bool InstanceSorter::has_room(const SortRoom& room) const {
   const Measures measures = measures_of(room.plan, room.layout);
-  return prepared_for_ == pool_.number() && ordered_.has_room(room.layout, room.triangles, measures) &&
-         bins_.has_room(room.layout, room.triangles, room.plan) &&
-         (!room.plan.measured || measure_.has_room(room.triangles, measures)) && (!room.numbered || has_numbers());
+  return prepared_for_ == pool_.number() && (!room.plan.measured || measure_.has_ends(room.triangles, measures)) &&
+         (is_ordered(room) && !ordered_.gave_up(room.triangles, measures)
+              ? ordered_.has_room(room.layout, room.triangles, measures)
+              : has_room_in_bins(room, measures));
+}
+
+bool InstanceSorter::reserve_bins(const SortRoom& room, const Measures& measures) {
+  const bool bins = bins_.reserve(room.layout, room.triangles, room.plan);
+  const bool measured = !room.plan.measured || measure_.reserve_depths(room.triangles, measures);
+  return bins && measured && (!room.numbered || reserve_numbers());
 }
 
 bool InstanceSorter::reserve(const SortRoom& room) {
@@ -41,14 +62,14 @@ bool InstanceSorter::reserve(const SortRoom& room) {
   if (prepared_for_ != pool_.number() && bins_.prepare(pool_.pool())) {
     prepared_for_ = pool_.number();
   }
-  ordered_.reserve(room.layout, room.triangles, measures);  // if that fails, all draws go through the bins
-  return prepared_for_ == pool_.number() && bins_.reserve(room.layout, room.triangles, room.plan) &&
-         (!room.plan.measured || measure_.reserve(room.triangles, measures)) && (!room.numbered || reserve_numbers());
+  const bool ends = !room.plan.measured || measure_.reserve_ends(room.triangles, measures);
+  const bool ordered = is_ordered(room) && ordered_.reserve(room.layout, room.triangles, measures);
+  const bool waits = env_.compilation.refused();
+  return ends && prepared_for_ == pool_.number() && (ordered || (!waits && reserve_bins(room, measures)));
 }
 
 bool InstanceSorter::takes_in_order(const SortRequest& request) const {
-  return request.plan.interior != pattern::Interior::smooth && !request.stored &&
-         ordered_.takes(request.layout, request.triangles, request.plan);
+  return !request.stored && ordered_.takes(request.layout, request.triangles, request.plan);
 }
 
 namespace {

@@ -34,6 +34,8 @@ struct SortRoom {
   const capture::Layout& layout;
   std::uint32_t triangles = 0;
   bool numbered = false;  // the derived program takes the number of the instance
+  bool stored = false;    // the derived program reads the records from a storage block
+  bool exact = false;     // the number of triangles is known before the draw
 };
 
 class InstanceSorter {
@@ -58,6 +60,8 @@ class InstanceSorter {
 
  private:
   bool takes_in_order(const SortRequest& request) const;
+  bool has_room_in_bins(const SortRoom& room, const Measures& measures) const;
+  bool reserve_bins(const SortRoom& room, const Measures& measures);
   BinnedInstances sort_in_bins(const SortRequest& request, const MeasureRequest& measured);
   bool has_numbers() const;
   bool reserve_numbers();

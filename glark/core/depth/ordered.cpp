@@ -32,61 +32,66 @@ std::int64_t bytes_for(const capture::Layout& layout) {
   return records_offset + slots * layout.triangle_words() * 4 + chunk_overrun;
 }
 
+// The index of the smallest work group that takes so many triangles.
+std::size_t group_for(std::uint32_t triangles) {
+  return static_cast<std::size_t>(std::lower_bound(std::begin(group_sizes), std::end(group_sizes), triangles) -
+                                  std::begin(group_sizes));
+}
+
 }  // namespace
 
-void OrderedStage::Passes::release(const gl::Dispatch& gl) {
-  for (core::ComputePass& pass : by_size) {
-    pass.release(gl);
-  }
+bool OrderedStage::build(const Measures& measures, std::size_t group) {
+  core::ComputeText text{.what = "the pass for small draws",
+                         .source = ordered_source,
+                         .es = language_ == capture::Language::es,
+                         .defines = defines_of(measures),
+                         .failure = core::LogLevel::warning};
+  const core::ComputeText::Define own[] = {{"GLARK_GROUP", group_sizes[group]},
+                                           {"GLARK_TRIANGLES", most_triangles},
+                                           {"GLARK_INSTANCES", most_instances},
+                                           {"GLARK_TAGS", measures.tags ? 1U : 0U}};
+  text.defines.insert(text.defines.end(), std::begin(own), std::end(own));
+  return compilation_.build(passes_[measures].at(group), text, uniform_names);
 }
 
-OrderedStage::Passes& OrderedStage::prepare(const Measures& measures) {
-  const auto [entry, fresh] = passes_.try_emplace(measures);
-  Passes& made = entry->second;
-  for (std::size_t i = 0; fresh && i < made.by_size.size(); ++i) {
-    core::ComputeText text{.what = "the pass for small draws",
-                           .source = ordered_source,
-                           .es = language_ == capture::Language::es,
-                           .defines = defines_of(measures),
-                           .failure = core::LogLevel::warning};
-    const core::ComputeText::Define own[] = {{"GLARK_GROUP", group_sizes[i]},
-                                             {"GLARK_TRIANGLES", most_triangles},
-                                             {"GLARK_INSTANCES", most_instances},
-                                             {"GLARK_TAGS", measures.tags ? 1U : 0U}};
-    text.defines.insert(text.defines.end(), std::begin(own), std::end(own));
-    if (!made.by_size[i].build(gl_, text, uniform_names)) {
-      made.release(gl_);
-      break;
-    }
-  }
-  return made;
-}
-
-const OrderedStage::Passes* OrderedStage::find(const Measures& measures) const {
+const core::ComputePass* OrderedStage::find(const Measures& measures, std::uint32_t triangles) const {
   const auto found = passes_.find(measures);
-  return found != passes_.end() ? &found->second : nullptr;
+  if (found == passes_.end() || triangles > most_triangles) {
+    return nullptr;
+  }
+  const auto* const pass = std::find_if(found->second.begin() + group_for(triangles), found->second.end(),
+                                        [](const core::ComputePass& one) { return one.built(); });
+  return pass != found->second.end() ? pass : nullptr;
+}
+
+bool OrderedStage::may_take(std::uint32_t triangles, const DepthPlan& plan) {
+  return triangles <= most_triangles && plan.interior != pattern::Interior::smooth &&
+         plan.deepest <= static_cast<unsigned>(pattern::tile_level);
 }
 
 bool OrderedStage::has_room(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures) const {
-  const Passes* const made = find(measures);
-  return triangles > most_triangles || (made != nullptr && (!made->built() || bytes_for(layout) <= result_.size()));
+  const auto found = passes_.find(measures);
+  return found != passes_.end() && found->second.at(group_for(triangles)).built() &&
+         bytes_for(layout) <= result_.size();
 }
 
-void OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures) {
-  if (triangles > most_triangles) {
-    return;
+bool OrderedStage::gave_up(std::uint32_t triangles, const Measures& measures) const {
+  const auto found = passes_.find(measures);
+  return no_memory_ || (found != passes_.end() && found->second.at(group_for(triangles)).failed());
+}
+
+bool OrderedStage::reserve(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures) {
+  if (no_memory_ || !build(measures, group_for(triangles))) {
+    return false;
   }
-  Passes& made = prepare(measures);
-  if (made.built() && !result_.reserve(gl_, bytes_for(layout), GL_DYNAMIC_COPY)) {
-    made.release(gl_);
-  }
+  no_memory_ = !result_.reserve(gl_, bytes_for(layout), GL_DYNAMIC_COPY);
+  return !no_memory_;
 }
 
 bool OrderedStage::takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles,
                          const DepthPlan& plan) const {
-  const Passes* const made = find(measures_of(plan, layout));
-  return made != nullptr && made->built() && !triangles.count_on_gpu && triangles.count <= most_triangles &&
-         plan.deepest <= static_cast<unsigned>(pattern::tile_level) && bytes_for(layout) <= result_.size();
+  return !triangles.count_on_gpu && may_take(triangles.count, plan) &&
+         find(measures_of(plan, layout), triangles.count) != nullptr && bytes_for(layout) <= result_.size();
 }
 
 void OrderedStage::bind_buffers(const OrderedRequest& request) const {
@@ -101,10 +106,7 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
   const capture::Layout& layout = *request.measure.layout;
   const capture::CoarseTriangles& triangles = request.measure.triangles;
   bind_buffers(request);
-  const auto group = std::lower_bound(std::begin(group_sizes), std::end(group_sizes), triangles.count);
-  const MeasureRequest& measure = request.measure;
-  const core::ComputePass& pass =
-      find(measure.measures)->by_size[static_cast<std::size_t>(group - std::begin(group_sizes))];
+  const core::ComputePass& pass = *find(request.measure.measures, triangles.count);
   pass.use(gl_);
   const auto straight = straight_edge_words(request.measure);
   const GLint values[] = {static_cast<GLint>(triangles.offset / 4),
@@ -145,9 +147,12 @@ InstanceExtent OrderedStage::extent(const BinnedInstances& sorted) const {
 
 void OrderedStage::release() {
   for (auto& [measures, made] : passes_) {
-    made.release(gl_);
+    for (core::ComputePass& pass : made) {
+      pass.release(gl_);
+    }
   }
   passes_.clear();
+  no_memory_ = false;
   result_.release(gl_);
 }
 

@@ -38,6 +38,7 @@ int shown_steps(int first) { return int(shown[first]) - 1; }
 #endif
 
 int corner_count() { return 3 * triangle_count; }
+int loop_bound(int count) { return min(count, corner_count() * count); }  // is `count`, but not a constant
 
 #include "glark/core/depth/edge_steps.glsl"
 #if !GLARK_TAGS
@@ -73,7 +74,7 @@ int tag_of(int corner) {
 }
 
 void expand(int triangle) {
-  for (int edge = 0; edge < 3; ++edge) {
+  for (int edge = 0; edge < loop_bound(3); ++edge) {
     int from = 3 * triangle + edge;
     int to = 3 * triangle + (edge == 2 ? 0 : edge + 1);
 #if GLARK_TAGS

@@ -12,6 +12,7 @@
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measure/measure.h"
+#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/bindings.h"
@@ -27,13 +28,19 @@ struct OrderedRequest {
 
 class OrderedStage {
  public:
-  OrderedStage(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+  OrderedStage(core::Compilation& compilation, capture::Language language)
+      : gl_(compilation.gl()), compilation_(compilation), language_(language) {}
 
-  // Compiles the passes for these measures when first called. Rare path: wrap in an ErrorScope.
-  void reserve(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures);
+  // Returns whether this stage handles draws of so many triangles, if the number is exact.
+  static bool may_take(std::uint32_t triangles, const DepthPlan& plan);
+  // Compiles the pass for these measures and so many triangles when first called. Returns false if that fails or must
+  // wait, or without memory. Rare path: wrap in an ErrorScope. The draw is one of may_take().
+  bool reserve(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures);
   // Returns whether reserve() would change nothing.
   bool has_room(const capture::Layout& layout, std::uint32_t triangles, const Measures& measures) const;
-  // Returns whether this stage handles the draw. The draw must have a minimum interior.
+  // Returns whether reserve() has failed.
+  bool gave_up(std::uint32_t triangles, const Measures& measures) const;
+  // Returns whether this stage handles the draw.
   bool takes(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const DepthPlan& plan) const;
   // Changes the program and the storage buffer bindings 0 to 4, which the caller restores. Valid until the next call.
   BinnedInstances sort(const OrderedRequest& request, const core::Bindings& bindings);
@@ -42,21 +49,18 @@ class OrderedStage {
   void release();
 
  private:
-  // The passes by size of the work group; built together.
-  struct Passes {
-    std::array<core::ComputePass, 3> by_size;
-
-    bool built() const { return by_size[0].built(); }
-    void release(const gl::Dispatch& gl);
-  };
-  Passes& prepare(const Measures& measures);
+  using Passes = std::array<core::ComputePass, 3>;  // by size of the work group
+  bool build(const Measures& measures, std::size_t group);
   void bind_buffers(const OrderedRequest& request) const;
-  const Passes* find(const Measures& measures) const;  // null: not prepared
+  // The smallest pass that is built and takes so many triangles. Null: there is none.
+  const core::ComputePass* find(const Measures& measures, std::uint32_t triangles) const;
 
   const gl::Dispatch& gl_;
+  core::Compilation& compilation_;
   capture::Language language_;
   std::map<Measures, Passes> passes_;
   core::GpuBuffer result_;
+  bool no_memory_ = false;  // for the result
 };
 
 }  // namespace glark::depth

@@ -35,8 +35,12 @@ std::string mover_source(capture::Language language, int corner_words) {
 
 }  // namespace
 
-Reorder::Mover Reorder::build(int corner_words) const {
-  Mover mover;
+void Reorder::build(Mover& mover, int corner_words) {
+  if (mover.tried || !compilation_.may_begin(&mover)) {
+    return;
+  }
+  const core::Compilation::Step step(compilation_);
+  mover.tried = true;
   const std::vector<core::ShaderText> texts{
       {GL_VERTEX_SHADER, mover_source(language_, corner_words)},
       {GL_FRAGMENT_SHADER, core::idle_fragment_shader(language_ == capture::Language::es)}};
@@ -48,11 +52,11 @@ Reorder::Mover Reorder::build(int corner_words) const {
   if (mover.program != 0) {
     gl_.GenVertexArrays(1, &mover.vertex_array);
   }
-  return mover;
 }
 
 bool Reorder::has_room(const capture::Layout& layout, std::uint32_t instances) const {
-  return movers_.contains(layout.corner_words) &&
+  const auto mover = movers_.find(layout.corner_words);
+  return mover != movers_.end() && mover->second.program != 0 &&
          static_cast<std::int64_t>(instances) * stride(layout) + chunk_overrun <= records_.size();
 }
 
@@ -61,9 +65,7 @@ bool Reorder::reserve(const capture::Layout& layout, std::uint32_t instances) {
     gl_.GenTransformFeedbacks(1, &feedback_);
   }
   Mover& mover = movers_[layout.corner_words];
-  if (mover.program == 0) {
-    mover = build(layout.corner_words);
-  }
+  build(mover, layout.corner_words);
   return mover.program != 0 &&
          records_.reserve(gl_, static_cast<std::int64_t>(instances) * stride(layout) + chunk_overrun, GL_DYNAMIC_COPY);
 }

@@ -11,6 +11,7 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
@@ -27,7 +28,8 @@ struct Order {
 
 class Reorder {
  public:
-  Reorder(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+  Reorder(core::Compilation& compilation, capture::Language language)
+      : gl_(compilation.gl()), compilation_(compilation), language_(language) {}
 
   // Makes room for `instances` records, and builds the program for their layout. Rare path inside: wrap in an
   // ErrorScope.
@@ -44,12 +46,14 @@ class Reorder {
 
  private:
   struct Mover {
+    bool tried = false;
     GLuint program = 0;
     GLuint vertex_array = 0;
   };
-  Mover build(int corner_words) const;
+  void build(Mover& mover, int corner_words);
 
   const gl::Dispatch& gl_;
+  core::Compilation& compilation_;
   capture::Language language_;
   std::map<int, Mover> movers_;  // by the number of words in a corner
   core::GpuBuffer records_;

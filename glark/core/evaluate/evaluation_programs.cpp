@@ -57,6 +57,7 @@ EvaluationProgram EvaluationPrograms::build(const Request& request) {
   if (found != by_source_.end() && source.error.empty()) {
     return found->second;
   }
+  const core::Compilation::Step step(env_.compilation);
   EvaluationProgram program;
   std::string& error = source.error;
   if (error.empty()) {

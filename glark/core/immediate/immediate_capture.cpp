@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "glark/core/passes/compile_ahead.h"
+
 namespace glark::core {
 namespace {
 
@@ -21,12 +23,16 @@ std::uint64_t ImmediateCapture::room() const {
 std::uint64_t ImmediateCapture::begin(GLenum mode, MaterialSet materials, std::optional<Cause>& cause) {
   const auto nothing = [] {};
   const bool tags_vary = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
-  Decision decision = planner_.plan(
-      {.mode = mode, .tags_vary = tags_vary, .whole_polygons = true, .materials = materials, .issue = nothing});
+  const DrawCall call{
+      .mode = mode, .tags_vary = tags_vary, .whole_polygons = true, .materials = materials, .issue = nothing};
+  Decision decision = planner_.plan(call);
   cause = decision.cause;
   plan_ = std::move(decision.plan);
+  if (cause == Cause::mesh_waits) {
+    compile_ahead(meshes_, passes_, call, plan_, room());
+  }
   if (!cause) {
-    cause = passes_.ensure_room(plan_, room());
+    cause = passes_.ensure_room(plan_, room(), false);
   }
   if (cause) {
     return 0;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "glark/core/capture/draw_capture.h"
+#include "glark/core/meshes/mesh_watch.h"
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/plan/planner.h"
 #include "glark/core/state/environment.h"
@@ -16,9 +17,9 @@ namespace glark::core {
 
 class ImmediateCapture {
  public:
-  ImmediateCapture(const Environment& environment, Planner& planner, TrianglePasses& passes,
+  ImmediateCapture(const Environment& environment, Planner& planner, MeshWatch& meshes, TrianglePasses& passes,
                    capture::DrawCapture& capture)
-      : env_(environment), planner_(planner), passes_(passes), capture_(capture) {}
+      : env_(environment), planner_(planner), meshes_(meshes), passes_(passes), capture_(capture) {}
 
   // Begins the capture and returns how many triangles fit. 0: the draw stays unrefined, because of `cause`.
   std::uint64_t begin(GLenum mode, MaterialSet materials, std::optional<Cause>& cause);
@@ -37,6 +38,7 @@ class ImmediateCapture {
 
   const Environment& env_;
   Planner& planner_;
+  MeshWatch& meshes_;
   TrianglePasses& passes_;
   capture::DrawCapture& capture_;
   DrawPlan plan_;

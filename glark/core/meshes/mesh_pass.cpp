@@ -34,6 +34,7 @@ std::optional<MeshPass> mesh_pass(const MeshPassFacts& facts, std::optional<Caus
   }
   MeshPass pass;
   pass.curves = !cause;
+  pass.compiles = cause == Cause::compiling;
   pass.uses_depth = tests && (b.depth_function != GL_ALWAYS || b.depth_writes);
   pass.writes_depth = tests && b.depth_writes;
   pass.equal = tests && b.depth_function == GL_EQUAL;

@@ -15,6 +15,7 @@ namespace glark::core {
 struct MeshPass {
   bool curves = false;        // the draw can be curved
   bool made = false;          // its normals are made from positions
+  bool compiles = false;      // whether it curves is known when its programs are compiled
   bool lacks_normal = false;  // nothing else keeps it from that; another pass may have the normals
   bool uses_depth = false;    // it tests or writes depth: other passes over the mesh may meet it
   bool writes_depth = false;  // so that later passes may meet it

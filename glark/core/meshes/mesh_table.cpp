@@ -21,17 +21,50 @@ void MeshTable::count_frame(Drawn& drawn) {
 MeshVerdict MeshTable::draw(const MeshKey& key, const MeshPass& pass) {
   Mesh& mesh = find(key);
   drawn_ = true;
+  if (pass.compiles) {
+    return delay(key, mesh, pass);
+  }
   const bool enough = watched(key, mesh, pass);
   note(mesh, key == loose_mesh, pass);
-  return mesh.flat                 ? MeshVerdict::flat
-         : frame_ < doubted_until_ ? MeshVerdict::unknown_partner
-         : enough                  ? MeshVerdict::curved
-                                   : MeshVerdict::waits;
+  const MeshVerdict verdict = mesh.flat                 ? MeshVerdict::flat
+                              : frame_ < doubted_until_ ? MeshVerdict::unknown_partner
+                              : enough                  ? MeshVerdict::curved
+                                                        : MeshVerdict::waits;
+  if (verdict == MeshVerdict::curved && pass.curves) {
+    mesh.curved = frame_;
+    source_for(key).curved = true;
+  }
+  return verdict;
+}
+
+// Nobody knows yet whether the pass can be curved. It is there for the passes that must meet it.
+MeshVerdict MeshTable::delay(const MeshKey& key, Mesh& mesh, const MeshPass& pass) {
+  mesh.first = mesh.first == never ? frame_ : mesh.first;
+  mesh.seen = frame_;
+  mesh.shown = pass.shows ? frame_ : mesh.shown;
+  if (pass.writes_depth) {
+    mesh.written = written_ = frame_;
+  }
+  compiles(key);
+  return MeshVerdict::waits;
+}
+
+void MeshTable::compiles(const MeshKey& key) {
+  find(key).compiling = frame_;
+  source_for(key).compiling = frame_;
+}
+
+bool MeshTable::is_curved(const MeshKey& key) {
+  return is_recent(find(key).curved) || (!lasts(key) && source_for(key).curved);
+}
+
+bool MeshTable::is_nearly_watched(const MeshKey& key) {
+  return find(key).frames >= frames_to_watch || (!lasts(key) && source_for(key).frames >= frames_to_watch);
 }
 
 // Returns whether enough frames have shown the passes over the mesh, or over others of its source.
 bool MeshTable::watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass) {
-  Source& source = sources_[static_cast<std::size_t>(source_of(key))];
+  Source& source = source_for(key);
   mesh.first = mesh.first == never ? frame_ : mesh.first;
   mesh.seen = frame_;
   bool& had_such = pass.curves ? mesh.had_curved : mesh.had_flat;
@@ -41,8 +74,11 @@ bool MeshTable::watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass) {
   }
   count_frame(source);
   source.mixed = source.mixed || (mesh.had_curved && mesh.had_flat && !(key == loose_mesh));
-  const bool lasts = source_of(key) == MeshSource::buffer || key == loose_mesh;
-  return mesh.frames > frames_to_watch || (!lasts && !source.mixed && source.frames > frames_to_watch);
+  if (mesh.frames > frames_to_watch) {
+    return !is_recent(mesh.compiling);
+  }
+  const bool compiles = !source.curved && is_recent(source.compiling);
+  return !lasts(key) && !source.mixed && source.frames > frames_to_watch && !compiles;
 }
 
 MeshTable::Mesh& MeshTable::find(const MeshKey& key) {

@@ -60,6 +60,13 @@ class MeshTable {
   // frame, draws are expected to write depth.
   bool wrote_depth(const MeshKey& key) { return is_recent(find(key).written); }
   bool any_wrote_depth() const { return frame_ == 1 || is_recent(written_); }
+  // Passes over the mesh are curved in this or the last frame, or over other meshes of its source if it is a new one.
+  bool is_curved(const MeshKey& key);
+  // The mesh may be curved in the next frame.
+  bool is_nearly_watched(const MeshKey& key);
+  // A pass over the mesh cannot be curved in this frame, because its programs are not compiled yet. The mesh waits in
+  // this frame and in the next one.
+  void compiles(const MeshKey& key);
   // A frame without draws is not counted.
   void frame_finished();
 
@@ -77,6 +84,8 @@ class MeshTable {
     std::uint64_t written_flat = never;  // the last frame in which a flat pass wrote depth
     std::uint64_t shown = never;         // the last frame in which it wrote colours
     std::uint64_t prepared = never;      // the last frame in which a flat pass prepared for others
+    std::uint64_t curved = never;        // the last frame in which passes were curved
+    std::uint64_t compiling = never;     // the last frame in which programs of a pass were not compiled
     std::uint64_t made = never;          // the last frame in which a pass had normals from positions
     unsigned frames = 0;                 // that drew it since it has normals, up to frames_to_watch + 1
     bool flat = false;
@@ -86,15 +95,20 @@ class MeshTable {
     NormalsBeside beside;
   };
   struct Source {
-    std::uint64_t frame = never;  // the last frame that drew from it
-    unsigned frames = 0;          // up to frames_to_watch + 1
-    bool mixed = false;           // one of its meshes had both curved and flat passes
+    std::uint64_t frame = never;      // the last frame that drew from it
+    unsigned frames = 0;              // up to frames_to_watch + 1
+    std::uint64_t compiling = never;  // the last frame in which programs for one of its meshes were not compiled
+    bool curved = false;              // one of its meshes was
+    bool mixed = false;               // one of its meshes had both curved and flat passes
   };
 
   Mesh& find(const MeshKey& key);
   void note(Mesh& mesh, bool loose, const MeshPass& pass);
   template <class Drawn>
   void count_frame(Drawn& drawn);
+  static bool lasts(const MeshKey& key) { return source_of(key) == MeshSource::buffer || key == loose_mesh; }
+  Source& source_for(const MeshKey& key) { return sources_[static_cast<std::size_t>(source_of(key))]; }
+  MeshVerdict delay(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
   bool watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
   bool is_recent(std::uint64_t frame) const { return frame != never && frame + 1 >= frame_; }
   void doubt() { doubted_until_ = frame_ + frames_of_doubt; }

@@ -55,7 +55,8 @@ bool may_make_normals(const ContextOptions& options, const std::vector<capture::
 }
 
 std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause) {
-  if (!cause && (is_lone_polygon(call) || !has_normals(call, inputs))) {
+  const bool may_curve = !cause || cause == Cause::compiling;
+  if (may_curve && (is_lone_polygon(call) || (!cause && !has_normals(call, inputs)))) {
     cause = Cause::no_surface;
   }
   Framebuffers& framebuffers = env_.state.framebuffers();
@@ -212,6 +213,18 @@ MeshKey MeshWatch::mesh_of_draw(const DrawCall& call, const std::vector<capture:
   return call.list_segment != 0                    ? mesh_of_list(call.list_segment)
          : call.from_arrays && position != nullptr ? key_of(slot_of(*position))
                                                    : loose_mesh;
+}
+
+bool MeshWatch::is_curved(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  return table_.is_curved(mesh_of_draw(call, fields));
+}
+
+bool MeshWatch::is_nearly_watched(const DrawCall& call, const std::vector<capture::Field>& fields) const {
+  return table_.is_nearly_watched(mesh_of_draw(call, fields));
+}
+
+void MeshWatch::compiles(const DrawCall& call, const std::vector<capture::Field>& fields) {
+  table_.compiles(mesh_of_draw(call, fields));
 }
 
 bool MeshWatch::mesh_wrote_depth(const DrawCall& call, const std::vector<capture::Field>& fields) const {

@@ -38,6 +38,12 @@ class MeshWatch {
   // Passes over the mesh of this draw, or other draws, wrote depth in this or the last frame.
   bool mesh_wrote_depth(const DrawCall& call, const std::vector<capture::Field>& fields) const;
   bool any_wrote_depth() const { return table_.any_wrote_depth(); }
+  // Returns whether passes over the mesh of this draw are curved in this or the last frame.
+  bool is_curved(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  // Returns whether the mesh may be curved in the next frame, so that its programs are needed.
+  bool is_nearly_watched(const DrawCall& call, const std::vector<capture::Field>& fields) const;
+  // Programs of the draw are not compiled yet: its mesh waits.
+  void compiles(const DrawCall& call, const std::vector<capture::Field>& fields);
   void frame_finished() { table_.frame_finished(); }
 
  private:

@@ -29,6 +29,7 @@ bool ComputePass::build(const gl::Dispatch& gl, const ComputeText& text, std::sp
   const GLuint program = gl.CreateProgram();
   const GLuint shader = compile_shader(gl, GL_COMPUTE_SHADER, full_source(text), error);
   if (!link_program(gl, program, {&shader, 1}, error)) {
+    failed_ = true;
     log(text.failure, fmt::format("{} cannot be built: {}", text.what, error));
     return false;
   }
@@ -44,6 +45,7 @@ bool ComputePass::build(const gl::Dispatch& gl, const ComputeText& text, std::sp
 void ComputePass::release(const gl::Dispatch& gl) {
   gl.DeleteProgram(program_);
   program_ = 0;
+  failed_ = false;
   locations_.clear();
 }
 

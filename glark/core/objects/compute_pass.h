@@ -35,6 +35,7 @@ class ComputePass {
   // wrap in an ErrorScope.
   bool build(const gl::Dispatch& gl, const ComputeText& text, std::span<const char* const> uniforms);
   bool built() const { return program_ != 0; }
+  bool failed() const { return failed_; }  // the last build()
   void release(const gl::Dispatch& gl);
 
   void use(const gl::Dispatch& gl) const { gl.UseProgram(program_); }
@@ -49,6 +50,7 @@ class ComputePass {
 
  private:
   GLuint program_ = 0;
+  bool failed_ = false;
   std::vector<GLint> locations_;
   mutable std::vector<GLint> integers_;  // the values that GL has
 };

@@ -9,8 +9,8 @@
 namespace glark::core {
 namespace {
 
-depth::SortRoom sort_room(const DrawPlan& plan, std::uint32_t triangles) {
-  return {plan.depth, *plan.capture.layout, triangles, plan.derived->numbered};
+depth::SortRoom sort_room(const DrawPlan& plan, std::uint32_t triangles, bool exact) {
+  return {plan.depth, *plan.capture.layout, triangles, plan.derived->numbered, plan.derived->stored(), exact};
 }
 
 }  // namespace
@@ -24,42 +24,57 @@ TrianglePasses::TrianglePasses(const Environment& environment, const pattern::Po
       weld_(environment, capture::language_of(environment.capabilities)),
       sorter_(environment, pool, capture::language_of(environment.capabilities)) {}
 
-bool TrianglePasses::has_room(const DrawPlan& plan, std::uint32_t triangles) const {
+bool TrianglePasses::has_room(const DrawPlan& plan, std::uint32_t triangles, bool exact) const {
   return (!plan.weld.on || weld_.stage().has_room(plan.weld, *plan.capture.layout, triangles)) &&
-         (!plan.depth.adaptive || sorter_.has_room(sort_room(plan, triangles)));
+         (!plan.depth.adaptive || sorter_.has_room(sort_room(plan, triangles, exact)));
 }
 
-bool TrianglePasses::reserve(const DrawPlan& plan, std::uint32_t triangles) {
-  if (plan.weld.on && !weld_.stage().reserve(plan.weld, *plan.capture.layout, triangles)) {
-    return false;
-  }
+bool TrianglePasses::reserve(const DrawPlan& plan, std::uint32_t triangles, bool exact) {
+  const bool welds = !plan.weld.on || weld_.stage().reserve(plan.weld, *plan.capture.layout, triangles);
   if (!plan.depth.adaptive) {
-    return true;
+    return welds;
   }
   const capture::FeedbackAside aside(env_.gl, capture_.stage(), env_.bindings());
-  return sorter_.reserve(sort_room(plan, triangles));
+  return sorter_.reserve(sort_room(plan, triangles, exact)) && welds;
 }
 
-std::optional<Cause> TrianglePasses::ensure_room(const DrawPlan& plan, std::uint64_t triangles) {
+std::optional<Cause> TrianglePasses::ensure_room(const DrawPlan& plan, std::uint64_t triangles, bool exact) {
   const capture::Layout& layout = *plan.capture.layout;
   const auto count = static_cast<std::uint32_t>(triangles);
   if (!capture_.stage().can_reserve(layout, triangles)) {
     return Cause::out_of_memory;
   }
-  if (capture_.stage().has_room(layout, triangles) && has_room(plan, count)) {
+  if (capture_.stage().has_room(layout, triangles) && has_room(plan, count, exact)) {
     return std::nullopt;
   }
   ErrorScope errors(env_.errors);
-  const bool reserved = capture_.stage().reserve(layout, triangles) && reserve(plan, count);
+  const auto reserve_all = [&] { return capture_.stage().reserve(layout, triangles) && reserve(plan, count, exact); };
+  const bool at_once = env_.compilation.pace() == CompilePace::at_once;
+  const bool reserved = at_once ? env_.compilation.at_once(reserve_all) : reserve_all();
+  if (env_.compilation.refused()) {
+    return Cause::compiling;
+  }
   return reserved ? std::nullopt : std::optional(Cause::out_of_memory);
 }
 
-bool TrianglePasses::ensure_split_room(const DrawPlan& plan, const polygons::SplitRequest& request) {
-  if (centroids_.has_room(request) && has_room(plan, request.records())) {
+bool TrianglePasses::compile(const DrawPlan& plan, std::uint64_t triangles, bool exact) {
+  const auto count = static_cast<std::uint32_t>(triangles);
+  if (env_.compilation.pace() == CompilePace::at_once || has_room(plan, count, exact) ||
+      !capture_.stage().can_reserve(*plan.capture.layout, triangles)) {
     return true;
   }
   ErrorScope errors(env_.errors);
-  if (centroids_.reserve(request) && reserve(plan, request.records())) {
+  reserve(plan, count, exact);
+  return !env_.compilation.refused();
+}
+
+bool TrianglePasses::ensure_split_room(const DrawPlan& plan, const polygons::SplitRequest& request) {
+  const bool exact = !request.triangles.count_on_gpu;
+  if (centroids_.has_room(request) && has_room(plan, request.records(), exact)) {
+    return true;
+  }
+  ErrorScope errors(env_.errors);
+  if (centroids_.reserve(request) && reserve(plan, request.records(), exact)) {
     return true;
   }
   if (!split_failed_) {

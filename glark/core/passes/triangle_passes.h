@@ -32,8 +32,12 @@ class TrianglePasses {
   weld::WeldStage& weld_stage() { return weld_.stage(); }
   depth::InstanceSorter& sorter() { return sorter_; }
 
-  // Makes room for a draw of `triangles` triangles. Returns the cause if there is no memory.
-  std::optional<Cause> ensure_room(const DrawPlan& plan, std::uint64_t triangles);
+  // Makes room for a draw of `triangles` triangles, or of fewer if that is not exact. Returns the cause if there is no memory, or if passes are not
+  // compiled yet.
+  std::optional<Cause> ensure_room(const DrawPlan& plan, std::uint64_t triangles, bool exact);
+  // Compiles what a later frame will need. Returns whether everything is compiled, or will
+  // be compiled at once.
+  bool compile(const DrawPlan& plan, std::uint64_t triangles, bool exact);
   // Welds the captured triangles. Returns whether storage buffer bindings have changed.
   bool weld(const DrawPlan& plan, const capture::CoarseTriangles& captured) {
     return weld_.weld_captured(plan.weld, *plan.capture.layout, captured, capture_.count_command());
@@ -43,8 +47,8 @@ class TrianglePasses {
   void release();
 
  private:
-  bool has_room(const DrawPlan& plan, std::uint32_t triangles) const;
-  bool reserve(const DrawPlan& plan, std::uint32_t triangles);
+  bool has_room(const DrawPlan& plan, std::uint32_t triangles, bool exact) const;
+  bool reserve(const DrawPlan& plan, std::uint32_t triangles, bool exact);
   bool ensure_split_room(const DrawPlan& plan, const polygons::SplitRequest& request);
 
   const Environment& env_;

@@ -62,10 +62,12 @@ GLARK_SHARED_FUNCTION bool is_whole(int least, int most, int interior) {
   return interior == minimum_interior && least > 0 && least < most && most <= deepest_whole;
 }
 
-// Expands one tile. All its depths are equal and at most 8, or the least depth is 0 or 2..6. GLARK_EMIT stands here
-// only twice, because processors that run both sides of a branch pay for each place.
+// Expands one tile. All its depths are equal and at most 8, or the least depth is 0 or 2..6. The upside-down tile to the
+// right, if there is one, has three edges of depth `beside`, because it touches no edge of the whole triangle; -1: there
+// is none. GLARK_EMIT stands here only once: compilers inline it, and processors that run both sides of a branch pay for
+// each place.
 GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int d2, int interior, float ou, float ov,
-                                       float s) {
+                                       float s, int beside) {
   int least = lesser(d0, lesser(d1, d2));
   int most = greater(d0, greater(d1, d2));
   // Skirts cut the corners in another way than a regular pattern. While morphing, equal depths have skirts, too.
@@ -79,14 +81,21 @@ GLARK_EXPAND_FUNCTION void expand_tile(GLARK_SINK_PARAMETER int d0, int d1, int 
   int after = short_edge == 0 ? d1 : short_edge == 1 ? d2 : d0;
   int before = short_edge == 0 ? d2 : short_edge == 1 ? d0 : d1;
   bool turned = !regular && !skirted && !centred;
-  int first = centred ? centre_skirt_piece(d0) : entire ? whole_piece(least, after, before) : fan_piece(after, before);
-  GLARK_EMIT(regular   ? uniform_piece(least)
-             : skirted ? interior_piece(level)
-                       : first,
-             ou, ov, s, turned ? float(short_edge) : 0.0f);
-  for (int edge = centred ? 1 : 0; edge < 3 && (skirted || centred); ++edge) {
+  int whole = entire ? whole_piece(least, after, before) : fan_piece(after, before);
+  int first = regular ? uniform_piece(least) : skirted ? interior_piece(level) : centred ? centre_skirt_piece(d0) : whole;
+  // Part 0 is the first piece, part k the one along edge k - 1, and the last part the upside-down tile.
+  int parts = skirted || centred ? 4 : 1;
+  int end = beside >= 0 ? parts + 1 : parts;
+  for (int part = 0; part < end; ++part) {
+    bool over = part == parts;
+    int edge = part - 1;
     int d = edge == 0 ? d0 : edge == 1 ? d1 : d2;
-    GLARK_EMIT(centred ? centre_skirt_piece(d) : skirt_of(level, d, interior), ou, ov, s, float(edge));
+    int skirt = centred ? centre_skirt_piece(d) : skirt_of(level, d, interior);
+    int piece = over ? uniform_piece(beside) : part == 0 ? first : skirt;
+    int turn = over ? 0 : part > 0 ? edge : turned ? short_edge : 0;
+    bool drawn = !(centred && part == 1);  // the first piece is the skirt of edge 0
+    float size = over ? -s : s;
+    if (drawn) GLARK_EMIT(piece, over ? ou + s : ou, over ? ov + s : ov, size, float(turn));
   }
 }
 
@@ -118,9 +127,7 @@ GLARK_EXPAND_FUNCTION void expand_pattern(GLARK_SINK_PARAMETER int e0, int e1, i
       float ou = float(i) * s;
       float ov = float(j) * s;
       expand_tile(GLARK_SINK_ARGUMENT j == 0 ? e0 - halvings : inner, last ? e1 - halvings : inner,
-                  i == 0 ? e2 - halvings : inner, tile_interior, ou, ov, s);
-      // The upside-down tile to the right touches no edge of the whole triangle: its three edges are inner ones.
-      if (!last) GLARK_EMIT(uniform_piece(inner), ou + s, ov + s, -s, 0.0f);
+                  i == 0 ? e2 - halvings : inner, tile_interior, ou, ov, s, last ? -1 : inner);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string>
 
+#include "glark/core/plan/compile_choice.h"
 #include "glark/core/plan/depths/budget_choice.h"
 #include "glark/core/plan/depths/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
@@ -76,17 +77,33 @@ Planner::Planner(const Environment& environment, const Parts& parts)
 Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   env_.state.refresh();
   const std::shared_ptr<Program> current = env_.state.programs().current();
-  const std::unique_lock lock =
-      current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
+  const auto lock = current != nullptr ? std::unique_lock(current->mutex) : std::unique_lock<std::recursive_mutex>();
+  env_.compilation.begin_draw(compile_pace(env_.options, env_.ark, env_.compilation.has_shown_frame()));
   Decision decision;
   decision.cause = decide(call, purpose, decision.plan);
+  if (env_.compilation.refused()) {
+    decide_again(call, purpose, decision);
+  }
   const bool spends = spends_on_curves(env_.options, env_.ark, decision.plan.wanted, decision.plan.depth);
   if (purpose == Purpose::draw && (smooth() || spends)) {
     const MeshWatch::Inputs inputs{inputs_of(decision.plan), decision.plan.capture.lent.has_value()};
     const std::optional<Cause> verdict = parts_.meshes.judge(call, inputs, decision.cause);
     decision.cause = smooth() ? verdict : decision.cause;
   }
+  if (smooth() && !decision.cause) {
+    env_.compilation.set_pace(CompilePace::at_once);  // the mesh is curved in all passes
+  }
   return decision;
+}
+
+// Programs of the draw are not compiled. If other passes over the mesh are curved already, they are compiled now.
+void Planner::decide_again(const DrawCall& call, Purpose purpose, Decision& decision) {
+  decision.cause = Cause::compiling;
+  if (smooth() && parts_.meshes.is_curved(call, decision.plan.program->fields)) {
+    env_.compilation.begin_draw(CompilePace::at_once);
+    decision.plan = {};
+    decision.cause = decide(call, purpose, decision.plan);
+  }
 }
 
 // A program that calls the extension says itself what is a surface.
@@ -411,6 +428,7 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
   const std::lock_guard lock(program.mutex);
   const Quiet quiet = env_.state.quiet();
   ErrorScope errors(env_.errors);
+  env_.compilation.begin_draw(CompilePace::at_once);
   parts_.programs.derived().prepare(program);
   if (program.cause) {
     program.refinement_log = std::string(text_of(*program.cause).explanation);

@@ -56,6 +56,7 @@ class Planner {
   std::optional<Cause> find_screen_program(DrawPlan& plan, const DerivedKey& key);
   bool can_measure(const Program& program) const;
   bool smooth() const;
+  void decide_again(const DrawCall& call, Purpose purpose, Decision& decision);
   std::shared_ptr<DerivedProgram> derived(const DrawPlan& plan, const DerivedKey& key);
 
   const Environment& env_;

@@ -12,6 +12,11 @@ const CapturePrograms::Entry& CapturePrograms::find(const std::shared_ptr<Derive
   if (found != entries_.end()) {
     return found->second;
   }
+  static const Entry none;
+  if (!env_.compilation.may_begin(derived.get())) {
+    return none;
+  }
+  const Compilation::Step step(env_.compilation);
   std::erase_if(entries_, [](const auto& entry) { return entry.first.expired(); });
   ErrorScope errors(env_.errors);
   const capture::FeedbackAside aside(env_.gl, stage_, env_.bindings());

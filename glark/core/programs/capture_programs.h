@@ -23,7 +23,7 @@ class CapturePrograms {
 
   CapturePrograms(const Environment& environment, capture::CaptureStage& stage) : env_(environment), stage_(stage) {}
 
-  // Builds the program when it is first asked for. The entry lives as long as the derived program.
+  // Builds the program when it is first asked for. The name is 0, too, if the program must wait for the next frame. The entry lives as long as the derived program.
   const Entry& find(const std::shared_ptr<DerivedProgram>& derived);
   void clear() { entries_.clear(); }
 

@@ -52,6 +52,10 @@ std::shared_ptr<DerivedProgram> DerivedPrograms::find(Program& program, Program*
   if (found != program.derived.end()) {
     return found->second;
   }
+  if (!env_.compilation.may_begin(&program)) {
+    return nullptr;
+  }
+  const Compilation::Step step(env_.compilation);
   ErrorScope errors(env_.errors);
   const capture::FeedbackAside aside(env_.gl, stage_, env_.bindings());
   std::shared_ptr<DerivedProgram> derived = builder_.derive(program, owner, key);
@@ -61,11 +65,13 @@ std::shared_ptr<DerivedProgram> DerivedPrograms::find(Program& program, Program*
 
 std::shared_ptr<Program> DerivedPrograms::fixed_function(const refine::FixedFunctionState& state,
                                                          const Program* fragment) const {
+  const Compilation::Step step(env_.compilation);
   ErrorScope errors(env_.errors);
   return builder_.fixed_function(state, fragment);
 }
 
 std::shared_ptr<Program> DerivedPrograms::assembly(const std::string& source, const Program* fragment) const {
+  const Compilation::Step step(env_.compilation);
   ErrorScope errors(env_.errors);
   std::shared_ptr<Program> program = builder_.generated(source, "the GLSL of an assembly program", fragment);
   program->assembly = true;

@@ -24,7 +24,7 @@ class DerivedPrograms {
   const refine::StageVariation& variation(Program& program, std::uint32_t instanced) const {
     return builder_.variation(program, instanced);
   }
-  // Returns null if the program cannot be built. The derived program follows the uniforms of `owner`, the application's
+  // Returns null if the program cannot be built, or must wait for the next frame (Compilation::refused()). The derived program follows the uniforms of `owner`, the application's
   // program; null for fixed function.
   std::shared_ptr<DerivedProgram> find(Program& program, Program* owner, const DerivedKey& key) const;
   // A program that holds the generated vertex stage of `state` beside the fragment stages of `fragment` (may be null).

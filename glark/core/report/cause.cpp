@@ -78,6 +78,8 @@ constexpr std::array<CauseText, cause_count> cause_texts{{
     {"unknown_partner",
      "a pass that cannot be curved must meet another mesh in depth, and glark does not know which one",
      "--refine pn curves every pass by itself"},
+    {"compiling", "glark compiles a few of its shader programs in each frame, and the draw needs more of them",
+     "nothing to do; --wait compiles at once"},
     {"budget", "--budget goes to what shows: the draw is a background, or it cannot be curved", "run without --budget"},
 }};
 

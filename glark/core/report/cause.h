@@ -44,6 +44,7 @@ enum class Cause {
   mesh_waits,       // smooth curves a mesh from its third frame on: meshes/mesh_table.h
   mesh_flat,        // smooth: another pass over the mesh cannot be curved
   unknown_partner,  // smooth: a pass that cannot be curved must meet an unknown mesh
+  compiling,        // the programs of the draw are compiled in the next frames: objects/compilation.h
   budget,           // depth would not show, and a budget is set: plan/depths/budget_choice.h
 };
 inline constexpr unsigned cause_count = static_cast<unsigned>(Cause::budget) + 1;

@@ -8,7 +8,8 @@
 
 namespace glark::core {
 
-enum class LogLevel { error, warning, info, debug };
+// progress: for users who wait at a terminal; where nobody reads along, it counts as info.
+enum class LogLevel { error, warning, progress, info, debug };
 
 // Installed by the shim or a test; nullptr discards. Called from any thread.
 using LogSink = void (*)(LogLevel level, std::string_view message);

@@ -17,7 +17,7 @@ std::string PassedDraws::count(Cause cause) {
   const CauseText& text = text_of(cause);
   const bool expected = cause == Cause::not_triangles || cause == Cause::level_zero ||
                         cause == Cause::rasterizer_discard || cause == Cause::mesh_waits ||
-                        cause == Cause::invalid_draw;
+                        cause == Cause::invalid_draw || cause == Cause::compiling;
   const std::string message = "draws stay as the application asked: " + std::string(text.explanation) +
                               "; to change that: " + std::string(text.remedy);
   log(expected ? LogLevel::debug : LogLevel::info, message);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "glark/core/ark_state.h"
+#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/error_scope.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/gl_state.h"
@@ -20,6 +21,7 @@ struct Environment {
   GlState& state;
   PendingError& errors;
   ShareGroup& share;
+  Compilation& compilation;
 
   const Bindings& bindings() const { return state.bindings(); }
 };

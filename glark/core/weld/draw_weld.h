@@ -12,7 +12,7 @@ namespace glark::weld {
 class DrawWeld {
  public:
   DrawWeld(const core::Environment& environment, capture::Language language)
-      : env_(environment), stage_(environment.gl, language) {}
+      : env_(environment), stage_(environment.compilation, language) {}
 
   WeldStage& stage() { return stage_; }
   const WeldStage& stage() const { return stage_; }

@@ -24,16 +24,15 @@ constexpr std::size_t least_cosine = 12;
 }  // namespace
 
 bool GeometryNormals::build() {
+  bool built = true;
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
     const core::ComputeText text{.what = "a pass that makes normals",
                                  .source = normals_source,
                                  .es = language_ == capture::Language::es,
                                  .defines = {{"GLARK_PASS", pass}, {"GLARK_GROUP", core::ComputePass::group_size}}};
-    if (!passes_.at(pass).built() && !passes_.at(pass).build(gl_, text, uniform_names)) {
-      return false;
-    }
+    built = compilation_.build(passes_.at(pass), text, uniform_names) && built;
   }
-  return true;
+  return built;
 }
 
 void GeometryNormals::run(const GeometryNormalsRequest& request) const {

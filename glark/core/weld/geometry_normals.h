@@ -10,6 +10,7 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/gl/dispatch.h"
 
@@ -26,7 +27,8 @@ struct GeometryNormalsRequest {
 
 class GeometryNormals {
  public:
-  GeometryNormals(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+  GeometryNormals(core::Compilation& compilation, capture::Language language)
+      : gl_(compilation.gl()), compilation_(compilation), language_(language) {}
 
   bool built() const { return passes_.back().built(); }
   // Compiles the passes when first called. Rare path: wrap in an ErrorScope.
@@ -37,6 +39,7 @@ class GeometryNormals {
 
  private:
   const gl::Dispatch& gl_;
+  core::Compilation& compilation_;
   capture::Language language_;
   std::array<core::ComputePass, 3> passes_;  // clear, link, write
 };

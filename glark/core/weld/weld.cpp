@@ -87,8 +87,17 @@ bool WeldStage::build(Ability ability, Pass pass) {
                                            {"GLARK_GROUP", core::ComputePass::group_size},
                                            {"GLARK_DISPLACED", ability == Ability::displaced ? 1U : 0U},
                                            {"GLARK_CREASED", ability == Ability::creased ? 1U : 0U}}};
-  core::ComputePass& built = this->pass(ability, pass);
-  return built.built() || built.build(gl_, text, uniform_names);
+  return compilation_.build(this->pass(ability, pass), text, uniform_names);
+}
+
+// Tries them all, so that it is known how many must wait.
+bool WeldStage::build_all(const WeldPlan& plan, const capture::Layout& layout) {
+  const Ability needed = ability(plan, layout);
+  bool built = true;
+  for (const Pass pass : all_passes) {
+    built = (!needs(plan, layout, pass) || build(needed, pass)) && built;
+  }
+  return (!plan.makes_normals || normals_.build()) && built;
 }
 
 bool WeldStage::can_hold(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles) {
@@ -122,10 +131,7 @@ bool WeldStage::has_room(const WeldPlan& plan, const capture::Layout& layout, st
 }
 
 bool WeldStage::reserve(const WeldPlan& plan, const capture::Layout& layout, std::uint32_t triangles) {
-  const Ability needed = ability(plan, layout);
-  return std::all_of(std::begin(all_passes), std::end(all_passes),
-                     [&](Pass pass) { return !needs(plan, layout, pass) || build(needed, pass); }) &&
-         (!plan.makes_normals || normals_.build()) && can_hold(plan, layout, triangles) &&
+  return build_all(plan, layout) && can_hold(plan, layout, triangles) &&
          tables_.reserve(gl_, static_cast<std::int64_t>(bytes_for(plan, layout, triangles)), GL_DYNAMIC_COPY);
 }
 

@@ -19,6 +19,7 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
+#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/weld/geometry_normals.h"
@@ -57,13 +58,13 @@ inline constexpr GLint corners_of_triangle = 3;
 
 class WeldStage {
  public:
-  WeldStage(const gl::Dispatch& gl, capture::Language language)
-      : gl_(gl), language_(language), normals_(gl, language) {}
+  WeldStage(core::Compilation& compilation, capture::Language language)
+      : gl_(compilation.gl()), compilation_(compilation), language_(language), normals_(compilation, language) {}
 
   // Returns whether the tables for `triangles` triangles fit into a storage block.
   bool can_hold(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles);
   bool has_room(const WeldPlan& plan, const capture::Layout& layout, std::uint32_t triangles) const;
-  // Compiles the passes when they are first needed; false without memory. Rare path: wrap in an ErrorScope.
+  // Compiles the passes when they are first needed; false without memory, or if some must wait. Rare path: wrap in an ErrorScope.
   bool reserve(const WeldPlan& plan, const capture::Layout& layout, std::uint32_t triangles);
   // Writes into the records themselves. Changes the program and the storage buffer bindings 0 to 2, which the caller
   // restores. `captured_count`: holds the CountCommand of triangles that are counted on the GPU.
@@ -82,12 +83,14 @@ class WeldStage {
   core::ComputePass& pass(Ability ability, Pass pass);
   const core::ComputePass& pass(Ability ability, Pass pass) const;
   bool build(Ability ability, Pass pass);
+  bool build_all(const WeldPlan& plan, const capture::Layout& layout);
   void upload_keys(const WeldRequest& request) const;
   void make_normals(const WeldRequest& request) const;
   void weld(const WeldRequest& request) const;
   void dispatch(Pass pass, const WeldRequest& request, std::uint32_t invocations) const;
 
   const gl::Dispatch& gl_;
+  core::Compilation& compilation_;
   capture::Language language_;
   std::array<std::array<core::ComputePass, std::size(all_passes)>, 3> passes_;  // by ability
   GeometryNormals normals_;

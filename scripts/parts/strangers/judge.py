@@ -147,7 +147,7 @@ def build_of(library: pathlib.Path) -> str:
 
 
 def settings_of(mode: str, library: pathlib.Path) -> dict:
-    return {"LD_PRELOAD": str(library), "GLARK_ENABLE": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": mode}
+    return {"LD_PRELOAD": str(library), "GLARK_ENABLE": "1", "GLARK_WAIT": "1", "GLARK_LEVEL": str(LEVEL), "GLARK_REFINE": mode}
 
 
 def examine(program: Stranger, folder: pathlib.Path, arguments: argparse.Namespace) -> dict:

@@ -16,6 +16,7 @@ constexpr MeshPass flat_depth{.uses_depth = true, .writes_depth = true, .shows =
 constexpr MeshPass curved_depth{.curves = true, .uses_depth = true, .writes_depth = true, .shows = false};
 constexpr MeshPass equal_colors{.curves = true, .uses_depth = true, .equal = true};
 constexpr MeshPass overlay{};
+constexpr MeshPass not_compiled{.compiles = true, .uses_depth = true, .writes_depth = true};
 
 class MeshTables : public testing::Test {
  protected:
@@ -34,6 +35,63 @@ class MeshTables : public testing::Test {
 TEST_F(MeshTables, AMeshIsCurvedFromTheThirdFrameOn) {
   for (int frame = 1; frame <= 5; ++frame) {
     EXPECT_EQ(table_.draw(ball, colors), frame <= 2 ? MeshVerdict::waits : MeshVerdict::curved) << frame;
+    table_.frame_finished();
+  }
+}
+
+// Its programs are compiled in later frames.
+TEST_F(MeshTables, AMeshWaitsInAllPassesUntilTheFrameAfterItsProgramsAreCompiled) {
+  for (int frame = 1; frame <= 9; ++frame) {
+    const bool compiles = frame >= 3 && frame <= 6;
+    const MeshVerdict wanted = frame <= 7 ? MeshVerdict::waits : MeshVerdict::curved;
+    if (compiles) {
+      EXPECT_EQ(table_.draw(ball, not_compiled), MeshVerdict::waits) << frame;
+    }
+    if (frame != 3) {  // a pass before the missing one would be curved
+      EXPECT_EQ(table_.draw(ball, colors), wanted) << frame;
+    }
+    table_.frame_finished();
+  }
+}
+
+TEST_F(MeshTables, APassThatIsNotCompiledSaysNothingAboutItsMesh) {
+  for (int frame = 0; frame < 9; ++frame) {
+    EXPECT_EQ(table_.draw(ball, not_compiled), MeshVerdict::waits);
+    EXPECT_EQ(table_.draw(ball, equal_colors), MeshVerdict::waits) << "it meets the pass before";
+    table_.frame_finished();
+  }
+  EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, PassesAreCompiledInTheLastFrameOfTheWatch) {
+  EXPECT_FALSE(table_.is_nearly_watched(ball));
+  table_.draw(ball, colors);
+  EXPECT_FALSE(table_.is_nearly_watched(ball));
+  table_.frame_finished();
+  table_.draw(ball, colors);
+  EXPECT_TRUE(table_.is_nearly_watched(ball));
+  table_.compiles(ball);
+  table_.frame_finished();
+  EXPECT_EQ(table_.draw(ball, colors), MeshVerdict::waits);
+  table_.frame_finished();
+  EXPECT_EQ(table_.draw(ball, colors), MeshVerdict::curved);
+}
+
+TEST_F(MeshTables, ACurvedMeshIsKnown) {
+  settled({{ball, colors}});
+  EXPECT_TRUE(table_.is_curved(ball));
+  EXPECT_FALSE(table_.is_curved(copy_of_ball));
+  const MeshKey list = mesh_of_list(1);
+  settled({{list, colors}});
+  EXPECT_TRUE(table_.is_curved(mesh_of_list(2))) << "it would be curved at once";
+}
+
+// A program that compiles its list again in every frame.
+TEST_F(MeshTables, ANewListWaitsWhileProgramsOfItsSourceAreCompiled) {
+  for (std::uint64_t frame = 1; frame <= 7; ++frame) {
+    const MeshKey list = mesh_of_list(frame);
+    EXPECT_EQ(table_.draw(list, colors), frame <= 5 ? MeshVerdict::waits : MeshVerdict::curved) << frame;
+    if (frame >= 2 && frame <= 4) table_.compiles(list);
     table_.frame_finished();
   }
 }

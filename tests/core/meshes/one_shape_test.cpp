@@ -17,7 +17,8 @@ namespace {
 // The program runs as under `glark run`. The library reads the variables when the first context is made.
 const bool as_under_glark_run = [] {
   return setenv("GLARK_CONFIG", "/dev/null", 1) == 0 && setenv("GLARK_ENABLE", "1", 1) == 0 &&
-         setenv("GLARK_REFINE", "smooth", 1) == 0 && setenv("GLARK_LEVEL", "3", 1) == 0;
+         setenv("GLARK_REFINE", "smooth", 1) == 0 && setenv("GLARK_LEVEL", "3", 1) == 0 &&
+         setenv("GLARK_WAIT", "1", 1) == 0;
 }();
 
 class OneShape : public testing::TestWithParam<Source> {

@@ -56,7 +56,7 @@ int steps_of_inside(int triangle, vec2 half_size, int deepest) {
   vec3 corners = vec3(0.0);
   vec3 middles = vec3(0.0);
   bool in_front = true;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < loop_bound(3); ++i) {
     vec3 corner = point_of(i, triangle);
     corners += corner * unit;
     middles += point_of(first_middle + i, triangle) * unit;

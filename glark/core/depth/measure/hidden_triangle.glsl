@@ -15,7 +15,7 @@ const float least_sine = 0.02;
 bool is_outside(int triangle) {
   vec4 least = vec4(3.0e38);
   vec4 most = vec4(-3.0e38);
-  for (int point = 0; point < point_count; ++point) {
+  for (int point = 0; point < loop_bound(point_count); ++point) {
     vec3 p = point_of(point, triangle);
     vec4 inside = vec4(p.z + p.x, p.z - p.x, p.z + p.y, p.z - p.y);
     if (!all(lessThan(abs(inside), vec4(1.0e30)))) {
@@ -39,7 +39,7 @@ bool is_culled(int triangle) {
     return false;
   }
   vec2 on_screen[10];
-  for (int point = 0; point <= centre; ++point) {
+  for (int point = 0; point <= loop_bound(centre); ++point) {
     vec3 p = point_of(point, triangle);
     if (!(p.z > 0.0)) {
       return false;
@@ -47,7 +47,7 @@ bool is_culled(int triangle) {
     on_screen[point] = p.xy * half_size / p.z;
   }
   bool away = true;
-  for (int edge = 0; edge < 3; ++edge) {
+  for (int edge = 0; edge < loop_bound(3); ++edge) {
     int first = first_quarter + 2 * edge;
     int next = edge == 2 ? first_quarter : first + 2;
     int corner = edge == 2 ? 0 : edge + 1;

@@ -70,29 +70,29 @@ core::ComputeText measuring_pass(capture::Language language, std::uint64_t pass,
   return text;
 }
 
-// Tries to compile each pass only once.
-bool MeasureStage::prepare(const Measures& measures) {
-  if (limits_.name() == 0 && depth_passes_.empty()) {
-    limits_pass_.build(gl_, measuring_pass(language_, 0, {}), {});
+bool MeasureStage::reserve_ends(std::uint32_t triangles, const Measures& measures) {
+  if (limits_.name() == 0 && !limits_tried_) {
+    limits_tried_ = true;
     limits_.allocate(gl_, limit_bytes, nullptr, GL_DYNAMIC_COPY);
   }
-  const auto [entry, fresh] = depth_passes_.try_emplace(measures);
-  if (fresh) {
-    entry->second.build(gl_, measuring_pass(language_, 1, measures), depth_names);
-  }
-  return limits_pass_.built() && limits_.name() != 0 && entry->second.built();
+  return compilation_.build(limits_pass_, measuring_pass(language_, 0, {}), {}) && limits_.name() != 0 &&
+         positions_.reserve(triangles, measures.points);
 }
 
-bool MeasureStage::has_room(std::uint32_t triangles, const Measures& measures) const {
+bool MeasureStage::reserve_depths(std::uint32_t triangles, const Measures& measures) {
+  const bool depths = compilation_.build(depth_passes_[measures], measuring_pass(language_, 1, measures), depth_names);
+  const bool shown = !measures.curves() || shown_.reserve(triangles, measures);
+  return depths && shown;
+}
+
+bool MeasureStage::has_ends(std::uint32_t triangles, const Measures& measures) const {
+  return limits_.name() != 0 && limits_pass_.built() && positions_.has_room(triangles, measures.points);
+}
+
+bool MeasureStage::has_depths(std::uint32_t triangles, const Measures& measures) const {
   const auto found = depth_passes_.find(measures);
-  return limits_.name() != 0 && found != depth_passes_.end() && found->second.built() &&
-         positions_.has_room(triangles, measures.points) &&
+  return found != depth_passes_.end() && found->second.built() &&
          (!measures.curves() || shown_.has_room(triangles, measures));
-}
-
-bool MeasureStage::reserve(std::uint32_t triangles, const Measures& measures) {
-  return prepare(measures) && positions_.reserve(triangles, measures.points) &&
-         (!measures.curves() || shown_.reserve(triangles, measures));
 }
 
 // The limits change only between frames, so that every pass over the same geometry gets the same depths.
@@ -176,6 +176,7 @@ void MeasureStage::release() {
   }
   depth_passes_.clear();
   rule_ = core::EdgeMeasure{};
+  limits_tried_ = false;
   limits_.release(gl_);
   positions_.release();
   shown_.release();

@@ -94,6 +94,7 @@ int shown_steps(int first) {
 const int packed_bits = GLARK_STEPS == 1 ? 4 : 10;
 
 int corner_count() { return 3 * triangle_bound; }
+int loop_bound(int count) { return min(count, corner_count() * count); }  // is `count`, but not a constant
 
 #include "glark/core/depth/edge_steps.glsl"
 #include "glark/core/depth/measure/limits.glsl"
@@ -115,7 +116,7 @@ void main() {
 #else
   uint depths = 0u;
   bool is_flat = true;
-  for (int edge = 0; edge < 3; ++edge) {
+  for (int edge = 0; edge < loop_bound(3); ++edge) {
     int from = 3 * triangle + edge;
     int to = 3 * triangle + (edge == 2 ? 0 : edge + 1);
     if (!is_straight(from, to)) {

@@ -17,6 +17,7 @@
 #include "glark/core/depth/measure/measuring_pass.h"
 #include "glark/core/depth/measure/screen_positions.h"
 #include "glark/core/depth/measure/shown_edges.h"
+#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/bindings.h"
@@ -40,12 +41,19 @@ std::array<GLint, straight_edge_uniforms> straight_edge_words(const MeasureReque
 
 class MeasureStage {
  public:
-  MeasureStage(const gl::Dispatch& gl, capture::Language language)
-      : gl_(gl), language_(language), positions_(gl), shown_(gl, language) {}
+  MeasureStage(core::Compilation& compilation, capture::Language language)
+      : gl_(compilation.gl()),
+        compilation_(compilation),
+        language_(language),
+        positions_(compilation.gl()),
+        shown_(compilation, language) {}
 
-  bool has_room(std::uint32_t triangles, const Measures& measures) const;
-  // Compiles the passes when first called; false without memory. Rare path: wrap in an ErrorScope.
-  bool reserve(std::uint32_t triangles, const Measures& measures);
+  // Compile the passes when first called; false without memory. Rare path: wrap in an ErrorScope. Small draws need the
+  // ends only.
+  bool reserve_ends(std::uint32_t triangles, const Measures& measures);
+  bool reserve_depths(std::uint32_t triangles, const Measures& measures);
+  bool has_ends(std::uint32_t triangles, const Measures& measures) const;
+  bool has_depths(std::uint32_t triangles, const Measures& measures) const;
   // Called when a frame has ended. With a budget, the frame's number of triangles decides how coarse the next frame is.
   void frame_finished() { frame_finished_ = true; }
   // `work`: BinStage::work_buffer(). Changes the program, the vertex array and the storage buffer bindings 0 to 3,
@@ -57,18 +65,19 @@ class MeasureStage {
   void release();
 
  private:
-  bool prepare(const Measures& measures);
   void update_limits(const core::EdgeMeasure& rule, bool morphs, GLuint work);
 
   const gl::Dispatch& gl_;
+  core::Compilation& compilation_;
   capture::Language language_;
   core::ComputePass limits_pass_;
   std::map<Measures, core::ComputePass> depth_passes_;
   core::GpuBuffer limits_;
   ScreenPositions positions_;
   ShownEdges shown_;
-  core::EdgeMeasure rule_;  // the limits are made for this rule
-  bool morphs_ = false;     // and for draws that morph
+  core::EdgeMeasure rule_;     // the limits are made for this rule
+  bool limits_tried_ = false;  // to allocate the limits
+  bool morphs_ = false;        // and for draws that morph
   bool frame_finished_ = false;
 };
 

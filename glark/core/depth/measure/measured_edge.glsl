@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The measured depth, in steps, between two captured corners, for measure.glsl and ordered.glsl. Both declare
-// `records`, `ends`, `corner_count()` and the uniforms. They supply, each 0 or 1:
+// `records`, `ends`, `corner_count()`, `loop_bound()` and the uniforms. Loops take their bounds from loop_bound(): compilers
+// would unroll loops with constant ones, and the user waits for them. They supply, each 0 or 1:
 //   GLARK_CURVES   curves are measured
 //   GLARK_LENGTHS  the lengths of edges on the screen are measured
 //   GLARK_NORMALS  the angles between normals are measured
@@ -52,7 +53,7 @@ void show_edges(int triangle) {
     return;
   }
   int steps = steps_of_inside(triangle, half_size, pool_level);
-  for (int edge = 0; edge < 3; ++edge) {
+  for (int edge = 0; edge < loop_bound(3); ++edge) {
     int from = 3 * triangle + edge;
     show_edge(side_that_turns_most(from, 3 * triangle + (edge == 2 ? 0 : edge + 1)).x, steps);
   }

@@ -36,11 +36,8 @@ bool ShownEdges::has_room(std::uint32_t triangles, const Measures& measures) con
 }
 
 bool ShownEdges::reserve(std::uint32_t triangles, const Measures& measures) {
-  const auto [entry, fresh] = passes_.try_emplace(what_shows(measures));
-  if (fresh) {
-    entry->second.build(gl_, measuring_pass(language_, 2, entry->first), uniform_names);
-  }
-  if (!entry->second.built()) {
+  const Measures shown = what_shows(measures);
+  if (!compilation_.build(passes_[shown], measuring_pass(language_, 2, shown), uniform_names)) {
     return false;
   }
   if (has_room(triangles, measures)) {

@@ -11,6 +11,7 @@
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/measure/measuring_pass.h"
+#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/bindings.h"
@@ -29,7 +30,8 @@ struct ShownRequest {
 
 class ShownEdges {
  public:
-  ShownEdges(const gl::Dispatch& gl, capture::Language language) : gl_(gl), language_(language) {}
+  ShownEdges(core::Compilation& compilation, capture::Language language)
+      : gl_(compilation.gl()), compilation_(compilation), language_(language) {}
 
   bool has_room(std::uint32_t triangles, const Measures& measures) const;
   // Compiles the pass when first called; false without memory. Rare path: wrap in an ErrorScope.
@@ -44,6 +46,7 @@ class ShownEdges {
   void clear(const core::ComputePass& pass);
 
   const gl::Dispatch& gl_;
+  core::Compilation& compilation_;
   capture::Language language_;
   std::map<Measures, core::ComputePass> passes_;
   core::GpuBuffer marks_;  // a word for each corner

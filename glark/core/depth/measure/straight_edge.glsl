@@ -62,7 +62,11 @@ bool turns(int a, int b) {
 
 // The edge from a to b, which follows a in its triangle.
 bool is_straight(int a, int b) {
-  if (leans(a, b, 0) || leans(b, a, 3)) {
+  bool leaning = false;
+  for (int end = 0; end < loop_bound(2); ++end) {
+    leaning = leaning || leans(end == 0 ? a : b, end == 0 ? b : a, 3 * end);
+  }
+  if (leaning) {
     return false;
   }
   ivec2 side = side_that_turns_most(a, b);

@@ -109,6 +109,7 @@ struct ShapeUniforms {
 };
 
 struct DerivedProgram {
+  bool drawn = false;  // at the first draw, drivers compile what depends on the state
   GLuint name = 0;
   Refinement refinement = Refinement::linear_inputs;
   capture::Layout layout;
