@@ -10,10 +10,11 @@
 namespace glark::reconstruct {
 namespace {
 
-constexpr float margin = 2;             // corners within this distance of a thin sheet are looked at, in cells
-constexpr float thickest = 2;           // the greatest thickness there, in cells
-constexpr float farthest_ends = 1.3F;   // the greatest sum of the distances of an edge's ends from a sheet it crosses
-constexpr std::int32_t part = 4;        // planes are chosen for parts of this many corners along each axis
+constexpr float margin = 2;            // corners within this distance of a thin sheet are looked at, in cells
+constexpr float thickest = 2;          // the greatest thickness there, in cells
+constexpr float farthest_ends = 1.3F;  // the greatest sum of the distances of an edge's ends from a sheet it crosses
+constexpr std::ptrdiff_t fewest = 4;  // fewer planes of a block are no thin sheet, but a sharp groove or a stray sample
+constexpr std::int32_t part = 4;      // planes are chosen for parts of this many corners along each axis
 constexpr std::size_t steps_count = 8;  // the points along an edge, both ends included
 constexpr float step = 1.0F / (steps_count - 1);
 
@@ -43,23 +44,41 @@ void mark(const SupportPlane& plane, float cells, const CellIndex& place, std::b
   }
 }
 
+// Finds the planes near thin sheets, in the given blocks.
+std::vector<std::uint8_t> thin_planes(const TransitionLayer& layer, const Opposites& opposites,
+                                      const std::vector<ThinBlock>& blocks, const Blocks& all, const Workers& workers) {
+  std::vector<std::uint8_t> result(layer.planes.size());
+  for (const ThinBlock& block : blocks) {
+    for (const std::uint32_t i : all.planes_of(block.number)) result[i] = 1;
+  }
+  workers.each(result.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) result[i] = result[i] != 0 && opposites.has(layer.planes[i]) ? 1 : 0;
+  });
+  return result;
+}
+
 std::vector<ThinBlock> thin_blocks(const TransitionLayer& layer, unsigned level, const Blocks& blocks,
                                    const Workers& workers) {
   const auto cells = static_cast<float>(1U << level);
   const Opposites opposites(layer, level);
-  std::vector<ThinBlock> all(blocks.places.size());
-  workers.each(all.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (auto number = static_cast<std::uint32_t>(begin); number < end; ++number) {
-      all[number].number = number;
-      if (opposites.are_alike(blocks.planes_of(number))) continue;
-      for (const std::uint32_t i : blocks.planes_of(number)) {
-        const SupportPlane& plane = layer.planes[i];
-        if (opposites.has(plane)) mark(plane, cells, blocks.places[number], all[number].corners);
+  std::vector<ThinBlock> result;
+  for (std::uint32_t number = 0; number < blocks.places.size(); ++number) {
+    if (!opposites.are_alike(blocks.planes_of(number))) result.push_back({number, {}});
+  }
+  const std::vector<std::uint8_t> is_thin = thin_planes(layer, opposites, result, blocks, workers);
+  workers.each(result.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      ThinBlock& block = result[i];
+      const std::span<const std::uint32_t> planes = blocks.planes_of(block.number);
+      if (std::count_if(planes.begin(), planes.end(), [&](std::uint32_t p) { return is_thin[p] != 0; }) < fewest)
+        continue;
+      for (const std::uint32_t plane : planes) {
+        if (is_thin[plane] != 0) mark(layer.planes[plane], cells, blocks.places[block.number], block.corners);
       }
     }
   });
-  std::erase_if(all, [](const ThinBlock& block) { return block.corners.none(); });
-  return all;
+  std::erase_if(result, [](const ThinBlock& block) { return block.corners.none(); });
+  return result;
 }
 
 // The crossings of the edges of one block.
@@ -72,8 +91,8 @@ class Crossings {
  public:
   Crossings(const TransitionLayer& layer, float cells, Blocks& blocks) : blocks_(blocks), sides_(layer.planes, cells) {}
 
-  // Evaluates the marked corners, and removes the marks where the sheet is not thin.
-  void evaluate_corners(ThinBlock& block) {
+  // Evaluates the marked corners where the sheet is thin.
+  void evaluate_corners(const ThinBlock& block) {
     each_part(
         block,
         [&](const CellIndex& at) {
@@ -85,8 +104,8 @@ class Crossings {
           const FourValues four = sides_.at(points);
           for (std::uint32_t k = 0; k < 4; ++k) {
             const auto lane = static_cast<int>(k);
-            if (four.apart[lane] > thickest) block.corners.reset(i + k);
-            if (block.corners[i + k]) blocks_.values[block.number][i + k] = four.value[lane];
+            if (block.corners[i + k] && four.apart[lane] <= thickest)
+              blocks_.values[block.number][i + k] = four.value[lane];
           }
         },
         part);
@@ -206,7 +225,7 @@ std::span<const Crossing> ThinEdges::find(const CellIndex& corner, unsigned axis
 
 ThinEdges cross_thin_edges(const TransitionLayer& layer, unsigned level, Blocks& blocks, const Workers& workers) {
   const auto cells = static_cast<float>(1U << level);
-  std::vector<ThinBlock> thin = thin_blocks(layer, level, blocks, workers);
+  const std::vector<ThinBlock> thin = thin_blocks(layer, level, blocks, workers);
   workers.each(thin.size(), 4, [&](std::size_t begin, std::size_t end) {
     Crossings crossings(layer, cells, blocks);
     for (std::size_t i = begin; i < end; ++i) crossings.evaluate_corners(thin[i]);

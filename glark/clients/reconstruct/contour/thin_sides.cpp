@@ -11,9 +11,9 @@
 namespace glark::reconstruct {
 namespace {
 
-constexpr float opposed = -0.4F;  // the greatest cosine between the normals of the two sides
+constexpr float opposed = -0.6F;  // the greatest cosine between the normals of the two sides
 constexpr float thin = 1.6F;      // the greatest distance of the two sides, in cells
-constexpr float alike = 0.55F;    // normals with this cosine to their mean cannot be opposed
+constexpr float alike = 0.45F;    // normals with this cosine to their mean cannot be opposed
 
 Float4 all(float a) { return Float4{a, a, a, a}; }
 

@@ -19,8 +19,8 @@ constexpr float spacings = 4;
 constexpr float most_reach = 4;
 constexpr std::uint32_t several = 8;  // the fewest samples that show their spacing
 constexpr float most_weight = 16;     // the number of samples that gives the full weight
-constexpr float agreement = 0.7F;     // the mean of normals that agree has at least this length
-constexpr float opposed = -0.4F;      // the greatest cosine between the normals of two sides
+constexpr float agreement = 0.5F;     // the mean of normals that agree has at least this length
+constexpr float opposed = -0.7F;      // the greatest cosine between the normals of two sides
 constexpr std::size_t grain = 256;    // in cells
 constexpr std::uint32_t few = 8;      // cells with at most half as many samples are not divided
 
