@@ -15,6 +15,7 @@
 //   - No sample, one sample or equal samples give no triangles.
 //   - Samples on a line give no triangles or a narrow strip; samples in a plane give an open sheet.
 //   - Samples with a zero normal are ignored.
+//   - Layers whose normals are opposed are the two sides of a thin part, or of a narrow gap. Both stay, at any distance.
 //   - If all normals are missing, vstree::estimate_normals() finds them first.
 //
 // Source: Boubekeur 2007, ch. 3.4. docs/reference/points.md lists the differences.
@@ -61,6 +62,7 @@ struct Reconstructed {
   float node_side = 0;  // the side of the finest transition nodes, in the positions' unit
   float noise = 0;      // root mean square distance of the samples from the nodes' mean planes, in the positions' unit
   std::uint32_t left_out = 0;  // the number of parts that were left out
+  float area_left_out = 0;     // their share of the area of all parts, 0 to 1
 };
 
 // Errors: vstree::Error, as from vstree::Tree.

@@ -252,12 +252,10 @@ class Commands(unittest.TestCase):
         """An empty result is an error with a remedy, and the old output file stays."""
         (self.path / "flat.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")
         (self.path / "line.xyz").write_text("0 0 0\n1 0 0\n2 0 0\n")
-        (self.path / "plates.xyz").write_text("".join(
-            f"{x / 99} {y / 99} {side / 99 / 2} 0 0 {2 * side - 1}\n" for side in range(2) for x in range(100) for y in range(100)))
         before = set(os.listdir(self.path))
         for command, file, said, remedy in (
                 ("simplify", "flat.obj", "the result is empty", "--target"), ("strip", "line.xyz", "no strips", "--reach"),
-                ("reconstruct", "line.xyz", "the mesh is empty", "--node-samples"), ("reconstruct", "plates.xyz", "the mesh is empty", "--node-samples")):
+                ("reconstruct", "line.xyz", "the mesh is empty", "--node-samples")):
             if command not in self.has:
                 continue
             (self.path / file).chmod(0o640)
@@ -271,6 +269,31 @@ class Commands(unittest.TestCase):
                     self.assertEqual(old, (self.path / file).read_bytes())
                     self.assertEqual(before, set(os.listdir(self.path)))
 
+    def test_reconstruct_keeps_both_plates(self):
+        """Two squares, half a distance of points apart."""
+        self.needs("reconstruct")
+        (self.path / "plates.xyz").write_text("".join(
+            f"{x / 99} {y / 99} {side / 99 / 2} 0 0 {2 * side - 1}\n" for side in range(2) for x in range(100) for y in range(100)))
+        result = self.glark("reconstruct", "plates.xyz", "-o", "a.ply", "--json")
+        self.assertEqual("", result.stderr)
+        topology = self.report("info", "a.ply")["topology"]
+        self.assertEqual((2, 0), (topology["components"], topology["non_manifold_edges"]))
+        self.assertLess(self.report("info", "a.ply", "--measure", "plates.xyz")["quality"]["rms_percent"], 0.3)
+
+    def test_reconstruct_takes_the_normals_of_triangles(self):
+        """The mesh faces outwards, although the topmost point is on a side that faces inwards."""
+        self.needs("reconstruct")
+        points, triangles = sphere(40)
+        inner = [tuple(0.5 * c for c in point) for point in points]
+        rows = ["v %.7g %.7g %.7g\n" % point for point in points + inner]
+        rows += ["f %d %d %d\n" % tuple(i + 1 for i in triangle) for triangle in triangles]
+        rows += ["f %d %d %d\n" % tuple(len(points) + i + 1 for i in reversed(triangle)) for triangle in triangles]
+        (self.path / "shell.obj").write_text("".join(rows))
+        result = self.glark("reconstruct", "shell.obj", "-o", "a.ply", "--json", "--measure", "shell.obj")
+        self.assertIn("those of its triangles are used", result.stderr)
+        self.assertNotIn("normals_seconds", json.loads(result.stdout))
+        self.assertLess(json.loads(result.stdout)["quality"]["normals_rms_degrees"], 10)
+
     def test_reconstruct_tells_what_it_leaves_out(self):
         self.needs("reconstruct")
         result = self.glark("reconstruct", self.sphere, "-o", "a.ply", "--json")
@@ -283,7 +306,8 @@ class Commands(unittest.TestCase):
         result = self.glark("reconstruct", "two.xyz", "-o", "a.ply", "--json")
         report = json.loads(result.stdout)
         self.assertEqual(1, report["parts_left_out"])
-        self.assertIn("parts with less than 1 % of the area are left out: 1; --least-part 0 keeps them", result.stderr)
+        self.assertAlmostEqual(0.6, report["area_left_out_percent"], delta=0.1)
+        self.assertRegex(result.stderr, r"of the area are left out: 1, with 0\.[567]\d* % of the area together; --least-part 0 keeps them")
         self.assertEqual(762, report["points_left_out"])
         self.assertIn(f"762 of {len(rows)} points are left out", result.stderr)
         self.assertNotIn("left out", self.glark("reconstruct", "two.xyz", "-o", "a.ply", "--least-part", "0").stderr)

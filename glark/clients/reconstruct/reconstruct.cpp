@@ -69,6 +69,7 @@ Reconstructed reconstruct(const PointSet& given, const ReconstructOptions& optio
   result.base_vertices = static_cast<std::uint32_t>(base.points.size());
   result.base_triangles = static_cast<std::uint32_t>(base.triangles.size() / 3);
   result.left_out = base.left_out;
+  result.area_left_out = base.area_left_out;
   result.node_side = octree.finest().side() * octree.cube.side;
   result.noise = octree.noise * octree.cube.side;
   RefinedMesh mesh = refine(std::move(base), octree, options, workers);

@@ -34,6 +34,7 @@ class Reconstructed:
     node_side: float
     noise: float
     left_out: int
+    area_left_out: float
 
 def read(file: str, *, skip_invalid: bool = False) -> Geometry: ...
 def write(file: str, positions: ArrayLike, normals: Optional[ArrayLike] = None, colours: Optional[ArrayLike] = None,

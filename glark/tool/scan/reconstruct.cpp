@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "glark/clients/geometry/measure/left_out.h"
+#include "glark/clients/geometry/measure/triangle_normals.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"
@@ -30,14 +31,32 @@ struct Seconds {
   double reconstruction = 0;
 };
 
-reconstruct::Reconstructed reconstruct(geometry::Geometry& points, const Reconstruct& command, Seconds& seconds) {
-  if (points.normals.empty()) {
-    warn(command.files.input + ": it has no normals; they are estimated, and their orientation is guessed");
-    Progress progress("estimating normals");
-    progress.show(-1);
-    points.normals = vstree::estimate_normals({.positions = points.positions});
-    seconds.normals = progress.seconds();
+// Returns whether all points have a normal.
+bool has_normals(const geometry::Geometry& points) {
+  for (std::size_t i = 0; i < points.normals.size(); i += 3) {
+    if (points.normals[i] == 0 && points.normals[i + 1] == 0 && points.normals[i + 2] == 0) return false;
   }
+  return !points.normals.empty();
+}
+
+// Gives normals to points that have none: from their triangles, or else estimated from the points around.
+void add_normals(geometry::Geometry& points, const std::string& file, Seconds& seconds) {
+  if (!points.normals.empty()) return;
+  if (!points.triangles.empty()) {
+    points.normals = geometry::triangle_normals(points);
+    warn(file + ": it has no normals; those of its triangles are used");
+    if (has_normals(points)) return;
+  } else {
+    warn(file + ": it has no normals; they are estimated, and their orientation is guessed");
+  }
+  Progress progress("estimating normals");
+  progress.show(-1);
+  points.normals = vstree::estimate_normals({.positions = points.positions, .normals = points.normals});
+  seconds.normals = progress.seconds();
+}
+
+reconstruct::Reconstructed reconstruct(geometry::Geometry& points, const Reconstruct& command, Seconds& seconds) {
+  add_normals(points, command.files.input, seconds);
   Progress progress("reconstructing");
   progress.show(-1);
   const std::vector<std::uint8_t> colours = rgb_of(points.colours);
@@ -55,6 +74,7 @@ Report report_of(const reconstruct::Reconstructed& result) {
   report["node_side"] = result.node_side;
   report["noise"] = result.noise;
   report["parts_left_out"] = result.left_out;
+  report["area_left_out_percent"] = 100 * static_cast<double>(result.area_left_out);
   return report;
 }
 
@@ -63,9 +83,10 @@ void require_triangles(const reconstruct::Reconstructed& result, const std::stri
   if (!result.triangles.empty()) return;
   throw geometry::Error(
       file +
-      ": the mesh is empty, so nothing is written: no surface is found in the points. Two layers nearer than a few "
-      "distances of points cancel each other; find thinner parts by a smaller --node-samples. A point far away from "
-      "all others makes the box too large; remove such points");
+      ": the mesh is empty, so nothing is written: no surface is found in the points. Normals must point to the "
+      "outside, "
+      "also those of two layers near to each other; find smaller parts by a smaller --node-samples. A point far away "
+      "from all others makes the box too large; remove such points");
 }
 
 // Warns about parts and points that the mesh does not have. Returns the number of points.
@@ -73,8 +94,10 @@ std::size_t warn_of_left_out(const geometry::Geometry& points, const geometry::G
                              const std::string& file, float least_part) {
   const auto parts = numbers["parts_left_out"].get<std::uint32_t>();
   if (parts > 0)
-    warn(fmt::format("{}: parts with less than {:.3g} % of the area are left out: {}; --least-part 0 keeps them", file,
-                     100 * least_part, parts));
+    warn(fmt::format(
+        "{}: parts with less than {:.3g} % of the area are left out: {}, with {:.2g} % of the area together; "
+        "--least-part 0 keeps them",
+        file, 100 * least_part, parts, numbers["area_left_out_percent"].get<double>()));
   const auto distance = numbers["node_side"].get<double>();  // noise that the mesh smooths is at most a tenth of it
   const std::size_t count = points_left_out(points, mesh, distance);
   if (count > 0)

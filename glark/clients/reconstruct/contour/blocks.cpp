@@ -4,13 +4,8 @@
 // Source: Boubekeur 2007, ch. 3.4.1; Y. Ohtake et al., Multi-level Partition of Unity Implicits, 2003.
 #include "glark/clients/reconstruct/contour/blocks.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace glark::reconstruct {
 namespace {
-
-constexpr float least_band = 2.5F;  // in cells, on each side of a plane
 
 // A box of corners of the grid, low .. high.
 struct Box {
@@ -96,16 +91,14 @@ void evaluate_block(const std::vector<SupportPlane>& planes, std::span<const std
   for (const std::uint32_t i : mine) {
     const SupportPlane& plane = planes[i];
     const float radius = plane.point[3] * cells, scale = 1 / (radius * radius);
-    const float band = std::max(least_band, 0.8F * radius);
+    const float band = band_of(radius);
     const Float4 n[3] = {all(plane.normal[0]), all(plane.normal[1]), all(plane.normal[2])};
     each_four(plane, cells, place, [&](std::size_t four, const Float4(&d)[3], Float4 square) {
       const Float4 facing = n[0] * nearest[0][four] + n[1] * nearest[1][four] + n[2] * nearest[2][four];
       const Float4 height = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
       const Float4 t = square * scale;
       const Int4 counts = (t < 1) & (facing > 0) & (height <= band) & (height >= -band);
-      const Float4 root{std::sqrt(t[0]), std::sqrt(t[1]), std::sqrt(t[2]), std::sqrt(t[3])};
-      const Float4 away = 1 + t * (2 * root - 3);  // Hermite's kernel
-      const Float4 weight = counts ? away * facing * plane.normal[3] : Float4{};
+      const Float4 weight = counts ? hermite(t) * facing * plane.normal[3] : Float4{};
       weights[four] += weight;
       heights[four] += weight * height;
     });
@@ -120,8 +113,8 @@ void evaluate_block(const std::vector<SupportPlane>& planes, std::span<const std
 
 Blocks evaluate(const TransitionLayer& layer, unsigned level, const Workers& workers) {
   const auto cells = static_cast<float>(1U << level);
-  Blocks blocks{.table = CellTable(layer.planes.size() / 8), .places = {}, .values = {}};
-  std::vector<std::uint32_t> begins(1);  // the first plane of each block; initially the number of planes
+  Blocks blocks{.table = CellTable(layer.planes.size() / 8), .places = {}, .values = {}, .begins = {0}, .planes = {}};
+  std::vector<std::uint32_t>& begins = blocks.begins;  // initially the number of planes
   for (const SupportPlane& plane : layer.planes) {
     each_block(box_of(plane, cells), [&](const CellIndex& place) {
       const auto next = static_cast<std::uint32_t>(blocks.places.size());
@@ -134,16 +127,17 @@ Blocks evaluate(const TransitionLayer& layer, unsigned level, const Workers& wor
     });
   }
   for (std::size_t i = 1; i < begins.size(); ++i) begins[i] += begins[i - 1];
-  std::vector<std::uint32_t> planes(begins.back()), at(begins.begin(), begins.end() - 1);
+  blocks.planes.resize(begins.back());
+  std::vector<std::uint32_t> at(begins.begin(), begins.end() - 1);
   for (std::uint32_t i = 0; i < layer.planes.size(); ++i) {
     each_block(box_of(layer.planes[i], cells),
-               [&](const CellIndex& place) { planes[at[blocks.table.find(key_of(place))]++] = i; });
+               [&](const CellIndex& place) { blocks.planes[at[blocks.table.find(key_of(place))]++] = i; });
   }
   blocks.values.resize(blocks.places.size());
   workers.each(blocks.places.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::span<const std::uint32_t> mine(planes.data() + begins[i], begins[i + 1] - begins[i]);
-      evaluate_block(layer.planes, mine, cells, blocks.places[i], blocks.values[i]);
+      evaluate_block(layer.planes, blocks.planes_of(static_cast<std::uint32_t>(i)), cells, blocks.places[i],
+                     blocks.values[i]);
     }
   });
   return blocks;

@@ -14,6 +14,7 @@ struct Contour {
   std::vector<Float4> points;
   std::vector<std::uint64_t> cells;  // [points], the keys of the cells on the grid's level
   std::vector<std::uint32_t> quads;  // [4 * quads], counter-clockwise seen from outside
+  bool has_thin_cells = false;
 };
 
 // Contours the layer on the grid of the level.

@@ -19,6 +19,8 @@ constexpr float spacings = 4;
 constexpr float most_reach = 4;
 constexpr std::uint32_t several = 8;  // the fewest samples that show their spacing
 constexpr float most_weight = 16;     // the number of samples that gives the full weight
+constexpr float agreement = 0.5F;     // the mean of normals that agree has at least this length
+constexpr float opposed = -0.7F;      // the greatest cosine between the normals of two sides
 constexpr std::size_t grain = 256;    // in cells
 constexpr std::uint32_t few = 8;      // cells with at most half as many samples are not divided
 
@@ -41,7 +43,7 @@ class Layer {
       for (; finer.begins[child] < end; ++child) visit(depth - 1, child, spacing, out);
       return;
     }
-    if (depth == 0 && two_sided(records, moments)) {
+    if (two_sided(records, moments)) {
       part(records, level, number, spacing, out);
     } else {
       add(moments, level, number, spacing, out);
@@ -74,10 +76,23 @@ class Layer {
     return is_height_field(records, moments, options_.delta_a, options_.delta_d);
   }
 
+  // Returns whether some samples face away from the others. The two sides of a wing are slightly tilted the same way,
+  // so a mean normal alone may face forwards, along the wing.
   bool two_sided(std::span<const Record> records, const Moments& moments) const {
     const Float4 normal = moments.normal();
-    return std::any_of(records.begin(), records.end(),
-                       [&](const Record& record) { return dot(record.normal, normal) <= options_.delta_a; });
+    if (std::any_of(records.begin(), records.end(),
+                    [&](const Record& record) { return dot(record.normal, normal) <= options_.delta_a; }))
+      return true;
+    if (dot(moments.normals, moments.normals) > agreement * agreement * moments.count() * moments.count()) return false;
+    const Float4 one = farthest(records, normal);
+    return dot(one, farthest(records, one)) < opposed;
+  }
+
+  // Returns the normal that deviates most from the given one.
+  static Float4 farthest(std::span<const Record> records, Float4 from) {
+    return std::min_element(records.begin(), records.end(),
+                            [&](const Record& a, const Record& b) { return dot(a.normal, from) < dot(b.normal, from); })
+        ->normal;
   }
 
   void add(const Moments& moments, const Level& level, std::uint32_t number, float spacing,
@@ -96,14 +111,8 @@ class Layer {
   // the normal farthest from the first seed.
   void part(std::span<const Record> records, const Level& level, std::uint32_t number, float spacing,
             std::vector<SupportPlane>& out) const {
-    const auto farthest = [&](Float4 from) {
-      return std::min_element(
-                 records.begin(), records.end(),
-                 [&](const Record& a, const Record& b) { return dot(a.normal, from) < dot(b.normal, from); })
-          ->normal;
-    };
-    Float4 seeds[2] = {farthest(Moments::of(records).normals)};
-    seeds[1] = farthest(seeds[0]);
+    Float4 seeds[2] = {farthest(records, Moments::of(records).normals)};
+    seeds[1] = farthest(records, seeds[0]);
     std::vector<Record> sides[2];
     for (int round = 0; round < 3; ++round) {
       Float4 sums[2] = {};
@@ -141,8 +150,8 @@ TransitionLayer transition_layer(const Octree& octree, const ReconstructOptions&
   });
   for (const auto& part : parts) result.planes.insert(result.planes.end(), part.begin(), part.end());
   result.cells.resize(octree.levels.size());
-  for (const SupportPlane& plane : result.planes)
-    result.cells[octree.finest().level - plane.level].insert(plane.key, 0);
+  for (std::uint32_t i = 0; i < result.planes.size(); ++i)
+    result.cells[octree.finest().level - result.planes[i].level].insert(result.planes[i].key, i);
   return result;
 }
 

@@ -20,7 +20,9 @@ struct SupportPlane {
 
 struct TransitionLayer {
   std::vector<SupportPlane> planes;
-  std::vector<CellTable> cells;  // the cells of the transition nodes of each level, the finest first
+  // The cells of the transition nodes of each level, the finest first: the first plane of each. A cell's planes follow
+  // one another.
+  std::vector<CellTable> cells;
 };
 
 TransitionLayer transition_layer(const Octree& octree, const ReconstructOptions& options, const Workers& workers);

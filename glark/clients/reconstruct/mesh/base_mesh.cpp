@@ -10,6 +10,7 @@
 #include "glark/clients/common/mesh/reindex.h"
 #include "glark/clients/common/vertex_normals.h"
 #include "glark/clients/reconstruct/mesh/clean_mesh.h"
+#include "glark/clients/reconstruct/mesh/repeated_edges.h"
 
 namespace glark::reconstruct {
 namespace {
@@ -120,7 +121,7 @@ BaseMesh base_mesh(const Contour& contour, const TransitionLayer& layer, const O
   std::vector<std::uint32_t> cluster_of;
   const bool clustered = cluster(contour, layer, mesh.points, cluster_of);
   mesh.triangles = divide(contour.quads, mesh.points, cluster_of);
-  if (clustered) {
+  if (clustered || contour.has_thin_cells) {
     std::vector<std::uint32_t> triangles = spanning(mesh.triangles, cluster_of, workers);
     const std::vector<std::uint8_t> irregular = irregular_vertices(triangles, mesh.points.size());
     mesh.triangles = without_repeats(std::move(triangles), irregular);
@@ -128,6 +129,7 @@ BaseMesh base_mesh(const Contour& contour, const TransitionLayer& layer, const O
     for (std::uint32_t& i : mesh.triangles) i = cluster_of[i];
   }
   separate_sheets(mesh);
+  if (contour.has_thin_cells && divide_repeated_edges(mesh)) separate_sheets(mesh);
   settle(mesh, octree, workers);
   const auto find_opposite = [&] { mesh.opposite = opposite_of(mesh.triangles, mesh.points.size()); };
   find_opposite();

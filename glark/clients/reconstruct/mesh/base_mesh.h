@@ -15,6 +15,7 @@ struct BaseMesh {
   std::vector<std::uint32_t> triangles;  // a manifold with boundary, consistently oriented
   std::vector<std::uint32_t> opposite;   // [triangles * 3], of half-edges; no_half_edge at the boundary
   std::uint32_t left_out = 0;            // the number of parts that were removed
+  float area_left_out = 0;               // their share of the area
 };
 
 // Makes the coarse mesh, with its vertices at the samples.

@@ -159,8 +159,11 @@ bool drop_parts(BaseMesh& mesh, float least_part) {
     if (areas[sets.find(mesh.triangles[t])] < static_cast<double>(least_part) * all) continue;
     kept.insert(kept.end(), &mesh.triangles[t], &mesh.triangles[t] + 3);
   }
-  for (std::uint32_t i = 0; i < areas.size(); ++i)
-    mesh.left_out += areas[i] > 0 && areas[i] < static_cast<double>(least_part) * all ? 1 : 0;
+  for (const double area : areas) {
+    if (area <= 0 || area >= static_cast<double>(least_part) * all) continue;
+    ++mesh.left_out;
+    mesh.area_left_out += static_cast<float>(area / all);
+  }
   const bool changed = kept.size() < mesh.triangles.size();
   mesh.triangles = std::move(kept);
   drop_unused_vertices(mesh);

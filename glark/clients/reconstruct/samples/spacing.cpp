@@ -14,6 +14,14 @@ namespace {
 
 constexpr std::size_t most_looked_at = 1 << 14;  // the most samples in a cell, and the most cells, that are measured
 
+// Keeps the samples of the side that faces most of them. The two sides of a thin sheet are no noise.
+void keep_one_side(std::vector<Record>& records) {
+  Float4 normal{};
+  for (const Record& record : records) normal += record.normal;
+  if (!(dot(normal, normal) > 0)) normal = records.front().normal;
+  std::erase_if(records, [&](const Record& record) { return dot(record.normal, normal) < 0; });
+}
+
 // Returns the mean squared height of the samples over their mean plane, less the part that the curvature of the surface
 // explains. On a quadratic surface, half the slope of the normals gives the height over the plane.
 float roughness(const std::vector<Record>& records) {
@@ -66,6 +74,7 @@ double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entr
       const std::size_t index = 3 * std::size_t{entries[end].index};
       records.push_back({cube.inside(&points.positions[index]), unit_normal(&points.normals[index])});
     }
+    if (records.size() >= least_samples) keep_one_side(records);
     if (records.size() >= least_samples) errors.push_back(roughness(records));
     at = std::max(end, std::min(at + least_samples * stride, entries.size()));
     while (at > end && at < entries.size() && entries[at].key >> shift == entries[at - 1].key >> shift) ++at;
