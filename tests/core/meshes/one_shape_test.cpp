@@ -256,26 +256,6 @@ TEST_F(OneShapeOf, APrepassFromAnotherBufferKeepsEverythingFlat) {
   EXPECT_TRUE(frames[3] == frames[0]);
 }
 
-// A lid hides what lies behind it.
-TEST_F(OneShapeOf, DepthThatNothingCanLieOnKeepsNothingFlat) {
-  const Ball ball(Source::buffer);
-  const auto draw_with_lid = [&] {
-    ball.draw();
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glDisable(GL_LIGHTING);
-    glBegin(GL_TRIANGLE_FAN);
-    for (const GLfloat x : {-0.9F, -0.85F, -0.8F, -0.85F, -0.88F}) glVertex3f(x, x == -0.85F ? -0.8F : -0.9F, 0);
-    glEnd();
-    glEnable(GL_LIGHTING);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    ball.draw();
-  };
-  EXPECT_GT(covered_pixels(draw_frames(4, draw_with_lid)[3]), round_pixels);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  const std::vector<Picture> with_offset = draw_frames(2, draw_with_lid);
-  EXPECT_NEAR(covered_pixels(with_offset[1]), octahedron_pixels, octahedron_pixels / 50);
-}
-
 // The shadow map of a mesh is drawn without normals and without colours, into a framebuffer of its own.
 TEST_F(OneShapeOf, AMeshIsAsFlatAsItsShadowMap) {
   const Ball ball(Source::client_memory);
