@@ -29,7 +29,8 @@ CLASSES = {"draw", "track", "uniform", "count", "count_unseen", "attribute", "op
            "touch_assembly", "texture_target", "texture_object", "texture_any", "texture_bind", "texture_attached",
            "texture_deleted", "texture_unseen", "textures_unseen", "hand", "pass", "extra"}
 HOOKED = {"draw", "track", "array", "api"}
-# Class -> the call on the context after the real function, with the first of these parameters that the function has.
+# Class -> what is called on the context after the real function, and the names of the parameter that it gets: the first
+# of them that the function has.
 TOUCH_CALLS = {
     "write_target": ("writes().to_target", ["writeTarget", "target"]),
     "write_buffer": ("writes().to_buffer", ["writeBuffer", "buffer"]),

@@ -20,7 +20,7 @@ inline std::vector<SurfaceVertex> draw_surface(Test& t, const Mesh& mesh) {
   return capture_surface(t, mesh);
 }
 
-// For each edge, a triangle with both ends of the edge at one place.
+// Draws three triangles. In each of them, another edge has both ends at one place.
 inline void check_equal_corners(Test& t, GLenum refinement, SurfaceOf surface) {
   refine_uniformly(3, refinement);
   for (const std::size_t from : {0U, 1U, 2U}) {

@@ -89,7 +89,8 @@ void check_growth(Test& t, bool by_degrees) {
 constexpr int ladder = 64;  // triangles
 constexpr int octave = 32;  // steps of the ladder for a factor of 2
 
-// Edges 0 of 8 to 32 times the measure of 2 pixels: the first that has depth 4 gives c.
+// Triangles of growing size: edge 0 is 8 to 32 times as long as the measure, which is 2 pixels. The budget multiplies
+// the measure by a factor c. The first edge of depth 4 tells c.
 Mesh ladder_mesh() {
   Mesh mesh;
   for (int i = 0; i < ladder; ++i) {

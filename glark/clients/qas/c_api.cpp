@@ -24,7 +24,7 @@ struct glark_qas_loop_surface {
 
 namespace {
 
-// Arrays of these are given out, and filled, as they are.
+// Arrays of these types are passed through the C interface without conversion, so both languages need the same layout.
 static_assert(sizeof(qas::Vector) == 4 * sizeof(float));
 static_assert(sizeof(glark_qas_patch) == sizeof(qas::Patch));
 static_assert(offsetof(glark_qas_patch, normals) == offsetof(qas::Patch, normals));

@@ -11,8 +11,8 @@
 layout(local_size_x = GLARK_GROUP) in;
 
 layout(std430, binding = 0) readonly buffer Records { uint records[]; };
-// DrawElementsIndirectCommands (5 words each), then patches (4 words each), then records, for GLARK_TRIANGLES *
-// GLARK_INSTANCES instances.
+// First DrawElementsIndirectCommands (5 words each), then patches (4 words each), then records. There is room for
+// GLARK_TRIANGLES * GLARK_INSTANCES instances.
 layout(std430, binding = 1) writeonly buffer Output { uint result[]; };
 layout(std430, binding = 2) buffer Work { uint work[]; };           // see bins.glsl
 layout(std430, binding = 3) readonly buffer Ends { uint ends[]; };  // see measure.glsl

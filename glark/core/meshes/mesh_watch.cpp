@@ -188,7 +188,8 @@ int MeshWatch::free_location(const std::vector<capture::Field>& fields) const {
   return own_normal;
 }
 
-// Where no pass has normals. A pass without colours follows a mesh that shows; a shadow volume is no surface.
+// Returns whether glark makes normals for the draw, because no pass has any. A pass without colours only gets them if
+// another pass shows the same mesh: a shadow volume is no surface.
 bool MeshWatch::makes_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const {
   if (!may_make_normals(env_.options, fields) || has_normals(call, {.fields = &fields})) {
     return false;

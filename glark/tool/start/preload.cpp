@@ -27,7 +27,7 @@ std::string with_folder(const std::string& wanted, std::string_view folder) {
   return std::string(wanted).replace(wanted.find(token), token.size(), folder);
 }
 
-// Reads the libraries that `wanted` leads to with this pair of folders. Nothing: none is for `own`.
+// Reads the libraries that the path `wanted` names in this pair of folders. Returns nothing if none of them fits `own`.
 std::optional<Preload> read_pair(const std::string& wanted, const LibraryFolders& folders, const ElfFile& own,
                                  const ReadElf& read) {
   const std::string file = with_folder(wanted, own.is_64 ? folders.of_64 : folders.of_32);

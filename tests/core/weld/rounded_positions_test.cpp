@@ -180,7 +180,8 @@ TEST_F(RoundedPositions, AFaceWithOneTiltedNormalStaysFlat) {
   }
 }
 
-// The edge that a flat triangle shares with a curved one is straight on both sides. The curved one keeps its others.
+// The edge that a flat triangle shares with a curved one is straight on both sides. The other edges of the curved one
+// stay curved.
 TEST_F(RoundedPositions, ATiltedFaceMeetsItsNeighbour) {
   SplitMesh mesh = bent_leaf();
   for (std::size_t i = 0; i < 3; ++i) mesh.vertices[i].normal = {0, -0.4F, 1};

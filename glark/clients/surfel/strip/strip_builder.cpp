@@ -120,7 +120,8 @@ int StripBuilder::swap_cost(std::uint8_t crossed, std::uint32_t side, std::uint8
   return one != 0 && one + other == 3 ? one_swap_cost : 0;
 }
 
-// Returns the cost of a swap between a triangle, if it crosses the given sides, and its neighbour at a side.
+// Returns the cost of a swap between a triangle and its neighbour at a side. The run is assumed to cross the sides
+// `crossed` of the triangle.
 int StripBuilder::swap_cost_at(std::uint32_t triangle, std::uint32_t side, std::uint8_t crossed) const {
   const std::uint32_t link = adjacency_.links(triangle)[side];
   return swap_cost(crossed, side, crossed_[triangle_of(link)], side_of(link));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of assembly vertex programs. Only programs that are refined without knowing it draw refined with them.
+// Hooks of assembly vertex programs. Draws with them are only refined in the transparent
+// manner, for applications that do not know the extension.
 #include <array>
 
 #include "glark/core/track/track.h"

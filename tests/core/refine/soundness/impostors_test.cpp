@@ -176,7 +176,7 @@ void main() { gl_Position = texelFetch(places, ivec2(texel), 0); })"),
             Variation::undefined);
 }
 
-// A vertex is thrown away where a float attribute, which is a name, has a value.
+// A float attribute names the part that a vertex belongs to. The stage discards the vertices of one part.
 TEST(Impostors, FloatsThatAreCompared) {
   EXPECT_EQ(position_of(R"(#version 110
 attribute float part; uniform float hidden_part;
