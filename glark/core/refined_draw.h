@@ -50,6 +50,8 @@ class RefinedDraw {
   // glBegin in a triangle mode. Returns how many triangles fit until glEnd; 0 means that the caller begins unrefined.
   std::uint64_t begin_immediate(GLenum mode, MaterialSet materials);
   void end_immediate(std::uint64_t triangles);
+  // glEnd of a draw that began unrefined.
+  void end_unrefined(std::uint64_t triangles) { parts_.meshes.loose_ended(triangles); }
   // Notes a draw that the caller makes unrefined.
   void leave(const DrawCall& call, Cause cause);
   void frame_finished() { classes_.frame_finished(); }

@@ -61,7 +61,7 @@ ImmediateCapture::Captured ImmediateCapture::end(std::uint64_t triangles) {
   captured.triangles = capture_.end(plan_.capture, triangles, exact_);
   captured.plan = std::exchange(plan_, DrawPlan{});  // the plan's programs may be deleted
   if (triangles > 0 && !captured.plan.depth.adaptive) {
-    captured.cause = planner_.exempt(*captured.plan.program, triangles);
+    captured.cause = planner_.cause_when_counted(captured.plan, triangles);
     captured.plan.depth.level = captured.cause ? 0 : captured.plan.depth.level;
   }
   return captured;

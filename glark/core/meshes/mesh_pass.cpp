@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/meshes/mesh_pass.h"
 
+#include <algorithm>
+
 namespace glark::core {
 namespace {
 
@@ -18,6 +20,23 @@ bool is_user_interface(Cause cause) {
 // A quad that sets the depth of all its pixels, whatever lies there, clears depth or copies it from a texture.
 bool sets_depth_of_screen(const Bindings& b, std::uint64_t triangles) {
   return triangles > 0 && triangles <= 2 && b.depth_function == GL_ALWAYS && !b.stencil_test;
+}
+
+// Draws that compare strictly never lie on an earlier one, unless an offset moves one of them.
+bool may_lie_on_others(const Bindings& b) {
+  switch (b.depth_function) {
+    case GL_ALWAYS:
+    case GL_NEVER: return false;
+    case GL_LESS:
+    case GL_GREATER: return b.polygon_offset;
+    default: return true;
+  }
+}
+
+std::uint64_t target_of(GLuint framebuffer, const std::array<float, 2>& viewport) {
+  static constexpr float longest = 65535;
+  const auto side = [](float length) { return static_cast<std::uint64_t>(std::clamp(length, 0.F, longest)); };
+  return (std::uint64_t{framebuffer} + 1) << 32U | side(viewport[0]) << 16U | side(viewport[1]);
 }
 
 }  // namespace
@@ -38,12 +57,14 @@ std::optional<MeshPass> mesh_pass(const MeshPassFacts& facts, std::optional<Caus
   pass.uses_depth = tests && (b.depth_function != GL_ALWAYS || b.depth_writes);
   pass.writes_depth = tests && b.depth_writes;
   pass.equal = tests && b.depth_function == GL_EQUAL;
+  pass.meets_depth = tests && may_lie_on_others(b);
   pass.shows = shows;
   pass.marks = b.stencil_test;
   pass.behind = cause == Cause::budget;
-  // Lines and points are drawn near a surface, not on it to the bit.
+  pass.target = target_of(facts.framebuffer, b.viewport);
   if (cause == Cause::not_triangles) {
-    pass.equal = pass.marks = false;
+    pass.lines = true;
+    pass.equal = pass.meets_depth = false;
   }
   return pass;
 }

@@ -26,10 +26,10 @@ MeshVerdict MeshTable::draw(const MeshKey& key, const MeshPass& pass) {
   }
   const bool enough = watched(key, mesh, pass);
   note(mesh, key == loose_mesh, pass);
-  const MeshVerdict verdict = mesh.flat                 ? MeshVerdict::flat
-                              : frame_ < doubted_until_ ? MeshVerdict::unknown_partner
-                              : enough                  ? MeshVerdict::curved
-                                                        : MeshVerdict::waits;
+  const MeshVerdict verdict = mesh.flat         ? MeshVerdict::flat
+                              : partners_.any() ? MeshVerdict::unknown_partner
+                              : enough          ? MeshVerdict::curved
+                                                : MeshVerdict::waits;
   if (verdict == MeshVerdict::curved && pass.curves) {
     mesh.curved = frame_;
     source_for(key).curved = true;
@@ -41,7 +41,7 @@ MeshVerdict MeshTable::draw(const MeshKey& key, const MeshPass& pass) {
 MeshVerdict MeshTable::delay(const MeshKey& key, Mesh& mesh, const MeshPass& pass) {
   mesh.first = mesh.first == never ? frame_ : mesh.first;
   mesh.seen = frame_;
-  mesh.shown = pass.shows ? frame_ : mesh.shown;
+  partners_.draw(pass, mesh.preparation);
   if (pass.writes_depth) {
     mesh.written = written_ = frame_;
   }
@@ -90,12 +90,10 @@ MeshTable::Mesh& MeshTable::find(const MeshKey& key) {
 }
 
 void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
-  if (pass.shows) {
-    mesh.shown = frame_;
-  }
+  partners_.draw(pass, mesh.preparation);
   // Nothing in this frame has left the depth that the pass must meet.
   if (pass.equal && mesh.written != frame_) {
-    doubt();
+    partners_.doubt();
   }
   // One of the loose draws is flat, perhaps the very one that the pass must meet.
   mesh.flat = mesh.flat || (pass.equal && mesh.written_flat == frame_ && loose);
@@ -113,12 +111,20 @@ void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
   if (excused && mesh.first == frame_) {
     return;
   }
-  mesh.flat = mesh.flat || (!excused && (pass.must_meet() || (pass.uses_depth && !loose)));
-  if (pass.prepares() && loose) {
-    doubt();  // for any mesh
-  } else if (pass.prepares() && mesh.prepared != frame_) {
-    mesh.prepared = frame_;
-    preparing_.push_back(&mesh);
+  if (loose) {
+    const bool known = pass.prepares() && partners_.prepare_loose(pass);
+    mesh.flat = mesh.flat || (pass.must_meet() && !known);
+    return;
+  }
+  mesh.flat = mesh.flat || (!excused && (pass.must_meet() || pass.uses_depth));
+  if (pass.prepares()) {
+    partners_.prepare(pass, mesh.preparation);
+  }
+}
+
+void MeshTable::loose_ended(std::uint64_t triangles) {
+  if (!partners_.loose_ended(triangles)) {
+    find(loose_mesh).flat = true;
   }
 }
 
@@ -127,12 +133,7 @@ void MeshTable::frame_finished() {
     return;
   }
   drawn_ = false;
-  for (const Mesh* mesh : preparing_) {
-    if (mesh->shown != frame_) {  // its triangles show elsewhere, from positions of another source
-      doubt();
-    }
-  }
-  preparing_.clear();
+  partners_.frame_finished();
   ++frame_;
   if (meshes_.size() > many_meshes) {
     drop_old();

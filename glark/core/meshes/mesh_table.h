@@ -16,18 +16,18 @@
 //   Only the frames from that one on count. So is a pass whose normals were made from positions, if a later pass has
 //   other ones.
 // - A mesh without identity (glBegin) holds unrelated things: only passes that must meet others make it flat.
-// - A pass whose partner is unknown makes all meshes of the context flat for some time. It must meet another draw in
-//   depth, and no draw with the same positions is there.
+// - A pass whose partner is unknown makes all meshes of the context flat for some time (unknown_partners.h). It must meet
+//   another draw in depth, and no draw with the same positions is there.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <unordered_map>
-#include <vector>
 
 #include "glark/core/meshes/lent_normals.h"
 #include "glark/core/meshes/mesh_key.h"
 #include "glark/core/meshes/mesh_pass.h"
+#include "glark/core/meshes/unknown_partners.h"
 
 namespace glark::core {
 
@@ -51,11 +51,13 @@ class MeshTable {
   // Notes a pass over the mesh and returns what holds for it. If the pass cannot be curved itself, the verdict is
   // flat or tells about the other passes.
   MeshVerdict draw(const MeshKey& key, const MeshPass& pass);
+  // glEnd of a pass without identity that said it was open.
+  void loose_ended(std::uint64_t triangles);
   // The normals that a pass over the mesh reads. Other passes may use them, too.
   void set_normals(const MeshKey& key, const NormalSource& normals) { find(key).normals = normals; }
   const NormalSource& normals(const MeshKey& key) { return find(key).normals; }  // of no key: not known
   NormalsBeside& normals_beside(const MeshKey& key) { return find(key).beside; }
-  bool shown(const MeshKey& key) { return is_recent(find(key).shown); }  // in this or the last frame
+  bool shown(const MeshKey& key) { return is_recent(find(key).preparation.shown); }  // in this or the last frame
   // Returns whether a pass over the mesh wrote depth in this or the last frame; and whether any draw did. In the first
   // frame, draws are expected to write depth.
   bool wrote_depth(const MeshKey& key) { return is_recent(find(key).written); }
@@ -71,7 +73,6 @@ class MeshTable {
   void frame_finished();
 
   static constexpr unsigned frames_to_watch = 2;
-  static constexpr std::uint64_t frames_of_doubt = 300;  // after a pass with an unknown partner
 
  private:
   static constexpr std::uint64_t never = 0;
@@ -82,8 +83,6 @@ class MeshTable {
     std::uint64_t frame = never;         // the last frame that counts in `frames`
     std::uint64_t written = never;       // the last frame in which it wrote depth
     std::uint64_t written_flat = never;  // the last frame in which a flat pass wrote depth
-    std::uint64_t shown = never;         // the last frame in which it wrote colours
-    std::uint64_t prepared = never;      // the last frame in which a flat pass prepared for others
     std::uint64_t curved = never;        // the last frame in which passes were curved
     std::uint64_t compiling = never;     // the last frame in which programs of a pass were not compiled
     std::uint64_t made = never;          // the last frame in which a pass had normals from positions
@@ -93,6 +92,7 @@ class MeshTable {
     bool had_flat = false;
     NormalSource normals;
     NormalsBeside beside;
+    Preparation preparation;
   };
   struct Source {
     std::uint64_t frame = never;      // the last frame that drew from it
@@ -111,16 +111,14 @@ class MeshTable {
   MeshVerdict delay(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
   bool watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
   bool is_recent(std::uint64_t frame) const { return frame != never && frame + 1 >= frame_; }
-  void doubt() { doubted_until_ = frame_ + frames_of_doubt; }
   void drop_old();
 
   std::unordered_map<MeshKey, Mesh, MeshKeyHash> meshes_;
   std::array<Source, 3> sources_;  // by MeshSource
   MeshKey last_key_;               // of last_, because draws of one mesh often follow each other
   Mesh* last_ = nullptr;
-  std::vector<const Mesh*> preparing_;  // meshes that flat passes of this frame prepared for
+  UnknownPartners partners_;
   std::uint64_t frame_ = 1;
-  std::uint64_t doubted_until_ = never;
   std::uint64_t written_ = never;  // the last frame in which a draw wrote depth
   bool drawn_ = false;             // in this frame
 };

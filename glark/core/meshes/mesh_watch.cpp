@@ -38,7 +38,7 @@ bool has_made_normals(const std::vector<capture::Field>* fields) {
 // A polygon that glBegin..glEnd draws alone. Its neighbours are other draws, so nothing says whether it is a part of a
 // smooth surface or the panel of a body whose edges would come apart. A display list holds a whole model more often.
 bool is_lone_polygon(const DrawCall& call) {
-  const bool polygon = call.mode == GL_POLYGON ? call.whole_polygons : call.triangles > 0 && call.triangles <= 2;
+  const bool polygon = call.mode == GL_POLYGON ? call.whole_polygons : is_one_polygon(call.triangles);
   return !call.from_arrays && call.list_segment == 0 && call.exact && polygon;
 }
 
@@ -55,21 +55,25 @@ bool may_make_normals(const ContextOptions& options, const std::vector<capture::
 }
 
 std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause) {
+  const bool lone_polygon = is_lone_polygon(call);
   const bool may_curve = !cause || cause == Cause::compiling;
-  if (may_curve && (is_lone_polygon(call) || (!cause && !has_normals(call, inputs)))) {
+  if (may_curve && (lone_polygon || (!cause && !has_normals(call, inputs)))) {
     cause = Cause::no_surface;
   }
   Framebuffers& framebuffers = env_.state.framebuffers();
   std::optional<MeshPass> pass = mesh_pass({.bindings = env_.bindings(),
                                             .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
                                             .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors),
-                                            .triangles = call.triangles},
+                                            .triangles = call.triangles,
+                                            .framebuffer = framebuffers.bound_name()},
                                            cause);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {
     return cause;
   }
   pass->made = pass->curves && has_made_normals(inputs.fields);
+  pass->lone = lone_polygon;
+  pass->open = call.triangles == 0;
   return call.list_segment != 0 ? ask(mesh_of_list(call.list_segment), *pass, cause)
          : call.from_arrays     ? judge_arrays(inputs, *pass, cause)
                                 : judge_loose(*pass, cause);

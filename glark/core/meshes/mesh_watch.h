@@ -29,6 +29,8 @@ class MeshWatch {
   };
   // Notes the draw. `cause`: why it cannot be curved. Returns why it stays unrefined; nothing if it is curved.
   std::optional<Cause> judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause);
+  // glEnd, after a draw that was judged when its triangles were not counted yet, and stayed unrefined.
+  void loose_ended(std::uint64_t triangles) { table_.loose_ended(triangles); }
   // The normals of a draw by the vertex stage with these inputs.
   struct ChosenNormal {
     int attribute = own_normal;                          // DerivedKey::normal_attribute

@@ -202,6 +202,11 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
   return exemption(facts);
 }
 
+std::optional<Cause> Planner::cause_when_counted(const DrawPlan& plan, std::uint64_t triangles) const {
+  const std::optional<Cause> cause = exempt(*plan.program, triangles);
+  return !cause && smooth() && is_one_polygon(triangles) ? std::optional(Cause::no_surface) : cause;
+}
+
 // The user's rules choose the refinement of draws by their state.
 std::optional<Cause> Planner::choose_wanted(DrawPlan& plan) const {
   plan.wanted = wanted_refinement(env_.options, env_.ark);

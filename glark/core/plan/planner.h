@@ -33,8 +33,8 @@ class Planner {
 
   enum class Purpose { draw, feedback };  // feedback: what will be drawn is not known yet
   Decision plan(const DrawCall& call, Purpose purpose = Purpose::draw);
-  // Returns the cause if the user's rules exempt such a draw. `triangles`: 0 before they are counted.
-  std::optional<Cause> exempt(const Program& program, std::uint64_t triangles) const;
+  // Why a draw by glBegin and glEnd stays unrefined although its plan was fine before its triangles were counted.
+  std::optional<Cause> cause_when_counted(const DrawPlan& plan, std::uint64_t triangles) const;
 
   // The derived program for the current state, for GL_REFINEMENT_STATUS_ARK. Null if it cannot be built.
   std::shared_ptr<DerivedProgram> derive_for_status(Program& program, Program* owner);
@@ -43,6 +43,8 @@ class Planner {
   std::optional<Cause> decide(const DrawCall& call, Purpose purpose, DrawPlan& plan);
   std::optional<Cause> find_program(const DrawCall& call, DrawPlan& plan);
   std::optional<Cause> find_pipeline_programs(DrawPlan& plan);
+  // Returns the cause if the user's rules exempt such a draw. `triangles`: 0 before they are counted.
+  std::optional<Cause> exempt(const Program& program, std::uint64_t triangles) const;
   std::optional<Cause> choose_wanted(DrawPlan& plan) const;
   std::uint32_t instanced_inputs_of(const DrawCall& call, const Program& program) const;
   void tell_notes(Program& program, DrawNoteFacts facts) const;

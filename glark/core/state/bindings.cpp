@@ -48,6 +48,7 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
   b.depth_writes = get(gl, GL_DEPTH_WRITEMASK) != 0;
   b.depth_function = static_cast<GLenum>(get(gl, GL_DEPTH_FUNC));
   b.stencil_test = gl.IsEnabled(GL_STENCIL_TEST) != GL_FALSE;
+  b.polygon_offset = gl.IsEnabled(GL_POLYGON_OFFSET_FILL) != GL_FALSE;
   GLboolean channels[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
   gl.GetBooleanv(GL_COLOR_WRITEMASK, channels);
   b.color_writes =

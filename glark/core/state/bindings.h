@@ -40,7 +40,8 @@ struct Bindings {
   bool depth_writes = true;
   GLenum depth_function = GL_LESS;
   bool stencil_test = false;
-  bool color_writes = true;  // of draw buffer 0, of any channel
+  bool polygon_offset = false;  // GL_POLYGON_OFFSET_FILL
+  bool color_writes = true;     // of draw buffer 0, of any channel
   GLenum matrix_mode = GL_MODELVIEW;
   bool primitive_restart = false;
   bool primitive_restart_fixed = false;

@@ -33,6 +33,7 @@ class Framebuffers {
     answer_ = nullptr;
   }
 
+  GLuint bound_name() const { return bound_; }
   // Returns whether the bound framebuffer has a depth buffer. True also if GL does not say.
   bool bound_has_depth(const gl::Dispatch& gl, PendingError& errors) { return bound(gl, errors).depth; }
   // Returns whether draws write to a colour buffer of the bound framebuffer. True also if GL does not say.

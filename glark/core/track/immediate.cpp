@@ -41,9 +41,12 @@ void begin_capture(Context& c, GLenum mode) {
   }
 }
 
+std::uint64_t counted_triangles(const ImmediateMode& immediate) {
+  return immediate.triangles_before() + triangles_of(immediate.mode(), immediate.vertices());
+}
+
 void end_capture(Context& c) {
-  const ImmediateMode& immediate = c.state().immediate();
-  c.stages()->draw().end_immediate(immediate.triangles_before() + triangles_of(immediate.mode(), immediate.vertices()));
+  c.stages()->draw().end_immediate(counted_triangles(c.state().immediate()));
   track::end_materials(c);
   c.update_refining();
 }
@@ -76,6 +79,8 @@ void primitive_ended(Context& c) {
   ImmediateMode& immediate = c.state().immediate();
   if (immediate.end()) {
     end_capture(c);
+  } else if (c.refining()) {
+    c.stages()->draw().end_unrefined(counted_triangles(immediate));
   }
   for (const MaterialChange& late : immediate.materials().take_deferred()) {
     late.call(c.gl(), late);

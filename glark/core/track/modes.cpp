@@ -81,6 +81,7 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_BLEND: b.blend = enabled; break;
     case GL_DEPTH_TEST: b.depth_test = enabled; break;
     case GL_STENCIL_TEST: b.stencil_test = enabled; break;
+    case GL_POLYGON_OFFSET_FILL: b.polygon_offset = enabled; break;
     case GL_CULL_FACE: b.cull_face = enabled; break;
     // The most frequent enables that the vertex stage does not depend on.
     case GL_SCISSOR_TEST:

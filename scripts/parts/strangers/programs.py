@@ -205,4 +205,14 @@ LAST_MET = [
     Stranger("CalculiX", "modeller", ("calculix-cgx",), ["/usr/bin/cgx", "-stl", f"{MODELS}/ball.stl"], seconds=12, keys=DRAG),
 ]
 
-PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS, *LAST_MET]
+MET_AFTERWARDS = [
+    *(saver(name) for name in ("dymaxionmap", "etruscanvenus", "kaleidocycle", "moebius", "splitflap", "stairs", "stonerview")),
+    *(dataclasses.replace(saver(name), frames=16) for name in ("covid19", "discoball")),  # 200 000 triangles in a frame
+    Stranger("OSG viewer", "viewer", ("openscenegraph",), ["/usr/bin/osgviewer", "--window", "20", "20", "320", "240", f"{MODELS}/ball.obj"],
+             seconds=10, frames=100, keys=DRAG),
+    Stranger("pink-pony", "game, in play", ("pink-pony",), ["/usr/games/pink-pony"], seconds=50, frames=200,
+             keys=((12, "key Return"), (6, "key Return"), (6, "key Return"))),
+    Stranger("pipewalker", "game, in play", ("pipewalker",), ["/usr/games/pipewalker"], seconds=8, frames=100),
+]
+
+PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS, *LAST_MET, *MET_AFTERWARDS]

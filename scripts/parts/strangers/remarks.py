@@ -11,11 +11,14 @@ FINE = "fine already; hardly visible changes"
 POLYGONS = "flat shaded on purpose; stays so"
 
 REMARKS = {
+    "dymaxionmap": "a map of single triangles, " + SAME, "etruscanvenus": LINES, "kaleidocycle": POLYGONS, "moebius": "ants are rounder",
+    "splitflap": SAME, "stairs": "the ball is round", "stonerview": "single squares, " + SAME, "OSG viewer": "the ball is round",
+    "pipewalker": FLAT,
     "glknots": "tubes are rounder; highlights on them show fully", "raverhoop": SAME, "squirtorus": SAME, "romanboy": SAME, "tronbit": POLYGONS,
     "sierpinski3d": SAME, "hypertorus": SAME, "antinspect": LINES, "maze3d": SAME,
     "enemylines3": "bodies of single polygons, " + SAME, "enemylines7": "bodies of single polygons, " + SAME,
     "marsshooter": MENU, "briquolo": SAME, "blockout2": SAME, "fracplanet": "the coast is as before, the outline rounder",
-    "stormbaancoureur": "its shadows have no partner; " + SAME, "sdl-ball": SAME, "g3dviewer": "redraws seldom, so smooth waits; " + SAME,
+    "stormbaancoureur": "tyres are rounder, and so are their shadows", "sdl-ball": SAME, "g3dviewer": "redraws seldom, so smooth waits; " + SAME,
     "pong2": "the ball is rounder", "CalculiX": POLYGONS,
     "GTK 4 widgets": FLAT, "kitty": "an empty window: its text is not in the recording", "kivy": FLAT,
     "Qt bars": SAME, "Qt scatter": SAME, "Qt surface": SAME, "Qt customitems": SAME, "Qt volumetric": SAME,

@@ -80,10 +80,44 @@ TEST_F(MeshPasses, EqualMustMeet) {
   EXPECT_FALSE(pass().must_meet());
 }
 
+TEST_F(MeshPasses, StrictComparisonsMeetNothing) {
+  for (const auto& [function, meets] : {std::pair(GL_LESS, false),
+                                        {GL_GREATER, false},
+                                        {GL_ALWAYS, false},
+                                        {GL_NEVER, false},
+                                        {GL_LEQUAL, true},
+                                        {GL_EQUAL, true},
+                                        {GL_NOTEQUAL, true}}) {
+    bindings_.depth_function = static_cast<GLenum>(function);
+    EXPECT_EQ(pass().meets_depth, meets) << function;
+  }
+  bindings_.depth_function = GL_LESS;
+  bindings_.polygon_offset = true;
+  EXPECT_TRUE(pass().meets_depth) << "the offset may lift it off the pass that it lies on";
+  bindings_.depth_test = false;
+  EXPECT_FALSE(pass().meets_depth);
+}
+
+TEST_F(MeshPasses, TheTargetIsTheFramebufferAndTheViewport) {
+  const std::uint64_t window = pass().target;
+  EXPECT_NE(window, 0);
+  EXPECT_NE(mesh_pass({.bindings = bindings_, .framebuffer = 1}, std::nullopt)->target, window);
+  bindings_.viewport = {512, 512};
+  EXPECT_NE(pass().target, window);
+}
+
 TEST_F(MeshPasses, LinesNeedNotMeetToTheBit) {
   bindings_.depth_function = GL_EQUAL;
   EXPECT_FALSE(pass(Cause::not_triangles).must_meet());
   EXPECT_TRUE(pass(Cause::not_triangles).uses_depth);
+}
+
+// Sparks in a shadow map meet the sparks that show, and nothing else.
+TEST_F(MeshPasses, LinesPrepareForNoSurface) {
+  bindings_.color_writes = false;
+  bindings_.stencil_test = true;
+  EXPECT_TRUE(pass().prepares());
+  EXPECT_FALSE(pass(Cause::not_triangles).prepares());
 }
 
 TEST_F(MeshPasses, NoPictureSaysNothing) {

@@ -244,24 +244,6 @@ TEST_F(MeshTables, LooseDrawsThatMustMeetStayFlat) {
   EXPECT_EQ(settled({{loose_mesh, colors}, {loose_mesh, flat_equal}}), MeshVerdict::flat);
 }
 
-// Shadow volumes of a mesh in a buffer, made by glBegin.
-TEST_F(MeshTables, APreparationWithoutIdentityMayMeetAnyMesh) {
-  constexpr MeshPass volume{.uses_depth = true, .shows = false, .marks = true};
-  EXPECT_EQ(settled({{ball, colors}, {loose_mesh, volume}, {ball, colors}}), MeshVerdict::unknown_partner);
-}
-
-// A depth pre-pass that reads its positions from a buffer of their own.
-TEST_F(MeshTables, APreparationThatShowsNowhereMayMeetAnyMesh) {
-  EXPECT_EQ(settled({{copy_of_ball, flat_depth}, {ball, colors}}), MeshVerdict::unknown_partner);
-  EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::unknown_partner) << "for some time";
-  for (unsigned i = 0; i < MeshTable::frames_of_doubt; ++i) settled({{ball, colors}});
-  EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::curved);
-}
-
-TEST_F(MeshTables, APreparationThatShowsLaterMeetsItself) {
-  EXPECT_EQ(settled({{copy_of_ball, flat_depth}, {copy_of_ball, flat_colors}, {ball, colors}}), MeshVerdict::curved);
-}
-
 TEST_F(MeshTables, AnEqualPassNeedsAnEarlierPassOfItsFrame) {
   EXPECT_EQ(settled({{copy_of_ball, curved_depth}, {ball, equal_colors}}), MeshVerdict::unknown_partner);
 }
