@@ -25,7 +25,7 @@ struct MeshPass {
   bool marks = false;         // it may write the stencil buffer
   bool lines = false;         // or points: they lie near a surface, not on it to the bit
   bool behind = false;        // a background: it says nothing about other meshes of its source
-  bool lone = false;          // one polygon between glBegin and glEnd, outside of display lists
+  bool lone = false;          // one polygon between glBegin and glEnd, in display lists, too
   bool open = false;          // glEnd will tell whether it is one
   std::uint64_t target = 0;   // the framebuffer, and the size of the viewport; not 0
 

@@ -36,10 +36,10 @@ bool has_made_normals(const std::vector<capture::Field>* fields) {
 }
 
 // A polygon that glBegin..glEnd draws alone. Its neighbours are other draws, so nothing says whether it is a part of a
-// smooth surface or the panel of a body whose edges would come apart. A display list holds a whole model more often.
+// smooth surface or the panel of a body whose edges would come apart. A display list draws each polygon apart, too.
 bool is_lone_polygon(const DrawCall& call) {
   const bool polygon = call.mode == GL_POLYGON ? call.whole_polygons : is_one_polygon(call.triangles);
-  return !call.from_arrays && call.list_segment == 0 && call.exact && polygon;
+  return !call.from_arrays && call.exact && polygon;
 }
 
 bool is_position_vector(const capture::Field* position) {
