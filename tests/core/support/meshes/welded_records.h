@@ -70,7 +70,7 @@ inline double least_height(const Vector& a, const Vector& b, const Vector& c) {
 
 class WeldedRecords {
  public:
-  explicit WeldedRecords(const gl::Dispatch& gl) : gl_(gl), stage_(gl, capture::Language::compatibility) {
+  explicit WeldedRecords(const gl::Dispatch& gl) : gl_(gl), stage_(compilation_, capture::Language::compatibility) {
     gl_.GenBuffers(2, buffers_);
     layout_ = capture::make_layout({{.name = "p", .type = GL_FLOAT_VEC3, .role = capture::Role::position},
                                     {.name = "n", .type = GL_FLOAT_VEC3, .role = capture::Role::normal}},
@@ -135,6 +135,7 @@ class WeldedRecords {
   }
 
   const gl::Dispatch& gl_;
+  core::Compilation compilation_{gl_};
   weld::WeldStage stage_;
   capture::Layout layout_;
   GLuint buffers_[2] = {};
