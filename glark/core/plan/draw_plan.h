@@ -37,6 +37,14 @@ struct DrawPlan {
   weld::WeldPlan weld;
   depth::DepthPlan depth;
   bool keeps_vertices = false;  // its refined vertices may be kept, and drawn by the application's own program
+
+  // The inputs of the vertex stage; null: they are not known.
+  const std::vector<capture::Field>* inputs() const {
+    if (derived != nullptr) {
+      return &derived->layout.fields;  // with a normal that the stage does not read
+    }
+    return program != nullptr && program->prepared && !program->fields.empty() ? &program->fields : nullptr;
+  }
 };
 
 struct Decision {

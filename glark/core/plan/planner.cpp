@@ -60,15 +60,6 @@ RefinementChoice refinement_choice(const Environment& environment, const Program
   return choose_refinement(facts);
 }
 
-// Null: the vertex stage is not known.
-const std::vector<capture::Field>* inputs_of(const DrawPlan& plan) {
-  if (plan.derived != nullptr) {
-    return &plan.derived->layout.fields;  // with a normal that the stage does not read
-  }
-  return plan.program != nullptr && plan.program->prepared && !plan.program->fields.empty() ? &plan.program->fields
-                                                                                            : nullptr;
-}
-
 }  // namespace
 
 Planner::Planner(const Environment& environment, const Parts& parts)
@@ -86,7 +77,7 @@ Decision Planner::plan(const DrawCall& call, Purpose purpose) {
   }
   const bool spends = spends_on_curves(env_.options, env_.ark, decision.plan.wanted, decision.plan.depth);
   if (purpose == Purpose::draw && (smooth() || spends)) {
-    const MeshWatch::Inputs inputs{inputs_of(decision.plan), decision.plan.capture.lent.has_value()};
+    const MeshWatch::Inputs inputs{decision.plan.inputs(), decision.plan.capture.lent.has_value()};
     const std::optional<Cause> verdict = parts_.meshes.judge(call, inputs, decision.cause);
     decision.cause = smooth() ? verdict : decision.cause;
   }
