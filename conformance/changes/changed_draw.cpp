@@ -122,7 +122,7 @@ std::vector<Case> change_cases(const char* area, const std::vector<Change>& chan
               .is_optional = change.version != 0,
               .control = [&change, number](Test& t) { check_change(t, change, number, false); },
               .check = [&change, number](Test& t) { check_change(t, change, number, true); }};
-    for (const char* command : change.commands) made.commands.push_back(command);
+    made.commands.assign(change.commands.begin(), change.commands.end());
     cases.push_back(std::move(made));
   }
   return cases;

@@ -68,16 +68,16 @@ GLuint make_buffer(GLenum target, const void* data, std::size_t bytes) {
   return buffer;
 }
 
-Scene::Scene(Test& t, int triangles) : vertex_count(3 * triangles), is_desktop(!t.is_gles()) {
+Scene::Scene(Test& t, int triangles) : vertex_count_(3 * triangles), is_desktop_(!t.is_gles()) {
   const std::string head = t.is_gles() ? "precision highp sampler2D; precision highp samplerBuffer;\n" : "";
   program = build_program(t, {.vertex = head + stage});
   gl.UseProgram(program);
   gl.Uniform4f(0, 1, 0.9F, 1, 1);
   gl.VertexAttrib4f(at_extra, 0.1F, 0.05F, 0, 0);
   gl.VertexAttribI4i(at_steps, 1, 0, 0, 0);
-  for (unsigned i = 0; i < static_cast<unsigned>(vertex_count); ++i) {
-    first_colours.push_back(colour_of(i, 1));
-    second_colours.push_back(colour_of(i, 2));
+  for (unsigned i = 0; i < static_cast<unsigned>(vertex_count_); ++i) {
+    first_colours_.push_back(colour_of(i, 1));
+    second_colours_.push_back(colour_of(i, 2));
   }
   make_places();
   make_indices();
@@ -86,24 +86,24 @@ Scene::Scene(Test& t, int triangles) : vertex_count(3 * triangles), is_desktop(!
 }
 
 void Scene::make_places() {
-  const std::vector<Place> all = places_of(vertex_count / 3);
+  const std::vector<Place> all = places_of(vertex_count_ / 3);
   places = make_buffer(GL_ARRAY_BUFFER, all.data(), all.size() * sizeof(Place));
-  std::vector<std::uint32_t> both = first_colours;
-  both.insert(both.end(), second_colours.begin(), second_colours.end());
+  std::vector<std::uint32_t> both = first_colours_;
+  both.insert(both.end(), second_colours_.begin(), second_colours_.end());
   colours = make_buffer(GL_ARRAY_BUFFER, both.data(), both.size() * 4);
   std::vector<std::uint16_t> elements;
-  for (GLsizei i = 0; i < vertex_count; ++i) {
+  for (GLsizei i = 0; i < vertex_count_; ++i) {
     elements.push_back(static_cast<std::uint16_t>(i));
-    second_indices.push_back(static_cast<std::uint16_t>(i % (vertex_count / 2)));
+    second_indices_.push_back(static_cast<std::uint16_t>(i % (vertex_count_ / 2)));
   }
-  elements.insert(elements.end(), second_indices.begin(), second_indices.end());
+  elements.insert(elements.end(), second_indices_.begin(), second_indices_.end());
   gl.BindVertexArray(0);
   indices = make_buffer(GL_ELEMENT_ARRAY_BUFFER, elements.data(), elements.size() * 2);
   array = make_array(0);
 }
 
 void Scene::make_indices() {
-  const auto count = static_cast<GLuint>(vertex_count);
+  const auto count = static_cast<GLuint>(vertex_count_);
   // DrawArraysIndirectCommand in 4 words, DrawElementsIndirectCommand in 5; 16 words from one content to the other.
   std::array<GLuint, 32> words{};
   for (const GLuint at : {0U, 16U}) {
@@ -166,7 +166,7 @@ GLuint Scene::make_array(GLintptr offset) const {
 
 Scene::~Scene() {
   gl.BindSampler(image_unit, 0);
-  if (is_desktop) gl.Disable(GL_PRIMITIVE_RESTART);
+  if (is_desktop_) gl.Disable(GL_PRIMITIVE_RESTART);
   gl.BindVertexArray(0);
   gl.DeleteVertexArrays(1, &array);
   for (const GLuint buffer : {places, colours, indices, commands, block, texels}) gl.DeleteBuffers(1, &buffer);

@@ -27,14 +27,14 @@ struct Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  GLsizei vertices() const { return vertex_count; }
-  GLsizeiptr colour_bytes() const { return 4 * GLsizeiptr{vertex_count}; }  // of one content
+  GLsizei vertices() const { return vertex_count_; }
+  GLsizeiptr colour_bytes() const { return 4 * GLsizeiptr{vertex_count_}; }  // of one content
   // Where the other content begins, in bytes.
-  GLintptr other_colours() const { return 4 * vertex_count; }
-  GLintptr other_indices() const { return 2 * vertex_count; }
+  GLintptr other_colours() const { return 4 * vertex_count_; }
+  GLintptr other_indices() const { return 2 * vertex_count_; }
   // The colours of the other content, RGBA8.
-  const std::vector<std::uint32_t>& new_colours() const { return second_colours; }
-  const std::vector<std::uint16_t>& new_indices() const { return second_indices; }
+  const std::vector<std::uint32_t>& new_colours() const { return second_colours_; }
+  const std::vector<std::uint16_t>& new_indices() const { return second_indices_; }
   // Points the array of colours at a place in the bound buffer.
   void point_at(GLintptr offset, GLsizei stride = 4) const;
   // Makes and binds a vertex array like the first one, with colours from `offset`.
@@ -58,11 +58,11 @@ struct Scene {
   void make_indices();
   void make_textures();
 
-  GLsizei vertex_count;
-  bool is_desktop;
-  std::vector<std::uint32_t> first_colours;
-  std::vector<std::uint32_t> second_colours;
-  std::vector<std::uint16_t> second_indices;
+  GLsizei vertex_count_;
+  bool is_desktop_;
+  std::vector<std::uint32_t> first_colours_;
+  std::vector<std::uint32_t> second_colours_;
+  std::vector<std::uint16_t> second_indices_;
 };
 
 // A buffer with these bytes, bound to the target.

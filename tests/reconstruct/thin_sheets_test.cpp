@@ -45,7 +45,7 @@ Measures measures_of(const Reconstructed& mesh, const ThinSheet& sheet, const Ro
     points.push_back(turned_back(rotation, &mesh.positions[i]));
     const auto [x, y, z] = points.back();
     const double off = (std::abs(z) - sheet.height(x, y)) / steepness(sheet, x, y);
-    result.rms += off * off / static_cast<double>(mesh.positions.size() / 3);
+    result.rms += off * off / (static_cast<double>(mesh.positions.size()) / 3);
   }
   result.rms = std::sqrt(result.rms);
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {

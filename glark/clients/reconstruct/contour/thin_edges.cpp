@@ -236,8 +236,8 @@ ThinEdges cross_thin_edges(const TransitionLayer& layer, unsigned level, Blocks&
     for (std::size_t i = begin; i < end; ++i) crossings.find(thin[i], found[i]);
   });
   ThinEdges edges;
-  for (const auto& part : found) {
-    for (const Found& one : part) edges.add(one.edge.corner, one.edge.axis, one.crossings);
+  for (const auto& of_block : found) {
+    for (const Found& one : of_block) edges.add(one.edge.corner, one.edge.axis, one.crossings);
   }
   return edges;
 }
