@@ -2,26 +2,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes of a buffer by its name (direct state access), between two draws that read it as a vertex array.
-#include <cstring>
-
 #include "conformance/cases/cases.h"
+#include "conformance/cases/changes/buffer_content.h"
 #include "conformance/changes/changed_draw.h"
 
 namespace glark::conformance {
 namespace {
-
-// Another buffer with the other colours, bound to the target.
-GLuint source_of(Scene& s, GLenum target) {
-  s.made.push_back(make_buffer(target, s.new_colours().data(), static_cast<std::size_t>(s.colour_bytes())));
-  return s.made.back();
-}
-
-constexpr std::uint32_t one_colour = 0xff30c0f0;
-
-void write_mapped(Test& t, Scene& s, void* mapped) {
-  t.require(mapped != nullptr, "the buffer can be mapped");
-  std::memcpy(mapped, s.new_colours().data(), static_cast<std::size_t>(s.colour_bytes()));
-}
 
 void map_named(Test& t, Scene& s, GLbitfield flags) {
   write_mapped(t, s, gl.MapNamedBufferRange(s.colours, 0, s.colour_bytes(), GL_MAP_WRITE_BIT | flags));
