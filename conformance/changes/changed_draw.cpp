@@ -49,9 +49,14 @@ bool shows(const Change& change, const Path& path) {
   return !(path.copies_arrays && change.concern == Concern::arrays);
 }
 
+// So many pixels of a right picture may differ by more than `tolerance`, at the edges of triangles.
+constexpr int tolerance = 4;
+constexpr int edge_pixels = 80;
+
 // Ends the case at the first picture that is wrong.
 void expect_picture(Test& t, const Picture& actual, const Picture& expected, const std::string& what) {
-  t.require(t.expect_same_picture(actual, expected, what, 4, 80), "the picture is that of the unrefined draw");
+  t.require(t.expect_same_picture(actual, expected, what, tolerance, edge_pixels),
+            "the picture is that of the unrefined draw");
 }
 
 void check_combination(Test& t, const Change& change, const Combination& one, bool is_refined) {
@@ -74,7 +79,8 @@ void check_combination(Test& t, const Change& change, const Combination& one, bo
   gl.Disable(GL_ARK);
   const Picture plain = picture_of(draw);
   if (shows(change, path))
-    t.require(count_different(before, plain, 8) > 20, "the change shows without refinement: " + what);
+    t.require(count_different(before, plain, tolerance) > 3 * edge_pixels,
+              "the change shows without refinement: " + what);
   expect_picture(t, first, plain, "after the change: " + what);
   expect_picture(t, second, plain, "the second draw after the change: " + what);
   t.expect_no_error(what);

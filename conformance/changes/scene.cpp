@@ -14,6 +14,7 @@ struct Place {
   float tag;
 };
 
+// The instances lie one above the other, because an implementation may change the order of triangles.
 constexpr char stage[] =
     "layout(location = 0) in vec4 position; layout(location = 1) in vec3 normal; layout(location = 3) in vec4 "
     "colours;\n"
@@ -24,7 +25,7 @@ constexpr char stage[] =
     "  vec3 sum = (colours + current + vec4(steps) / 8.0).rgb;\n"
     "  sum *= tint.rgb * block_tint.rgb * textureLod(image, vec2(0.6), 0.0).rgb * texelFetch(texels, 0).rgb;\n"
     "  colour = vec4(sum, normal.z);\n"
-    "  gl_Position = position;\n"
+    "  gl_Position = vec4(position.x, 0.5 * position.y + float(gl_InstanceID) - 0.5, position.zw);\n"
     "}\n";
 
 // Bright, and different for neighbours.

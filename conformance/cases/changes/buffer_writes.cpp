@@ -67,16 +67,16 @@ void store_image(Test& t, Scene& s) {
   gl.DeleteTextures(1, &texture);
 }
 
-// A counter counts down from the colour of the first vertices, once for each vertex.
+// Counters count up from the colours, four vertices at a time: red gets brighter by 64, or overflows.
 void count(Test& t, Scene& s) {
   compute(t, s,
-          "layout(binding = 0, offset = 0) uniform atomic_uint one; layout(binding = 0, offset = 4) uniform "
-          "atomic_uint two;\n"
-          "void main() { for (int i = 0; i < 0x7000; ++i) { atomicCounterDecrement(one); atomicCounterIncrement(two); "
-          "} }\n",
+          "layout(binding = 0, offset = 0) uniform atomic_uint reds[4];\n"
+          "void main() { for (int i = 0; i < 256; ++i) { atomicCounterIncrement(reds[i % 4]); } }\n",
           GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ATOMIC_COUNTER_BARRIER_BIT, [&] {
-            gl.BindBufferBase(GL_ATOMIC_COUNTER_BUFFER, 0, s.colours);
-            gl.DispatchCompute(1, 1, 1);
+            for (GLintptr at = 0; at < s.colour_bytes(); at += 16) {
+              gl.BindBufferRange(GL_ATOMIC_COUNTER_BUFFER, 0, s.colours, at, 16);
+              gl.DispatchCompute(1, 1, 1);
+            }
           });
 }
 

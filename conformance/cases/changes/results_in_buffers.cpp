@@ -26,15 +26,16 @@ void read_texture(Scene& s, const std::function<void(GLuint)>& read) {
   gl.DeleteTextures(1, &texture);
 }
 
-// The result of a query becomes the colour of the first vertices: no sample passes, so they turn black.
-void query(Test&, Scene& s, const std::function<void(GLuint)>& read) {
+// The result of a query becomes the colour of all vertices: no sample passes, so they turn black. `read` writes it at an
+// offset, `bytes` long.
+void query(Scene& s, GLintptr bytes, const std::function<void(GLuint, GLintptr)>& read) {
   GLuint name = 0;
   gl.GenQueries(1, &name);
   gl.BeginQuery(GL_SAMPLES_PASSED, name);
   gl.EndQuery(GL_SAMPLES_PASSED);
   gl.Finish();
   gl.BindBuffer(GL_QUERY_BUFFER, s.colours);
-  read(name);
+  for (GLintptr at = 0; at < s.colour_bytes(); at += bytes) read(name, at);
   gl.BindBuffer(GL_QUERY_BUFFER, 0);
   gl.DeleteQueries(1, &name);
 }
@@ -77,10 +78,9 @@ std::vector<Change> query_results() {
       {"GetQueryObjectuiv",
        {"GetQueryObjectuiv"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [](GLuint name) {
-           for (std::uintptr_t i = 0; i < 9; ++i)
-             gl.GetQueryObjectuiv(name, GL_QUERY_RESULT, reinterpret_cast<GLuint*>(4 * i));
+       [](Test&, Scene& s) {
+         query(s, 4, [](GLuint name, GLintptr at) {
+           gl.GetQueryObjectuiv(name, GL_QUERY_RESULT, reinterpret_cast<GLuint*>(at));
          });
        },
        desktop_apis,
@@ -88,10 +88,9 @@ std::vector<Change> query_results() {
       {"GetQueryObjectiv",
        {"GetQueryObjectiv"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [](GLuint name) {
-           for (std::uintptr_t i = 0; i < 9; ++i)
-             gl.GetQueryObjectiv(name, GL_QUERY_RESULT, reinterpret_cast<GLint*>(4 * i));
+       [](Test&, Scene& s) {
+         query(s, 4, [](GLuint name, GLintptr at) {
+           gl.GetQueryObjectiv(name, GL_QUERY_RESULT, reinterpret_cast<GLint*>(at));
          });
        },
        desktop_apis,
@@ -99,10 +98,9 @@ std::vector<Change> query_results() {
       {"GetQueryObjectui64v",
        {"GetQueryObjectui64v"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [](GLuint name) {
-           for (std::uintptr_t i = 0; i < 5; ++i)
-             gl.GetQueryObjectui64v(name, GL_QUERY_RESULT, reinterpret_cast<GLuint64*>(8 * i));
+       [](Test&, Scene& s) {
+         query(s, 8, [](GLuint name, GLintptr at) {
+           gl.GetQueryObjectui64v(name, GL_QUERY_RESULT, reinterpret_cast<GLuint64*>(at));
          });
        },
        desktop_apis,
@@ -110,10 +108,9 @@ std::vector<Change> query_results() {
       {"GetQueryObjecti64v",
        {"GetQueryObjecti64v"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [](GLuint name) {
-           for (std::uintptr_t i = 0; i < 5; ++i)
-             gl.GetQueryObjecti64v(name, GL_QUERY_RESULT, reinterpret_cast<GLint64*>(8 * i));
+       [](Test&, Scene& s) {
+         query(s, 8, [](GLuint name, GLintptr at) {
+           gl.GetQueryObjecti64v(name, GL_QUERY_RESULT, reinterpret_cast<GLint64*>(at));
          });
        },
        desktop_apis,
@@ -121,40 +118,36 @@ std::vector<Change> query_results() {
       {"GetQueryBufferObjectuiv",
        {"GetQueryBufferObjectuiv"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [&](GLuint name) {
-           for (GLintptr i = 0; i < 9; ++i) gl.GetQueryBufferObjectuiv(name, s.colours, GL_QUERY_RESULT, 4 * i);
-         });
+       [](Test&, Scene& s) {
+         query(s, 4,
+               [&](GLuint name, GLintptr at) { gl.GetQueryBufferObjectuiv(name, s.colours, GL_QUERY_RESULT, at); });
        },
        desktop_apis,
        45},
       {"GetQueryBufferObjectiv",
        {"GetQueryBufferObjectiv"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [&](GLuint name) {
-           for (GLintptr i = 0; i < 9; ++i) gl.GetQueryBufferObjectiv(name, s.colours, GL_QUERY_RESULT, 4 * i);
-         });
+       [](Test&, Scene& s) {
+         query(s, 4,
+               [&](GLuint name, GLintptr at) { gl.GetQueryBufferObjectiv(name, s.colours, GL_QUERY_RESULT, at); });
        },
        desktop_apis,
        45},
       {"GetQueryBufferObjectui64v",
        {"GetQueryBufferObjectui64v"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [&](GLuint name) {
-           for (GLintptr i = 0; i < 5; ++i) gl.GetQueryBufferObjectui64v(name, s.colours, GL_QUERY_RESULT, 8 * i);
-         });
+       [](Test&, Scene& s) {
+         query(s, 8,
+               [&](GLuint name, GLintptr at) { gl.GetQueryBufferObjectui64v(name, s.colours, GL_QUERY_RESULT, at); });
        },
        desktop_apis,
        45},
       {"GetQueryBufferObjecti64v",
        {"GetQueryBufferObjecti64v"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
-         query(t, s, [&](GLuint name) {
-           for (GLintptr i = 0; i < 5; ++i) gl.GetQueryBufferObjecti64v(name, s.colours, GL_QUERY_RESULT, 8 * i);
-         });
+       [](Test&, Scene& s) {
+         query(s, 8,
+               [&](GLuint name, GLintptr at) { gl.GetQueryBufferObjecti64v(name, s.colours, GL_QUERY_RESULT, at); });
        },
        desktop_apis,
        45},
