@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// What the window and the picture have in common.
+#pragma once
+
+#include "examples/common/lesson.h"
+
+namespace lesson {
+
+struct Arguments {
+  std::string picture;  // empty: a window
+  int width, height;
+  std::string keys;
+  double seconds = 0;
+};
+
+struct View {
+  float turn = 0, tilt = 0;  // degrees, from dragging the mouse
+  float aspect = 4.0F / 3;   // width by height
+};
+View& view();
+
+// Clears the buffer, sets the viewport and draws.
+void draw_frame(const Lesson& lesson, int width, int height, double seconds);
+
+// False if no key has this name.
+bool press(const Lesson& lesson, char key);
+
+// Both return the exit status.
+int show_window(const Lesson& lesson, const Arguments& arguments);
+int write_picture(const Lesson& lesson, const Arguments& arguments);
+
+}  // namespace lesson
