@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#define GL_GLEXT_PROTOTYPES
 #include "examples/common/look.h"
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 
 #include <cmath>
 
@@ -70,13 +72,13 @@ void draw_with_edges(const std::function<void()>& draw) {
   glPolygonOffset(1, 1);
   draw();
   glDisable(GL_POLYGON_OFFSET_FILL);
-  glPushAttrib(GL_ENABLE_BIT | GL_CURRENT_BIT | GL_POLYGON_BIT);
-  glDisable(GL_LIGHTING);
-  glDisable(GL_TEXTURE_2D);
-  glColor3f(0.1F, 0.1F, 0.25F);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ZERO, GL_CONSTANT_COLOR);  // only the constant colour counts, whatever `draw` sets
+  glBlendColor(0.4F, 0.4F, 0.5F, 1);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   draw();
-  glPopAttrib();
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glDisable(GL_BLEND);
 }
 
 }  // namespace lesson

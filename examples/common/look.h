@@ -30,7 +30,7 @@ void look(float distance, float turn = 0, float tilt = 0);
 // For the fixed function: one white light over the left shoulder, and a material that takes glColor.
 void light();
 
-// For the fixed function: draws the surface, then the edges of its triangles in a dark colour over it.
+// Draws the surface, then the edges of its triangles darker over it. Not for OpenGL ES.
 void draw_with_edges(const std::function<void()>& draw);
 
 }  // namespace lesson

@@ -4,6 +4,7 @@
 // glark run [OPTIONS] [--] PROGRAM [ARGUMENTS]: runs an unmodified program with refinement.
 // glark doctor [OPTIONS] [--seconds N] [--] PROGRAM [ARGUMENTS]: runs it for a while and says what was refined and why.
 // glark info: describes the OpenGL of this machine.
+// glark pattern A B C: draws a pattern.
 // The commands for files are separate programs.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -16,6 +17,7 @@
 #include "glark/tool/doctor/doctor.h"
 #include "glark/tool/exec.h"
 #include "glark/tool/info/info.h"
+#include "glark/tool/pattern/command.h"
 #include "glark/tool/run.h"
 #include "glark/tool/settings_pages.h"
 
@@ -94,9 +96,11 @@ struct Commands {
   CLI::App* run = nullptr;
   CLI::App* doctor = nullptr;
   CLI::App* info = nullptr;
+  CLI::App* pattern = nullptr;
   CLI::App* settings = nullptr;
   glark::tool::RunOptions options;
   double seconds = 10;  // of the doctor
+  glark::tool::PatternOptions drawing;
   std::string page;
 };
 
@@ -116,6 +120,9 @@ void describe(Commands& commands) {
   commands.info = app.add_subcommand(
       "info",
       "Describe the OpenGL of this machine and whether glark can refine with it; with a FILE, describe the file");
+  commands.pattern =
+      app.add_subcommand("pattern", "Draw the pattern of three edge depths as SVG: glark pattern A B C [-o FILE.svg]");
+  glark::tool::describe_pattern(*commands.pattern, commands.drawing);
   commands.settings = app.add_subcommand("settings", "Print the table of settings")->group("");
   commands.settings->add_option("--as", commands.page)
       ->required()
@@ -153,6 +160,7 @@ int main(int argc, char** argv) {
     return complain(with_nearest_option(error.what(), words));
   }
   if (commands.info->parsed()) return glark::tool::info();
+  if (commands.pattern->parsed()) return glark::tool::draw_pattern(commands.drawing);
   if (commands.settings->parsed()) return print_settings(commands.page);
   if (!commands.run->parsed() && !commands.doctor->parsed()) return complain("no command is given");
   if (program.empty())

@@ -51,6 +51,11 @@ class Manual(unittest.TestCase):
             self.assertGreater(len(options_of(help_text)), 4)
             self.assertEqual([], missing(options_of(help_text) | {f"glark {command}"}, page))
 
+    def test_drawings_of_patterns(self):
+        help_text = subprocess.run([GLARK, "pattern", "--help"], check=True, capture_output=True, text=True).stdout
+        self.assertEqual([], missing({"glark pattern", "--interior", "--output"}, self.page))
+        self.assertLess({"--interior", "--output"}, set(re.findall(r"--[\w-]+", help_text)))
+
     def test_every_option(self):
         options = options_of(self.help)
         self.assertGreater(len(options), 5)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Lesson 1: one triangle. Its depth tag d makes 2^d segments of every edge, so 4^d triangles of one.
+// Exercise 3: a tag for every corner. The two corners at the bottom get 2, the corner at the top gets 6.
 #include "examples/common/lesson.h"
 
 #include <GL/gl.h>
@@ -11,20 +11,15 @@
 
 namespace {
 
-unsigned depth = 0;
-constexpr unsigned deepest = 5;
-
 void begin() {
-  // [begin]
-  glARKinit(deepest);  // patterns for edges of up to 2^5 segments
-  glEnable(GL_ARK);    // from here on, patterns replace triangles
-  // [/begin]
+  glARKinit(6);
+  glEnable(GL_ARK);
 }
 
 void triangle() {
-  // [draw]
-  glDepthTag1i(depth);  // the next vertices ask for 2^depth segments on every edge
   glBegin(GL_TRIANGLES);
+  // glDepthTag1i may stand before every vertex.
+  glDepthTag1i(2);
   glColor3f(0.95F, 0.45F, 0.25F);
   glVertex2f(-1, -0.8F);
   glColor3f(0.3F, 0.7F, 0.4F);
@@ -32,25 +27,16 @@ void triangle() {
   glColor3f(0.3F, 0.5F, 0.9F);
   glVertex2f(0, 0.9F);
   glEnd();
-  // [/draw]
 }
 
 void draw(double) {
-  lesson::look(5);
-  // [count]
-  const unsigned triangles = lesson::count_triangles(triangle);
-  lesson::say("depth " + std::to_string(depth) + ": " + std::to_string(triangles) + " triangles");
-  // [/count]
+  lesson::look(3.2F);
+  lesson::say(std::to_string(lesson::count_triangles(triangle)) + " triangles");
   lesson::draw_with_edges(triangle);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv,
-                     {.title = "Lesson 1, one triangle",
-                      .keys = {{'d', "one level deeper", [] { depth = depth < deepest ? depth + 1 : depth; }},
-                               {'s', "one level shallower", [] { depth = depth > 0 ? depth - 1 : depth; }}},
-                      .begin = begin,
-                      .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 1, exercise 3", .keys = {}, .begin = begin, .draw = draw});
 }

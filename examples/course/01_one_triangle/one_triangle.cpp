@@ -36,7 +36,7 @@ void triangle() {
 }
 
 void draw(double) {
-  lesson::look(5);
+  lesson::look(3.2F);
   // [count]
   const unsigned triangles = lesson::count_triangles(triangle);
   lesson::say("depth " + std::to_string(depth) + ": " + std::to_string(triangles) + " triangles");
