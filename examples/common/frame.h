@@ -13,6 +13,7 @@ struct Arguments {
   int width, height;
   std::string keys;
   double seconds = 0;
+  int frames = 1;
 };
 
 struct View {
@@ -20,6 +21,9 @@ struct View {
   float aspect = 4.0F / 3;   // width by height
 };
 View& view();
+
+// While it is true, say() says nothing.
+bool& silent();
 
 // Clears the buffer, sets the viewport and draws.
 void draw_frame(const Lesson& lesson, int width, int height, double seconds);
