@@ -18,7 +18,8 @@ struct Arguments {
 
 struct View {
   float turn = 0, tilt = 0;  // degrees, from dragging the mouse
-  float aspect = 4.0F / 3;   // width by height
+  int width = 640, height = 480;
+  float aspect = 4.0F / 3;  // of the part that is drawn: width by height
 };
 View& view();
 

@@ -8,12 +8,14 @@
 #include <getopt.h>
 
 #include <algorithm>
+#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
 #include "examples/common/frame.h"
+#include "examples/common/look.h"
 
 namespace lesson {
 namespace {
@@ -67,8 +69,9 @@ bool& silent() {
 }
 
 void draw_frame(const Lesson& lesson, int width, int height, double seconds) {
-  view().aspect = static_cast<float>(width) / static_cast<float>(height);
-  glViewport(0, 0, width, height);
+  view().width = width;
+  view().height = height;
+  use_part(0, 1);
   glClearColor(1, 1, 1, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   lesson.draw(seconds);
@@ -78,6 +81,15 @@ bool press(const Lesson& lesson, char name) {
   const auto key = std::find_if(lesson.keys.begin(), lesson.keys.end(), [&](const Key& k) { return k.key == name; });
   if (key != lesson.keys.end()) key->press();
   return key != lesson.keys.end();
+}
+
+void say(const char* format, ...) {
+  char line[256];
+  va_list values;
+  va_start(values, format);
+  std::vsnprintf(line, sizeof(line), format, values);
+  va_end(values);
+  say(std::string(line));
 }
 
 unsigned count_triangles(const std::function<void()>& draw) {

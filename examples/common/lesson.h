@@ -37,6 +37,8 @@ int run(int argc, char** argv, const Lesson& lesson);
 
 // Shows one line of text: in the title of the window, or on standard output with --png.
 void say(const std::string& line);
+// As printf does.
+[[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
 
 // Runs `draw` and returns how many triangles it drew. Refined triangles count, coarse ones do not.
 unsigned count_triangles(const std::function<void()>& draw);

@@ -6,6 +6,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "examples/common/frame.h"
@@ -32,8 +33,16 @@ Matrix multiply(const Matrix& a, const Matrix& b) {
   return product;
 }
 
+void use_part(int part, int parts) {
+  const int width = view().width / parts;
+  glViewport(part * width, 0, width, view().height);
+  view().aspect = static_cast<float>(width) / static_cast<float>(view().height);
+}
+
 Camera camera(float distance, float turn, float tilt) {
-  constexpr float focus = 2.5F;  // an angle of 44 degrees from top to bottom
+  constexpr float focus = 2.5F;  // an angle of 44 degrees, from top to bottom or from left to right if that is less
+  const float wide = std::max(view().aspect, 1.0F);
+  const float high = std::max(1 / view().aspect, 1.0F);
   const float near = distance / 50;
   const float far = distance * 10;
   const Matrix projection{
@@ -69,7 +78,7 @@ void light() {
 
 void draw_with_edges(const std::function<void()>& draw) {
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1, 1);
+  glPolygonOffset(2, 8);
   draw();
   glDisable(GL_POLYGON_OFFSET_FILL);
   glEnable(GL_BLEND);

@@ -17,6 +17,9 @@ struct Camera {
   Matrix view;
 };
 
+// Draws into one of several equal parts, side by side. Part 0 is on the left. Call it before camera() or look().
+void use_part(int part, int parts);
+
 // The eye looks at the origin from `distance`. The model turns about its vertical axis, then tilts towards the eye.
 // Both angles are in degrees.
 Camera camera(float distance, float turn = 0, float tilt = 0);

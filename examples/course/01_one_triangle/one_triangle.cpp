@@ -38,8 +38,7 @@ void triangle() {
 void draw(double) {
   lesson::look(3.2F);
   // [count]
-  const unsigned triangles = lesson::count_triangles(triangle);
-  lesson::say("depth " + std::to_string(depth) + ": " + std::to_string(triangles) + " triangles");
+  lesson::say("depth %u: %u triangles", depth, lesson::count_triangles(triangle));
   // [/count]
   lesson::draw_with_edges(triangle);
 }

@@ -32,7 +32,7 @@ void triangle() {
 
 void draw(double) {
   lesson::look(3.2F);
-  lesson::say(std::to_string(lesson::count_triangles(triangle)) + " triangles");
+  lesson::say("%u triangles", lesson::count_triangles(triangle));
   lesson::draw_with_edges(triangle);
 }
 

@@ -35,7 +35,7 @@ void square() {
 
 void draw(double) {
   lesson::look(3.2F);
-  lesson::say(std::to_string(lesson::count_triangles(square)) + " triangles");
+  lesson::say("%u triangles", lesson::count_triangles(square));
   lesson::draw_with_edges(square);
 }
 

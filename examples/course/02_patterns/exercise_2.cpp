@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Exercise 2: find the formula for the number of triangles of a pattern.
+// This one is right only where all depths are equal. The program tries 125 triples of tags.
+#include "examples/common/lesson.h"
+
+#include <GL/gl.h>
+#include <GL/glark.h>
+
+#include <algorithm>
+
+namespace {
+
+// The number of triangles of the pattern with the depths a, b and c.
+unsigned formula(unsigned a, unsigned b, unsigned c) {
+  const unsigned n = 1U << std::min({a, b, c});  // segments of the shallowest edge
+  return n * n;          // count the other edges, too
+}
+
+unsigned tags[3];
+
+void triangle() {
+  glBegin(GL_TRIANGLES);
+  for (const unsigned tag : tags) {
+    glDepthTag1i(tag);
+    glVertex2f(0, 0);
+  }
+  glEnd();
+}
+
+void begin() {
+  glARKinit(6);
+  glEnable(GL_ARK);
+}
+
+// Draws one triangle for every triple of tags, and compares the number of triangles with the formula.
+void draw(double) {
+  unsigned triples = 0;
+  unsigned right = 0;
+  for (unsigned triple = 0; triple < 5 * 5 * 5; ++triple) {
+    tags[0] = triple % 5;
+    tags[1] = triple / 5 % 5;
+    tags[2] = triple / 25;
+    const unsigned drawn = lesson::count_triangles(triangle);
+    ++triples;
+    if (drawn == formula((tags[0] + tags[1]) / 2, (tags[1] + tags[2]) / 2, (tags[2] + tags[0]) / 2)) ++right;
+  }
+  lesson::say("the formula is right for %u of %u triples", right, triples);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return lesson::run(argc, argv, {.title = "Lesson 2", .keys = {}, .begin = begin, .draw = draw});
+}
