@@ -13,6 +13,7 @@ struct Arguments {
   int width, height;
   std::string keys;
   double seconds = 0;
+  int frames = 1;
 };
 
 struct View {
@@ -21,6 +22,9 @@ struct View {
   float aspect = 4.0F / 3;  // of the part that is drawn: width by height
 };
 View& view();
+
+// While it is true, say() says nothing.
+bool& silent();
 
 // Clears the buffer, sets the viewport and draws.
 void draw_frame(const Lesson& lesson, int width, int height, double seconds);

@@ -25,7 +25,8 @@ void print_help(const char* program, const Lesson& lesson) {
   std::printf("%s: %s\n\n  %s                 opens a window\n  %s --png FILE      writes a picture\n", name,
               lesson.title, name, name);
   std::printf("  --size 640x480     of the window or the picture\n  --press KEYS       presses these keys first\n");
-  std::printf("  --seconds T        the time that the picture shows\n\nKeys:\n");
+  std::printf("  --seconds T        the time that the picture shows\n");
+  std::printf("  --frames N         draws N frames; the picture shows the last one\n\nKeys:\n");
   for (const Key& key : lesson.keys) std::printf("  %c  %s\n", key.key, key.help);
   std::printf("  h  these lines (in the window)\n  q  quit (in the window)\n");
 }
@@ -42,13 +43,14 @@ bool read_arguments(int argc, char** argv, const Lesson& lesson, Arguments& argu
     if (found == 's') valid = valid && std::sscanf(optarg, "%dx%d", &arguments.width, &arguments.height) == 2;
     if (found == 'k') arguments.keys = optarg;
     if (found == 't') arguments.seconds = std::atof(optarg);
+    if (found == 'f') arguments.frames = std::atoi(optarg);
     if (found == 'h') print_help(argv[0], lesson);
     if (found == 'h' || found == '?') {
       status = found == 'h' ? 0 : 2;
       return false;
     }
   }
-  valid = valid && optind == argc && arguments.width > 0 && arguments.height > 0;
+  valid = valid && optind == argc && arguments.width > 0 && arguments.height > 0 && arguments.frames > 0;
   if (!valid) std::fprintf(stderr, "%s: wrong arguments; --help shows the right ones\n", argv[0]);
   status = valid ? 0 : 2;
   return valid;
@@ -59,6 +61,11 @@ bool read_arguments(int argc, char** argv, const Lesson& lesson, Arguments& argu
 View& view() {
   static View view;
   return view;
+}
+
+bool& silent() {
+  static bool silent = false;
+  return silent;
 }
 
 void draw_frame(const Lesson& lesson, int width, int height, double seconds) {
@@ -100,7 +107,7 @@ unsigned count_triangles(const std::function<void()>& draw) {
 }
 
 int run(int argc, char** argv, const Lesson& lesson) try {
-  Arguments arguments{"", lesson.width, lesson.height, "", 0};
+  Arguments arguments{"", lesson.width, lesson.height, "", 0, 1};
   int status = 0;
   if (!read_arguments(argc, argv, lesson, arguments, status)) return status;
   return arguments.picture.empty() ? show_window(lesson, arguments) : write_picture(lesson, arguments);

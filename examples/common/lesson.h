@@ -31,6 +31,7 @@ struct Lesson {
 //   --size 640x480     of the window or the picture
 //   --press KEYS       presses these keys first
 //   --seconds T        the time that draw() gets for the picture; 0 if not given
+//   --frames N         draws N frames; the picture shows the last one
 // Returns the exit status. begin() and draw() may throw std::runtime_error: its text is printed, the status is 1.
 int run(int argc, char** argv, const Lesson& lesson);
 

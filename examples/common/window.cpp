@@ -94,6 +94,7 @@ int show_window(const Lesson& lesson, const Arguments& arguments) {
 }
 
 void say(const std::string& line) {
+  if (silent()) return;
   if (window == nullptr) {
     std::puts(line.c_str());
     return;
@@ -107,7 +108,9 @@ int show_window(const Lesson&, const Arguments&) {
   throw std::runtime_error("built without GLFW, so there is no window; write a picture with --png FILE");
 }
 
-void say(const std::string& line) { std::puts(line.c_str()); }
+void say(const std::string& line) {
+  if (!silent()) std::puts(line.c_str());
+}
 
 #endif
 

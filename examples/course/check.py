@@ -11,7 +11,7 @@ The page (README.md) is the list of checks:
 - `<!-- snippet: FILE NAME -->`: the code block below is what FILE has between `// [NAME]` and `// [/NAME]`.
 - A `console` block: every line `$ COMMAND` is run, and prints the lines below it. What a command writes to expected/ is
   compared with the lesson's own file there, pictures with a tolerance. They have 320 x 240 pixels.
-- A command that begins with `./exercise_N` is the check of exercise N: solution_N passes it, exercise_N fails it.
+- A command that runs `./exercise_N` is the check of exercise N: solution_N passes it, exercise_N fails it.
 """
 import argparse
 import pathlib
@@ -59,7 +59,7 @@ def commands_of(lines: list) -> list:
 
 
 def exercise_of(command: str) -> str:
-    match = re.match(r"\./exercise_(\d+)", command)
+    match = re.search(r"(?:^| )\./exercise_(\d+)", command)
     return match.group(1) if match else ""
 
 
@@ -97,7 +97,9 @@ class Lesson:
         words = shlex.split(command)
         if "--png" in words and "--size" not in words:
             words += ["--size", SIZE]
-        words[0] = str(self.programs / words[0]) if words[0].startswith("./") else str(self.build / "bin" / words[0])
+        if not words[0].startswith("./"):
+            words[0] = str(self.build / "bin" / words[0])
+        words = [str(self.programs / word) if word.startswith("./") else word for word in words]
         shutil.rmtree(place / "expected", ignore_errors=True)
         (place / "expected").mkdir()
         done = subprocess.run(words, cwd=place, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A coarse mesh of blocks, for the character.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+struct BlockMesh {
+  std::vector<float> positions;          // x y z of every vertex; a block has side 1, the middle is the origin
+  std::vector<std::uint32_t> triangles;  // three vertices each, counter-clockwise seen from outside
+};
+
+// `rows` is a drawing, the top row first: an X is a block, one block thick. All rows have the same length. The mesh is
+// the surface of all blocks together: blocks side by side share their vertices, and have no wall between them.
+BlockMesh make_blocks(std::span<const std::string_view> rows);
