@@ -99,9 +99,11 @@ unsigned count_triangles(const std::function<void()>& draw) {
   GLuint query = 0;
   GLuint count = 0;
   glGenQueries(1, &query);
+  glEnable(GL_RASTERIZER_DISCARD);
   glBeginQuery(GL_PRIMITIVES_GENERATED, query);
   draw();
   glEndQuery(GL_PRIMITIVES_GENERATED);
+  glDisable(GL_RASTERIZER_DISCARD);
   glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
   glDeleteQueries(1, &query);
   return count;

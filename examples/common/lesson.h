@@ -40,7 +40,7 @@ void say(const std::string& line);
 // As printf does.
 [[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
 
-// Runs `draw` and returns how many triangles it drew. Refined triangles count, coarse ones do not.
+// Runs `draw` without drawing, and returns how many triangles it would draw. Refined triangles count, coarse ones do not.
 unsigned count_triangles(const std::function<void()>& draw);
 
 }  // namespace lesson

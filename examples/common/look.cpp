@@ -78,7 +78,7 @@ void light() {
 
 void draw_with_edges(const std::function<void()>& draw) {
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(2, 8);
+  glPolygonOffset(1, 1);
   draw();
   glDisable(GL_POLYGON_OFFSET_FILL);
   glEnable(GL_BLEND);

@@ -172,7 +172,7 @@ class Lesson:
                         if kept.exists() and not difference_of_files(file, kept):
                             continue
                         if file.suffix == ".png":
-                            Image.open(file).convert("RGB").quantize(128, dither=Image.Dither.NONE).save(kept, optimize=True)
+                            Image.open(file).convert("RGB").quantize(256, dither=Image.Dither.NONE).save(kept, optimize=True)
                         else:
                             shutil.copy(file, kept)
             self.page[begin:end] = new
