@@ -72,6 +72,7 @@ void draw(double seconds) {
   glColor3f(0.35F, 0.7F, 0.45F);
   lesson::say(std::to_string(lesson::count_triangles(draw_row)) + " triangles");
   if (wireframe) lesson::draw_with_edges(draw_row);
+  if (!wireframe) draw_row();
 }
 // [/draw]
 
