@@ -33,10 +33,13 @@ void print_help(const char* program, const Lesson& lesson) {
 
 // Returns false for --help and for wrong arguments, with the exit status.
 bool read_arguments(int argc, char** argv, const Lesson& lesson, Arguments& arguments, int& status) {
-  static const option options[] = {
-      {"png", required_argument, nullptr, 'p'},   {"size", required_argument, nullptr, 's'},
-      {"press", required_argument, nullptr, 'k'}, {"seconds", required_argument, nullptr, 't'},
-      {"help", no_argument, nullptr, 'h'},        {nullptr, 0, nullptr, 0}};
+  static const option options[] = {{"png", required_argument, nullptr, 'p'},
+                                   {"size", required_argument, nullptr, 's'},
+                                   {"press", required_argument, nullptr, 'k'},
+                                   {"seconds", required_argument, nullptr, 't'},
+                                   {"frames", required_argument, nullptr, 'f'},
+                                   {"help", no_argument, nullptr, 'h'},
+                                   {nullptr, 0, nullptr, 0}};
   bool valid = true;
   for (int found = 0; (found = getopt_long(argc, argv, "", options, nullptr)) != -1;) {
     if (found == 'p') arguments.picture = optarg;

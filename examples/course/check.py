@@ -113,6 +113,9 @@ class Lesson:
             return "it prints\n    " + "\n    ".join(printed or ["nothing"]) + "\n  instead of\n    " + "\n    ".join(wanted or ["nothing"])
         if status < 0 or (status > 0 and not wanted):
             return f"it ends with status {status}"
+        missing = set(re.findall(r"expected/(\S+)", command)) - {file.name for file in files}
+        if missing and status == 0:
+            return f"it does not write {', '.join(sorted(missing))}"
         return "; ".join(filter(None, (difference_of_files(file, self.folder / "expected" / file.name) for file in files)))
 
     def check_commands(self) -> list:
@@ -128,6 +131,8 @@ class Lesson:
                     if number and not self.problem_of(command, wanted, pathlib.Path(temporary)):
                         problems.append(f"{command}: exercise_{number} passes its check before it is solved")
         unused = {file.name for file in (self.folder / "expected").glob("*")} - made
+        pictures = re.findall(r"!\[[^\]]*\]\((expected/[^)]+)\)", "\n".join(self.page))
+        problems += [f"README.md shows {name}, which is missing" for name in pictures if not (self.folder / name).is_file()]
         return problems + [f"expected/{name}: no command of the page makes it" for name in sorted(unused)]
 
     def check_snippets(self) -> list:

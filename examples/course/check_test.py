@@ -70,6 +70,13 @@ class Checker(unittest.TestCase):
         (self.folder / "expected" / "b.txt").write_text("")
         self.assertIn("b.txt", self.problems()[0])
 
+    def test_finds_a_command_that_writes_nothing(self):
+        self.program("a", "echo 4 triangles")
+        self.assertIn("does not write a.txt", self.problems()[0])
+
+    def test_finds_a_picture_that_is_missing(self):
+        self.assertIn("b.png", self.problems(PAGE + "![b](expected/b.png)\n")[0])
+
     def test_finds_a_wrong_solution(self):
         self.program("solution_1", "echo wrong")
         self.assertIn("solution_1", self.problems()[0])
@@ -84,6 +91,11 @@ class Checker(unittest.TestCase):
         problems = " ".join(self.problems(PAGE.replace("solved\n", "")))
         self.assertIn("./a expected/a.txt: it ends", problems)
         self.assertIn("./solution_1: it ends", problems)
+
+    def test_an_exercise_may_run_under_another_program(self):
+        (self.build / "bin").mkdir()
+        (self.build / "bin" / "glark").symlink_to("/usr/bin/env")
+        self.assertEqual([], self.problems(PAGE.replace("./exercise_1", "glark ./exercise_1")))
 
     def test_checks_an_exercise(self):
         self.assertIn("not yet", self.lesson().check_exercise("1")[0])

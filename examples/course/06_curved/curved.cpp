@@ -117,22 +117,27 @@ void begin() {
 }
 
 void next_shape() {
-  shape = shape == GL_LINEAR_INPUTS_ARK ? GL_PHONG_ARK : shape == GL_PHONG_ARK ? GL_CURVED_PN_ARK : GL_LINEAR_INPUTS_ARK;
+  shape = shape == GL_LINEAR_INPUTS_ARK ? GL_PHONG_ARK
+          : shape == GL_PHONG_ARK       ? GL_CURVED_PN_ARK
+                                        : GL_LINEAR_INPUTS_ARK;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv,
-                     {.title = "Lesson 6: curved triangles",
-                      .keys = {{'d', "one level deeper", [] { depth = std::min(depth + 1, deepest); }},
-                               {'s', "one level shallower", [] { depth -= depth > 0 ? 1 : 0; }},
-                               {'f', "next shape: linear, Phong, PN", next_shape},
-                               {'m', "octahedron or column", [] { column = !column; }},
-                               {'a', "creases above 0, 60 or 180 degrees",
-                                [] { crease_degrees = crease_degrees == 0 ? 60.0F : crease_degrees == 60 ? 180.0F : 0; }},
-                               {'e', "weld: edges of both sides meet", [] { weld = !weld; }},
-                               {'w', "wireframe", [] { wireframe = !wireframe; }}},
-                      .begin = begin,
-                      .draw = draw});
+  return lesson::run(
+      argc, argv,
+      {.title = "Lesson 6: curved triangles",
+       .keys = {{'d', "one level deeper", [] { depth = std::min(depth + 1, deepest); }},
+                {'s', "one level shallower", [] { depth -= depth > 0 ? 1 : 0; }},
+                {'f', "next shape: linear, Phong, PN", next_shape},
+                {'m', "octahedron or column", [] { column = !column; }},
+                {'a', "creases above 0, 60 or 180 degrees",
+                 [] { crease_degrees = crease_degrees == 0    ? 60.0F
+                                       : crease_degrees == 60 ? 180.0F
+                                                              : 0; }},
+                {'e', "weld: edges of both sides meet", [] { weld = !weld; }},
+                {'w', "wireframe", [] { wireframe = !wireframe; }}},
+       .begin = begin,
+       .draw = draw});
 }

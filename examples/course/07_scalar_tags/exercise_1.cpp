@@ -35,7 +35,8 @@ Drum make_drum() {
   drum.positions.insert(drum.positions.end(), {0, -0.6F, 0, 0, 0.6F, 0});
   for (std::uint32_t i = 0; i < 6; ++i) {
     const std::uint32_t next = (i + 1) % 6;
-    drum.triangles.insert(drum.triangles.end(), {i, next, next + 6, i, next + 6, i + 6, 12, next, i, 13, i + 6, next + 6});
+    drum.triangles.insert(drum.triangles.end(),
+                          {i, next, next + 6, i, next + 6, i + 6, 12, next, i, 13, i + 6, next + 6});
     // TODO: append the two ends of the edge above that joins corner i to the next corner
   }
   return drum;

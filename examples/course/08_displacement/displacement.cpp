@@ -71,22 +71,14 @@ void use(const char* source) {
 }
 // [/use]
 
-// A height map of round craters with rims. It repeats at its edges.
+// A height map of round craters with rims. Each has its middle and its radius.
 float crater_height(float s, float t) {
-  struct Crater {
-    float s, t, radius;
-  };
-  constexpr std::array<Crater, 7> craters = {{{0.3F, 0.35F, 0.2F},
-                                              {0.7F, 0.65F, 0.24F},
-                                              {0.72F, 0.22F, 0.12F},
-                                              {0.25F, 0.78F, 0.14F},
-                                              {0.5F, 0.48F, 0.07F},
-                                              {0.92F, 0.4F, 0.06F},
-                                              {0.1F, 0.12F, 0.09F}}};
+  constexpr std::array<std::array<float, 3>, 5> craters = {
+      {{0.3F, 0.35F, 0.2F}, {0.7F, 0.65F, 0.24F}, {0.72F, 0.22F, 0.12F}, {0.25F, 0.78F, 0.14F}, {0.5F, 0.48F, 0.07F}}};
   float height = 0.5F;
-  for (const Crater& crater : craters) {
-    const float r = std::hypot(s - crater.s, t - crater.t) / crater.radius;
-    height += crater.radius * (1.4F * std::exp(-12 * (r - 1) * (r - 1)) - 2.2F * std::exp(-3 * r * r * r * r));
+  for (const auto& [middle_s, middle_t, radius] : craters) {
+    const float r = std::hypot(s - middle_s, t - middle_t) / radius;
+    height += radius * (1.4F * std::exp(-12 * (r - 1) * (r - 1)) - 2.2F * std::exp(-3 * r * r * r * r));
   }
   return height;
 }

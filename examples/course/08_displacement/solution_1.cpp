@@ -24,7 +24,8 @@ void upload_height_map() {
   for (int t = 0; t < map_size; ++t) {
     for (int s = 0; s < map_size; ++s) {
       const float a = 6.2831853F * static_cast<float>(s) / map_size, b = 6.2831853F * static_cast<float>(t) / map_size;
-      const float hills = 0.5F + 0.3F * std::sin(a + std::cos(2 * b)) * std::cos(b) + 0.2F * std::sin(3 * a) * std::sin(2 * b + 1);
+      const float hills =
+          0.5F + 0.3F * std::sin(a + std::cos(2 * b)) * std::cos(b) + 0.2F * std::sin(3 * a) * std::sin(2 * b + 1);
       heights.push_back(std::pow(hills, 1.5F));
     }
   }

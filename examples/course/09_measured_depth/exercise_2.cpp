@@ -59,6 +59,7 @@ void draw(double) {
   unsigned triangles = 0;
   for (int frame = 0; frame < 30; ++frame) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    ball();
     triangles = lesson::count_triangles(ball);
     glFinish();  // without a window, this ends a frame
   }

@@ -85,5 +85,6 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 9, exercise 3: no popping", .keys = {}, .begin = begin, .draw = draw});
+  return lesson::run(argc, argv,
+                     {.title = "Lesson 9, exercise 3: no popping", .keys = {}, .begin = begin, .draw = draw});
 }

@@ -50,7 +50,8 @@ void upload_height_map() {
   for (int t = 0; t < map_size; ++t) {
     for (int s = 0; s < map_size; ++s) {
       const float a = 6.2831853F * static_cast<float>(s) / map_size, b = 6.2831853F * static_cast<float>(t) / map_size;
-      heights.push_back(std::pow(std::abs(std::cos(2 * a + 3 * b)), 6.0F) + std::pow(std::abs(std::cos(2 * a - 3 * b)), 6.0F));
+      heights.push_back(std::pow(std::abs(std::cos(2 * a + 3 * b)), 6.0F) +
+                        std::pow(std::abs(std::cos(2 * a - 3 * b)), 6.0F));
     }
   }
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, map_size, map_size, 0, GL_RED, GL_FLOAT, heights.data());

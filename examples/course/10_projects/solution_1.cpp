@@ -94,5 +94,6 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 10, exercise 1: a letter", .keys = {}, .begin = begin, .draw = draw});
+  return lesson::run(argc, argv,
+                     {.title = "Lesson 10, exercise 1: a letter", .keys = {}, .begin = begin, .draw = draw});
 }
