@@ -139,9 +139,7 @@ void draw(double seconds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv,
-                     {.title = "genus_4",
-                      .keys = {{'e', "edges on or off", [] { edges = !edges; }}},
-                      .begin = begin,
-                      .draw = draw});
+  return lesson::run(
+      argc, argv,
+      {.title = "genus_4", .keys = {{'e', "edges on or off", [] { edges = !edges; }}}, .begin = begin, .draw = draw});
 }
