@@ -3,7 +3,6 @@
 #include "glark/tool/pattern/command.h"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <fstream>

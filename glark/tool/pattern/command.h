@@ -4,12 +4,10 @@
 // glark pattern A B C [--interior KIND] [-o FILE.svg]: draws a pattern.
 #pragma once
 
+#include <CLI/CLI.hpp>
+
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace glark::tool {
 
