@@ -6,20 +6,18 @@
 // three frames in the false colours of the tags (blue 0, through green, to red at the deepest level), with the edges of
 // the refined triangles.
 //
-//   depth_tags OUT.png
+//   depth_tags [OUT.png]
 #include <GL/gl.h>
-#include <GL/osmesa.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb/stb_image_write.h>
-
 #include <GL/glark.h>
 #include <glark/depth.h>
+#include "examples/common/lesson.h"
+#include "examples/common/look.h"
 
 namespace {
 
@@ -106,56 +104,37 @@ void draw(const Terrain& terrain) {
                        terrain.triangles.data());
 }
 
-void draw_with_edges(const Terrain& terrain) {
-  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  glEnableClientState(GL_COLOR_ARRAY);
-  draw(terrain);
-  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  glDisableClientState(GL_COLOR_ARRAY);
-  glColor3f(0.05F, 0.05F, 0.1F);
-  draw(terrain);
-}
+Terrain terrain = make_terrain();
+glark::depth::Tagger tagger(terrain.tags.size(), terrain.triangles, max_level);
 
 // The terrain is lit. So the program has normals, which curve the triangles.
-void set_up() {
+void begin() {
   glARKinit(max_level);
   glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
-  for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_DEPTH_TAG_ARRAY_ARK}) glEnableClientState(array);
-  for (const GLenum capability : {GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_DEPTH_TEST, GL_POLYGON_OFFSET_FILL})
-    glEnable(capability);
-  glPolygonOffset(1, 1);
-  glClearColor(1, 1, 1, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_DEPTH_TAG_ARRAY_ARK})
+    glEnableClientState(array);
+  for (const GLenum capability : {GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_DEPTH_TEST}) glEnable(capability);
+}
+
+void draw_flight(double) {
+  for (int frame = 0; frame < frames; ++frame) {
+    const glark::depth::Vector eye = {0, -10.0F + 3.2F * static_cast<float>(frame),
+                                      3.2F - 0.5F * static_cast<float>(frame)};
+    lesson::use_part(frame, frames);
+    tag(terrain, tagger, eye);
+    color_by_depth(terrain);
+    look_from(eye);
+    lesson::draw_with_edges([] { draw(terrain); });
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: %s OUT.png\n", argv[0]);
-    return 2;
-  }
-  std::vector<unsigned char> pixels(4UL * frames * frame_size * frame_size);
-  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
-  if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, frames * frame_size, frame_size) == GL_FALSE) {
-    return 1;
-  }
-  set_up();
-  Terrain terrain = make_terrain();
-  glark::depth::Tagger tagger(terrain.tags.size(), terrain.triangles, max_level);
-  for (int frame = 0; frame < frames; ++frame) {
-    const glark::depth::Vector eye = {0, -10.0F + 3.2F * static_cast<float>(frame),
-                                      3.2F - 0.5F * static_cast<float>(frame)};
-    glViewport(frame * frame_size, 0, frame_size, frame_size);
-    tag(terrain, tagger, eye);
-    color_by_depth(terrain);
-    look_from(eye);
-    draw_with_edges(terrain);
-  }
-  glFinish();
-  stbi_flip_vertically_on_write(1);
-  const int written =
-      stbi_write_png(argv[1], frames * frame_size, frame_size, 4, pixels.data(), 4 * frames * frame_size);
-  OSMesaDestroyContext(context);
-  return written != 0 ? 0 : 1;
+  return lesson::run(argc, argv, {.title = "depth_tags",
+                      .keys = {},
+                      .begin = begin,
+                      .draw = draw_flight,
+                      .width = frames * frame_size,
+                      .height = frame_size});
 }

@@ -5,23 +5,19 @@
 // near the eye have greater depth tags. The planet on the right is a displaced PN surface of an icosahedron with 20
 // triangles. Both use the same height map. The fixed function lights them with the normals of the displaced surface.
 //
-//   displacement OUT.png
+//   displacement [OUT.png]
 #include <GL/gl.h>
-#include <GL/osmesa.h>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb/stb_image_write.h>
-
 #include <GL/glark.h>
+#include "examples/common/lesson.h"
+#include "examples/common/look.h"
 
 namespace {
 
-constexpr int size = 512;
 constexpr int map_size = 256;
 constexpr unsigned max_level = 7;
 
@@ -53,29 +49,6 @@ void upload_height_map() {
   glTexImage2D(GL_TEXTURE_2D, 0, 0x822E /* GL_R32F */, map_size, map_size, 0, GL_RED, GL_FLOAT, heights.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-}
-
-void place(int column, float distance, float tilt) {
-  glViewport(column * size, 0, size, size);
-  glMatrixMode(GL_PROJECTION);
-  glLoadIdentity();
-  glFrustum(-0.4, 0.4, -0.4, 0.4, 1, 20);
-  glMatrixMode(GL_MODELVIEW);
-  glLoadIdentity();
-  glTranslatef(0, 0, -distance);
-  glRotatef(-tilt, 1, 0, 0);
-}
-
-void light(float red, float green, float blue) {
-  constexpr float direction[4] = {-0.7F, 0.4F, 0.5F, 0};
-  const float ground[4] = {red, green, blue, 1};
-  constexpr float sky[4] = {0.35F, 0.35F, 0.35F, 1};
-  glEnable(GL_LIGHTING);
-  glEnable(GL_LIGHT0);
-  glEnable(GL_NORMALIZE);
-  glLightfv(GL_LIGHT0, GL_POSITION, direction);
-  glLightModelfv(GL_LIGHT_MODEL_AMBIENT, sky);
-  glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, ground);
 }
 
 void terrain_vertex(int i, int j) {
@@ -137,34 +110,29 @@ void draw_planet() {
   glEnd();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: %s OUT.png\n", argv[0]);
-    return 2;
-  }
-  std::vector<unsigned char> pixels(4UL * 2 * size * size);
-  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
-  if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, 2 * size, size) == GL_FALSE) {
-    return 1;
-  }
-  glEnable(GL_DEPTH_TEST);
-  glClearColor(1, 1, 1, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+void begin() {
   upload_height_map();
   glARKinit(max_level);
   glEnable(GL_ARK);
   glARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, 0);
-  place(0, 4.2F, 60);
-  light(0.75F, 0.7F, 0.55F);
+  lesson::light();
+  glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_FALSE);  // the triangles of the planet have either orientation
+}
+
+void draw(double) {
+  lesson::use_part(0, 2);
+  lesson::look(5.4F, 0, 30);
+  glRotatef(-90, 1, 0, 0);
+  glColor3f(0.75F, 0.7F, 0.55F);
   draw_terrain();
-  place(1, 7, 20);
-  light(0.5F, 0.65F, 0.8F);
+  lesson::use_part(1, 2);
+  lesson::look(8, 0, -20);
+  glColor3f(0.5F, 0.65F, 0.8F);
   draw_planet();
-  glFinish();
-  stbi_flip_vertically_on_write(1);
-  const int written = stbi_write_png(argv[1], 2 * size, size, 4, pixels.data(), 8 * size);
-  OSMesaDestroyContext(context);
-  return written != 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return lesson::run(argc, argv, {.title = "displacement", .keys = {}, .begin = begin, .draw = draw, .width = 1024, .height = 512});
 }

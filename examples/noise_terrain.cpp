@@ -3,29 +3,48 @@
 //
 // Procedural displacement: a coarse ground of 128 triangles, and a refinement shader that computes the height of every
 // point. The height is the sum of six octaves of noise. There is no texture and no fine mesh. Vertices near the eye
-// have greater depth tags. The lower half of the picture also shows the refined triangles as lines.
+// have greater depth tags. The program uses OpenGL ES 3.2.
 //
-//   noise_terrain OUT.png
+//   noise_terrain [OUT.png]
+#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
-#include <GL/osmesa.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <string>
-#include <vector>
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb/stb_image_write.h>
+#include <GL/glext.h>
 
 #include <GL/glark.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "examples/common/lesson.h"
+#include "examples/common/look.h"
+#include "examples/common/program.h"
+
 namespace {
 
-constexpr int width = 800;
-constexpr int height = 400;  // the height of each half
-constexpr int cells = 8;     // number of cells along a side of the ground
+constexpr unsigned cells = 8;  // number of cells along a side of the ground
 constexpr unsigned max_level = 6;
+
+constexpr const char* vertex_shader = R"glsl(#version 320 es
+in vec2 place;  // to the right, and away from the eye
+uniform mat4 projection;
+uniform mat4 view;
+out vec3 color;
+float height = 0.0;
+vec3 normal = vec3(0.0, 1.0, 0.0);
+vec3 ground = vec3(0.5);
+void main() {
+  color = ground * (0.25 + 0.75 * max(0.0, dot(normal, normalize(vec3(-0.8, 0.6, -0.25)))));
+  gl_Position = projection * view * vec4(place.x, height, -place.y, 1.0);
+})glsl";
+
+constexpr const char* fragment_shader = R"glsl(#version 320 es
+precision highp float;
+in vec3 color;
+out vec4 pixel;
+void main() { pixel = vec4(color, 1.0); }
+)glsl";
 
 // Value noise with its derivative, so that the normal is exact. The absolute value makes ridges.
 constexpr const char* mountains = R"glsl(
@@ -52,97 +71,71 @@ void refine() {
   float amplitude = 1.1;
   float frequency = 0.7;
   for (int octave = 0; octave < 6; ++octave) {
-    vec3 wave = noise(gl_Vertex.xy * frequency + 7.0 * float(octave)) - vec3(0.5, 0.0, 0.0);
+    vec3 wave = noise(place * frequency + 7.0 * float(octave)) - vec3(0.5, 0.0, 0.0);
     float ridge = wave.x < 0.0 ? -1.0 : 1.0;
     sum += amplitude * vec3(0.25 - ridge * wave.x, -ridge * frequency * wave.yz);
     amplitude *= 0.45;
     frequency *= 2.1;
   }
-  gl_Vertex.z += sum.x;
-  gl_Normal = normalize(vec3(-sum.yz, 1.0));
-  gl_Color.rgb = mix(vec3(0.35, 0.5, 0.25), vec3(0.95), smoothstep(0.15, 0.75, sum.x + 0.3 * gl_Normal.z));
+  height = sum.x;
+  normal = normalize(vec3(-sum.y, 1.0, sum.z));
+  ground = mix(vec3(0.35, 0.5, 0.25), vec3(0.95), smoothstep(0.15, 0.75, sum.x + 0.3 * normal.y));
 }
 )glsl";
 
-// Sets the refinement shader of the fixed function, which is program 0. Prints a message and returns false if the
-// shader does not build.
-bool use(const char* source) {
-  glRefinementShaderSourceARK(0, 1, &source, nullptr);
-  GLint built = GL_FALSE;
-  glGetRefinementivARK(0, GL_REFINEMENT_STATUS_ARK, &built);
-  if (built == GL_TRUE) {
-    return true;
-  }
-  std::string log(4096, '\0');
-  glGetRefinementInfoLogARK(0, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  std::fprintf(stderr, "noise_terrain: %s\n", log.c_str());
-  return false;
-}
+GLuint program = 0;
+GLsizei indices = 0;
 
-void vertex(int i, int j) {
-  const float x = static_cast<float>(i) - cells / 2.0F;
-  const float y = static_cast<float>(j);
-  // At twice the distance, triangles have half as many segments. So segments have about one size on the screen.
-  const double distance = std::hypot(x, y + 1.5);
-  glDepthTag1i(static_cast<GLuint>(std::clamp(max_level + 1 - std::log2(distance), 1.0, double{max_level})));
-  glVertex2f(x, y);
-}
-
-void draw_ground() {
-  for (int j = 0; j < cells; ++j) {
-    glBegin(GL_TRIANGLE_STRIP);
-    for (int i = 0; i <= cells; ++i) {
-      vertex(i, j + 1);
-      vertex(i, j);
+void begin() {
+  std::vector<std::array<float, 2>> places;
+  std::vector<float> tags;
+  std::vector<unsigned> triangles;
+  for (unsigned j = 0; j <= cells; ++j) {
+    for (unsigned i = 0; i <= cells; ++i) {
+      places.push_back({static_cast<float>(i) - cells / 2.0F, static_cast<float>(j)});
+      // At twice the distance, triangles have half as many segments. So segments have about one size on the screen.
+      const float distance = std::hypot(places.back()[0], places.back()[1] + 1.5F);
+      tags.push_back(std::clamp(max_level + 1 - std::log2(distance), 1.0F, 1.0F * max_level));
+      const unsigned at = j * (cells + 1) + i;
+      if (i == cells || j == cells) continue;
+      triangles.insert(triangles.end(), {at, at + 1, at + cells + 2, at, at + cells + 2, at + cells + 1});
     }
-    glEnd();
   }
+  indices = static_cast<GLsizei>(triangles.size());
+  glARKinit(max_level);
+  glEnable(GL_ARK);
+  glEnable(GL_DEPTH_TEST);
+  program = lesson::make_program(vertex_shader, fragment_shader, {"place"});
+  lesson::set_refinement_shader(program, mountains);
+  lesson::make_buffer(GL_ELEMENT_ARRAY_BUFFER, triangles);
+  lesson::make_buffer(GL_ARRAY_BUFFER, places);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glEnableVertexAttribArray(0);
+  lesson::make_buffer(GL_ARRAY_BUFFER, tags);
+  glDepthTagPointerARK(GL_FLOAT, 0, nullptr);
+  glEnable(GL_DEPTH_TAG_ARRAY_ARK);
 }
 
-void look() {
-  constexpr float sun[4] = {-0.8F, 0.25F, 0.6F, 0};
-  constexpr float sky[4] = {0.25F, 0.27F, 0.32F, 1};
-  glMatrixMode(GL_PROJECTION);
-  glFrustum(-1, 1, -0.5, 0.5, 1, 30);
-  glMatrixMode(GL_MODELVIEW);
-  glRotatef(-68, 1, 0, 0);
-  glTranslatef(0, 0.7F, -2);
-  glEnable(GL_LIGHTING);
-  glEnable(GL_LIGHT0);
-  glLightfv(GL_LIGHT0, GL_POSITION, sun);
-  glLightModelfv(GL_LIGHT_MODEL_AMBIENT, sky);
-  glEnable(GL_COLOR_MATERIAL);
+void draw(double) {
+  lesson::Camera eye = lesson::camera(1, 0, 25);
+  eye.view[13] -= 0.6F;  // the eye stands above the near end of the ground
+  glClearColor(0.75F, 0.85F, 0.95F, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glUseProgram(program);
+  lesson::set_uniform_matrix(program, "projection", eye.projection.data());
+  lesson::set_uniform_matrix(program, "view", eye.view.data());
+  glDrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: %s OUT.png\n", argv[0]);
-    return 2;
-  }
-  std::vector<unsigned char> pixels(4UL * width * 2 * height);
-  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
-  if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, width, 2 * height) == GL_FALSE) {
-    return 1;
-  }
-  glEnable(GL_DEPTH_TEST);
-  glClearColor(0.75F, 0.85F, 0.95F, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  look();
-  glARKinit(max_level);
-  if (!use(mountains)) {
-    return 1;
-  }
-  glEnable(GL_ARK);
-  glViewport(0, height, width, height);
-  draw_ground();
-  glViewport(0, 0, width, height);
-  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  draw_ground();
-  glFinish();
-  stbi_flip_vertically_on_write(1);
-  const int written = stbi_write_png(argv[1], width, 2 * height, 4, pixels.data(), 4 * width);
-  OSMesaDestroyContext(context);
-  return written != 0 ? 0 : 1;
+  return lesson::run(argc, argv,
+                     {.title = "noise_terrain",
+                      .keys = {},
+                      .begin = begin,
+                      .draw = draw,
+                      .api = lesson::Api::gles,
+                      .width = 800,
+                      .height = 400});
 }

@@ -10,28 +10,23 @@
 // - the spindle with another tension.
 // Between these, only numbers at the vertices change.
 //
-//   scalar_tags OUT.png
+//   scalar_tags [OUT.png]
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
-#include <GL/osmesa.h>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <vector>
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb/stb_image_write.h>
 
 #include <GL/glark.h>
 #include <glark/pn.h>
+#include "examples/common/lesson.h"
+#include "examples/common/look.h"
 
 namespace {
 
-constexpr int width = 1200;
-constexpr int height = 480;
 constexpr int level = 4;
 constexpr unsigned sides = 6;
 
@@ -94,32 +89,12 @@ void draw(const glark::pn::TaggedMesh& mesh) {
 }
 
 void place(int column) {
-  glViewport(column * width / 5, 0, width / 5, height);
-  glMatrixMode(GL_PROJECTION);
-  glLoadIdentity();
-  glFrustum(-0.25, 0.25, -0.5, 0.5, 1.5, 10);
-  glMatrixMode(GL_MODELVIEW);
-  glLoadIdentity();
-  glTranslatef(0, 0, -4.4F);
-  glRotatef(-62, 1, 0, 0);
+  lesson::use_part(column, 5);
+  lesson::look(3.9F, 0, 25);
+  glRotatef(-90, 1, 0, 0);
 }
 
-void light() {
-  constexpr float direction[4] = {-0.5F, -0.8F, 0.6F, 0};
-  constexpr float bronze[4] = {0.8F, 0.55F, 0.3F, 1};
-  constexpr float sky[4] = {0.4F, 0.4F, 0.4F, 1};
-  constexpr float shine[4] = {0.6F, 0.6F, 0.6F, 1};
-  glEnable(GL_LIGHTING);
-  glEnable(GL_LIGHT0);
-  glEnable(GL_NORMALIZE);
-  glLightfv(GL_LIGHT0, GL_POSITION, direction);
-  glLightModelfv(GL_LIGHT_MODEL_AMBIENT, sky);
-  glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, bronze);
-  glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, shine);
-  glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 30);
-}
-
-void draw_all() {
+void draw_all(double) {
   const Spindle spindle = make_spindle();
   const glark::pn::Mesh mesh{spindle.positions, spindle.triangles, {}, spindle.creases};
   glark::pn::Options only_named;
@@ -129,11 +104,9 @@ void draw_all() {
   glark::pn::Options tense = only_named;
   tense.tension = 1;
 
-  glARKinit(level);
-  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
-  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
   const glark::pn::TaggedMesh smooth =
       derive_tags({spindle.positions, spindle.triangles}, only_named);  // nothing is sharp
+  glDisable(GL_ARK);
   place(0);
   draw(smooth);
   glEnable(GL_ARK);
@@ -148,27 +121,16 @@ void draw_all() {
   }
 }
 
+void begin() {
+  glARKinit(level);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
+  lesson::light();
+  glColor3f(0.8F, 0.55F, 0.3F);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: %s OUT.png\n", argv[0]);
-    return 2;
-  }
-  std::vector<unsigned char> pixels(4UL * width * height);
-  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
-  if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE) {
-    return 1;
-  }
-  glEnable(GL_DEPTH_TEST);
-  glClearColor(1, 1, 1, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  place(0);
-  light();
-  draw_all();
-  glFinish();
-  stbi_flip_vertically_on_write(1);
-  const int written = stbi_write_png(argv[1], width, height, 4, pixels.data(), 4 * width);
-  OSMesaDestroyContext(context);
-  return written != 0 ? 0 : 1;
+  return lesson::run(argc, argv, {.title = "scalar_tags", .keys = {}, .begin = begin, .draw = draw_all, .width = 1200, .height = 480});
 }

@@ -6,28 +6,26 @@
 // triangles, by GL_CURVED_PN_ARK. One glMultiDrawElements draws the strips. Strips that face away or lie outside the
 // picture are culled.
 //
-//   surfel_strips OUT.png [SECONDS]      the moment of the animation; only strips of the bulge change
+//   surfel_strips [OUT.png [--seconds 1]]      the moment of the animation; only strips of the bulge change
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
-#include <GL/osmesa.h>
 #include <glark/surfel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
+#include <optional>
 #include <vector>
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb/stb_image_write.h>
 
 #include <GL/glark.h>
 
+#include "examples/common/lesson.h"
+#include "examples/common/look.h"
+#include "examples/common/program.h"
+
 namespace {
 
-constexpr int width = 1536, height = 512;
 constexpr unsigned deepest = 2;
 
 struct Points {
@@ -90,30 +88,19 @@ std::vector<std::uint32_t> bulge(Points& points, float by) {
   return moved;
 }
 
-void look(int column) {
-  glViewport(column * width / 3, 0, width / 3, height);
-  glMatrixMode(GL_PROJECTION);
-  glLoadIdentity();
-  glFrustum(-0.36, 0.36, -0.36, 0.36, 1, 20);
-  glMatrixMode(GL_MODELVIEW);
-  glLoadIdentity();
-  glTranslatef(0, 0, -5.6F);
-  glRotatef(-50, 1, 0, 0);
-}
-
 // The view as the library needs it: projection times model-view, and the size in pixels.
-glark::surfel::View current_view() {
-  float projection[16], model_view[16];
-  glGetFloatv(GL_PROJECTION_MATRIX, projection);
-  glGetFloatv(GL_MODELVIEW_MATRIX, model_view);
-  glark::surfel::View view{.width = width / 3, .height = height};
-  for (unsigned column = 0; column < 4; ++column) {
-    for (unsigned row = 0; row < 4; ++row) {
-      for (unsigned k = 0; k < 4; ++k)
-        view.clip_from_object[4 * column + row] += projection[4 * k + row] * model_view[4 * column + k];
-    }
-  }
-  return view;
+glark::surfel::View look(int column) {
+  lesson::use_part(column, 3);
+  lesson::look(5.6F, 0, 40);
+  GLint viewport[4];
+  lesson::Matrix projection, model_view;
+  glRotatef(-90, 1, 0, 0);
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  glGetFloatv(GL_PROJECTION_MATRIX, projection.data());
+  glGetFloatv(GL_MODELVIEW_MATRIX, model_view.data());
+  return {.clip_from_object = lesson::multiply(projection, model_view),
+          .width = static_cast<unsigned>(viewport[2]),
+          .height = static_cast<unsigned>(viewport[3])};
 }
 
 void draw(const glark::surfel::Frame& frame) {
@@ -129,67 +116,53 @@ void draw_coloured(const glark::surfel::Frame& frame) {
   }
 }
 
-void set_up() {
-  for (const GLenum capability : {GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE, GL_COLOR_MATERIAL, GL_CULL_FACE})
-    glEnable(capability);
-  glClearColor(1, 1, 1, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+Points points = make_knot();
+std::optional<glark::surfel::Strips> strips;
+
+// Runs once: the strips. Their indices go to a buffer. The points stay in their arrays and in their order.
+void begin() {
+  lesson::light();
+  glEnable(GL_CULL_FACE);
   glARKinit(deepest);
   glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
   glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
   glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, deepest);
+  strips.emplace(glark::surfel::Cloud{points.positions, points.normals});
+  lesson::make_buffer(GL_ELEMENT_ARRAY_BUFFER, nullptr, 0);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnableClientState(GL_NORMAL_ARRAY);
+}
+
+// Runs when points move: only their strips are updated. Large programs upload only the ranges that update() returns.
+void move(float by) {
+  points = make_knot();
+  const std::vector<std::uint32_t> moved = bulge(points, by);
+  strips->update({points.positions, points.normals}, moved);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(strips->indices().size_bytes()),
+               strips->indices().data(), GL_STATIC_DRAW);
+  glVertexPointer(3, GL_FLOAT, 0, points.positions.data());
+  glNormalPointer(GL_FLOAT, 0, points.normals.data());
 }
 
 // Runs in every frame: select what is visible, then draw it. The example draws it in three ways.
-void draw_views(const glark::surfel::Strips& strips, std::size_t points) {
+void draw_views(double seconds) {
+  move(0.2F + 0.2F * static_cast<float>(std::sin(seconds)));
+  glDisable(GL_ARK);
   look(0);
   glColor3f(0.2F, 0.35F, 0.6F);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(points));
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(points.positions.size() / 3));
   glark::surfel::Frame frame;
-  strips.select(current_view(), frame);
-  look(1);
+  strips->select(look(1), frame);
   draw_coloured(frame);
   look(2);
   glColor3f(0.9F, 0.6F, 0.3F);
   glEnable(GL_ARK);
   draw(frame);
-  std::printf("%zu of %zu strips in %d draws of one call\n", frame.strips, strips.counts().strips, frame.draws());
+  lesson::say("%zu of %zu strips in %d draws of one call", frame.strips, strips->counts().strips, frame.draws());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 && argc != 3) {
-    std::fprintf(stderr, "usage: %s OUT.png [SECONDS]\n", argv[0]);
-    return 2;
-  }
-  std::vector<unsigned char> pixels(4UL * width * height);
-  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
-  if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, width, height) == GL_FALSE) return 1;
-  set_up();
-
-  // Runs once: the strips. Their indices go to a buffer. The points stay in their arrays and in their order.
-  Points points = make_knot();
-  glark::surfel::Strips strips({points.positions, points.normals});
-  GLuint index_buffer = 0;
-  glGenBuffers(1, &index_buffer);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, index_buffer);
-
-  // Runs when points move: only their strips are updated. Large programs upload only the ranges that update() returns.
-  const float seconds = argc == 3 ? std::strtof(argv[2], nullptr) : 0.2F;
-  const std::vector<std::uint32_t> moved = bulge(points, seconds);
-  strips.update({points.positions, points.normals}, moved);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(strips.indices().size_bytes()), strips.indices().data(),
-               GL_STATIC_DRAW);
-  glVertexPointer(3, GL_FLOAT, 0, points.positions.data());
-  glNormalPointer(GL_FLOAT, 0, points.normals.data());
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glEnableClientState(GL_NORMAL_ARRAY);
-
-  draw_views(strips, points.positions.size() / 3);
-  glFinish();
-  stbi_flip_vertically_on_write(1);
-  const int written = stbi_write_png(argv[1], width, height, 4, pixels.data(), 4 * width);
-  OSMesaDestroyContext(context);
-  return written != 0 ? 0 : 1;
+  return lesson::run(argc, argv, {.title = "surfel_strips", .keys = {}, .begin = begin, .draw = draw_views, .width = 1536, .height = 512});
 }

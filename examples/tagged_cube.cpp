@@ -5,22 +5,17 @@
 // ends. One corner is refined finely, the opposite one not at all. The wireframe shows that patterns of all kinds meet
 // without cracks.
 //
-//   tagged_cube OUT.png
+//   tagged_cube [OUT.png]
 #include <GL/gl.h>
-#include <GL/osmesa.h>
 
 #include <array>
-#include <cstdio>
-#include <vector>
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <stb/stb_image_write.h>
 
 #include <GL/glark.h>
+#include "examples/common/lesson.h"
+#include "examples/common/look.h"
 
 namespace {
 
-constexpr int size = 512;
 constexpr unsigned max_level = 5;
 
 struct Cube {
@@ -45,56 +40,29 @@ Cube make_cube() {
   return cube;
 }
 
-void look_at_corner() {
-  glMatrixMode(GL_PROJECTION);
-  glFrustum(-1, 1, -1, 1, 3, 20);
-  glMatrixMode(GL_MODELVIEW);
-  glTranslatef(0, 0, -7);
-  glRotatef(35, 1, 0, 0);
-  glRotatef(-35, 0, 1, 0);
-}
+const Cube cube = make_cube();
 
-void draw(const Cube& cube) {
+void begin() {
   glARKinit(max_level);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
   glEnableClientState(GL_VERTEX_ARRAY);
   glVertexPointer(3, GL_FLOAT, 0, cube.positions.data());
   glEnableClientState(GL_DEPTH_TAG_ARRAY_ARK);
   glDepthTagPointerARK(GL_UNSIGNED_BYTE, 0, cube.depths.data());
-  glDrawARPElementsARK(GL_TRIANGLES, static_cast<GLsizei>(cube.indices.size()), GL_UNSIGNED_BYTE, cube.indices.data());
 }
 
-// Draws the faces, then their edges over them.
-void draw_with_edges(const Cube& cube) {
-  glEnable(GL_CULL_FACE);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1, 1);
+void draw(double) {
+  lesson::look(6.5F, -35, 35);
   glColor3f(0.95F, 0.75F, 0.4F);
-  draw(cube);
-  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  glColor3f(0.1F, 0.1F, 0.3F);
-  draw(cube);
+  lesson::draw_with_edges([] {
+    glDrawARPElementsARK(GL_TRIANGLES, static_cast<GLsizei>(cube.indices.size()), GL_UNSIGNED_BYTE,
+                         cube.indices.data());
+  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: %s OUT.png\n", argv[0]);
-    return 2;
-  }
-  std::vector<unsigned char> pixels(4UL * size * size);
-  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
-  if (OSMesaMakeCurrent(context, pixels.data(), GL_UNSIGNED_BYTE, size, size) == GL_FALSE) {
-    return 1;
-  }
-  glEnable(GL_DEPTH_TEST);
-  glClearColor(1, 1, 1, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  look_at_corner();
-  draw_with_edges(make_cube());
-  glFinish();
-  stbi_flip_vertically_on_write(1);
-  const int written = stbi_write_png(argv[1], size, size, 4, pixels.data(), 4 * size);
-  OSMesaDestroyContext(context);
-  return written != 0 ? 0 : 1;
+  return lesson::run(argc, argv, {.title = "tagged_cube", .keys = {}, .begin = begin, .draw = draw, .width = 512, .height = 512});
 }

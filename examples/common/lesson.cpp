@@ -22,7 +22,7 @@ namespace {
 
 void print_help(const char* program, const Lesson& lesson) {
   const char* const name = std::strrchr(program, '/') == nullptr ? program : std::strrchr(program, '/') + 1;
-  std::printf("%s: %s\n\n  %s                 opens a window\n  %s --png FILE      writes a picture\n", name,
+  std::printf("%s: %s\n\n  %s                 opens a window\n  %s --png FILE      writes a picture (--png may be left out)\n", name,
               lesson.title, name, name);
   std::printf("  --size 640x480     of the window or the picture\n  --press KEYS       presses these keys first\n");
   std::printf("  --seconds T        the time that the picture shows\n");
@@ -53,6 +53,7 @@ bool read_arguments(int argc, char** argv, const Lesson& lesson, Arguments& argu
       return false;
     }
   }
+  if (optind + 1 == argc && arguments.picture.empty()) arguments.picture = argv[optind++];
   valid = valid && optind == argc && arguments.width > 0 && arguments.height > 0 && arguments.frames > 0;
   if (!valid) std::fprintf(stderr, "%s: wrong arguments; --help shows the right ones\n", argv[0]);
   status = valid ? 0 : 2;

@@ -27,7 +27,7 @@ struct Lesson {
   int width = 640, height = 480;  // unless --size says otherwise
 };
 
-// The whole of main(). Without arguments, it opens a window. With --png FILE, it writes a picture and needs no display.
+// The whole of main(). Without arguments, it opens a window. With --png FILE, or FILE alone, it writes a picture and needs no display.
 //   --size 640x480     of the window or the picture
 //   --press KEYS       presses these keys first
 //   --seconds T        the time that draw() gets for the picture; 0 if not given

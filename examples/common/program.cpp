@@ -67,4 +67,12 @@ void set_uniform_matrix(unsigned program, const char* name, const float* columns
   glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, columns);
 }
 
+unsigned make_buffer(unsigned target, const void* data, std::size_t bytes) {
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+  return buffer;
+}
+
 }  // namespace lesson

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-#include "blocks.h"
+#include "examples/common/blocks.h"
 #include "examples/common/lesson.h"
 #include "examples/common/look.h"
 #include "examples/common/program.h"
@@ -114,7 +114,7 @@ void draw_cage(const std::vector<float>& positions, const std::vector<std::uint3
 
 // [frame]
 void draw(double seconds) {
-  static const BlockMesh mesh = make_blocks(blocks);
+  static const lesson::BlockMesh mesh = lesson::make_blocks(blocks);
   static glark::qas::Surface surface({mesh.positions.size() / 3, mesh.triangles});
   static std::vector<glark::qas::Corner> corners(surface.corner_count());
   const std::vector<float> positions = waving(mesh.positions, seconds);

@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-#include "blocks.h"
+#include "examples/common/blocks.h"
 #include "examples/common/lesson.h"
 #include "examples/common/look.h"
 #include "examples/common/program.h"
@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 5> letter = {"XXXXX",  //
                                                     "XXXXX"};
 
 // Pairs of vertices: the edges between a wall and the front or the back.
-std::vector<std::uint32_t> rim(const BlockMesh& mesh) {
+std::vector<std::uint32_t> rim(const lesson::BlockMesh& mesh) {
   std::vector<std::uint32_t> creases;
   // TODO: an edge of the rim has its two ends at the same z, and the third vertex of a wall's triangle at another z
   (void)mesh;
@@ -67,7 +67,7 @@ void begin() {
 }
 
 void draw(double) {
-  const BlockMesh mesh = make_blocks(letter);
+  const lesson::BlockMesh mesh = lesson::make_blocks(letter);
   const std::vector<std::uint32_t> creases = rim(mesh);
   glark::qas::Surface surface({mesh.positions.size() / 3, mesh.triangles, creases});
   std::vector<glark::qas::Corner> corners(surface.corner_count());

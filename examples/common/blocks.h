@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A coarse mesh of blocks, for the character.
+// Coarse meshes of blocks.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
+
+namespace lesson {
 
 struct BlockMesh {
   std::vector<float> positions;          // x y z of every vertex; a block has side 1, the middle is the origin
@@ -17,3 +19,5 @@ struct BlockMesh {
 // `rows` is a drawing, the top row first: an X is a block, one block thick. All rows have the same length. The mesh is
 // the surface of all blocks together: blocks side by side share their vertices, and have no wall between them.
 BlockMesh make_blocks(std::span<const std::string_view> rows);
+
+}  // namespace lesson

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "blocks.h"
+#include "examples/common/blocks.h"
 
 #include <array>
 #include <map>
 
+namespace lesson {
 namespace {
 
 using Cell = std::array<int, 3>;  // column from the left, row from below, layer from the back
@@ -73,3 +74,5 @@ BlockMesh make_blocks(std::span<const std::string_view> rows) {
       if (builder.is_block({x, y, 0})) builder.add_block({x, y, 0});
   return builder.mesh;
 }
+
+}  // namespace lesson
