@@ -131,7 +131,8 @@ void draw_flight(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "depth_tags",
+  return lesson::run(argc, argv,
+                     {.title = "depth_tags",
                       .keys = {},
                       .begin = begin,
                       .draw = draw_flight,

@@ -134,5 +134,6 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "displacement", .keys = {}, .begin = begin, .draw = draw, .width = 1024, .height = 512});
+  return lesson::run(argc, argv,
+                     {.title = "displacement", .keys = {}, .begin = begin, .draw = draw, .width = 1024, .height = 512});
 }

@@ -8,7 +8,6 @@
 //   refinement_shader [OUT.png]
 #include <GL/gl.h>
 
-
 #include <GL/glark.h>
 
 #include "examples/common/lesson.h"
@@ -58,5 +57,7 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "refinement_shader", .keys = {}, .begin = begin, .draw = draw, .width = 512, .height = 512});
+  return lesson::run(
+      argc, argv,
+      {.title = "refinement_shader", .keys = {}, .begin = begin, .draw = draw, .width = 512, .height = 512});
 }

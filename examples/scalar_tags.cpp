@@ -132,5 +132,6 @@ void begin() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "scalar_tags", .keys = {}, .begin = begin, .draw = draw_all, .width = 1200, .height = 480});
+  return lesson::run(
+      argc, argv, {.title = "scalar_tags", .keys = {}, .begin = begin, .draw = draw_all, .width = 1200, .height = 480});
 }

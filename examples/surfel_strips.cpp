@@ -164,5 +164,7 @@ void draw_views(double seconds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "surfel_strips", .keys = {}, .begin = begin, .draw = draw_views, .width = 1536, .height = 512});
+  return lesson::run(
+      argc, argv,
+      {.title = "surfel_strips", .keys = {}, .begin = begin, .draw = draw_views, .width = 1536, .height = 512});
 }

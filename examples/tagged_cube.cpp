@@ -64,5 +64,6 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "tagged_cube", .keys = {}, .begin = begin, .draw = draw, .width = 512, .height = 512});
+  return lesson::run(argc, argv,
+                     {.title = "tagged_cube", .keys = {}, .begin = begin, .draw = draw, .width = 512, .height = 512});
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The smallest program of the extension: a coarse bowl, refined by the ten lines of draw(). The rest of the program
-// makes an off-screen context and writes a picture.
+// The smallest program of the extension: a bowl of eight triangles, upside down, that becomes round. The lines of draw()
+// are all of it. The rest of the program makes an off-screen context and writes a picture. C99.
 //
 //   ten_lines OUT.png [DEPTH [wireframe]]     DEPTH 0 leaves it coarse
 #include <GL/gl.h>
@@ -17,36 +17,42 @@
 
 #include <GL/glark.h>
 
-enum { size = 512, corners = 8 };
+enum { size = 512 };
 
 static void draw(unsigned depth) {
-  glARKinit(5);         // patterns for edges of up to 2^5 segments
-  glEnable(GL_ARK);     // now patterns replace triangles
-  glDepthTag1i(depth);  // the next vertices ask for 2^depth segments on each edge
-  glBegin(GL_TRIANGLE_FAN);
-  glNormal3f(0, 0, 1);
-  glVertex3f(0, 0, 0);
-  for (int i = 0; i <= corners; ++i) {
-    const double turn = 2 * 3.14159265358979 * i / corners;
-    glNormal3f((float)cos(turn), (float)sin(turn), 0.3f);
-    glVertex3f(0.9f * (float)cos(turn), 0.9f * (float)sin(turn), -0.6f);
-  }
-  glEnd();
-}
-
-// A small light is close to the surface. With lighting per vertex, a coarse bowl misses its highlight.
-static void light(void) {
-  static const float position[4] = {0.3f, 0.3f, 0.6f, 1};
-  static const float ground[4] = {0.1f, 0.4f, 0.8f, 1};
-  static const float shine[4] = {1, 1, 1, 1};
-  glEnable(GL_DEPTH_TEST);
-  glEnable(GL_NORMALIZE);
+  // [draw]
+  glARKinit(5);                                             // patterns for edges of up to 2^5 segments
+  glEnable(GL_ARK);                                         // now patterns replace triangles
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);  // and normals bend them
+  glDepthTag1i(depth);                                      // the next vertices ask for 2^depth segments on each edge
   glEnable(GL_LIGHTING);
   glEnable(GL_LIGHT0);
-  glLightfv(GL_LIGHT0, GL_POSITION, position);
+  glBegin(GL_TRIANGLE_FAN);
+  glNormal3f(0, 0, 1);
+  glVertex3f(0, 0, 0.9f);
+  for (int i = 0; i <= 8; ++i) {
+    const float x = cosf(0.785398f * i), y = sinf(0.785398f * i);
+    glNormal3f(x, y, 0);
+    glVertex3f(0.9f * x, 0.9f * y, 0);
+  }
+  glEnd();
+  // [/draw]
+}
+
+// Looks from the side, with a shiny material.
+static void prepare(void) {
+  static const float left[4] = {-0.5f, 0.6f, 0.8f, 0};
+  static const float ground[4] = {0.1f, 0.4f, 0.8f, 1};
+  static const float shine[4] = {1, 1, 1, 1};
+  glLightfv(GL_LIGHT0, GL_POSITION, left);
   glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, ground);
   glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, shine);
   glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 40);
+  glEnable(GL_DEPTH_TEST);
+  glMatrixMode(GL_PROJECTION);
+  glOrtho(-1, 1, -0.8, 1.2, -1, 1);
+  glMatrixMode(GL_MODELVIEW);
+  glRotatef(-60, 1, 0, 0);
 }
 
 int main(int argc, char** argv) {
@@ -60,7 +66,7 @@ int main(int argc, char** argv) {
   if (argc > 3 && strcmp(argv[3], "wireframe") == 0) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glClearColor(1, 1, 1, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  light();
+  prepare();
   draw(argc > 2 ? (unsigned)atoi(argv[2]) : 4);
   glFinish();
   stbi_flip_vertically_on_write(1);

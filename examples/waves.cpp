@@ -101,9 +101,7 @@ unsigned expected_triangles() {
 GLuint program = 0;
 GLuint tag_buffer = 0;
 
-void draw_pond() {
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
-}
+void draw_pond() { glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr); }
 
 void begin() {
   make_pond();
@@ -144,6 +142,6 @@ void draw(double seconds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(
-      argc, argv, {.title = "waves", .keys = {}, .begin = begin, .draw = draw, .api = lesson::Api::core});
+  return lesson::run(argc, argv,
+                     {.title = "waves", .keys = {}, .begin = begin, .draw = draw, .api = lesson::Api::core});
 }

@@ -22,8 +22,9 @@ namespace {
 
 void print_help(const char* program, const Lesson& lesson) {
   const char* const name = std::strrchr(program, '/') == nullptr ? program : std::strrchr(program, '/') + 1;
-  std::printf("%s: %s\n\n  %s                 opens a window\n  %s --png FILE      writes a picture (--png may be left out)\n", name,
-              lesson.title, name, name);
+  std::printf(
+      "%s: %s\n\n  %s                 opens a window\n  %s --png FILE      writes a picture (--png may be left out)\n",
+      name, lesson.title, name, name);
   std::printf("  --size 640x480     of the window or the picture\n  --press KEYS       presses these keys first\n");
   std::printf("  --seconds T        the time that the picture shows\n");
   std::printf("  --frames N         draws N frames; the picture shows the last one\n\nKeys:\n");

@@ -3,6 +3,7 @@
 """What every file of the tree has to keep: licence header, length, no path of one machine, explicit source lists, READMEs."""
 import posixpath
 import re
+import textwrap
 import unittest
 
 from tracked import text_of, tracked_files, violations
@@ -75,6 +76,11 @@ class Sources(unittest.TestCase):
         text = text_of("README.md")
         self.assertLessEqual(text.count("\n"), 120)
         self.assertLessEqual(len(text.split()), 900)
+
+    def test_readme_shows_the_smallest_program(self):
+        shown = re.search(r"```c\n(.*?)```", text_of("README.md"), re.DOTALL).group(1)
+        drawn = re.search(r"// \[draw\]\n(.*?) *// \[/draw\]", text_of("examples/ten_lines.c"), re.DOTALL).group(1)
+        self.assertEqual(textwrap.dedent(drawn), shown)
 
     def test_readme_links_lead_somewhere(self):
         names = tracked_files()

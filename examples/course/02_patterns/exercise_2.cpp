@@ -15,7 +15,7 @@ namespace {
 // The number of triangles of the pattern with the depths a, b and c.
 unsigned formula(unsigned a, unsigned b, unsigned c) {
   const unsigned n = 1U << std::min({a, b, c});  // segments of the shallowest edge
-  return n * n;          // count the other edges, too
+  return n * n;                                  // count the other edges, too
 }
 
 unsigned tags[3];

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { size = 128 };
+enum { size = 128, depth = 4 };
 
 static unsigned char pixels[4 * size * size];
 
