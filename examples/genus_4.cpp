@@ -74,8 +74,8 @@ void refine() {
 }
 )glsl";
 
-constexpr std::string_view rows[] = {"XXXXX", "X.X.X", "XXXXX", "X.X.X", "XXXXX"};
-lesson::BlockMesh slab = lesson::make_blocks(rows);
+constexpr std::string_view drawing = "XXXXX\nX.X.X\nXXXXX\nX.X.X\nXXXXX";
+lesson::BlockMesh slab = lesson::make_blocks(drawing);
 std::vector<unsigned char> tags;  // fine around the holes
 GLuint program = 0;
 bool edges = false;

@@ -30,8 +30,14 @@ namespace {
 
 constexpr unsigned deepest = 5;
 
-constexpr std::string_view rows[] = {"..X..", "..X..", "XXXXX", "..X..", "..X.."};
-const lesson::BlockMesh toy = lesson::make_blocks(rows);
+constexpr std::string_view drawing = R"(
+..X..
+..X..
+XXXXX
+..X..
+..X..
+)";
+const lesson::BlockMesh toy = lesson::make_blocks(drawing);
 
 // Bends the toy: its arms turn about the z axis. The angle grows with the distance from the axis.
 std::vector<float> bent(const std::vector<float>& rest, float seconds) {

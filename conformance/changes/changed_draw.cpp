@@ -15,28 +15,7 @@
 namespace glark::conformance {
 namespace {
 
-constexpr std::array<GLenum, refinement_count> refinements = {GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK,
-                                                              GL_CURVED_PN_ARK};
-constexpr std::array<const char*, refinement_count> refinement_names = {"linear inputs", "linear outputs",
-                                                                        "curved triangles"};
-
-void refine(const Combination& one) {
-  const GLenum refinement = refinements[one.refinement];
-  if (one.depths == Depths::uniform) {
-    refine_uniformly(2, refinement);
-    return;
-  }
-  refine_by_tags(3, refinement);
-  if (one.depths == Depths::measured) {
-    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
-    gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 8);
-  }
-}
-
-std::string text_of(const Combination& one, const Path& path) {
-  return fmt::format("{} of {} triangles, {}, {}, refined {} times before", path.name, one.triangles,
-                     refinement_names[one.refinement], depths_names[static_cast<std::size_t>(one.depths)], one.history);
-}
+std::vector<const Change*> known;
 
 bool concerns(const Change& change, const Path& path) {
   if (change.concern == Concern::indices) return path.has_indices;
@@ -49,25 +28,21 @@ bool shows(const Change& change, const Path& path) {
   return !(path.copies_arrays && change.concern == Concern::arrays);
 }
 
-// So many pixels of a right picture may differ by more than `tolerance`, at the edges of triangles.
-constexpr int tolerance = 4;
-constexpr int edge_pixels = 80;
-
 // Ends the case at the first picture that is wrong.
 void expect_picture(Test& t, const Picture& actual, const Picture& expected, const std::string& what) {
-  t.require(t.expect_same_picture(actual, expected, what, tolerance, edge_pixels),
+  t.require(t.expect_same_picture(actual, expected, what, most_difference, most_edge_pixels),
             "the picture is that of the unrefined draw");
 }
 
 void check_combination(Test& t, const Change& change, const Combination& one, bool is_refined) {
   const Path& path = paths()[one.path];
-  const std::string what = text_of(one, path);
+  const std::string what = fmt::format("{}, refined {} times before", text_of(one), one.history);
   Scene scene(t, one.triangles);
   if (path.prepare != nullptr) path.prepare(t, scene);
   const auto draw = [&] { path.draw(scene); };
   const Picture before = picture_of(draw);
   t.require(count_different(before, Picture(surface_size, surface_size), 8) > 1000, "something is drawn: " + what);
-  if (is_refined) refine(one);
+  if (is_refined) set_refinement(one);
   for (int i = 0; is_refined && i < one.history; ++i) {
     const Picture again = picture_of(draw);
     if (i + 1 == one.history) expect_picture(t, again, before, "before the change: " + what);
@@ -79,7 +54,7 @@ void check_combination(Test& t, const Change& change, const Combination& one, bo
   gl.Disable(GL_ARK);
   const Picture plain = picture_of(draw);
   if (shows(change, path))
-    t.require(count_different(before, plain, tolerance) > 3 * edge_pixels,
+    t.require(count_different(before, plain, most_difference) > 3 * most_edge_pixels,
               "the change shows without refinement: " + what);
   expect_picture(t, first, plain, "after the change: " + what);
   expect_picture(t, second, plain, "the second draw after the change: " + what);
@@ -114,8 +89,11 @@ std::vector<Change> joined(std::vector<std::vector<Change>> tables) {
   return all;
 }
 
+const std::vector<const Change*>& all_changes() { return known; }
+
 std::vector<Case> change_cases(const char* area, const std::vector<Change>& changes, std::size_t first) {
   std::vector<Case> cases;
+  for (const Change& change : changes) known.push_back(&change);
   for (const Change& change : changes) {
     const std::size_t number = first + static_cast<std::size_t>(&change - changes.data());
     Case made{.name = fmt::format("ark.change.{}.{}", area, lower_case(change.leaf)),

@@ -2,7 +2,38 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/changes/combinations.h"
 
+#include <fmt/core.h>
+
+#include "conformance/changes/paths.h"
+#include "conformance/support/capture.h"
+
 namespace glark::conformance {
+namespace {
+
+constexpr std::array<GLenum, refinement_count> refinements = {GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK,
+                                                              GL_CURVED_PN_ARK};
+constexpr std::array<const char*, refinement_count> refinement_names = {"linear inputs", "linear outputs",
+                                                                        "curved triangles"};
+
+}  // namespace
+
+void set_refinement(const Combination& one) {
+  const GLenum refinement = refinements[one.refinement];
+  if (one.depths == Depths::uniform) {
+    refine_uniformly(2, refinement);
+    return;
+  }
+  refine_by_tags(3, refinement);
+  if (one.depths == Depths::measured) {
+    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+    gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 8);
+  }
+}
+
+std::string text_of(const Combination& one) {
+  return fmt::format("{} of {} triangles, {}, {}", paths()[one.path].name, one.triangles,
+                     refinement_names[one.refinement], depths_names[static_cast<std::size_t>(one.depths)]);
+}
 
 // From path to path, every circumstance goes on in steps of its own. From change to change, the start goes on by a
 // digit of the change's number, so that in 72 changes each path meets each combination of the others.

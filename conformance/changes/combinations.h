@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace glark::conformance {
@@ -31,6 +32,16 @@ struct Combination {
 };
 
 inline constexpr std::size_t refinement_count = 3;
+
+// How a picture is compared with the right one: so many pixels may differ by more than `most_difference`, at the edges of
+// triangles.
+inline constexpr int most_difference = 4;
+inline constexpr int most_edge_pixels = 80;
+
+// Turns the refinement on, with the depths of the combination.
+void set_refinement(const Combination& one);
+// "DrawArrays of 4 triangles, linear inputs, depth tags"
+std::string text_of(const Combination& one);
 
 // The combinations of a change. Changes are numbered from 0; each gets one combination for each path.
 std::vector<Combination> combinations_of(std::size_t change, std::size_t paths);

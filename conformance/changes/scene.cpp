@@ -83,6 +83,7 @@ Scene::Scene(Test& t, int triangles) : vertex_count_(3 * triangles), is_desktop_
   make_places();
   make_indices();
   make_textures();
+  second_colours_.insert(second_colours_.end(), first_colours_.begin(), first_colours_.end());
   gl.BindBuffer(GL_ARRAY_BUFFER, colours);
 }
 
@@ -97,7 +98,8 @@ void Scene::make_places() {
     elements.push_back(static_cast<std::uint16_t>(i));
     second_indices_.push_back(static_cast<std::uint16_t>(i % (vertex_count_ / 2)));
   }
-  elements.insert(elements.end(), second_indices_.begin(), second_indices_.end());
+  second_indices_.insert(second_indices_.end(), elements.begin(), elements.end());
+  elements.insert(elements.end(), second_indices_.begin(), second_indices_.begin() + vertex_count_);
   gl.BindVertexArray(0);
   indices = make_buffer(GL_ELEMENT_ARRAY_BUFFER, elements.data(), elements.size() * 2);
   array = make_array(0);

@@ -32,8 +32,10 @@ struct Scene {
   // Where the other content begins, in bytes.
   GLintptr other_colours() const { return 4 * vertex_count_; }
   GLintptr other_indices() const { return 2 * vertex_count_; }
-  // The colours of the other content, RGBA8.
+  GLsizeiptr all_colour_bytes() const { return 2 * colour_bytes(); }
+  // The colours of the other content, RGBA8, and then those of the first one.
   const std::vector<std::uint32_t>& new_colours() const { return second_colours_; }
+  // The indices in the other order as well.
   const std::vector<std::uint16_t>& new_indices() const { return second_indices_; }
   // Points the array of colours at a place in the bound buffer.
   void point_at(GLintptr offset, GLsizei stride = 4) const;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "conformance/gl/gl.h"
 
+#include "conformance/gl/observer.h"
+
 namespace glark::conformance {
 namespace {
 
@@ -12,10 +14,12 @@ GLADapiproc address(void* source, const char* name) {
 }  // namespace
 
 GladGLContext gl;
+Observer* observer = nullptr;
 
 void load_functions(FunctionSource& source, bool is_gles) {
   gl = {};
   (is_gles ? gladLoadGLES2ContextUserPtr : gladLoadGLContextUserPtr)(&gl, address, &source);
+  if (observer != nullptr) observer->loaded(gl);
 }
 
 }  // namespace glark::conformance

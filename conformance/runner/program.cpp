@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -28,6 +29,7 @@ struct Options {
   std::string case_list;
   std::string shard = "1/1";
   std::vector<std::string> baselines;
+  std::string shown;
   bool is_list = false;
   bool is_json = false;
   bool is_must_pass = false;
@@ -56,6 +58,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_flag("--must-pass", options.is_must_pass, "run the cases that an implementation has to pass");
   app.add_option("--shard", options.shard, "run part I of N of the selection")->type_name("I/N")->capture_default_str();
   app.add_flag("--list", options.is_list, "print the names of the selected cases");
+  app.add_option("--show", options.shown, "run this case, and print its calls of OpenGL as a function in C")
+      ->type_name("NAME");
   app.add_flag("--json", options.is_json, "with --list: also print clauses and plans");
   app.add_option("--report", options.run.report, "directory for results.json, junit.xml, log.txt and index.html")
       ->type_name("DIR");
@@ -78,6 +82,10 @@ void describe(CLI::App& app, Options& options) {
   app.add_flag("--fail-fast", options.fails_fast, "begin no case after a failure, and leave out the rest");
   app.add_option("--seed", options.run.seed, "seed of random values")->capture_default_str();
   app.add_flag("--verbose", options.run.is_verbose, "print every case, not only those that did not pass");
+}
+
+WorkerTask task_of(const std::string& name) {
+  return name == "describe" ? WorkerTask::describe : name == "show" ? WorkerTask::show : WorkerTask::run;
 }
 
 Api api_of(const std::string& name) {
@@ -191,15 +199,30 @@ void prepare(RunOptions& options) {
   if (!options.implementation.empty()) options.implementation = std::filesystem::absolute(options.implementation);
 }
 
-Environment environment_of(const RunOptions& options) {
-  Environment environment;
+// What another process answers.
+template <typename Answer>
+Answer answer_of(const std::function<Answer()>& ask) {
   try {
-    environment = describe_environment(options);
+    return ask();
   } catch (const std::invalid_argument& error) {
     throw Complaint{exit_status::usage, error.what()};
   } catch (const std::runtime_error& error) {
     throw Complaint{exit_status::no_context, error.what()};
   }
+}
+
+int print_calls(const std::string& name, RunOptions& options) {
+  prepare(options);
+  const auto& cases = all_cases();
+  if (std::none_of(cases.begin(), cases.end(), [&](const Case& each) { return each.name == name; }))
+    throw Complaint{exit_status::no_case, "no case " + name};
+  const auto text = answer_of<std::string>([&] { return show_case(name, options); });
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return exit_status::passed;
+}
+
+Environment environment_of(const RunOptions& options) {
+  Environment environment = answer_of<Environment>([&] { return describe_environment(options); });
   environment["platform"] = options.platform;
   environment["must-pass list"] = std::to_string(must_pass_version);
   environment["seed"] = std::to_string(options.seed);
@@ -222,6 +245,7 @@ std::vector<Record> run_cases(const std::vector<std::string>& names, const Optio
 
 int judge(Options& options, const std::vector<std::string>& command) {
   options.run.api = api_of(options.api);
+  if (!options.shown.empty()) return print_calls(options.shown, options.run);
   const auto names = selected_names(options);
   if (options.is_list) return list(names, options.is_json);
 
@@ -284,7 +308,7 @@ int try_program(int argc, char** argv) {
       app.add_subcommand("verify", "checks the checksums and the must-pass list of such an archive");
   verifying->add_option("ARCHIVE", archive)->required();
   CLI::App* const worker = app.add_subcommand("worker", "the process in which cases run")->group("");
-  worker->add_option("TASK", task)->required()->check(CLI::IsMember({"describe", "run"}));
+  worker->add_option("TASK", task)->required()->check(CLI::IsMember({"describe", "run", "show"}));
   worker->add_option("NAMES", names);
   worker->fallthrough();
   try {
@@ -294,7 +318,7 @@ int try_program(int argc, char** argv) {
   }
   if (worker->parsed()) {
     options.run.api = api_of(options.api);
-    return work(task == "describe" ? WorkerTask::describe : WorkerTask::run, options.run, names, 3);
+    return work(task_of(task), options.run, names, 3);
   }
   if (packaging->parsed()) return make_package(directory, archive);
   if (verifying->parsed()) return check_package(archive);

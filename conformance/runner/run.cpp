@@ -199,10 +199,9 @@ void retry(std::vector<Record>& records, const RunOptions& options) {
   }
 }
 
-}  // namespace
-
-Environment describe_environment(const RunOptions& options) {
-  Process process(arguments_of(options, "describe"), options.implementation);
+// What a process of its own says, in one message. Throws std::runtime_error and std::invalid_argument.
+nlohmann::json ask(const std::vector<std::string>& arguments, const RunOptions& options) {
+  Process process(arguments, options.implementation);
   std::string text;
   std::string output;
   TimeLimit limit(options.seconds);
@@ -220,11 +219,23 @@ Environment describe_environment(const RunOptions& options) {
   const auto message = nlohmann::json::parse(text, nullptr, false);
   if (message.is_discarded()) {
     const std::string why = late ? *late : how_it_ended(status);
-    throw std::runtime_error("no context: " + why + (output.empty() ? "" : '\n' + output));
+    throw std::runtime_error("no answer: " + why + (output.empty() ? "" : '\n' + output));
   }
   if (message.contains("not loaded")) throw std::invalid_argument(message["not loaded"].get<std::string>() + output);
   if (message.contains("error")) throw std::runtime_error(message["error"].get<std::string>());
-  return message["environment"].get<Environment>();
+  return message;
+}
+
+}  // namespace
+
+Environment describe_environment(const RunOptions& options) {
+  return ask(arguments_of(options, "describe"), options)["environment"].get<Environment>();
+}
+
+std::string show_case(const std::string& name, const RunOptions& options) {
+  std::vector<std::string> arguments = arguments_of(options, "show");
+  arguments.push_back(name);
+  return ask(arguments, options)["shown"].get<std::string>();
 }
 
 std::vector<Record> run(const std::vector<std::string>& names, const RunOptions& options, const Progress& progress) {

@@ -14,6 +14,9 @@ namespace glark::conformance {
 // Asks a separate process. Throws std::runtime_error if no context can be made.
 Environment describe_environment(const RunOptions& options);
 
+// The calls of a case as a program in C; another process runs it. Throws std::runtime_error if it ends without them.
+std::string show_case(const std::string& name, const RunOptions& options);
+
 // Called for each case as it ends; false prevents further cases.
 using Progress = std::function<bool(const Record&)>;
 

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "conformance/runner/exit_status.h"
+#include "conformance/show/show.h"
 #include "conformance/suite/test.h"
 
 namespace glark::conformance {
@@ -63,13 +64,18 @@ std::vector<std::string> keep_images(const Result& result, const std::string& na
   return paths;
 }
 
-void run_one(const std::string& name, Platform& platform, const RunOptions& options, int channel) {
+const Case& case_of(const std::string& name) {
   const auto& cases = all_cases();
   const auto found = std::lower_bound(cases.begin(), cases.end(), name,
                                       [](const Case& c, const std::string& n) { return c.name < n; });
   if (found == cases.end() || found->name != name) throw std::runtime_error("no case " + name);
+  return *found;
+}
+
+void run_one(const std::string& name, Platform& platform, const RunOptions& options, int channel) {
+  const Case& test_case = case_of(name);
   send(channel, {{"begin", name}});
-  Result result = run_case(*found, platform, options.api, options.seed);
+  Result result = run_case(test_case, platform, options.api, options.seed);
   std::vector<std::string> images;
   try {
     images = keep_images(result, name, options.report);
@@ -98,6 +104,10 @@ int work(WorkerTask task, const RunOptions& options, const std::vector<std::stri
     if (task == WorkerTask::describe) {
       Test test(*platform, options.api, "environment", options.seed);
       send(channel, {{"environment", environment_of(test)}});
+    }
+    if (task == WorkerTask::show) {
+      send(channel, {{"shown", show(case_of(names.at(0)), *platform, options.api, options.seed)}});
+      return exit_status::passed;
     }
     for (const std::string& name : names) run_one(name, *platform, options, channel);
   } catch (const std::exception& error) {

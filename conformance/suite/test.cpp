@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "conformance/gl/observer.h"
+
 namespace glark::conformance {
 namespace {
 
@@ -87,6 +89,7 @@ std::unique_ptr<Context> Test::create_context(Context* share) { return platform_
 
 bool Test::expect(bool holds, std::string_view what) {
   ++expectations_;
+  if (observer != nullptr) observer->expects(what);
   if (holds) return true;
   if (verdict_ != Verdict::internal_error) verdict_ = Verdict::fail;
   log(what);
@@ -206,6 +209,7 @@ Result run_case(const Case& test_case, Platform& platform, Api api, unsigned ran
       if (test.verdict() == Verdict::internal_error || test.verdict() == Verdict::not_supported) return result_of(test);
     }
   }
+  if (observer != nullptr) observer->begins_again();
   Test test(platform, api, test_case.name, random_seed);
   run_half(test, test_case.check);
   if (test.verdict() == Verdict::pass && test.expectations() == 0)

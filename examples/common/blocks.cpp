@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "examples/common/blocks.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 namespace lesson {
 namespace {
@@ -12,7 +14,7 @@ using Cell = std::array<int, 3>;  // column from the left, row from below, layer
 
 class Builder {
  public:
-  explicit Builder(std::span<const std::string_view> rows) : rows_(rows) {}
+  explicit Builder(std::vector<std::string_view> rows) : rows_(std::move(rows)) {}
 
   void add_block(const Cell& block) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -61,14 +63,25 @@ class Builder {
     return found->second;
   }
 
-  std::span<const std::string_view> rows_;
+  std::vector<std::string_view> rows_;  // the top row first
   std::map<Cell, std::uint32_t> vertices_;
 };
 
+// Empty lines do not count.
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    if (!line.empty()) lines.push_back(line);
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return lines;
+}
+
 }  // namespace
 
-BlockMesh make_blocks(std::span<const std::string_view> rows) {
-  Builder builder(rows);
+BlockMesh make_blocks(std::string_view drawing) {
+  Builder builder(lines_of(drawing));
   for (int y = 0; y < builder.height(); ++y)
     for (int x = 0; x < builder.width(); ++x)
       if (builder.is_block({x, y, 0})) builder.add_block({x, y, 0});

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -16,8 +15,8 @@ struct BlockMesh {
   std::vector<std::uint32_t> triangles;  // three vertices each, counter-clockwise seen from outside
 };
 
-// `rows` is a drawing, the top row first: an X is a block, one block thick. All rows have the same length. The mesh is
-// the surface of all blocks together: blocks side by side share their vertices, and have no wall between them.
-BlockMesh make_blocks(std::span<const std::string_view> rows);
+// `drawing` has lines of equal length: an X is a block, one block thick; any other character is none. The mesh is the
+// surface of all blocks together: blocks side by side share their vertices, and have no wall between them.
+BlockMesh make_blocks(std::string_view drawing);
 
 }  // namespace lesson

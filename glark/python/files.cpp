@@ -93,7 +93,8 @@ void bind_files(py::module_& module) {
           "(triangles, 3) uint32, or None for points")
       .def_readonly("origin", &Geometry::origin, "three floats of double precision, to be added to the positions");
   module.def("read", &read, py::arg("file"), py::kw_only(), py::arg("skip_invalid") = false,
-             "Read PLY, OBJ, STL, XYZ or PTS, also compressed by zstd. The ending of the name gives the format.\n\n"
+             "Read PLY, OBJ, STL, OFF, glTF, PCD, XYZ or PTS, also compressed by zstd. The ending of the name gives "
+             "the format.\n\n"
              "skip_invalid: leave out points with NaN or infinite coordinates, instead of raising FileError.\n"
              "What the format has and glark does not keep becomes a warning.");
   module.def(

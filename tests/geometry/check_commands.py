@@ -82,6 +82,15 @@ class Commands(unittest.TestCase):
         self.assertIn("closed", self.glark("info", self.sphere).stdout)
         self.assertIn("OSMesa", self.glark("info").stdout)
 
+    def test_standard_input_with_a_format(self):
+        with open(self.sphere, "rb") as file:
+            done = subprocess.run([GLARK, "info", "-", "--format", "ply", "--json"], stdin=file, capture_output=True, text=True)
+        self.assertEqual(3122, json.loads(done.stdout)["points"], done.stderr)
+        with open(self.sphere, "rb") as file:
+            done = subprocess.run([GLARK, "info", "-"], stdin=file, capture_output=True, text=True)
+        self.assertEqual(1, done.returncode)
+        self.assertIn("--format", done.stderr)
+
     def test_measure_of_the_same_is_nothing(self):
         quality = self.report("info", self.sphere, "--measure", self.sphere)["quality"]
         self.assertLess(quality["hausdorff_percent"], 1e-6)

@@ -11,7 +11,7 @@ namespace {
 GLsizeiptr index_bytes(const Scene& s) { return 2 * GLsizeiptr{s.vertices()}; }
 
 GLuint other_elements(Scene& s) {
-  s.made.push_back(make_buffer(GL_COPY_READ_BUFFER, s.new_indices().data(), static_cast<std::size_t>(index_bytes(s))));
+  s.made.push_back(make_buffer(GL_COPY_READ_BUFFER, s.new_indices().data(), s.new_indices().size() * 2));
   return s.made.back();
 }
 
@@ -27,7 +27,7 @@ std::vector<Change> indices() {
        {"BufferData"},
        Concern::indices,
        [](Test&, Scene& s) {
-         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, index_bytes(s), s.new_indices().data(), GL_STATIC_DRAW);
+         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, 2 * index_bytes(s), s.new_indices().data(), GL_STATIC_DRAW);
        }},
       {"CopyBufferSubData",
        {"CopyBufferSubData"},
@@ -44,8 +44,7 @@ std::vector<Change> indices() {
        Concern::indices,
        [](Test&, Scene& s) {
          gl.DeleteBuffers(1, &s.indices);
-         s.indices =
-             make_buffer(GL_ELEMENT_ARRAY_BUFFER, s.new_indices().data(), static_cast<std::size_t>(index_bytes(s)));
+         s.indices = make_buffer(GL_ELEMENT_ARRAY_BUFFER, s.new_indices().data(), s.new_indices().size() * 2);
        }},
       {"NamedBufferSubData",
        {"NamedBufferSubData"},

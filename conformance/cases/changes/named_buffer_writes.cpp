@@ -9,8 +9,8 @@
 namespace glark::conformance {
 namespace {
 
-void map_named(Test& t, Scene& s, GLbitfield flags) {
-  write_mapped(t, s, gl.MapNamedBufferRange(s.colours, 0, s.colour_bytes(), GL_MAP_WRITE_BIT | flags));
+void map_named(Scene& s, GLbitfield flags) {
+  write_mapped(s, gl.MapNamedBufferRange(s.colours, 0, s.colour_bytes(), GL_MAP_WRITE_BIT | flags));
 }
 
 // Direct state access: the buffer is bound to no target.
@@ -21,7 +21,7 @@ std::vector<Change> direct() {
        Concern::arrays,
        [](Test&, Scene& s) {
          gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         gl.NamedBufferData(s.colours, s.colour_bytes(), s.new_colours().data(), GL_STATIC_DRAW);
+         gl.NamedBufferData(s.colours, s.all_colour_bytes(), s.new_colours().data(), GL_STATIC_DRAW);
        },
        desktop_apis,
        45},
@@ -37,9 +37,9 @@ std::vector<Change> direct() {
       {"MapNamedBuffer",
        {"MapNamedBuffer", "UnmapNamedBuffer"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
+       [](Test&, Scene& s) {
          gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         write_mapped(t, s, gl.MapNamedBuffer(s.colours, GL_WRITE_ONLY));
+         write_mapped(s, gl.MapNamedBuffer(s.colours, GL_WRITE_ONLY));
          gl.UnmapNamedBuffer(s.colours);
        },
        desktop_apis,
@@ -47,9 +47,9 @@ std::vector<Change> direct() {
       {"MapNamedBufferRange",
        {"MapNamedBufferRange"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
+       [](Test&, Scene& s) {
          gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         map_named(t, s, 0);
+         map_named(s, 0);
          gl.UnmapNamedBuffer(s.colours);
        },
        desktop_apis,
@@ -57,9 +57,9 @@ std::vector<Change> direct() {
       {"FlushMappedNamedBufferRange",
        {"FlushMappedNamedBufferRange"},
        Concern::arrays,
-       [](Test& t, Scene& s) {
+       [](Test&, Scene& s) {
          gl.BindBuffer(GL_ARRAY_BUFFER, 0);
-         map_named(t, s, GL_MAP_FLUSH_EXPLICIT_BIT);
+         map_named(s, GL_MAP_FLUSH_EXPLICIT_BIT);
          gl.FlushMappedNamedBufferRange(s.colours, 0, s.colour_bytes());
          gl.UnmapNamedBuffer(s.colours);
        },
@@ -100,7 +100,7 @@ std::vector<Change> direct() {
        [](Test&, Scene& s) {
          gl.DeleteBuffers(1, &s.colours);
          gl.CreateBuffers(1, &s.colours);
-         gl.NamedBufferStorage(s.colours, s.colour_bytes(), s.new_colours().data(), 0);
+         gl.NamedBufferStorage(s.colours, s.all_colour_bytes(), s.new_colours().data(), 0);
          gl.BindBuffer(GL_ARRAY_BUFFER, s.colours);
          s.point_at(0);
        },

@@ -42,7 +42,7 @@ std::vector<Change> common() {
        Concern::arrays,
        [](Test&, Scene& s) {
          s.made.push_back(
-             make_buffer(GL_ARRAY_BUFFER, s.new_colours().data(), 4 * static_cast<std::size_t>(s.vertices())));
+             make_buffer(GL_ARRAY_BUFFER, s.new_colours().data(), static_cast<std::size_t>(s.all_colour_bytes())));
          s.point_at(0);
        }},
       {"type",

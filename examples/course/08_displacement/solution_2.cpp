@@ -17,10 +17,10 @@ namespace {
 
 constexpr const char* saddle = R"glsl(
 void refine() {
-  vec4 middle = (ark_corner_gl_Vertex[0] + ark_corner_gl_Vertex[1] + ark_corner_gl_Vertex[2]) / 3.0;
-  float bend = 0.6 * (1.0 - 0.2 * length(middle.xz));
+  const float bend = 0.5;
   gl_Vertex.y += bend * (gl_Vertex.x * gl_Vertex.x - gl_Vertex.z * gl_Vertex.z);
   gl_Normal = normalize(vec3(-2.0 * bend * gl_Vertex.x, 1.0, 2.0 * bend * gl_Vertex.z));
+  gl_Color.rgb *= 1.0 - 0.3 * length(gl_Vertex.xz);
 }
 )glsl";
 

@@ -11,8 +11,8 @@
 #include <glark/qas.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "examples/common/blocks.h"
@@ -29,15 +29,17 @@ bool cage = false, wireframe = false;
 GLuint program = 0;
 
 // [blocks]
-constexpr std::array<std::string_view, 9> blocks = {"..XXX..",  //
-                                                    "..XXX..",  //
-                                                    "X..X..X",  //
-                                                    "XXXXXXX",  //
-                                                    "..XXX..",  //
-                                                    "..XXX..",  //
-                                                    "..X.X..",  //
-                                                    "..X.X..",  //
-                                                    ".XX.XX."};
+constexpr std::string_view blocks = R"(
+..XXX..
+..XXX..
+X..X..X
+XXXXXXX
+..XXX..
+..XXX..
+..X.X..
+..X.X..
+.XX.XX.
+)";
 // [/blocks]
 
 // [shaders]

@@ -10,7 +10,7 @@
 #include <GL/glark.h>
 #include <glark/qas.h>
 
-#include <array>
+#include <string_view>
 #include <vector>
 
 #include "examples/common/blocks.h"
@@ -23,11 +23,13 @@ namespace {
 constexpr GLuint point = 0, normal = 2;
 GLuint program = 0;
 
-constexpr std::array<std::string_view, 5> letter = {"XXXXX",  //
-                                                    "X....",  //
-                                                    "X.XXX",  //
-                                                    "X...X",  //
-                                                    "XXXXX"};
+constexpr std::string_view letter = R"(
+XXXXX
+X....
+X.XXX
+X...X
+XXXXX
+)";
 
 // Pairs of vertices: the edges between a wall and the front or the back.
 std::vector<std::uint32_t> rim(const lesson::BlockMesh& mesh) {

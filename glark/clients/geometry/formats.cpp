@@ -7,6 +7,7 @@
 
 #include "glark/clients/geometry/read/assimp_reader.h"
 #include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/read/pcd_reader.h"
 #include "glark/clients/geometry/read/ply_reader.h"
 #include "glark/clients/geometry/read/text_points.h"
 #include "glark/clients/geometry/write/writers.h"
@@ -31,11 +32,15 @@ Reading read_as(const std::string& ending, Input& input, const ReadOptions& opti
   if (ending == ".ply") return read_ply(input, options);
   if (ending == ".obj") return read_by_assimp(input, MeshFormat::obj, options);
   if (ending == ".stl") return read_by_assimp(input, MeshFormat::stl, options);
+  if (ending == ".off") return read_by_assimp(input, MeshFormat::off, options);
+  if (ending == ".glb" || ending == ".gltf") return read_by_assimp(input, MeshFormat::gltf, options);
+  if (ending == ".pcd") return read_pcd(input, options);
   if (ending == ".pts") return read_text_points(input, TextPoints::pts, options);
   if (ending == ".xyz" || ending == ".txt" || ending == ".asc" || ending == ".csv")
     return read_text_points(input, TextPoints::xyz, options);
   throw Error(input.name() + ": the ending \"" + ending +
-              "\" names no format that glark reads; use .ply, .obj, .stl, .xyz or .pts (or one of these and .zst)");
+              "\" names no format that glark reads; use .ply, .obj, .stl, .off, .glb, .pcd, .xyz or .pts (or one of "
+              "these and .zst), or --format");
 }
 
 void check_ending(const fs::path& file) {
@@ -55,7 +60,7 @@ Reading read_file(const fs::path& file, const ReadOptions& options, const Progre
     input.on_progress(
         [&progress, size](std::uint64_t bytes) { progress(size > 0 ? static_cast<double>(bytes) / size : -1); });
   }
-  return read_as(ending_of(file), input, options);
+  return read_as(options.format.empty() ? ending_of(file) : options.format, input, options);
 }
 
 void check_writable(const fs::path& file) {

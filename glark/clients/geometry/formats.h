@@ -14,7 +14,7 @@ namespace glark::geometry {
 // Receives the finished fraction of the work, 0 to 1. A negative value means that the fraction is unknown.
 using Progress = std::function<void(double fraction)>;
 
-// Reads PLY, OBJ, STL, XYZ (TXT, ASC, CSV) or PTS, or one of these compressed by zstd (with a second ending .zst).
+// Reads PLY, OBJ, STL, OFF, glTF (GLB), PCD, XYZ (TXT, ASC, CSV) or PTS, or one of these compressed by zstd (with a second ending .zst).
 // Throws Error.
 Reading read_file(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress = {});
 

@@ -39,6 +39,8 @@ struct Geometry {
 struct ReadOptions {
   // Leave out points with NaN or infinite coordinates, and their triangles; false: throw Error.
   bool skip_invalid = false;
+  // The format by its ending, ".ply" for example; empty: that of the file's name.
+  std::string format = {};
 };
 
 struct Reading {

@@ -24,8 +24,15 @@ std::uintmax_t other_names(const std::filesystem::path& file) {
 void describe_input(CLI::App& command, Files& files) {
   command
       .add_option("FILE", files.input,
-                  "Points or a mesh: .ply, .obj, .stl, .xyz or .pts, also compressed with a second ending .zst")
+                  "Points or a mesh: .ply, .obj, .stl, .off, .glb, .pcd, .xyz or .pts, also compressed with a second "
+                  "ending .zst; - is standard input")
       ->required();
+  command
+      .add_option_function<std::string>(
+          "--format", [&files](const std::string& name) { files.format = "." + name; },
+          "The format of FILE, whatever its name is")
+      ->check(CLI::IsMember({"ply", "obj", "stl", "off", "glb", "gltf", "pcd", "xyz", "pts"}))
+      ->type_name("NAME");
   command.add_flag("--skip-invalid", files.skip_invalid,
                    "Leave out points with NaN or infinite coordinates instead of stopping");
   command.add_flag("--json", files.json, "Report as JSON on standard output");
@@ -46,8 +53,11 @@ void check_output(const Files& files) { geometry::check_writable(files.output); 
 
 geometry::Geometry load(const std::string& file, const Files& files) {
   Progress progress("reading " + file);
-  geometry::Reading reading = geometry::read_file(file, {.skip_invalid = files.skip_invalid},
-                                                  [&](double fraction) { progress.show(fraction); });
+  // --format is about the input, not about the reference of --measure.
+  const bool is_input = file == files.input;
+  geometry::Reading reading = geometry::read_file(
+      file == "-" ? "/dev/stdin" : file, {.skip_invalid = files.skip_invalid, .format = is_input ? files.format : ""},
+      [&](double fraction) { progress.show(fraction); });
   for (const std::string& warning : reading.warnings) warn(file + ": " + warning);
   return std::move(reading.geometry);
 }

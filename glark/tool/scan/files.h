@@ -14,6 +14,7 @@ namespace glark::tool {
 
 struct Files {
   std::string input;
+  std::string format;  // ".ply"; empty: that of the input's name
   std::string output;
   bool skip_invalid = false;
   bool text = false;

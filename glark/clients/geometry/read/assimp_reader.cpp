@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <assimp/mesh.h>
+#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -126,18 +127,32 @@ class Scene {
   const ReadOptions& options_;
 };
 
+struct Importing {
+  const char* name;
+  const char* hint;  // the ending that Assimp knows
+  unsigned steps;
+};
+
+Importing importing(MeshFormat format, std::span<const char> bytes) {
+  if (format == MeshFormat::stl) return {"STL", "stl", 0};
+  if (format == MeshFormat::obj) return {"OBJ", "obj", 0};
+  if (format == MeshFormat::off) return {"OFF", "off", 0};
+  const bool is_binary = bytes.size() >= 4 && std::string_view(bytes.data(), 4) == "glTF";
+  return {"glTF", is_binary ? "glb" : "gltf", aiProcess_PreTransformVertices};
+}
+
 }  // namespace
 
 Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options) {
   std::vector<char> bytes = whole(input);
   std::string ignored;
   if (format == MeshFormat::stl) ignored = check_stl(input.name(), bytes);
+  const auto [kind, hint, steps] = importing(format, bytes);
   Assimp::Importer importer;
-  const aiScene* scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format == MeshFormat::stl ? "stl" : "obj");
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, hint);
   if (scene == nullptr)
-    throw Error(input.name() + ": is not a valid " + (format == MeshFormat::stl ? "STL" : "OBJ") +
-                " file: " + importer.GetErrorString() + "; check the format or export it again");
+    throw Error(fmt::format("{}: is not a valid {} file: {}; check the format or export it again", input.name(), kind,
+                            importer.GetErrorString()));
   // Assimp could join vertices, too. But it treats vertices that are not finite as equal to all others.
   Reading reading = Scene(input.name(), *scene, options).gather();
   importer.FreeScene();

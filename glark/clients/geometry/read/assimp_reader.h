@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Reads OBJ and STL with Assimp.
+// Reads OBJ, STL, OFF and glTF with Assimp.
 #pragma once
 
 #include "glark/clients/geometry/geometry.h"
@@ -9,9 +9,10 @@
 
 namespace glark::geometry {
 
-enum class MeshFormat { obj, stl };
+enum class MeshFormat { obj, stl, off, gltf };
 
-// Joins equal vertices of triangles. OBJ vertices must agree in all attributes, STL vertices in the position.
+// Joins equal vertices of triangles. STL vertices must agree in the position, others in all attributes. The nodes of
+// glTF are put into their places; only files without further files can be read.
 Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options);
 
 }  // namespace glark::geometry

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Any bytes as a PCD file: points with whole attributes, or an Error.
+#include <cstdlib>
+
+#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/read/pcd_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace glark::geometry;
+  try {
+    Input input = memory_input("fuzz.pcd", {reinterpret_cast<const char*>(data), size});
+    const Geometry geometry = read_pcd(input, {.skip_invalid = size % 2 == 1}).geometry;
+    if (!geometry.triangles.empty()) std::abort();
+    if (!geometry.normals.empty() && geometry.normals.size() != geometry.positions.size()) std::abort();
+    if (!geometry.colours.empty() && geometry.colours.size() != 4 * geometry.point_count()) std::abort();
+  } catch (const Error&) {
+  }
+  return 0;
+}

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Formats that are read and not written: OFF, PCD, glTF with nodes. And --format, which the name of the file yields to.
+#include <array>
+#include <cstring>
+
+#include "tests/geometry/temporary_file.h"
+
+namespace glark::geometry {
+namespace {
+
+using OtherFormats = TemporaryFolder;
+
+constexpr char pcd_head[] =
+    "# .PCD v.7\nVERSION .7\nFIELDS x y z normal_x normal_y normal_z rgba ring\nSIZE 4 4 4 4 4 4 4 2\n"
+    "TYPE F F F F F F U U\nCOUNT 1 1 1 1 1 1 1 2\nWIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\n";
+
+std::string binary_points() {
+  std::string bytes;
+  for (const float x : {1.0F, 4.0F}) {
+    const std::array<float, 6> place{x, 2, 3, 0, 0.6F, 0.8F};
+    const std::uint32_t colour = 0x80ff4020U;
+    const std::array<std::uint16_t, 2> ring{7, 8};
+    bytes.append(reinterpret_cast<const char*>(place.data()), sizeof(place));
+    bytes.append(reinterpret_cast<const char*>(&colour), sizeof(colour));
+    bytes.append(reinterpret_cast<const char*>(ring.data()), sizeof(ring));
+  }
+  return bytes;
+}
+
+TEST_F(OtherFormats, PcdAsTextAndBinaryIsTheSame) {
+  const std::string text =
+      std::string(pcd_head) + "DATA ascii\n1 2 3 0 0.6 0.8 2164211744 7 8\n4 2 3 0 0.6 0.8 2164211744 7 8\n";
+  for (const std::string& contents : {text, pcd_head + ("DATA binary\n" + binary_points())}) {
+    const Reading reading = read_file(made("a.pcd", contents), {});
+    EXPECT_EQ((std::vector<float>{1, 2, 3, 4, 2, 3}), reading.geometry.positions);
+    EXPECT_EQ((std::vector<float>{0, 0.6F, 0.8F, 0, 0.6F, 0.8F}), reading.geometry.normals);
+    EXPECT_EQ((std::vector<std::uint8_t>{255, 64, 32, 128, 255, 64, 32, 128}), reading.geometry.colours);
+    ASSERT_EQ(reading.warnings.size(), 1U);
+    EXPECT_NE(std::string::npos, reading.warnings[0].find("not kept: ring"));
+  }
+}
+
+TEST_F(OtherFormats, ColoursOfPcdMayBeTheBitsOfAFloat) {
+  const std::string head =
+      "FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nDATA ascii\n";
+  const Geometry geometry = read_file(made("a.pcd", head + "1 2 3 4.2108e+06\n"), {}).geometry;  // 0x4a8080e0
+  EXPECT_EQ((std::vector<std::uint8_t>{128, 128, 224, 255}), geometry.colours);
+}
+
+TEST_F(OtherFormats, BadPcdIsExplained) {
+  const std::string fields = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\n";
+  struct Case {
+    std::string contents;
+    const char* said;
+  };
+  const Case cases[] = {
+      {fields, "without a line DATA"},
+      {fields + "DATA ascii\n1.25 2.25 3.25\n4 5", "ends here"},
+      {fields + "DATA ascii\n1 2 3\n4 five 6\n", "point 1 of 2: \"five\""},
+      {fields + "DATA binary\n0123456789", "announces 2 points"},
+      {fields + "DATA binary_compressed\n0123456789", "DATA is binary_compressed"},
+      {fields + "POINTS 99999999999999\nDATA ascii\n1 2 3\n", "announces 99999999999999 points"},
+      {fields + "POINTS many\nDATA ascii\n1 2 3\n", "\"many\" is not a number"},
+      {"FIELDS x y\nSIZE 4 4\nTYPE F F\nWIDTH 1\nDATA ascii\n1 2\n", "there is no field z"},
+      {"FIELDS x y z\nSIZE 4 4\nTYPE F F F\nWIDTH 1\nDATA ascii\n1 2 3\n", "different lengths"},
+      {"FIELDS x y z\nSIZE 8 8 8\nTYPE I I I\nWIDTH 1\nDATA ascii\n1 2 3\n", "type I of 8 bytes"},
+      {"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 5000000\nWIDTH 1\nDATA ascii\n1 2 3\n",
+       "more than 1024 values"},
+      {"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 9999999999\nHEIGHT 9999999999\nDATA ascii\n1 2 3\n", "too large"},
+  };
+  for (const Case& bad : cases) {
+    const std::string problem = problem_with(made("a.pcd", bad.contents));
+    EXPECT_NE(std::string::npos, problem.find(bad.said)) << bad.contents << ": " << problem;
+    EXPECT_NE(std::string::npos, problem.find("a.pcd")) << problem;
+  }
+}
+
+TEST_F(OtherFormats, OffHasPolygons) {
+  const Geometry geometry = read_file(made("a.off",
+                                           "OFF\n# a square and a triangle\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 2\n"
+                                           "4 0 1 2 3\n3 0 1 4\n"),
+                                      {})
+                                .geometry;
+  EXPECT_EQ(geometry.point_count(), 5U);
+  EXPECT_EQ(geometry.triangle_count(), 3U);
+}
+
+// A triangle that a node moves by (10, 0, 0).
+constexpr char gltf[] = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"mesh":0,"translation":[10,0,0]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+
+TEST_F(OtherFormats, NodesOfGltfAreInTheirPlaces) {
+  const Geometry geometry = read_file(made("a.gltf", gltf), {}).geometry;
+  ASSERT_EQ(geometry.triangle_count(), 1U);
+  EXPECT_EQ((std::vector<float>{10, 0, 0, 11, 0, 0, 10, 1, 0}), geometry.positions);
+}
+
+TEST_F(OtherFormats, WhatIsNoMeshIsExplained) {
+  for (const char* name : {"a.off", "a.gltf", "a.glb"}) {
+    const std::string problem = problem_with(made(name, "something else\n1 2 3\n"));
+    EXPECT_NE(std::string::npos, problem.find(name)) << problem;
+    EXPECT_NE(std::string::npos, problem.find("check the format")) << problem;
+  }
+}
+
+TEST_F(OtherFormats, TheWantedFormatCountsMoreThanTheName) {
+  const std::filesystem::path file = made("points.ply", "1 2 3\n4 5 6\n");
+  EXPECT_FALSE(problem_with(file).empty());
+  EXPECT_EQ(2U, read_file(file, {.format = ".xyz"}).geometry.point_count());
+}
+
+}  // namespace
+}  // namespace glark::geometry
