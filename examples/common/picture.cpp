@@ -96,8 +96,8 @@ int write_picture(const Lesson& lesson, const Arguments& arguments) {
     if (!press(lesson, key)) throw std::runtime_error(std::string("there is no key ") + key + "; --help lists them");
   for (int frame = 0; frame < arguments.frames; ++frame) {
     silent() = frame + 1 < arguments.frames;
-    if (frame > 0) glFinish();  // without a window, this ends a frame
     draw_frame(lesson, arguments.width, arguments.height, arguments.seconds);
+    glFinish();  // without a window, this ends a frame
   }
   const std::vector<unsigned char> pixels = read_pixels(framebuffer, arguments.width, arguments.height);
   stbi_flip_vertically_on_write(1);

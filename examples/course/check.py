@@ -143,6 +143,16 @@ class Lesson:
                 problems.append(f"README.md: the snippet {match.group(2)} is not what {match.group(1)} has; --update rewrites it")
         return problems
 
+    def check_names(self) -> list:
+        """The commands that are not run, in blocks without a language, are those of this lesson."""
+        number, problems = self.folder.name[:2], []
+        rules = ((r"\blesson_(\d\d)\b", number), (r"\bcheck\.py (\d\d)\b", number), (r"build/demo/course/(\w+)", self.folder.name))
+        for begin, end, language, _ in blocks_of(self.page):
+            for pattern, wanted in rules if not language else ():
+                problems += [f"README.md: {found} is another lesson" for line in self.page[begin:end]
+                             for found in re.findall(pattern, line) if found != wanted]
+        return problems
+
     def check_exercise(self, number: str) -> list:
         place = self.programs / "mine"
         place.mkdir(exist_ok=True)
@@ -200,7 +210,7 @@ def main() -> int:
     if arguments.update:
         lesson.update()
     problems = (lesson.check_exercise(arguments.exercise) if arguments.exercise
-                else lesson.check_snippets() + lesson.check_commands())
+                else lesson.check_names() + lesson.check_snippets() + lesson.check_commands())
     for problem in problems:
         print(f"{folders[0].name}: {problem}", file=sys.stderr)
     if not problems:

@@ -48,13 +48,18 @@ class Checker(unittest.TestCase):
 
     def problems(self, page=PAGE):
         lesson = self.lesson(page)
-        return lesson.check_snippets() + lesson.check_commands()
+        return lesson.check_names() + lesson.check_snippets() + lesson.check_commands()
 
     def test_accepts_a_lesson_as_its_page_says(self):
         self.assertEqual([], self.problems())
 
     def test_finds_another_snippet(self):
         self.assertIn("snippet", self.problems(PAGE.replace("one();", "two();"))[0])
+
+    def test_finds_a_command_of_another_lesson(self):
+        for line in ("scripts/build demo lesson_02", "examples/course/check.py 02 --exercise 1", "cd build/demo/course/02_b"):
+            self.assertIn("another lesson", self.problems(PAGE + "```\n" + line + "\n```\n")[0])
+        self.assertEqual([], self.problems(PAGE + "```\nscripts/build demo lesson_01\ncd build/demo/course/01_a\n```\n"))
 
     def test_finds_a_missing_snippet(self):
         self.assertIn("snippet", self.problems(PAGE.replace("a.cpp draw", "a.cpp count"))[0])

@@ -53,8 +53,9 @@ class Manual(unittest.TestCase):
 
     def test_drawings_of_patterns(self):
         help_text = subprocess.run([GLARK, "pattern", "--help"], check=True, capture_output=True, text=True).stdout
-        self.assertEqual([], missing({"glark pattern", "--interior", "--output"}, self.page))
-        self.assertLess({"--interior", "--output"}, set(re.findall(r"--[\w-]+", help_text)))
+        options = set(re.findall(r"--[\w-]+", help_text))
+        self.assertGreater(len(options), 2)
+        self.assertEqual([], missing(options | {"glark pattern"}, self.page))
 
     def test_every_option(self):
         options = options_of(self.help)
@@ -73,7 +74,8 @@ class Manual(unittest.TestCase):
 
     def test_option_of_the_page_exist(self):
         options = set(re.findall(r"(?<![\w-])--[a-z][\w-]+", self.page)) - {"--version", "--seconds"}
-        self.assertEqual([], sorted(options - options_of(self.help) - {"--interior", "--output"}))  # of glark pattern
+        drawing = subprocess.run([GLARK, "pattern", "--help"], check=True, capture_output=True, text=True).stdout
+        self.assertEqual([], sorted(options - options_of(self.help) - set(re.findall(r"--[\w-]+", drawing))))
 
     def test_well_formed(self):
         if not shutil.which("man"):

@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""Opens the window of lesson 1 on an X server of its own, and presses keys: check_window.py PROGRAM."""
+import pathlib
+import subprocess
+import sys
+import time
+
+WITH_DISPLAY = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "parts" / "with_display"
+TITLE = "Lesson 1"
+SECONDS = 60
+
+
+def xdotool(*words) -> str:
+    return subprocess.run(["xdotool", *words], capture_output=True, text=True).stdout.strip()
+
+
+def wait_for(what: str, found) -> str:
+    end = time.monotonic() + SECONDS
+    while time.monotonic() < end:
+        if result := found():
+            return result
+        time.sleep(0.1)
+    sys.exit(f"check_window: waited in vain for {what}")
+
+
+def press_keys(program: str) -> int:
+    """Runs on the display."""
+    lesson = subprocess.Popen([program], stdout=subprocess.DEVNULL)
+    try:
+        window = wait_for("a window", lambda: xdotool("search", "--name", TITLE).partition("\n")[0])
+        wait_for("the first frame", lambda: "depth 0: 1 triangles" in xdotool("getwindowname", window))
+        xdotool("windowfocus", "--sync", window)
+        for key, title in (("d", "depth 1: 4 triangles"), ("d", "depth 2: 16 triangles"), ("s", "depth 1: 4 triangles")):
+            xdotool("key", key)
+            wait_for(title, lambda: title in xdotool("getwindowname", window))
+        xdotool("key", "q")
+        return lesson.wait(SECONDS)
+    finally:
+        lesson.kill()
+
+
+if sys.argv[1] == "--here":
+    sys.exit(press_keys(sys.argv[2]))
+sys.exit(subprocess.run([sys.executable, WITH_DISPLAY, "--", sys.executable, __file__, "--here", sys.argv[1]]).returncode)
