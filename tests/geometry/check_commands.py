@@ -289,6 +289,19 @@ class Commands(unittest.TestCase):
         self.assertEqual((2, 0), (topology["components"], topology["non_manifold_edges"]))
         self.assertLess(self.report("info", "a.ply", "--measure", "plates.xyz")["quality"]["rms_percent"], 0.3)
 
+    def test_reconstruct_with_a_number_of_triangles(self):
+        self.needs("reconstruct")
+        whole = self.report("reconstruct", self.sphere, "-o", "a.ply")
+        few = self.report("reconstruct", self.sphere, "-o", "b.ply", "--triangles", "3000", "--measure", self.sphere)
+        self.assertGreater(whole["output"]["triangles"], 3000)
+        self.assertTrue(2800 <= few["output"]["triangles"] <= 3000, few["output"])
+        self.assertGreater(few["simplification_seconds"], 0)
+        self.assertLess(few["quality"]["rms_percent"], 0.2)
+        more = self.report("reconstruct", self.sphere, "-o", "c.ply", "--triangles", "9999999")
+        self.assertEqual(whole["output"], more["output"])
+        self.assertIn("is not a whole number", self.glark("reconstruct", self.sphere, "-o", "d.ply", "--triangles", "0",
+                                                                status=2).stderr)
+
     def test_reconstruct_takes_the_normals_of_triangles(self):
         """The mesh faces outwards, although the topmost point is on a side that faces inwards."""
         self.needs("reconstruct")

@@ -15,6 +15,7 @@
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"
 #include "glark/tool/scan/rgb.h"
+#include "glark/tool/scan/simplified.h"
 #include "glark/tool/scan/validators.h"
 
 namespace glark::tool {
@@ -24,11 +25,13 @@ struct Reconstruct {
   Files files;
   std::string reference;
   reconstruct::ReconstructOptions options;
+  std::size_t most_triangles = 0;  // 0: no limit
 };
 
 struct Seconds {
   double normals = 0;
   double reconstruction = 0;
+  double simplification = 0;
 };
 
 // Returns whether all points have a normal.
@@ -118,6 +121,19 @@ geometry::Geometry mesh_of(reconstruct::Reconstructed result, const std::array<d
   return mesh;
 }
 
+// The mesh with at most command.most_triangles.
+geometry::Geometry limited(geometry::Geometry mesh, const Reconstruct& command, Seconds& seconds) {
+  if (command.most_triangles == 0 || mesh.triangle_count() <= command.most_triangles) return mesh;
+  Progress progress("simplifying");
+  progress.show(-1);
+  geometry::Geometry fewer = simplified(mesh, {.target = command.most_triangles, .threads = command.options.threads});
+  seconds.simplification = progress.seconds();
+  if (!fewer.triangles.empty()) return fewer;
+  throw geometry::Error(command.files.input +
+                        ": so few triangles have no volume, and the result is empty; nothing is written; allow more by "
+                        "--triangles");
+}
+
 void run(const Reconstruct& command) {
   check_output(command.files);
   geometry::Geometry points = load(command.files.input, command.files);
@@ -126,8 +142,10 @@ void run(const Reconstruct& command) {
   reconstruct::Reconstructed result = reconstruct(points, command, seconds);
   require_triangles(result, command.files.input);
   Report numbers = report_of(result);
-  const geometry::Geometry mesh = mesh_of(std::move(result), points.origin);
-  numbers["points_left_out"] = warn_of_left_out(points, mesh, numbers, command.files.input, command.options.least_part);
+  const geometry::Geometry whole = mesh_of(std::move(result), points.origin);
+  numbers["points_left_out"] =
+      warn_of_left_out(points, whole, numbers, command.files.input, command.options.least_part);
+  const geometry::Geometry mesh = limited(whole, command, seconds);
   store(mesh, command.files);
   Report report;
   report["input"] = contents_of(points);
@@ -135,6 +153,7 @@ void run(const Reconstruct& command) {
   report.update(numbers);
   if (seconds.normals > 0) report["normals_seconds"] = seconds.normals;
   report["seconds"] = seconds.reconstruction;
+  if (seconds.simplification > 0) report["simplification_seconds"] = seconds.simplification;
   if (!command.reference.empty()) {
     report["topology"] = topology_report(mesh);
     report["quality"] = quality_report(mesh, command.reference, command.files);
@@ -178,6 +197,10 @@ void add_reconstruct(CLI::App& app) {
       ->add_option("--gap-edges", options.gap_edges,
                    "Close holes with at most so many edges of the coarse mesh, 0 to 1000; default 16")
       ->check(CLI::Range(0, 1000));
+  command
+      ->add_option("--triangles", reconstruction->most_triangles,
+                   "The most triangles of the mesh; more are simplified. Default: no limit")
+      ->transform(whole_above_zero());
   describe_threads(*command, options.threads);
   command->callback([reconstruction] { run(*reconstruction); });
 }

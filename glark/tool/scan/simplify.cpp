@@ -13,6 +13,7 @@
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"
 #include "glark/tool/scan/rgb.h"
+#include "glark/tool/scan/simplified.h"
 #include "glark/tool/scan/validators.h"
 
 namespace glark::tool {
@@ -23,20 +24,6 @@ struct Simplify {
   std::string reference;
   vstree::SimplifyOptions options;
 };
-
-geometry::Geometry simplified(const geometry::Geometry& geometry, const vstree::SimplifyOptions& options) {
-  const std::vector<std::uint8_t> colours = rgb_of(geometry.colours);
-  vstree::Simplified result = vstree::simplify(
-      {{geometry.positions, geometry.normals, colours, geometry.texture_coordinates}, geometry.triangles}, options);
-  geometry::Geometry coarse;
-  coarse.origin = geometry.origin;
-  coarse.positions = std::move(result.positions);
-  coarse.normals = std::move(result.normals);
-  coarse.colours = rgba_of(result.colours);
-  coarse.texture_coordinates = std::move(result.texcoords);
-  coarse.triangles = std::move(result.triangles);
-  return coarse;
-}
 
 // Counts the places where triangles meet with different texture coordinates.
 std::size_t seam_points(const geometry::Geometry& geometry) {
