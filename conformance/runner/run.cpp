@@ -216,7 +216,7 @@ nlohmann::json ask(const std::vector<std::string>& arguments, const RunOptions& 
   if (late) process.kill();
   process.read_output(output);
   const int status = process.wait();
-  const auto message = nlohmann::json::parse(text, nullptr, false);
+  auto message = nlohmann::json::parse(text, nullptr, false);
   if (message.is_discarded()) {
     const std::string why = late ? *late : how_it_ended(status);
     throw std::runtime_error("no answer: " + why + (output.empty() ? "" : '\n' + output));
