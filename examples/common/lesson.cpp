@@ -44,7 +44,8 @@ bool read_arguments(int argc, char** argv, const Lesson& lesson, Arguments& argu
   bool valid = true;
   for (int found = 0; (found = getopt_long(argc, argv, "", options, nullptr)) != -1;) {
     if (found == 'p') arguments.picture = optarg;
-    if (found == 's') valid = valid && std::sscanf(optarg, "%dx%d", &arguments.width, &arguments.height) == 2;
+    char rest = 0;
+    if (found == 's') valid = valid && std::sscanf(optarg, "%dx%d%c", &arguments.width, &arguments.height, &rest) == 2;
     if (found == 'k') arguments.keys = optarg;
     if (found == 't') arguments.seconds = std::atof(optarg);
     if (found == 'f') arguments.frames = std::atoi(optarg);

@@ -1,10 +1,10 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 """Checks a lesson: its page, its commands, its pictures and its exercises.
 
-  examples/course/check.py 01                 checks all that the page of lesson 01 says
   examples/course/check.py 01 --exercise 2    checks your exercise_2
+  examples/course/check.py 01                 for authors: checks all that the page of lesson 01 says
   examples/course/check.py 01 --update        rewrites snippets, printed lines and expected pictures
 
 The page (README.md) is the list of checks:
@@ -14,20 +14,37 @@ The page (README.md) is the list of checks:
 - A command that runs `./exercise_N` is the check of exercise N: solution_N passes it, exercise_N fails it.
 """
 import argparse
+import os
 import pathlib
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+
+try:
+    from PIL import Image, ImageChops
+except ImportError:
+    print("check: the package python3-pil is missing: scripts/install_packages --course", file=sys.stderr)
+    sys.exit(2)
 
 COURSE = pathlib.Path(__file__).resolve().parent
 ROOT = COURSE.parent.parent
 SIZE = "320x240"
 FENCE = "```"
+SNIPPET = r"<!-- snippet: (\S+) (\w+) -->"
 VISIBLE = 40         # of 255: a smaller difference of a pixel does not count
 MOST_VISIBLE = 0.01  # of the pixels: drivers draw the ends of lines and triangles differently
+SECONDS = 120        # for one command
+MOST_PRINTED = 1000000  # bytes: an endless loop may print
+MOST_SHOWN = 20         # printed lines
+
+
+class Unable(Exception):
+    """A part of the lesson cannot be checked. The text says why."""
 
 
 def snippet_of(source: str, name: str) -> list:
@@ -48,13 +65,13 @@ def blocks_of(lines: list) -> list:
 
 
 def commands_of(lines: list) -> list:
-    """[(command, the lines that it prints)] of a console block."""
+    """[(its line in the block, command, the lines that it prints)] of a console block."""
     commands = []
-    for line in lines:
+    for i, line in enumerate(lines):
         if line.startswith("$ "):
-            commands.append((line[2:], []))
+            commands.append((i, line[2:], []))
         elif commands:
-            commands[-1][1].append(line)
+            commands[-1][2].append(line)
     return commands
 
 
@@ -63,10 +80,23 @@ def exercise_of(command: str) -> str:
     return match.group(1) if match else ""
 
 
+def name_of(command: str) -> str:
+    """The lesson's program in a command, or its first word."""
+    match = re.search(r"(?:^| )\./(\S+)", command)
+    return match.group(1) if match else command.split(" ")[0]
+
+
+def picture_of(path: pathlib.Path) -> Image.Image:
+    try:
+        with Image.open(path) as picture:
+            return picture.convert("RGB")
+    except Exception as error:  # PIL raises many kinds for damaged files
+        raise Unable(f"{path.parent.name}/{path.name} is no picture that can be read") from error
+
+
 def visible_difference(one: pathlib.Path, other: pathlib.Path) -> float:
     """The share of pixels that differ visibly. Halved pictures are compared: the steps of slanted lines do not count."""
-    from PIL import Image, ImageChops
-    pictures = [Image.open(path).convert("RGB") for path in (one, other)]
+    pictures = [picture_of(path) for path in (one, other)]
     if pictures[0].size != pictures[1].size:
         return 1.0
     half = [picture.resize((picture.width // 2, picture.height // 2), Image.Resampling.BOX) for picture in pictures]
@@ -80,9 +110,65 @@ def difference_of_files(made: pathlib.Path, expected: pathlib.Path) -> str:
     if not expected.exists():
         return f"{expected.name} is not in expected/; --update adds it"
     if made.suffix == ".png":
-        share = visible_difference(made, expected)
+        try:
+            share = visible_difference(made, expected)
+        except Unable as error:
+            return str(error)
         return f"{100 * share:.1f} % of the pixels differ from {expected.name}" if share > MOST_VISIBLE else ""
     return "" if made.read_bytes() == expected.read_bytes() else f"{expected.name} differs"
+
+
+def shown(lines: list) -> str:
+    more = len(lines) - MOST_SHOWN
+    lines = lines[:MOST_SHOWN] + ([f"... and {more} more lines"] if more > 0 else [])
+    return "\n    ".join(lines or ["nothing"])
+
+
+def outcome_of(words: list, place: pathlib.Path, name: str) -> tuple:
+    """(printed text, exit status) of a command. It and the programs that it starts end after SECONDS at the latest."""
+    late = []
+
+    def end(reason: str) -> None:
+        late.append(reason)
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+
+    try:
+        process = subprocess.Popen(words, cwd=place, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, start_new_session=True)
+    except OSError as error:
+        raise Unable(f"{name} cannot be run: {error.strerror}") from error
+    timer = threading.Timer(SECONDS, end, [f"{name} did not end within {SECONDS} seconds"])
+    timer.start()
+    try:
+        with process:
+            text = process.stdout.read(MOST_PRINTED)
+            if len(text) == MOST_PRINTED:
+                end(f"{name} prints without end")
+    except KeyboardInterrupt:
+        end("")
+        raise
+    finally:
+        timer.cancel()
+    if late:
+        raise Unable(late[0])
+    return text.decode(errors="replace"), process.returncode
+
+
+def crash_of(status: int) -> str:
+    return {number.value: number.name for number in signal.Signals}.get(-status, f"signal {-status}")
+
+
+def shown_path(path: pathlib.Path) -> str:
+    return str(path.relative_to(ROOT) if path.is_relative_to(ROOT) else path)
+
+
+def building(build: pathlib.Path, folder: str) -> str:
+    """The command that builds a lesson into a build folder."""
+    known = build.parent == ROOT / "build" and f'"{build.name}"' in (ROOT / "CMakePresets.json").read_text()
+    return f"scripts/build {build.name if known else 'demo'} lesson_{folder[:2]}"
 
 
 class Lesson:
@@ -92,55 +178,103 @@ class Lesson:
         self.build = build
         self.page = (folder / "README.md").read_text().splitlines()
 
-    def run(self, command: str, place: pathlib.Path) -> tuple:
-        """(printed lines, files in expected/, exit status) of a command."""
-        words = shlex.split(command)
+    def commands(self) -> list:
+        """(command, the lines that it prints, where it stands) of all console blocks."""
+        return [(command, wanted, f"README.md:{begin + 1 + offset}: {command}")
+                for begin, end, language, _ in blocks_of(self.page) if language == "console"
+                for offset, command, wanted in commands_of(self.page[begin:end])]
+
+    def program_of(self, word: str) -> str:
+        """The file of a program. ./NAME is one of the lesson, NAME is one of glark."""
+        path = self.programs / word if word.startswith("./") else self.build / "bin" / word
+        if path.is_file():
+            return str(path)
+        name = path.name
+        if word in ("glark", "./" + name) and (word == "glark" or (self.folder / f"{name}.cpp").is_file()):
+            raise Unable(f"{name} is not built in {shown_path(self.build)}: {building(self.build, self.folder.name)}")
+        raise Unable(f"there is no program {word}")
+
+    def words_of(self, command: str) -> list:
+        try:
+            words = shlex.split(command)
+        except ValueError as error:
+            raise Unable("a quotation mark is missing") from error
+        if not words:
+            raise Unable("there is no command")
         if "--png" in words and "--size" not in words:
             words += ["--size", SIZE]
-        if not words[0].startswith("./"):
-            words[0] = str(self.build / "bin" / words[0])
-        words = [str(self.programs / word) if word.startswith("./") else word for word in words]
+        return [self.program_of(word) if i == 0 or word.startswith("./") else word for i, word in enumerate(words)]
+
+    def run(self, command: str, place: pathlib.Path) -> tuple:
+        """(printed lines, files in expected/, exit status) of a command."""
         shutil.rmtree(place / "expected", ignore_errors=True)
         (place / "expected").mkdir()
-        done = subprocess.run(words, cwd=place, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
-        printed = done.stdout.replace(f"{self.programs}/", "./").splitlines()
-        return printed, sorted((place / "expected").iterdir()), done.returncode
+        text, status = outcome_of(self.words_of(command), place, name_of(command))
+        printed = text.replace(f"{self.programs}/", "./").splitlines()
+        return printed, sorted((place / "expected").iterdir()), status
 
     def problem_of(self, command: str, wanted: list, place: pathlib.Path) -> str:
         """What is wrong with a command, or an empty text."""
         printed, files, status = self.run(command, place)
+        if status < 0:
+            return f"{name_of(command)} crashed: {crash_of(status)}"
         if printed != wanted:
-            return "it prints\n    " + "\n    ".join(printed or ["nothing"]) + "\n  instead of\n    " + "\n    ".join(wanted or ["nothing"])
-        if status < 0 or (status > 0 and not wanted):
+            return f"it prints\n    {shown(printed)}\n  instead of\n    {shown(wanted)}"
+        if status > 0 and not wanted:
             return f"it ends with status {status}"
         missing = set(re.findall(r"expected/(\S+)", command)) - {file.name for file in files}
         if missing and status == 0:
             return f"it does not write {', '.join(sorted(missing))}"
-        return "; ".join(filter(None, (difference_of_files(file, self.folder / "expected" / file.name) for file in files)))
+        differences = [difference_of_files(file, self.folder / "expected" / file.name) for file in files]
+        return "; ".join(filter(None, differences))
+
+    def check_command(self, command: str, wanted: list, place: pathlib.Path) -> list:
+        """What is wrong with a command of the page. An exercise is checked twice, by its solution and as it is."""
+        number = exercise_of(command)
+        solved = command.replace("./exercise_", "./solution_", 1) if number else command
+        name = f"{solved}: " if number else ""
+        try:
+            problem = self.problem_of(solved, wanted, place)
+            problems = [name + problem] if problem else []
+            if number and not self.problem_of(command, wanted, place):
+                yours = f"check.py {self.folder.name[:2]} --exercise {number}"
+                problems.append(f"exercise_{number} passes its check before it is solved "
+                                f"(this is the check for authors; for yours: {yours})")
+            return problems
+        except Unable as error:
+            return [str(error)]
 
     def check_commands(self) -> list:
         problems, made = [], set()
         with tempfile.TemporaryDirectory() as temporary:
-            for begin, end, language, _ in blocks_of(self.page):
-                for command, wanted in commands_of(self.page[begin:end]) if language == "console" else []:
-                    made.update(re.findall(r"expected/(\S+)", command))
-                    number = exercise_of(command)
-                    solved = command.replace("./exercise_", "./solution_", 1) if number else command
-                    problem = self.problem_of(solved, wanted, pathlib.Path(temporary))
-                    problems += [f"{solved}: {problem}"] if problem else []
-                    if number and not self.problem_of(command, wanted, pathlib.Path(temporary)):
-                        problems.append(f"{command}: exercise_{number} passes its check before it is solved")
+            for command, wanted, where in self.commands():
+                made.update(re.findall(r"expected/(\S+)", command))
+                found = self.check_command(command, wanted, pathlib.Path(temporary))
+                problems += [f"{where}: {problem}" for problem in found]
         unused = {file.name for file in (self.folder / "expected").glob("*")} - made
         pictures = re.findall(r"!\[[^\]]*\]\((expected/[^)]+)\)", "\n".join(self.page))
         problems += [f"README.md shows {name}, which is missing" for name in pictures if not (self.folder / name).is_file()]
         return problems + [f"expected/{name}: no command of the page makes it" for name in sorted(unused)]
 
+    def snippet(self, file: str, name: str) -> list:
+        try:
+            lines = snippet_of((self.folder / file).read_text(), name)
+        except (OSError, UnicodeError) as error:
+            raise Unable(f"the snippet {name}: {file} cannot be read") from error
+        if not lines:
+            raise Unable(f"the snippet {name}: {file} has no lines between // [{name}] and // [/{name}]")
+        return lines
+
     def check_snippets(self) -> list:
         problems = []
         for begin, end, _, before in blocks_of(self.page):
-            match = re.match(r"<!-- snippet: (\S+) (\w+) -->", before)
-            if match and snippet_of((self.folder / match.group(1)).read_text(), match.group(2)) != self.page[begin:end]:
-                problems.append(f"README.md: the snippet {match.group(2)} is not what {match.group(1)} has; --update rewrites it")
+            match = re.match(SNIPPET, before)
+            try:
+                if match and self.snippet(*match.groups()) != self.page[begin:end]:
+                    problems.append(f"README.md:{begin}: the snippet {match.group(2)} is not what {match.group(1)} has; "
+                                    "--update rewrites it")
+            except Unable as error:
+                problems.append(f"README.md:{begin - 1}: {error}")
         return problems
 
     def check_names(self) -> list:
@@ -149,72 +283,119 @@ class Lesson:
         rules = ((r"\blesson_(\d\d)\b", number), (r"\bcheck\.py (\d\d)\b", number), (r"build/demo/course/(\w+)", self.folder.name))
         for begin, end, language, _ in blocks_of(self.page):
             for pattern, wanted in rules if not language else ():
-                problems += [f"README.md: {found} is another lesson" for line in self.page[begin:end]
-                             for found in re.findall(pattern, line) if found != wanted]
+                problems += [f"README.md:{i + 1}: {found} is another lesson" for i in range(begin, end)
+                             for found in re.findall(pattern, self.page[i]) if found != wanted]
         return problems
 
+    def newer_than_program(self, name: str) -> str:
+        """A source of a program that was changed after the program was built, or an empty text."""
+        source, program = self.folder / f"{name}.cpp", self.programs / name
+        if not source.is_file() or not program.is_file():
+            return ""
+        text = source.read_text(errors="replace")
+        files = [source] + [header for header in sorted(self.folder.glob("*.h")) if header.name in text]
+        return next((file.name for file in files if file.stat().st_mtime > program.stat().st_mtime), "")
+
     def check_exercise(self, number: str) -> list:
+        """Ends at the first problem, so that its picture is kept."""
+        commands = [found for found in self.commands() if exercise_of(found[0]) == number]
+        if not commands:
+            return [f"the lesson has no exercise {number}"]
+        newer = self.newer_than_program(f"exercise_{number}")
+        if newer:
+            return [f"{newer} is newer than its program: build it again: {building(self.build, self.folder.name)}"]
         place = self.programs / "mine"
         place.mkdir(exist_ok=True)
-        commands = [pair for begin, end, language, _ in blocks_of(self.page) if language == "console"
-                    for pair in commands_of(self.page[begin:end]) if exercise_of(pair[0]) == number]
-        if not commands:
-            return [f"lesson {self.folder.name} has no exercise {number}"]
-        problems = [(command, self.problem_of(command, wanted, place)) for command, wanted in commands]
-        return [f"{command}: {problem}\n  your picture is in {place}/expected" for command, problem in problems if problem]
+        for command, wanted, where in commands:
+            try:
+                problem = self.problem_of(command, wanted, place)
+            except Unable as error:
+                problem = str(error)
+            if problem:
+                made = any((place / "expected").iterdir())
+                return [f"{where}: {problem}" + (f"\n  your picture is in {place}/expected" if made else "")]
+        return []
+
+    def keep(self, file: pathlib.Path) -> None:
+        """Copies a file that a command made into expected/, unless it looks the same."""
+        kept = self.folder / "expected" / file.name
+        kept.parent.mkdir(exist_ok=True)
+        if kept.exists() and not difference_of_files(file, kept):
+            return
+        if file.suffix == ".png":
+            picture_of(file).quantize(256, dither=Image.Dither.NONE).save(kept, optimize=True)
+        else:
+            shutil.copy(file, kept)
+
+    def updated(self, command: str, printed: list) -> list:
+        """The lines that a command prints now. They stay as they are if it cannot be run."""
+        with tempfile.TemporaryDirectory() as temporary:
+            try:
+                printed, files, _ = self.run(command.replace("./exercise_", "./solution_", 1), pathlib.Path(temporary))
+                for file in files:
+                    self.keep(file)
+            except Unable:
+                pass  # the checks afterwards say why
+        return printed
 
     def update(self) -> None:
-        from PIL import Image
         for begin, end, language, before in reversed(blocks_of(self.page)):
-            match = re.match(r"<!-- snippet: (\S+) (\w+) -->", before)
+            match = re.match(SNIPPET, before)
             if match:
-                self.page[begin:end] = snippet_of((self.folder / match.group(1)).read_text(), match.group(2))
-            if language != "console":
-                continue
-            new = []
-            for command, _ in commands_of(self.page[begin:end]):
-                with tempfile.TemporaryDirectory() as temporary:
-                    printed, files, _ = self.run(command.replace("./exercise_", "./solution_", 1), pathlib.Path(temporary))
-                    new += ["$ " + command] + printed
-                    for file in files:
-                        (self.folder / "expected").mkdir(exist_ok=True)
-                        kept = self.folder / "expected" / file.name
-                        if kept.exists() and not difference_of_files(file, kept):
-                            continue
-                        if file.suffix == ".png":
-                            Image.open(file).convert("RGB").quantize(256, dither=Image.Dither.NONE).save(kept, optimize=True)
-                        else:
-                            shutil.copy(file, kept)
-            self.page[begin:end] = new
+                try:
+                    self.page[begin:end] = self.snippet(*match.groups())
+                except Unable:
+                    pass  # the checks afterwards say why
+            if language == "console":
+                self.page[begin:end] = [line for _, command, printed in commands_of(self.page[begin:end])
+                                        for line in ["$ " + command] + self.updated(command, printed)]
         (self.folder / "README.md").write_text("\n".join(self.page) + "\n")
 
 
-def find_build(folder: str) -> pathlib.Path:
-    builds = [path for path in (ROOT / "build").glob("*") if (path / "course" / folder).is_dir()]
-    if not builds:
-        sys.exit(f"check: the lesson is not built; run: scripts/build demo lesson_{folder[:2]}")
-    return max(builds, key=lambda path: (path / "course" / folder).stat().st_mtime)
+def time_built(programs: pathlib.Path) -> float:
+    """When the newest program of a lesson was built; 0 if there is none."""
+    files = [file for file in programs.glob("*") if file.is_file() and os.access(file, os.X_OK)]
+    return max((file.stat().st_mtime for file in files), default=0)
+
+
+def find_build(folder: str, asked: pathlib.Path) -> pathlib.Path:
+    """The build folder that was asked for, or the one below build/ with the newest programs of the lesson."""
+    builds = [asked.resolve()] if asked else sorted((ROOT / "build").glob("*"))
+    found = max(builds, key=lambda build: time_built(build / "course" / folder), default=ROOT / "build" / "demo")
+    if time_built(found / "course" / folder):
+        return found
+    wanted = asked.resolve() if asked else ROOT / "build" / "demo"
+    sys.exit(f"check: lesson {folder[:2]} is not built in {shown_path(wanted)}: {building(wanted, folder)}")
+
+
+def find_lesson(asked: str) -> pathlib.Path:
+    folders = [path for path in sorted(COURSE.iterdir()) if path.is_dir() and re.match(r"\d\d_", path.name)]
+    for path in folders:
+        if asked in (path.name, path.name[:2], str(int(path.name[:2]))):
+            return path
+    sys.exit("\n  ".join([f"check: there is no lesson '{asked}'. The lessons are:"] + [path.name for path in folders]))
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("lesson", help="a folder of the course, or how its name begins")
+    parser.add_argument("lesson", help="the number of a lesson, or its folder's name: 1, 01 or 01_one_triangle")
     parser.add_argument("--exercise", metavar="N", help="check your exercise_N")
     parser.add_argument("--build", type=pathlib.Path, help="the build folder (default: the newest one below build/)")
     parser.add_argument("--update", action="store_true", help="rewrite the page and the expected pictures")
     arguments = parser.parse_args()
-    folders = [path for path in sorted(COURSE.iterdir()) if path.is_dir() and path.name.startswith(arguments.lesson)]
-    if not folders:
-        sys.exit(f"check: there is no lesson {arguments.lesson}")
-    lesson = Lesson(folders[0], (arguments.build or find_build(folders[0].name)).resolve())
-    if arguments.update:
-        lesson.update()
-    problems = (lesson.check_exercise(arguments.exercise) if arguments.exercise
-                else lesson.check_names() + lesson.check_snippets() + lesson.check_commands())
+    folder, exercise = find_lesson(arguments.lesson), arguments.exercise
+    try:
+        lesson = Lesson(folder, find_build(folder.name, arguments.build))
+        if arguments.update:
+            lesson.update()
+        problems = (lesson.check_names() + lesson.check_snippets() + lesson.check_commands() if exercise is None
+                    else lesson.check_exercise(exercise))
+    except (OSError, UnicodeError) as error:
+        problems = [str(error)]
     for problem in problems:
-        print(f"{folders[0].name}: {problem}", file=sys.stderr)
+        print(f"{folder.name}: {problem}", file=sys.stderr)
     if not problems:
-        print(f"exercise {arguments.exercise} is solved" if arguments.exercise else f"{folders[0].name} is as its page says")
+        print(f"{folder.name} is as its page says" if exercise is None else f"exercise {exercise} is solved")
     return 1 if problems else 0
 
 

@@ -49,6 +49,12 @@ TEST_F(OtherFormats, ColoursOfPcdMayBeTheBitsOfAFloat) {
   EXPECT_EQ((std::vector<std::uint8_t>{128, 128, 224, 255}), geometry.colours);
 }
 
+TEST_F(OtherFormats, WhatIsNoColourInPcdIsBlack) {
+  const std::string head = "FIELDS x y z rgb\nSIZE 4 4 4 8\nTYPE F F F F\nWIDTH 3\nHEIGHT 1\nDATA ascii\n";
+  const Geometry geometry = read_file(made("a.pcd", head + "1 2 3 nan\n1 2 3 1e30\n1 2 3 65536\n"), {}).geometry;
+  EXPECT_EQ((std::vector<std::uint8_t>{0, 0, 0, 255, 0, 0, 0, 255, 1, 0, 0, 255}), geometry.colours);
+}
+
 TEST_F(OtherFormats, BadPcdIsExplained) {
   const std::string fields = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\n";
   struct Case {

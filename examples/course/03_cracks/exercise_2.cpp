@@ -58,10 +58,10 @@ void mesh() {
 void ground() {
   glDisable(GL_ARK);
   glBegin(GL_QUADS);
-  glVertex3f(0, -0.01F, -0.995F);
-  glVertex3f(1.193F, -0.01F, 0);
-  glVertex3f(0, -0.01F, 0.995F);
-  glVertex3f(-1.193F, -0.01F, 0);
+  glVertex3f(0, -0.01F, -0.95F);
+  glVertex3f(1.14F, -0.01F, 0);
+  glVertex3f(0, -0.01F, 0.95F);
+  glVertex3f(-1.14F, -0.01F, 0);
   glEnd();
   glEnable(GL_ARK);
 }
@@ -73,7 +73,7 @@ bool draw_inside() {
   glGenQueries(1, &query);
   glCullFace(GL_FRONT);
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(4, 4);
+  glPolygonOffset(16, 64);
   glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
   mesh();
   ground();

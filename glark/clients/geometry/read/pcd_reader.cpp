@@ -129,10 +129,12 @@ class HeaderReader {
   std::map<std::string, std::vector<std::string>> lines_;
 };
 
-// A packed colour, 0xAARRGGBB. A float has it as its bits.
+// A packed colour, 0xAARRGGBB. A float has it as its bits. A number that is no colour is black.
 std::array<float, 4> unpacked(double value, Type type, bool has_alpha) {
+  const bool is_colour = value >= -2147483648.0 && value <= 4294967295.0;
+  const std::int64_t whole = is_colour ? static_cast<std::int64_t>(value) : 0;
   const auto bits = type == Type::float32 ? std::bit_cast<std::uint32_t>(static_cast<float>(value))
-                                          : static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
+                                          : static_cast<std::uint32_t>(whole);
   const auto byte = [bits](unsigned shift) { return static_cast<float>((bits >> shift) & 0xffU); };
   return {byte(16), byte(8), byte(0), has_alpha ? byte(24) : opaque};
 }
