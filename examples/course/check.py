@@ -379,7 +379,7 @@ def find_lesson(asked: str) -> pathlib.Path:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("lesson", help="the number of a lesson, or its folder's name: 1, 01 or 01_one_triangle")
-    parser.add_argument("--exercise", metavar="N", help="check your exercise_N")
+    parser.add_argument("--exercise", metavar="N", choices=list("123456789"), help="check your exercise_N")
     parser.add_argument("--build", type=pathlib.Path, help="the build folder (default: the newest one below build/)")
     parser.add_argument("--update", action="store_true", help="rewrite the page and the expected pictures")
     arguments = parser.parse_args()

@@ -215,7 +215,8 @@ class Arguments(unittest.TestCase):
         for name in ("01_one", "07_seven", "10_ten", "__pycache__"):
             (self.root / name).mkdir()
         (self.root / "CMakePresets.json").write_text('{"name": "debug"}')
-        for patch in (unittest.mock.patch.object(check, "COURSE", self.root), unittest.mock.patch.object(check, "ROOT", self.root)):
+        for name in ("COURSE", "ROOT"):
+            patch = unittest.mock.patch.object(check, name, self.root)
             patch.start()
             self.addCleanup(patch.stop)
 
@@ -239,6 +240,11 @@ class Arguments(unittest.TestCase):
         self.assertEqual("10_ten", check.find_lesson("10").name)
         for name in ("", "0", "00", "001", "01_", "one", "__pycache__"):
             self.assertIn("The lessons are:\n  01_one\n  07_seven\n  10_ten", self.message(name))
+
+    def test_an_exercise_has_a_number(self):
+        for number in ("", "0", "one"):
+            with unittest.mock.patch("sys.stderr"):
+                self.assertEqual("2", self.message("7", "--exercise", number))
 
     def test_says_that_a_lesson_is_not_built(self):
         demo = "check: lesson 07 is not built in build/demo: scripts/build demo lesson_07"
