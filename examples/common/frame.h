@@ -29,7 +29,7 @@ bool& silent();
 // Clears the buffer, sets the viewport and draws.
 void draw_frame(const Lesson& lesson, int width, int height, double seconds);
 
-// False if no key has this name.
+// Returns false if the lesson has no such key.
 bool press(const Lesson& lesson, char key);
 
 // Both return the exit status.

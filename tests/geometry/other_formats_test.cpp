@@ -106,6 +106,30 @@ TEST_F(OtherFormats, NodesOfGltfAreInTheirPlaces) {
   EXPECT_EQ((std::vector<float>{10, 0, 0, 11, 0, 0, 10, 1, 0}), geometry.positions);
 }
 
+TEST_F(OtherFormats, GltfMayNameAnotherFile) {
+  const std::string inside = "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+  std::string text = gltf;
+  text.replace(text.find(inside), inside.size(), "points.bin");
+  const std::array<float, 9> points{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::filesystem::path file = made("a.gltf", text);
+  EXPECT_NE(std::string::npos, problem_with(file).find("points.bin"));
+  made("points.bin", {reinterpret_cast<const char*>(points.data()), sizeof(points)});
+  EXPECT_EQ((std::vector<float>{10, 0, 0, 11, 0, 0, 10, 1, 0}), read_file(file, {}).geometry.positions);
+}
+
+TEST_F(OtherFormats, OffWithTooManyPointsOrFacesIsExplained) {
+  for (const char* head : {"OFF\n353535235358 1 0\n", "OFF 3 77777777777 0\n", "COFF\n# a\n\n3\n99999999 0\n"}) {
+    const std::string problem = problem_with(made("a.off", head + std::string("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")));
+    EXPECT_NE(std::string::npos, problem.find("for which the file is too short")) << head << problem;
+  }
+}
+
+TEST_F(OtherFormats, PcdMayEndInZeros) {
+  const std::string bytes = pcd_head + ("DATA binary\n" + binary_points());
+  EXPECT_EQ(1U, read_file(made("a.pcd", bytes + std::string(4000, '\0')), {}).warnings.size());
+  EXPECT_EQ(2U, read_file(made("b.pcd", bytes + std::string(4000, '\0') + "x"), {}).warnings.size());
+}
+
 TEST_F(OtherFormats, WhatIsNoMeshIsExplained) {
   for (const char* name : {"a.off", "a.gltf", "a.glb"}) {
     const std::string problem = problem_with(made(name, "something else\n1 2 3\n"));

@@ -121,7 +121,7 @@ geometry::Geometry mesh_of(reconstruct::Reconstructed result, const std::array<d
   return mesh;
 }
 
-// The mesh with at most command.most_triangles.
+// Simplifies the mesh if it has more triangles than the command allows.
 geometry::Geometry limited(geometry::Geometry mesh, const Reconstruct& command, Seconds& seconds) {
   if (command.most_triangles == 0 || mesh.triangle_count() <= command.most_triangles) return mesh;
   Progress progress("simplifying");
@@ -142,10 +142,10 @@ void run(const Reconstruct& command) {
   reconstruct::Reconstructed result = reconstruct(points, command, seconds);
   require_triangles(result, command.files.input);
   Report numbers = report_of(result);
-  const geometry::Geometry whole = mesh_of(std::move(result), points.origin);
+  geometry::Geometry whole = mesh_of(std::move(result), points.origin);
   numbers["points_left_out"] =
       warn_of_left_out(points, whole, numbers, command.files.input, command.options.least_part);
-  const geometry::Geometry mesh = limited(whole, command, seconds);
+  const geometry::Geometry mesh = limited(std::move(whole), command, seconds);
   store(mesh, command.files);
   Report report;
   report["input"] = contents_of(points);

@@ -12,7 +12,10 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <sstream>
 #include <string_view>
 
 #include "glark/clients/geometry/measure/topology.h"
@@ -127,6 +130,33 @@ class Scene {
   const ReadOptions& options_;
 };
 
+// Throws if an OFF file announces more than it has room for. Assimp makes room for all of it first.
+void check_off(const std::string& name, std::span<const char> bytes) {
+  constexpr double least_vertex = 6;  // bytes: "0 0 0" and its end
+  constexpr double least_face = 2;    // bytes: "0" and its end
+  Input input = memory_input(name, bytes);
+  std::vector<double> counts;
+  std::string_view line;
+  while (counts.size() < 2 && input.line(line)) {
+    std::istringstream words{std::string(line.substr(0, line.find('#')))};
+    std::string word;
+    while (words >> word)
+      if (word.find("OFF") == std::string::npos) counts.push_back(std::strtod(word.c_str(), nullptr));
+  }
+  const auto size = static_cast<double>(bytes.size());
+  if (counts.size() < 2 || (counts[0] * least_vertex <= size + 1 && counts[1] * least_face <= size + 1)) return;
+  throw Error(fmt::format(
+      "{}: OFF header: it announces {} points and {} faces, for which the file is too short; it is cut off or "
+      "its header wrong, get it again",
+      name, counts[0], counts[1]));
+}
+
+// Returns whether Assimp can open the file itself, and with it the files that it names.
+bool is_plain_gltf(const std::string& name, std::span<const char> bytes) {
+  std::error_code error;
+  return !bytes.empty() && bytes[0] == '{' && std::filesystem::is_regular_file(name, error);
+}
+
 struct Importing {
   const char* name;
   const char* hint;  // the ending that Assimp knows
@@ -148,8 +178,11 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   std::string ignored;
   if (format == MeshFormat::stl) ignored = check_stl(input.name(), bytes);
   const auto [kind, hint, steps] = importing(format, bytes);
+  if (format == MeshFormat::off) check_off(input.name(), bytes);
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, hint);
+  const aiScene* scene = format == MeshFormat::gltf && is_plain_gltf(input.name(), bytes)
+                             ? importer.ReadFile(input.name(), steps)
+                             : importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, hint);
   if (scene == nullptr)
     throw Error(fmt::format("{}: is not a valid {} file: {}; check the format or export it again", input.name(), kind,
                             importer.GetErrorString()));

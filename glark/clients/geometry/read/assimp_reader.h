@@ -12,7 +12,7 @@ namespace glark::geometry {
 enum class MeshFormat { obj, stl, off, gltf };
 
 // Joins equal vertices of triangles. STL vertices must agree in the position, others in all attributes. The nodes of
-// glTF are put into their places; only files without further files can be read.
+// glTF are put into their places. A file that is compressed or piped must not name further files.
 Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options);
 
 }  // namespace glark::geometry

@@ -197,6 +197,15 @@ class Points {
   Attributes attributes_;
 };
 
+// Returns whether more than blanks or zeros is left. The Point Cloud Library fills binary files up with zeros.
+bool has_more(Input& input, Encoding encoding) {
+  if (encoding == Encoding::text) return !input.word().empty();
+  constexpr std::size_t block_size = std::size_t{1} << 16;
+  for (std::span<const char> block = input.take(block_size); !block.empty(); block = input.take(block_size))
+    if (std::any_of(block.begin(), block.end(), [](char byte) { return byte != 0; })) return true;
+  return false;
+}
+
 }  // namespace
 
 Reading read_pcd(Input& input, const ReadOptions& options) {
@@ -219,7 +228,7 @@ Reading read_pcd(Input& input, const ReadOptions& options) {
     values.record(row);
     points.add(row, builder);
   }
-  if (header.encoding == Encoding::text ? !input.word().empty() : !input.take(1).empty())
+  if (has_more(input, header.encoding))
     builder.warn("something follows the last point; the header may announce too little");
   return builder.finish();
 }
