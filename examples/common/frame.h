@@ -31,6 +31,8 @@ void draw_frame(const Lesson& lesson, int width, int height, double seconds);
 
 // Returns false if the lesson has no such key.
 bool press(const Lesson& lesson, char key);
+// Presses the keys of --press, one after the other; a key that the lesson does not have is a std::runtime_error.
+void press_all(const Lesson& lesson, const std::string& keys);
 
 // Both return the exit status.
 int show_window(const Lesson& lesson, const Arguments& arguments);

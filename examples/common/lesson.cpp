@@ -8,6 +8,7 @@
 #include <getopt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -42,13 +43,13 @@ bool read_arguments(int argc, char** argv, const Lesson& lesson, Arguments& argu
                                    {"help", no_argument, nullptr, 'h'},
                                    {nullptr, 0, nullptr, 0}};
   bool valid = true;
-  for (int found = 0; (found = getopt_long(argc, argv, "", options, nullptr)) != -1;) {
+  for (int found = 0; (found = getopt_long(argc, argv, "h", options, nullptr)) != -1;) {
     if (found == 'p') arguments.picture = optarg;
     char rest = 0;
     if (found == 's') valid = valid && std::sscanf(optarg, "%dx%d%c", &arguments.width, &arguments.height, &rest) == 2;
     if (found == 'k') arguments.keys = optarg;
-    if (found == 't') arguments.seconds = std::atof(optarg);
-    if (found == 'f') arguments.frames = std::atoi(optarg);
+    if (found == 't') valid = valid && std::sscanf(optarg, "%lf%c", &arguments.seconds, &rest) == 1;
+    if (found == 'f') valid = valid && std::sscanf(optarg, "%d%c", &arguments.frames, &rest) == 1;
     if (found == 'h') print_help(argv[0], lesson);
     if (found == 'h' || found == '?') {
       status = found == 'h' ? 0 : 2;
@@ -56,7 +57,8 @@ bool read_arguments(int argc, char** argv, const Lesson& lesson, Arguments& argu
     }
   }
   if (optind + 1 == argc && arguments.picture.empty()) arguments.picture = argv[optind++];
-  valid = valid && optind == argc && arguments.width > 0 && arguments.height > 0 && arguments.frames > 0;
+  valid = valid && std::isfinite(arguments.seconds) && optind == argc && arguments.width > 0 && arguments.height > 0 &&
+          arguments.frames > 0;
   if (!valid) std::fprintf(stderr, "%s: wrong arguments; --help shows the right ones\n", argv[0]);
   status = valid ? 0 : 2;
   return valid;
@@ -87,6 +89,11 @@ bool press(const Lesson& lesson, char name) {
   const auto key = std::find_if(lesson.keys.begin(), lesson.keys.end(), [&](const Key& k) { return k.key == name; });
   if (key != lesson.keys.end()) key->press();
   return key != lesson.keys.end();
+}
+
+void press_all(const Lesson& lesson, const std::string& names) {
+  for (const char name : names)
+    if (!press(lesson, name)) throw std::runtime_error(std::string("there is no key ") + name + "; --help lists them");
 }
 
 void say(const char* format, ...) {

@@ -92,8 +92,7 @@ int write_picture(const Lesson& lesson, const Arguments& arguments) {
   const Context context(lesson.api);
   const GLuint framebuffer = bind_framebuffer(arguments.width, arguments.height, 4);
   if (lesson.begin) lesson.begin();
-  for (const char key : arguments.keys)
-    if (!press(lesson, key)) throw std::runtime_error(std::string("there is no key ") + key + "; --help lists them");
+  press_all(lesson, arguments.keys);
   for (int frame = 0; frame < arguments.frames; ++frame) {
     silent() = frame + 1 < arguments.frames;
     draw_frame(lesson, arguments.width, arguments.height, arguments.seconds);

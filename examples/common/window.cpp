@@ -85,7 +85,7 @@ int show_window(const Lesson& lesson, const Arguments& arguments) {
   glfwMakeContextCurrent(window);
   glfwSwapInterval(1);
   if (lesson.begin) lesson.begin();
-  for (const char key : arguments.keys) press(lesson, key);
+  press_all(lesson, arguments.keys);
   print_keys(lesson);
   loop(lesson);
   glfwDestroyWindow(window);

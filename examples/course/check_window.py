@@ -26,6 +26,9 @@ def wait_for(what: str, found) -> str:
 
 def press_keys(program: str) -> int:
     """Runs on the display."""
+    refused = subprocess.run([program, "--press", "~"], capture_output=True, text=True, timeout=SECONDS)
+    if refused.returncode != 1 or "there is no key ~" not in refused.stderr:
+        sys.exit(f"check_window: a key that the lesson does not have is not told: {refused.stderr}")
     lesson = subprocess.Popen([program], stdout=subprocess.DEVNULL)
     try:
         window = wait_for("a window", lambda: xdotool("search", "--name", TITLE).partition("\n")[0])

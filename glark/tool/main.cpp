@@ -86,8 +86,10 @@ std::string with_nearest_option(const std::string& problem, const std::vector<st
   return problem;
 }
 
-int complain(const std::string& problem) {
-  std::fprintf(stderr, "glark: %s; glark --help lists the commands, glark run --help the options\n", problem.c_str());
+// `words` are the arguments of glark; the first one may be a command.
+int complain(const std::string& problem, const std::vector<std::string>& words) {
+  const std::string command = !words.empty() && words.front() == "pattern" ? "pattern" : "run";
+  fmt::print(stderr, "glark: {}; glark --help lists the commands, glark {} --help the options\n", problem, command);
   return exit_usage;
 }
 
@@ -157,14 +159,15 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& wanted) {  // --help, --version
     return commands.app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return complain(with_nearest_option(error.what(), words));
+    return complain(with_nearest_option(error.what(), words), words);
   }
   if (commands.info->parsed()) return glark::tool::info();
   if (commands.pattern->parsed()) return glark::tool::draw_pattern(commands.drawing);
   if (commands.settings->parsed()) return print_settings(commands.page);
-  if (!commands.run->parsed() && !commands.doctor->parsed()) return complain("no command is given");
+  if (!commands.run->parsed() && !commands.doctor->parsed()) return complain("no command is given", words);
   if (program.empty())
-    return complain(fmt::format("no program to run is given; write: glark {} [OPTIONS] PROGRAM [ARGUMENTS]", words[0]));
+    return complain(fmt::format("no program to run is given; write: glark {} [OPTIONS] PROGRAM [ARGUMENTS]", words[0]),
+                    words);
   if (commands.doctor->parsed()) return glark::tool::doctor(commands.options, program, commands.seconds);
   return glark::tool::run(commands.options, program);
 }

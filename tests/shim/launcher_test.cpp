@@ -65,6 +65,8 @@ TEST(Launcher, AnUnknownOptionIs2) { expect_refused("run --depth 3 true", 2, "--
 TEST(Launcher, AnUnknownOptionIsToldWithTheNearest) {
   expect_refused("run --levle 3 true", 2, "there is no option --levle; is --level meant?");
 }
+TEST(Launcher, AWrongPatternNamesItsHelp) { expect_refused("pattern abc", 2, "glark pattern --help"); }
+TEST(Launcher, APatternIsSvg) { expect_refused("pattern 1 2 3 -o drawing.png", 2, "name it FILE.svg"); }
 TEST(Launcher, AnUnknownCommandIs2) { expect_refused("walk", 2, "walk"); }
 TEST(Launcher, NoCommandIs2) { expect_refused("", 2, "glark --help"); }
 TEST(Launcher, NoProgramIs2) { expect_refused("run --level 2", 2, "no program"); }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -19,6 +20,13 @@ constexpr int deepest_drawing = 7;  // 16384 triangles; the eye sees no more
 const std::map<std::string, pattern::Interior> interiors = {{"minimum", pattern::Interior::parts},
                                                             {"smooth", pattern::Interior::smooth},
                                                             {"morphing", pattern::Interior::morphing}};
+
+// Returns what is wrong with the name of the drawing, or an empty text.
+std::string is_svg(const std::string& file) {
+  const std::string ending = std::filesystem::path(file).extension();
+  if (ending.empty() || ending == ".svg" || ending == ".SVG") return {};
+  return fmt::format("the drawing is SVG, but {} ends in {}; name it FILE.svg", file, ending);
+}
 
 }  // namespace
 
@@ -39,6 +47,7 @@ void describe_pattern(CLI::App& command, PatternOptions& options) {
   command
       .add_option("-o,--output", options.file,
                   "Write the drawing to FILE and print its number of triangles (default: standard output)")
+      ->check(is_svg)
       ->type_name("FILE");
 }
 
