@@ -114,7 +114,7 @@ def difference_of_files(made: pathlib.Path, expected: pathlib.Path) -> str:
             share = visible_difference(made, expected)
         except Unable as error:
             return str(error)
-        return f"{100 * share:.1f} % of the pixels differ from {expected.name}" if share > MOST_VISIBLE else ""
+        return f"{100 * share:.1f} % of the pixels of {shown_path(made)} differ from {shown_path(expected)}" if share > MOST_VISIBLE else ""
     return "" if made.read_bytes() == expected.read_bytes() else f"{expected.name} differs"
 
 
@@ -185,12 +185,12 @@ class Lesson:
                 for offset, command, wanted in commands_of(self.page[begin:end])]
 
     def program_of(self, word: str) -> str:
-        """The file of a program. ./NAME is one of the lesson, NAME is one of glark."""
-        path = self.programs / word if word.startswith("./") else self.build / "bin" / word
+        """The file of a program of the lesson (./NAME), of glark (../../bin/glark), or of the system."""
+        path = self.programs / word if word.startswith(("./", "../")) else self.build / "bin" / word
         if path.is_file():
             return str(path)
         name = path.name
-        if word in ("glark", "./" + name) and (word == "glark" or (self.folder / f"{name}.cpp").is_file()):
+        if word == "../../bin/glark" or word == f"./{name}" and (self.folder / f"{name}.cpp").is_file():
             raise Unable(f"{name} is not built in {shown_path(self.build)}: {building(self.build, self.folder.name)}")
         raise Unable(f"there is no program {word}")
 

@@ -106,7 +106,7 @@ class Checker(unittest.TestCase):
     def test_an_exercise_may_run_under_another_program(self):
         (self.build / "bin").mkdir()
         (self.build / "bin" / "glark").symlink_to("/usr/bin/env")
-        self.assertEqual([], self.problems(PAGE.replace("./exercise_1", "glark ./exercise_1")))
+        self.assertEqual([], self.problems(PAGE.replace("./exercise_1", "../../bin/glark ./exercise_1")))
 
     def test_checks_an_exercise(self):
         self.assertIn("not yet", self.lesson().check_exercise("1")[0])
@@ -160,7 +160,7 @@ class Checker(unittest.TestCase):
         (self.folder / "b.cpp").write_text("")
         for command, text in (('./a "b', "a quotation mark is missing"), ("", "there is no command"),
                               ("rm b", "there is no program rm"), ("./c", "there is no program ./c"),
-                              ("./b", "scripts/build demo lesson_01"), ("glark info", "scripts/build demo lesson_01")):
+                              ("./b", "scripts/build demo lesson_01"), ("../../bin/glark info", "scripts/build demo lesson_01")):
             problem = self.problems(PAGE + f"```console\n$ {command}\n```\n")[0]
             self.assertIn(f"README.md:12: {command}: ", problem)
             self.assertIn(text, problem)

@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr unsigned tags[3] = {4, 0, 6};
+constexpr unsigned tags[3] = {5, 0, 6};
 
 void begin() {
   glARKinit(6);

@@ -39,8 +39,8 @@ void draw(double) {
 int main(int argc, char** argv) {
   return lesson::run(argc, argv,
                      {.title = "Lesson 3, cracks",
-                      .keys = {{'l', "the next tag of the left side", [] { left = (left + 1) % 7; }},
-                               {'r', "the next tag of the right side", [] { right = (right + 1) % 7; }}},
+                      .keys = {{'l', "the next tag of the left side", [] { left = (left + 1) % 5; }},
+                               {'r', "the next tag of the right side", [] { right = (right + 1) % 5; }}},
                       .begin = hill::begin,
                       .draw = draw});
 }

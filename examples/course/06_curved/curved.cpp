@@ -108,6 +108,8 @@ void draw(double) {
   const auto mesh = [] { draw_mesh(column ? column_mesh() : octahedron()); };
   if (wireframe) lesson::draw_with_edges(mesh);
   if (!wireframe) mesh();
+  const char* const form = shape == GL_CURVED_PN_ARK ? "PN" : shape == GL_PHONG_ARK ? "Phong" : "linear";
+  lesson::say("%s, depth %u, sharp from %g degrees on%s", form, depth, crease_degrees, weld ? ", welded" : "");
 }
 // [/draw]
 
@@ -132,7 +134,7 @@ int main(int argc, char** argv) {
                 {'s', "one level shallower", [] { depth -= depth > 0 ? 1 : 0; }},
                 {'f', "next shape: linear, Phong, PN", next_shape},
                 {'m', "octahedron or column", [] { column = !column; }},
-                {'a', "creases above 0, 60 or 180 degrees",
+                {'a', "sharp from 0, 60 or 180 degrees on",
                  [] { crease_degrees = crease_degrees == 0    ? 60.0F
                                        : crease_degrees == 60 ? 180.0F
                                                               : 0; }},

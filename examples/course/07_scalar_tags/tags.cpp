@@ -115,6 +115,7 @@ void draw(double) {
   if (wireframe) lesson::draw_with_edges([&] { draw_tagged(tagged); });
   if (!wireframe) draw_tagged(tagged);
   draw_sliders();
+  lesson::say("sharpness %g, tension %g, bias %g", sliders.sharpness, sliders.tension, sliders.bias);
 }
 // [/draw]
 

@@ -117,6 +117,7 @@ void draw(double) {
   glColor3f(0.45F, 0.65F, 0.8F);
   if (wireframe) lesson::draw_with_edges(draw_sheet);
   if (!wireframe) draw_sheet();
+  lesson::say("%s, depth %u", chosen == 0 ? "a height map" : "a refinement shader", depth);
 }
 // [/draw]
 

@@ -107,6 +107,9 @@ std::string reason_of(const Parameter* parameter, GLenum name, Value value, cons
     const Bounds bounds = parameter->bounds(limits);
     needed = fmt::format("{}an integer from {} to {}", bounds.or_minus_one ? "-1 or " : "", bounds.least, bounds.most);
   }
+  if (std::is_floating_point_v<Value> && parameter->kind != Parameter::Kind::number) {
+    needed += ", by glARKParameteriARK,";
+  }
   return fmt::format("GL_{} cannot be {}; {} is needed", parameter->text, value, needed);
 }
 

@@ -58,6 +58,10 @@ TEST_F(Messages, AnErrorNamesFunctionValueAndRemedy) {
       last(),
       "glARKParameteriARK: GL_INVALID_VALUE: GL_UNIFORM_DEPTH_LEVEL_ARK cannot be 7; an integer from 0 to 2 is needed");
   EXPECT_EQ(messages().size(), 3u);
+  glARKParameterfARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 1);
+  EXPECT_EQ(last(),
+            "glARKParameterfARK: GL_INVALID_ENUM: GL_UNIFORM_DEPTH_LEVEL_ARK cannot be 1; an integer from 0 to 2, by "
+            "glARKParameteriARK, is needed");
   glGetError();
 }
 
