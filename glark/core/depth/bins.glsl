@@ -15,7 +15,6 @@ const int scanners = 32;
 layout(local_size_x = 64) in;
 #endif
 
-layout(std430, binding = 0) readonly buffer Records { uint records[]; };
 // Sorted by piece: the corners of instance_capacity coarse triangles (3 words each), then as many patches (4 words
 // each).
 layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
@@ -37,7 +36,6 @@ const int cursors = counts + piece_count;
 const int pieces = cursors + piece_count;
 const int commands = pieces + 4 * piece_count;
 
-uniform int record_offset;     // in words
 uniform int corner_words;
 uniform int tag_offset;        // in a corner; < 0: every tag is uniform_tag
 uniform int uniform_tag;
@@ -109,6 +107,7 @@ void main() {
 
 #else
 
+#include "glark/core/depth/texels.glsl"
 #include "glark/core/depth/edge_steps.glsl"
 
 const int interior = GLARK_INTERIOR;
@@ -121,7 +120,7 @@ int tag_of(int corner) {
   if (tag_offset < 0) {
     return uniform_tag * depth_steps;
   }
-  return steps_of(uintBitsToFloat(records[record_offset + (3 * triangle + corner) * corner_words + tag_offset]));
+  return steps_of(uintBitsToFloat(record_at(record_offset + (3 * triangle + corner) * corner_words + tag_offset)));
 }
 
 void emit_instance(int piece, float ou, float ov, float s, float r) {
@@ -156,7 +155,7 @@ void main() {
     return;
   }
   if (packed_bits > 0) {
-    uint word = records[record_offset + triangle];
+    uint word = record_at(record_offset + triangle);
     uint mask = (1u << packed_bits) - 1u;
     edge_steps = ivec3(word & mask, (word >> packed_bits) & mask, (word >> (2 * packed_bits)) & mask);
 #if GLARK_PASS == 0
