@@ -75,5 +75,12 @@ TEST_F(DerivedKeys, WhatTheDrawAsksForIsInTheKey) {
   EXPECT_FALSE(key().tagged || key().placed || key().morphing);
 }
 
+TEST(Batches, TakeManyTrianglesAtShallowUniformLevels) {
+  EXPECT_TRUE(draws_batches({.level = 2}, 16));
+  EXPECT_FALSE(draws_batches({.level = 2}, 15));
+  EXPECT_FALSE(draws_batches({.level = 3}, 16));
+  EXPECT_FALSE(draws_batches({.adaptive = true, .level = 2}, 16));
+}
+
 }  // namespace
 }  // namespace glark::core
