@@ -24,7 +24,7 @@ constexpr std::int64_t deep_reserve_bytes = std::int64_t{32} << 20;
 
 constexpr const char* uniform_names[] = {"record_offset",        "corner_words", "tag_offset", "uniform_tag",
                                          "triangle_bound",       "count_on_gpu", "pool_level", "instance_capacity",
-                                         "tags_are_edge_depths", "counted"};
+                                         "tags_are_edge_depths", "counted",      "parts"};
 
 }  // namespace
 
@@ -126,7 +126,8 @@ void BinStage::set_uniforms(const core::ComputePass& pass, const BinRequest& req
                           static_cast<GLint>(request.pool_level),
                           static_cast<GLint>(capacity_),
                           request.tags_are_edge_depths ? 1 : 0,
-                          request.counted ? 1 : 0};
+                          request.counted ? 1 : 0,
+                          Reorder::parts(*request.layout)};
   pass.set_integers(gl_, values);
 }
 

@@ -15,8 +15,8 @@ const int scanners = 32;
 layout(local_size_x = 64) in;
 #endif
 
-// Sorted by piece: the corners of instance_capacity coarse triangles (3 words each), then as many patches (4 words
-// each).
+// Sorted by piece: the parts (Reorder::parts) of instance_capacity coarse triangles (room for 3 words each), then as many
+// patches (4 words each).
 layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
 // Words (uint):
 //   0, 1     number of refined triangles, low and high word
@@ -45,6 +45,7 @@ uniform int pool_level;
 uniform int tags_are_edge_depths;  // corner k holds the depth of edge k
 uniform int instance_capacity;
 uniform int counted;  // the triangles count for the budget
+uniform int parts;    // of a record, which are moved one by one: 1 or 3
 
 #if GLARK_PASS == 1
 
@@ -99,7 +100,12 @@ void main() {
   atomicAdd(triangles_high, overflows + (low + triangles < low ? 1u : 0u));
   barrier();
   if (self == 0) {
-    work[all_instances] = 3u * min(all, capacity);
+    all = min(all, capacity);
+    uint moved = uint(parts) * all;
+    work[all_instances] = (moved + 2u) / 3u * 3u;  // the feedback takes vertices in threes
+    for (uint i = moved; i < work[all_instances]; ++i) {
+      instances[i] = 0u;
+    }
     work[all_instances + 1] = 1u;
     add_triangles();
   }
@@ -131,8 +137,8 @@ void emit_instance(int piece, float ou, float ov, float s, float r) {
   if (slot >= instance_capacity) {
     return;
   }
-  for (int corner = 0; corner < 3; ++corner) {
-    instances[3 * slot + corner] = uint(3 * triangle + corner);
+  for (int part = 0; part < parts; ++part) {
+    instances[parts * slot + part] = uint(parts * triangle + part);
   }
   int to = 3 * instance_capacity + 4 * slot;
   uvec4 words = floatBitsToUint(placement_of(vec4(ou, ov, s, r), edge_steps));
