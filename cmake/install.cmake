@@ -25,12 +25,14 @@ install(FILES ${GLARK_WRITTEN_FOLDER}/glarkConfig.cmake ${GLARK_WRITTEN_FOLDER}/
   DESTINATION ${GLARK_PACKAGE_FOLDER})
 
 # Writes and installs NAME.pc. LIBS are the linker's flags. REQUIRES are the names of other .pc files that a program needs, too;
-# PRIVATE are those that it needs only with `pkg-config --static`.
+# PRIVATE are those that it needs only with `pkg-config --static`. PRIVATE_LIBRARIES are libraries without a .pc file that it needs then.
 function(glark_install_pkg_config name)
-  cmake_parse_arguments(PACKAGE "" "DESCRIPTION;LIBS" "REQUIRES;PRIVATE" ${ARGN})
+  cmake_parse_arguments(PACKAGE "" "DESCRIPTION;LIBS" "REQUIRES;PRIVATE;PRIVATE_LIBRARIES" ${ARGN})
   set(PACKAGE_NAME ${name})
   list(JOIN PACKAGE_REQUIRES ", " PACKAGE_REQUIRES)
   list(JOIN PACKAGE_PRIVATE ", " PACKAGE_PRIVATE)
+  list(TRANSFORM PACKAGE_PRIVATE_LIBRARIES PREPEND -l)
+  list(JOIN PACKAGE_PRIVATE_LIBRARIES " " PACKAGE_PRIVATE_LIBRARIES)
   file(RELATIVE_PATH PACKAGE_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
   string(REGEX REPLACE "/$" "" PACKAGE_PREFIX ${PACKAGE_PREFIX})
   configure_file(${PROJECT_SOURCE_DIR}/cmake/package.pc.in ${GLARK_WRITTEN_FOLDER}/${name}.pc @ONLY)
@@ -39,9 +41,9 @@ endfunction()
 
 # Installs the client library glark-NAME with its header, glark-NAME.pc, and the targets glark::NAME (shared) and glark::NAME_static
 # of the CMake package. Our own programs link to the static library glark-NAME. REQUIRES: other client libraries that it calls.
-# PRIVATE: packages that only the static library needs from a program. OBJECTS: objects of others that are part of the library.
+# PRIVATE: packages that only the static library needs from a program; PRIVATE_LIBRARIES: those without a .pc file. OBJECTS: objects of others that are part of the library.
 function(glark_install_client name)
-  cmake_parse_arguments(CLIENT "" "DESCRIPTION" "REQUIRES;PRIVATE;OBJECTS" ${ARGN})
+  cmake_parse_arguments(CLIENT "" "DESCRIPTION" "REQUIRES;PRIVATE;PRIVATE_LIBRARIES;OBJECTS" ${ARGN})
   set(library glark-${name})
   set(shared ${library}-shared)
   set(exports ${PROJECT_SOURCE_DIR}/glark/clients/exports.map)
@@ -57,6 +59,9 @@ function(glark_install_client name)
       target_link_libraries(${shared} PRIVATE TBB::tbb)
     endif()
   endforeach()
+  foreach(needed IN LISTS CLIENT_PRIVATE_LIBRARIES)
+    target_link_libraries(${shared} PRIVATE ${needed}::${needed})
+  endforeach()
   foreach(needed IN LISTS CLIENT_REQUIRES)
     target_link_libraries(${shared} PUBLIC ${needed}-shared)
   endforeach()
@@ -70,7 +75,7 @@ function(glark_install_client name)
   install(FILES ${PROJECT_SOURCE_DIR}/include/glark/c/${name}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glark/c)
   install(EXPORT ${library} NAMESPACE glark:: DESTINATION ${GLARK_PACKAGE_FOLDER} FILE glark-${name}.cmake)
   glark_install_pkg_config(${library} DESCRIPTION "${CLIENT_DESCRIPTION}" LIBS -l${library} REQUIRES ${CLIENT_REQUIRES}
-    PRIVATE ${CLIENT_PRIVATE})
+    PRIVATE ${CLIENT_PRIVATE} PRIVATE_LIBRARIES ${CLIENT_PRIVATE_LIBRARIES})
 endfunction()
 
 # Installs libGLARK.so, glark.pc and the target glark::GLARK.

@@ -14,6 +14,7 @@ inline constexpr bool is_bound<vstree::Tree> = true;
 namespace {
 
 using vstree::Clustering;
+using vstree::Method;
 using vstree::Metric;
 using vstree::Representative;
 using vstree::Simplified;
@@ -25,6 +26,8 @@ constexpr std::array clusterings = {std::pair{"vstree", Clustering::volume_surfa
                                     std::pair{"octree", Clustering::octree}, std::pair{"grid", Clustering::grid}};
 constexpr std::array representatives = {std::pair{"qef", Representative::qef},
                                         std::pair{"centroid", Representative::centroid}};
+constexpr std::array methods = {std::pair{"cluster", Method::cluster}, std::pair{"collapse", Method::collapse},
+                                std::pair{"automatic", Method::automatic}};
 
 void bind_tree(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(vstree::Node, begin, end, first_child, frame, error, kind, level, children, joined);
@@ -83,7 +86,11 @@ void bind_simplified(py::module_& module) {
                              [](const py::object& s) { return view_or_none(s.cast<Simplified&>().triangles, 3, s); })
       .def_property_readonly(
           "representatives", [](const py::object& s) { return view(s.cast<Simplified&>().representatives, 1, s); },
-          "(points of the input,) uint32: the vertex of each point; 0xFFFFFFFF if no triangle uses the point");
+          "(points of the input,) uint32: the vertex of each point; 0xFFFFFFFF if no triangle uses the point")
+      .def_property_readonly(
+          "method", [](const Simplified& s) { return s.method == Method::collapse ? "collapse" : "cluster"; },
+          "the method that was used: 'cluster' or 'collapse'")
+      .def_readonly("error", &Simplified::error, "collapse: the estimated error, relative to the diagonal");
 }
 
 }  // namespace
@@ -117,7 +124,7 @@ void bind_vstree(py::module_& module) {
          const OptionalArray<float>& normals, const OptionalArray<std::uint8_t>& colours,
          const OptionalArray<float>& texcoords, std::size_t target, const std::string& clustering,
          const std::string& representative, const std::string& metric, float threshold, float delta_a, float delta_d,
-         bool cut, unsigned threads) {
+         bool cut, unsigned threads, const std::string& method, float max_error) {
         const vstree::Mesh mesh{.points = {.positions = rows(positions, 3, "positions"),
                                            .normals = rows(normals, 3, "normals"),
                                            .colours = rows(colours, 3, "colours"),
@@ -131,17 +138,22 @@ void bind_vstree(py::module_& module) {
                                               delta_a,
                                               delta_d,
                                               cut,
-                                              threads};
+                                              threads,
+                                              named(method, "method", methods),
+                                              max_error};
         return without_gil([&] { return vstree::simplify(mesh, options); });
       },
       py::arg("positions"), py::arg("triangles") = py::none(), py::arg("normals") = py::none(),
       py::arg("colours") = py::none(), py::arg("texcoords") = py::none(), py::kw_only(), py::arg("target") = 0,
       py::arg("clustering") = "vstree", py::arg("representative") = "qef", py::arg("metric") = "l2",
       py::arg("threshold") = 1e-4F, py::arg("delta_a") = 0.0F, py::arg("delta_d") = 0.25F, py::arg("cut") = true,
-      py::arg("threads") = 0,
+      py::arg("threads") = 0, py::arg("method") = "cluster", py::arg("max_error") = 0.0F,
       "Fewer triangles, or fewer points where there are no triangles.\n\n"
       "target: the most triangles or points; 0: threshold is used, relative to the diagonal of the bounding box.\n"
-      "clustering: 'vstree', 'octree' or 'grid'. representative: 'qef' or 'centroid'.");
+      "clustering: 'vstree', 'octree' or 'grid'. representative: 'qef' or 'centroid'.\n"
+      "method: 'cluster', 'collapse' or 'automatic': collapse below 200000 triangles. max_error: collapse stops before "
+      "the\n"
+      "estimated error is greater, relative to the diagonal; 0: no limit.");
 }
 
 }  // namespace glark::python

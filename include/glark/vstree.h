@@ -176,6 +176,14 @@ enum class Representative {
   centroid,  // the mean of its samples
 };
 
+enum class Method {
+  cluster,   // replaces clusters of points by one point each; fast
+  collapse,  // collapses edges with meshoptimizer; nearer to the surface, in several times the time
+  // Collapse for meshes of fewer than 200000 triangles, and if there is a max_error; otherwise cluster. If collapses
+  // leave more triangles than the target, their result is not used.
+  automatic,
+};
+
 struct SimplifyOptions {
   Clustering clustering = Clustering::volume_surface;
   Representative representative = Representative::qef;
@@ -188,6 +196,11 @@ struct SimplifyOptions {
   // Gives each sheet its own vertices where sheets of the result touch, so that edges have two triangles.
   bool cut = true;
   unsigned threads = 0;  // as in Options
+  // Points without triangles are always clustered. `automatic` clusters without a target and a max_error.
+  Method method = Method::cluster;
+  // Collapse only: stops before the estimated error is greater, relative to the diagonal; 0: no limit. Without this and
+  // without a target, `threshold` is the limit.
+  float max_error = 0;
 };
 
 // The result has the attributes of the input, and always normals.
@@ -198,12 +211,20 @@ struct Simplified {
   std::vector<std::uint32_t> triangles;
   // [points of the input]: the vertex of each point; none if no triangle uses the vertex.
   std::vector<std::uint32_t> representatives;
+  Method method = Method::cluster;  // the method that was used
+  float error = 0;                  // collapse: meshoptimizer's estimate of the error, relative to the diagonal
 };
 
 // Clusters vertices. A triangle stays if its corners are in three clusters. Repeats are removed, and so are pairs of
 // opposite orientation. The result has the vertices that its triangles use, or all clusters of a point set.
 // Source: Boubekeur 2007, ch. 3.3; P. Lindstrom, Out-of-Core Simplification of Large Polygonal Models, 2000.
-// Errors: as Tree, and Error for an index that is no point.
+// Method::collapse: the vertices of the result are points of the input, with all their attributes. Boundaries, and
+// seams of colours or texture coordinates, stay closed and follow their old course. Vertices with three or more sets of
+// attributes stay; so the result may have more triangles than `target`. With a target that is no less than the number
+// of triangles, and no max_error, the result is the whole input.
+// Source: M. Garland, P. Heckbert, Surface Simplification Using Quadric Error Metrics, 1997 (in meshoptimizer).
+// Errors: as Tree, and Error for an index that is no point, for a max_error with Method::cluster, and for
+// Method::collapse in a library that was built without meshoptimizer.
 GLARK_EXPORT Simplified simplify(const Mesh& mesh, const SimplifyOptions& options = {});
 
 }  // namespace glark::vstree

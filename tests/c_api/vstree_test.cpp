@@ -88,6 +88,28 @@ TEST(VstreeInC, SimplificationIsThatOfCpp) {
   glark_vstree_simplified_free(simplified);
 }
 
+TEST(VstreeInC, CollapseIsThatOfCpp) {
+  const std::vector<float> corners{0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0};
+  const std::vector<std::uint32_t> triangles{0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
+  glark_vstree_mesh mesh{};
+  mesh.points.positions = {corners.data(), corners.size()};
+  mesh.triangles = {triangles.data(), triangles.size()};
+  glark_vstree_simplify_options options = glark_vstree_default_simplify_options();
+  EXPECT_EQ(GLARK_VSTREE_CLUSTER, options.method);
+  options.method = GLARK_VSTREE_COLLAPSE;
+  options.max_error = 0.01F;
+  glark_vstree_simplified* simplified = nullptr;
+  glark_error error;
+  ASSERT_EQ(GLARK_SUCCESS, glark_vstree_simplify(&mesh, &options, &simplified, &error)) << error.message;
+  const vstree::Simplified same =
+      vstree::simplify({{.positions = corners}, triangles}, {.method = vstree::Method::collapse, .max_error = 0.01F});
+  EXPECT_EQ(6U, same.triangles.size());  // two triangles
+  EXPECT_EQ(same.triangles, copy(glark_vstree_simplified_triangles(simplified)));
+  EXPECT_EQ(GLARK_VSTREE_COLLAPSE, glark_vstree_simplified_method(simplified));
+  EXPECT_EQ(same.error, glark_vstree_simplified_error(simplified));
+  glark_vstree_simplified_free(simplified);
+}
+
 TEST(VstreeInC, AnUnknownEnumerationIsAnError) {
   glark_vstree_options options = glark_vstree_default_options();
   const unsigned unknown = 7;  // C would not refuse it

@@ -113,6 +113,28 @@ class Commands(unittest.TestCase):
         self.assertEqual(report["output"]["points"], self.report("info", "coarse.ply")["points"])
         self.glark("simplify", self.sphere, "-o", "a.glb", "--error", "0.01", "--clustering", "grid", "--representative", "centroid")
 
+    def test_simplify_chooses_a_method(self):
+        self.needs("simplify")
+        for words, method in [((), "collapse"), (("--fast",), "cluster"), (("--method", "cluster"), "cluster"),
+                              (("--clustering", "grid"), "cluster"), (("--method", "collapse"), "collapse")]:
+            report = self.report("simplify", self.sphere, "-o", "a.ply", "--target", "1000", *words)
+            self.assertEqual(method, report["method"], words)
+            self.assertLessEqual(report["output"]["triangles"], 1000)
+        self.assertEqual("cluster", self.report("simplify", self.sphere, "-o", "a.ply", "--error", "0.01")["method"])
+        last = 6240
+        for most in ("1e-4", "1e-3", "1e-2"):
+            report = self.report("simplify", self.sphere, "-o", "a.ply", "--max-error", most, "--measure", self.sphere)
+            self.assertLess(report["output"]["triangles"], last)
+            self.assertLessEqual(report["estimated_error_percent"], 100 * float(most))
+            self.assertLess(report["quality"]["rms_percent"], 100 * float(most))
+            last = report["output"]["triangles"]
+        for words in (("--fast", "--max-error", "1"), ("--fast", "--method", "collapse"), ("--error", "1", "--max-error", "1")):
+            self.glark("simplify", self.sphere, "-o", "a.ply", *words, status=2)
+        self.assertIn("max_error needs the method collapse", self.glark(
+            "simplify", self.sphere, "-o", "a.ply", "--method", "cluster", "--max-error", "1", status=1).stderr)
+        self.assertIn("no further edge can collapse", self.glark(
+            "simplify", self.sphere, "-o", "a.ply", "--target", "3", "--method", "collapse").stderr)
+
     def test_any_number_of_threads_gives_the_same(self):
         for command in ("simplify", "strip", "reconstruct"):
             if command not in self.has:
@@ -132,7 +154,8 @@ class Commands(unittest.TestCase):
         seam = [[f"1/{len(points) + 1}", *corners[0][1:]], *corners[1:]]
         for name, faces, says in [("seam.obj", seam, True), ("whole.obj", corners, False)]:
             (self.path / name).write_text(vertices + "".join("f " + " ".join(face) + "\n" for face in faces))
-            result = self.glark("simplify", name, "-o", "a.obj", "--target", "200")
+            self.assertNotIn("seams", self.glark("simplify", name, "-o", "a.obj", "--target", "200").stderr)
+            result = self.glark("simplify", name, "-o", "a.obj", "--target", "200", "--fast")
             self.assertEqual(says, "seams at 1 points" in result.stderr, result.stderr)
             self.assertIn("vt ", (self.path / "a.obj").read_text())
         header = ["ply", "format ascii 1.0", "element vertex 2"]

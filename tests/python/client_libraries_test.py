@@ -41,6 +41,12 @@ class ClientLibraries(unittest.TestCase):
         small = glark.vstree.simplify(mesh.positions, mesh.triangles, target=500)
         self.assertTrue(450 <= len(small.triangles) <= 500, len(small.triangles))
         self.assertEqual(len(mesh.positions), len(small.representatives))
+        self.assertEqual(("cluster", 0), (small.method, small.error))
+        small = glark.vstree.simplify(mesh.positions, mesh.triangles, target=500, method="collapse")
+        self.assertTrue(490 <= len(small.triangles) <= 500, len(small.triangles))
+        self.assertTrue((mesh.positions[small.representatives < len(small.positions)] == small.positions).all())
+        small = glark.vstree.simplify(mesh.positions, mesh.triangles, method="automatic", max_error=0.01)
+        self.assertTrue(small.method == "collapse" and 0 < small.error <= 0.01, small.error)
 
     def test_strips(self):
         points = sphere(4000)

@@ -34,6 +34,7 @@ static_assert(static_cast<int>(vstree::Metric::density) == GLARK_VSTREE_DENSITY)
 static_assert(static_cast<int>(vstree::Kind::surface) == GLARK_VSTREE_SURFACE);
 static_assert(static_cast<int>(vstree::Clustering::grid) == GLARK_VSTREE_GRID);
 static_assert(static_cast<int>(vstree::Representative::centroid) == GLARK_VSTREE_CENTROID);
+static_assert(static_cast<int>(vstree::Method::automatic) == GLARK_VSTREE_AUTOMATIC);
 static_assert(static_cast<int>(vstree::Element::triangle) == GLARK_VSTREE_TRIANGLE);
 
 template <class Step>
@@ -79,7 +80,9 @@ vstree::SimplifyOptions options_of(const glark_vstree_simplify_options& options)
           .delta_a = options.delta_a,
           .delta_d = options.delta_d,
           .cut = options.cut,
-          .threads = options.threads};
+          .threads = options.threads,
+          .method = checked(options.method, vstree::Method::automatic, "method"),
+          .max_error = options.max_error};
 }
 
 }  // namespace
@@ -175,7 +178,9 @@ glark_vstree_simplify_options glark_vstree_default_simplify_options(void) {
           options.delta_a,
           options.delta_d,
           options.cut,
-          options.threads};
+          options.threads,
+          static_cast<glark_vstree_method>(options.method),
+          options.max_error};
 }
 
 glark_code glark_vstree_simplify(const glark_vstree_mesh* mesh, const glark_vstree_simplify_options* options,
@@ -218,4 +223,12 @@ glark_indices glark_vstree_simplified_triangles(const glark_vstree_simplified* s
 glark_indices glark_vstree_simplified_representatives(const glark_vstree_simplified* simplified) {
   if (simplified == nullptr) return {};
   return array_of(simplified->mesh.representatives);
+}
+glark_vstree_method glark_vstree_simplified_method(const glark_vstree_simplified* simplified) {
+  if (simplified == nullptr) return GLARK_VSTREE_CLUSTER;
+  return static_cast<glark_vstree_method>(simplified->mesh.method);
+}
+float glark_vstree_simplified_error(const glark_vstree_simplified* simplified) {
+  if (simplified == nullptr) return {};
+  return simplified->mesh.error;
 }

@@ -26,10 +26,13 @@ class Simplified:
     texcoords: Optional[Floats]
     triangles: Optional[Indices]
     representatives: Indices
+    method: str
+    error: float
 
 def estimate_normals(positions: ArrayLike, normals: Optional[ArrayLike] = None, *, neighbours: int = 16,
                      scanner: Optional[Sequence[float]] = None, threads: int = 0) -> Floats: ...
 def simplify(positions: ArrayLike, triangles: Optional[ArrayLike] = None, normals: Optional[ArrayLike] = None,
              colours: Optional[ArrayLike] = None, texcoords: Optional[ArrayLike] = None, *, target: int = 0,
              clustering: str = "vstree", representative: str = "qef", metric: str = "l2", threshold: float = ...,
-             delta_a: float = 0, delta_d: float = 0.25, cut: bool = True, threads: int = 0) -> Simplified: ...
+             delta_a: float = 0, delta_d: float = 0.25, cut: bool = True, threads: int = 0, method: str = "cluster",
+             max_error: float = 0) -> Simplified: ...

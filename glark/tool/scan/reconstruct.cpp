@@ -126,7 +126,8 @@ geometry::Geometry limited(geometry::Geometry mesh, const Reconstruct& command, 
   if (command.most_triangles == 0 || mesh.triangle_count() <= command.most_triangles) return mesh;
   Progress progress("simplifying");
   progress.show(-1);
-  geometry::Geometry fewer = simplified(mesh, {.target = command.most_triangles, .threads = command.options.threads});
+  geometry::Geometry fewer =
+      simplified(mesh, {.target = command.most_triangles, .threads = command.options.threads}).geometry;
   seconds.simplification = progress.seconds();
   if (!fewer.triangles.empty()) return fewer;
   throw geometry::Error(command.files.input +

@@ -8,7 +8,7 @@
 
 namespace glark::tool {
 
-geometry::Geometry simplified(const geometry::Geometry& geometry, const vstree::SimplifyOptions& options) {
+Coarse simplified(const geometry::Geometry& geometry, const vstree::SimplifyOptions& options) {
   const std::vector<std::uint8_t> colours = rgb_of(geometry.colours);
   vstree::Simplified result = vstree::simplify(
       {{geometry.positions, geometry.normals, colours, geometry.texture_coordinates}, geometry.triangles}, options);
@@ -19,7 +19,7 @@ geometry::Geometry simplified(const geometry::Geometry& geometry, const vstree::
   coarse.colours = rgba_of(result.colours);
   coarse.texture_coordinates = std::move(result.texcoords);
   coarse.triangles = std::move(result.triangles);
-  return coarse;
+  return {std::move(coarse), result.method, result.error};
 }
 
 }  // namespace glark::tool

@@ -8,7 +8,13 @@
 
 namespace glark::tool {
 
+struct Coarse {
+  geometry::Geometry geometry;
+  vstree::Method method;
+  float error;  // of a collapse, relative to the diagonal
+};
+
 // The same geometry with fewer triangles, or points. Throws what vstree::simplify() throws.
-geometry::Geometry simplified(const geometry::Geometry& geometry, const vstree::SimplifyOptions& options);
+Coarse simplified(const geometry::Geometry& geometry, const vstree::SimplifyOptions& options);
 
 }  // namespace glark::tool

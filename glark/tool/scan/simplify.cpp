@@ -23,6 +23,7 @@ struct Simplify {
   Files files;
   std::string reference;
   vstree::SimplifyOptions options;
+  bool is_fast = false;
 };
 
 // Counts the places where triangles meet with different texture coordinates.
@@ -38,15 +39,23 @@ std::size_t seam_points(const geometry::Geometry& geometry) {
   return count;
 }
 
-// Warns about attributes that the result does not have.
-void warn_of_losses(const geometry::Geometry& geometry, const std::string& file) {
-  if (const std::size_t seams = seam_points(geometry); seams > 0) {
+// Warns about attributes that the result does not have, and about a target that is not reached.
+void warn_of_losses(const geometry::Geometry& geometry, const Coarse& coarse, const Simplify& command) {
+  const std::string& file = command.files.input;
+  const std::size_t seams = coarse.method == vstree::Method::cluster ? seam_points(geometry) : 0;
+  if (seams > 0) {
     warn(fmt::format(
         "{}: its texture coordinates have seams at {} points; the result keeps one side of a seam, so that triangles "
-        "there show a wrong part of the texture: remove the texture, or bake it into colours first",
+        "there show a wrong part of the texture: use --method collapse, or bake the texture into colours first",
         file, seams));
   }
   warn_of_alpha(geometry.colours, file);
+  const std::size_t target = command.options.target, count = coarse.geometry.triangle_count();
+  const bool was_stopped = command.options.max_error > 0 && coarse.error > 0;
+  if (coarse.method == vstree::Method::collapse && target > 0 && count > target && !was_stopped)
+    warn(fmt::format(
+        "{}: no further edge can collapse; {} triangles are left, more than --target {}; --fast gives fewer", file,
+        count, target));
 }
 
 // Returns whether the input has no more triangles, or points without triangles, than the target allows.
@@ -64,17 +73,20 @@ void require_contents(const geometry::Geometry& coarse, const geometry::Geometry
       (command.options.target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error"));
 }
 
-geometry::Geometry coarse_of(const geometry::Geometry& geometry, const Simplify& command, double& seconds) {
+Coarse coarse_of(const geometry::Geometry& geometry, const Simplify& command, double& seconds) {
   if (is_within_target(geometry, command.options.target)) {
     warn(fmt::format("{}: it has no more {} than --target allows; the result is the whole input", command.files.input,
                      geometry.triangles.empty() ? "points" : "triangles"));
-    return geometry;
+    return {geometry, vstree::Method::collapse, 0};
   }
-  warn_of_losses(geometry, command.files.input);
-  Progress progress("simplifying");
-  progress.show(-1);
-  geometry::Geometry coarse = simplified(geometry, command.options);
-  seconds = progress.seconds();
+  Coarse coarse{};
+  {
+    Progress progress("simplifying");
+    progress.show(-1);
+    coarse = simplified(geometry, command.options);
+    seconds = progress.seconds();
+  }
+  warn_of_losses(geometry, coarse, command);
   return coarse;
 }
 
@@ -82,12 +94,16 @@ void simplify(const Simplify& command) {
   check_output(command.files);
   const geometry::Geometry geometry = load(command.files.input, command.files);
   double seconds = 0;
-  const geometry::Geometry coarse = coarse_of(geometry, command, seconds);
+  const Coarse simplification = coarse_of(geometry, command, seconds);
+  const geometry::Geometry& coarse = simplification.geometry;
   require_contents(coarse, geometry, command);
   store(coarse, command.files);
   Report report;
   report["input"] = contents_of(geometry);
   report["output"] = contents_of(coarse);
+  const bool is_collapsed = simplification.method == vstree::Method::collapse;
+  report["method"] = is_collapsed ? "collapse" : "cluster";
+  if (is_collapsed) report["estimated_error_percent"] = 100 * static_cast<double>(simplification.error);
   report["seconds"] = seconds;
   if (!command.reference.empty()) {
     report["topology"] = topology_report(coarse);
@@ -120,6 +136,36 @@ void describe_clusters(CLI::App& command, vstree::SimplifyOptions& options) {
       ->type_name("KIND");
 }
 
+// Adds the options that choose the method. Without them, small meshes collapse, unless an option is about clusters.
+void describe_method(CLI::App& command, Simplify& simplification) {
+  vstree::SimplifyOptions& options = simplification.options;
+  CLI::Option* const method =
+      command
+          .add_option("--method", options.method,
+                      "cluster (fast) or collapse (collapse edges: nearer to the surface); default: collapse below "
+                      "200000 triangles if there is a --target or --max-error")
+          ->transform(one_of<vstree::Method>({{"cluster", vstree::Method::cluster},
+                                              {"collapse", vstree::Method::collapse},
+                                              {"automatic", vstree::Method::automatic}}))
+          ->type_name("NAME");
+  command.add_flag("--fast", simplification.is_fast, "The same as --method cluster")->excludes(method);
+  command
+      .add_option("--max-error", options.max_error,
+                  "Collapse: stop before the estimated error is greater, as a part of the bounding box's diagonal; "
+                  "default: no limit")
+      ->check(above_zero())
+      ->excludes("--fast")
+      ->excludes("--error");
+}
+
+void set_method(const CLI::App& command, Simplify& simplification) {
+  const auto is_given = [&](const char* name) { return command.get_option(name)->count() > 0; };
+  if (is_given("--method")) return;
+  const bool is_about_clusters = is_given("--clustering") || is_given("--metric") || is_given("--representative");
+  simplification.options.method =
+      simplification.is_fast || is_about_clusters ? vstree::Method::cluster : vstree::Method::automatic;
+}
+
 }  // namespace
 
 void add_simplify(CLI::App& app) {
@@ -140,9 +186,13 @@ void add_simplify(CLI::App& app) {
                    "default 1e-4")
       ->check(above_zero())
       ->excludes(target);
+  describe_method(*command, *simplification);
   describe_clusters(*command, options);
   describe_threads(*command, options.threads);
-  command->callback([simplification] { simplify(*simplification); });
+  command->callback([simplification, command] {
+    set_method(*command, *simplification);
+    simplify(*simplification);
+  });
 }
 
 }  // namespace glark::tool

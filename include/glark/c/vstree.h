@@ -126,6 +126,12 @@ typedef enum glark_vstree_representative {
   GLARK_VSTREE_CENTROID = 1
 } glark_vstree_representative;
 
+typedef enum glark_vstree_method {
+  GLARK_VSTREE_CLUSTER = 0,
+  GLARK_VSTREE_COLLAPSE = 1,
+  GLARK_VSTREE_AUTOMATIC = 2
+} glark_vstree_method;
+
 typedef struct glark_vstree_simplify_options {
   glark_vstree_clustering clustering;
   glark_vstree_representative representative;
@@ -135,6 +141,8 @@ typedef struct glark_vstree_simplify_options {
   float delta_a, delta_d;
   bool cut;
   unsigned threads;
+  glark_vstree_method method;
+  float max_error; /* collapse only; 0: no limit */
 } glark_vstree_simplify_options;
 
 GLARK_EXPORT glark_vstree_simplify_options glark_vstree_default_simplify_options(void);
@@ -154,6 +162,9 @@ GLARK_EXPORT glark_bytes glark_vstree_simplified_colours(const glark_vstree_simp
 GLARK_EXPORT glark_floats glark_vstree_simplified_texcoords(const glark_vstree_simplified* simplified);
 GLARK_EXPORT glark_indices glark_vstree_simplified_triangles(const glark_vstree_simplified* simplified);
 GLARK_EXPORT glark_indices glark_vstree_simplified_representatives(const glark_vstree_simplified* simplified);
+/* The method that was used, and for a collapse the estimate of its error, relative to the diagonal. */
+GLARK_EXPORT glark_vstree_method glark_vstree_simplified_method(const glark_vstree_simplified* simplified);
+GLARK_EXPORT float glark_vstree_simplified_error(const glark_vstree_simplified* simplified);
 
 #ifdef __cplusplus
 }

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <string>
 
 #include "glark/clients/common/mesh/cut_sheets.h"
 #include "glark/clients/common/mesh/reindex.h"
 #include "glark/clients/common/points/point_set.h"
 #include "glark/clients/common/vertex_normals.h"
 #include "glark/clients/vstree/simplify/clusters.h"
+#include "glark/clients/vstree/simplify/collapse.h"
 #include "glark/clients/vstree/simplify/shapes.h"
 #include "glark/clients/vstree/validation.h"
 
@@ -79,28 +81,16 @@ std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& triangles, std::s
   return kept;
 }
 
-}  // namespace
-
-Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
-  const Workers workers(options.threads);
-  check(mesh.points, workers);
-  check_triangles(mesh.triangles, mesh.points.positions.size() / 3);
-  check(Options{.threshold = options.threshold, .delta_a = options.delta_a, .delta_d = options.delta_d});
-  Surface surface{bounding_cube(mesh.points.positions, workers), mesh.points, mesh.triangles};
-  std::vector<float> normals;
-  if (mesh.points.normals.empty()) {
-    normals =
-        mesh.triangles.empty() ? estimate_normals(mesh.points, {.threads = options.threads}) : vertex_normals(surface);
-    surface.points.normals = normals;
-  }
+Simplified cluster_vertices(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
+  const std::span<const std::uint32_t> triangles = surface.triangles;
   Clusters clusters = cluster(surface, options, workers);
   const Representatives stand = representatives(surface, clusters, options.representative, workers);
 
   Simplified result;
   std::vector<std::uint32_t> cluster_of(clusters.count);  // for each vertex of the result
   for (std::uint32_t i = 0; i < clusters.count; ++i) cluster_of[i] = i;
-  if (!mesh.triangles.empty()) {
-    if (clusters.triangles.empty()) clusters.set_triangles(spanning(mesh.triangles, clusters.of, workers));
+  if (!triangles.empty()) {
+    if (clusters.triangles.empty()) clusters.set_triangles(spanning(triangles, clusters.of, workers));
     result.triangles = std::move(clusters.triangles);
     if (options.cut) cluster_of = cut_sheets(result.triangles, stand.points, clusters.irregular);
     const std::vector<std::uint32_t> kept = compact(result.triangles, cluster_of.size());
@@ -119,6 +109,35 @@ Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
   }
   write_attributes(surface, clusters, stand, cluster_of, result);
   return result;
+}
+
+void check(const SimplifyOptions& options) {
+  check(Options{.threshold = options.threshold, .delta_a = options.delta_a, .delta_d = options.delta_d});
+  if (!(options.max_error >= 0) || options.max_error > 1e18F)
+    throw Error(Element::option, 0, "max_error is " + std::to_string(options.max_error) + "; 0 to 1e18 is possible");
+  if (options.method == Method::cluster && options.max_error > 0)
+    throw Error(Element::option, 0,
+                "max_error needs the method collapse; for clusters, use threshold without a target");
+}
+
+}  // namespace
+
+Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
+  const Workers workers(options.threads);
+  check(mesh.points, workers);
+  check_triangles(mesh.triangles, mesh.points.positions.size() / 3);
+  check(options);
+  Surface surface{bounding_cube(mesh.points.positions, workers), mesh.points, mesh.triangles};
+  std::vector<float> normals;
+  if (mesh.points.normals.empty()) {
+    normals =
+        mesh.triangles.empty() ? estimate_normals(mesh.points, {.threads = options.threads}) : vertex_normals(surface);
+    surface.points.normals = normals;
+  }
+  if (method_for(mesh, options) == Method::cluster) return cluster_vertices(surface, options, workers);
+  Simplified collapsed = collapse(surface, options);
+  const bool is_too_large = options.max_error == 0 && collapsed.triangles.size() / 3 > options.target;
+  return options.method == Method::automatic && is_too_large ? cluster_vertices(surface, options, workers) : collapsed;
 }
 
 }  // namespace glark::vstree

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Simplification by collapses of edges. The vertices of the result are vertices of the input.
+#pragma once
+
+#include "glark/clients/vstree/simplify/clusters.h"
+
+namespace glark::vstree {
+
+// Meshes with fewer triangles than this are collapsed by Method::automatic.
+constexpr std::size_t least_to_cluster = 200000;
+
+// Returns the method that Method::automatic stands for.
+Method method_for(const Mesh& mesh, const SimplifyOptions& options);
+
+// Collapses edges with meshoptimizer. Points at one position with equal colours and texture coordinates are one vertex.
+// Of the points of such a vertex, each corner of the result gets the one whose normal is nearest to the normal of its
+// triangle. So hard edges keep their two normals. Error: Element::option if this build has no meshoptimizer.
+Simplified collapse(const Surface& surface, const SimplifyOptions& options);
+
+}  // namespace glark::vstree

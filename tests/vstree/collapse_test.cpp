@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Simplification by collapses of edges.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tests/vstree/shapes.h"
+
+namespace glark::vstree::test {
+namespace {
+
+constexpr SimplifyOptions to(std::size_t target, Method method = Method::collapse) {
+  return {.target = target, .threads = 1, .method = method};
+}
+
+// A cube with n times n squares on each face. Each face has its own points, with its own normal.
+Shape cube(std::uint32_t n) {
+  Shape shape;
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t axis = face / 2;
+    const float side = face % 2 == 0 ? 1.0F : -1.0F;
+    const auto first = static_cast<std::uint32_t>(shape.size());
+    for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
+      float point[3] = {}, normal[3] = {};
+      point[axis] = normal[axis] = side;
+      point[(axis + 1) % 3] = side * (2 * static_cast<float>(i % (n + 1)) / static_cast<float>(n) - 1);
+      point[(axis + 2) % 3] = 2 * static_cast<float>(i / (n + 1)) / static_cast<float>(n) - 1;
+      shape.positions.insert(shape.positions.end(), point, point + 3);
+      shape.normals.insert(shape.normals.end(), normal, normal + 3);
+      if (i % (n + 1) == n || i / (n + 1) == n) continue;
+      const std::uint32_t a = first + i, b = a + 1, c = a + n + 2, d = a + n + 1;
+      shape.triangles.insert(shape.triangles.end(), {a, b, c, a, c, d});
+    }
+  }
+  return shape;
+}
+
+// Returns twice the area of all triangles of the unit square.
+double area_of(const Simplified& few) {
+  double sum = 0;
+  for (std::size_t t = 0; t < few.triangles.size(); t += 3) {
+    const float* const a = &few.positions[3 * few.triangles[t]];
+    const float* const b = &few.positions[3 * few.triangles[t + 1]];
+    const float* const c = &few.positions[3 * few.triangles[t + 2]];
+    sum += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  }
+  return sum;
+}
+
+Shape square(std::uint32_t n) {
+  Shape shape;
+  for (std::uint32_t i = 0; i < n * n; ++i) {
+    const auto last = static_cast<float>(n - 1);
+    const std::uint32_t row = i / n;
+    shape.positions.insert(shape.positions.end(),
+                           {static_cast<float>(i % n) / last, static_cast<float>(row) / last, 0});
+    if (i % n < n - 1 && row < n - 1)
+      shape.triangles.insert(shape.triangles.end(), {i, i + 1, i + n + 1, i, i + n + 1, i + n});
+  }
+  return shape;
+}
+
+TEST(Collapsed, ReachesTheTargetAndStaysClosed) {
+  const Shape shape = torus(100);
+  for (const std::size_t target : {200U, 2000U, 10000U}) {
+    const Simplified few = simplify(shape.mesh(), to(target));
+    EXPECT_LE(few.triangles.size() / 3, target);
+    EXPECT_GE(few.triangles.size() / 3, target - 4);
+    EXPECT_EQ(edge_faults(few.triangles).boundary, 0U);
+    EXPECT_EQ(few.method, Method::collapse);
+    EXPECT_GT(few.error, 0);
+  }
+}
+
+TEST(Collapsed, HasPointsOfTheInputWithTheirAttributes) {
+  Shape shape = torus(60);
+  for (std::size_t i = 0; i < shape.size(); ++i)
+    shape.colours.insert(shape.colours.end(), {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 8), 3});
+  const PointSet points{.positions = shape.positions, .normals = shape.normals, .colours = shape.colours};
+  const Simplified few = simplify({points, shape.triangles}, to(500));
+  ASSERT_EQ(few.representatives.size(), shape.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const std::uint32_t r = few.representatives[i];
+    if (r == none) continue;
+    ++kept;
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(few.positions[3 * r + k], shape.positions[3 * i + k]);
+      EXPECT_EQ(few.colours[3 * r + k], shape.colours[3 * i + k]);
+      EXPECT_NEAR(few.normals[3 * r + k], shape.normals[3 * i + k], 1e-3);
+    }
+  }
+  EXPECT_EQ(kept, few.positions.size() / 3);
+}
+
+TEST(Collapsed, ACubeKeepsItsEdgesAndTheirNormals) {
+  const Shape shape = cube(8);  // coordinates without rounding, so that the faces meet
+  const Simplified few = simplify(shape.mesh(), to(12));
+  EXPECT_EQ(few.triangles.size() / 3, 12U);
+  EXPECT_EQ(few.positions.size() / 3, 24U);  // three normals at each corner
+  for (std::size_t i = 0; i < few.positions.size(); ++i) EXPECT_EQ(std::abs(few.positions[i]), 1);
+  for (std::size_t t = 0; t < few.triangles.size(); t += 3) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(few.normals[3 * few.triangles[t] + k], few.normals[3 * few.triangles[t + 1] + k]);
+      EXPECT_EQ(few.normals[3 * few.triangles[t] + k], few.normals[3 * few.triangles[t + 2] + k]);
+    }
+  }
+}
+
+TEST(Collapsed, ASquareKeepsItsBoundary) {
+  const Shape shape = square(30);
+  const Simplified few = simplify({{.positions = shape.positions}, shape.triangles}, to(2));
+  EXPECT_EQ(few.triangles.size() / 3, 2U);
+  EXPECT_NEAR(area_of(few), 2, 1e-6);
+}
+
+// The left half of the square has another chart of the texture.
+TEST(Collapsed, ASeamKeepsBothSides) {
+  const Shape left = square(21);
+  Shape both = left;
+  const auto count = static_cast<std::uint32_t>(left.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    both.positions.insert(both.positions.end(), {left.positions[3 * i] + 1, left.positions[3 * i + 1], 0});
+    both.texcoords.insert(both.texcoords.end(), {left.positions[3 * i], left.positions[3 * i + 1]});
+  }
+  for (std::size_t i = 0; i < left.size(); ++i)
+    both.texcoords.insert(both.texcoords.end(), {left.positions[3 * i] + 10, left.positions[3 * i + 1]});
+  for (const std::uint32_t i : left.triangles) both.triangles.push_back(count + i);
+  const Simplified few =
+      simplify({{.positions = both.positions, .texcoords = both.texcoords}, both.triangles}, to(100));
+  EXPECT_LE(few.triangles.size() / 3, 100U);
+  EXPECT_NEAR(area_of(few), 4, 1e-5);
+  std::map<float, std::size_t> on_seam;  // by height
+  for (std::size_t i = 0; i < few.positions.size() / 3; ++i) {
+    const float x = few.positions[3 * i], u = few.texcoords[2 * i];
+    EXPECT_TRUE(std::abs(u - x) < 1e-5 || std::abs(u - 9 - x) < 1e-5) << x << " has " << u;
+    if (x == 1) ++on_seam[few.positions[3 * i + 1]];
+  }
+  EXPECT_GE(on_seam.size(), 2U);
+  for (const auto& [height, points] : on_seam) EXPECT_EQ(points, 2U) << height;
+}
+
+TEST(Collapsed, StopsAtTheMostError) {
+  const Shape shape = torus(100);
+  std::size_t last = shape.triangles.size();
+  for (const float most : {1e-4F, 1e-3F, 1e-2F}) {
+    const Simplified few = simplify(shape.mesh(), {.method = Method::automatic, .max_error = most});
+    EXPECT_EQ(few.method, Method::collapse);
+    EXPECT_LE(few.error, most);
+    EXPECT_LT(few.triangles.size(), last);
+    last = few.triangles.size();
+    // Without a target and a most error, the threshold limits the error.
+    EXPECT_EQ(simplify(shape.mesh(), {.threshold = most, .method = Method::collapse}).triangles.size(), last);
+  }
+  EXPECT_GT(last / 3, 20U);
+  const Simplified stopped = simplify(shape.mesh(), {.target = 20, .method = Method::collapse, .max_error = 1e-2F});
+  EXPECT_LE(stopped.error, 1e-2F);
+  EXPECT_GT(stopped.triangles.size() / 3, 100U);
+}
+
+TEST(Collapsed, WithATargetAboveTheInputIsTheInput) {
+  const Shape shape = cube(3);
+  const Simplified all = simplify(shape.mesh(), to(shape.triangles.size()));
+  EXPECT_EQ(all.triangles, shape.triangles);
+  EXPECT_EQ(all.positions, shape.positions);
+}
+
+TEST(Collapsed, ByTheAutomaticMethodOnlyIfSmall) {
+  const Shape small = torus(100), large = torus(320);
+  EXPECT_EQ(simplify(small.mesh(), to(1000, Method::automatic)).method, Method::collapse);
+  EXPECT_EQ(simplify(large.mesh(), to(1000, Method::automatic)).method, Method::cluster);
+  EXPECT_EQ(simplify(small.mesh(), to(1000, Method::cluster)).method, Method::cluster);
+  EXPECT_EQ(simplify(small.mesh(), {.method = Method::automatic}).method, Method::cluster);
+  EXPECT_EQ(simplify({small.points()}, to(1000)).positions.size() / 3, 1000U);  // points have no edges
+}
+
+TEST(Collapsed, RejectsAMostErrorThatClustersCannotKeep) {
+  const Shape shape = torus(10);
+  EXPECT_THROW(simplify(shape.mesh(), {.method = Method::cluster, .max_error = 0.1F}), Error);
+  EXPECT_THROW(simplify(shape.mesh(), {.method = Method::collapse, .max_error = -1}), Error);
+}
+
+}  // namespace
+}  // namespace glark::vstree::test
