@@ -11,9 +11,7 @@
 //   const auto coarse = glark::vstree::simplify({points, triangles}, {.target = 25000});
 //
 // Thresholds and errors of distance are root mean squares over samples, relative to the diagonal of their bounding box.
-// So the result depends neither on the unit of length nor on the number of threads.
-//
-// Special samples:
+// So the result depends neither on the unit of length nor on the number of threads. Special samples:
 //   - No samples give a tree without nodes; one sample, or equal samples, a tree of one leaf.
 //   - Normals may have any length. A zero normal is missing; errors and height fields ignore it.
 //   - If all normals are missing, estimate_normals() finds them first.
@@ -177,11 +175,9 @@ enum class Representative {
 };
 
 enum class Method {
-  cluster,   // replaces clusters of points by one point each; fast
-  collapse,  // collapses edges with meshoptimizer; nearer to the surface, in several times the time
-  // Collapse for meshes of fewer than 200000 triangles, and if there is a max_error; otherwise cluster. If collapses
-  // leave more triangles than the target, their result is not used.
-  automatic,
+  cluster,    // replaces clusters of points by one point each; fast
+  collapse,   // collapses edges with meshoptimizer; nearer to the surface, in several times the time
+  automatic,  // collapse with a max_error, or a target that it meets for fewer than 200000 triangles; else cluster
 };
 
 struct SimplifyOptions {
@@ -191,16 +187,12 @@ struct SimplifyOptions {
   std::size_t target = 0;
   Metric metric = Metric::l2;
   float threshold = 1e-4F;  // for a tree, as in Options; for a grid, the side of a cube relative to the diagonal
-  float delta_a = 0;        // as in Options
-  float delta_d = 0.25F;
+  float delta_a = 0, delta_d = 0.25F;  // as in Options
   // Gives each sheet its own vertices where sheets of the result touch, so that edges have two triangles.
   bool cut = true;
-  unsigned threads = 0;  // as in Options
-  // Points without triangles are always clustered. `automatic` clusters without a target and a max_error.
-  Method method = Method::cluster;
-  // Collapse only: stops before the estimated error is greater, relative to the diagonal; 0: no limit. Without this and
-  // without a target, `threshold` is the limit.
-  float max_error = 0;
+  unsigned threads = 0;             // as in Options
+  Method method = Method::cluster;  // points without triangles are always clustered
+  float max_error = 0;  // of collapses, relative to the diagonal; 0: no limit with a target, else `threshold`
 };
 
 // The result has the attributes of the input, and always normals.
@@ -218,13 +210,9 @@ struct Simplified {
 // Clusters vertices. A triangle stays if its corners are in three clusters. Repeats are removed, and so are pairs of
 // opposite orientation. The result has the vertices that its triangles use, or all clusters of a point set.
 // Source: Boubekeur 2007, ch. 3.3; P. Lindstrom, Out-of-Core Simplification of Large Polygonal Models, 2000.
-// Method::collapse: the vertices of the result are points of the input, with all their attributes. Boundaries, and
-// seams of colours or texture coordinates, stay closed and follow their old course. Vertices with three or more sets of
-// attributes stay; so the result may have more triangles than `target`. With a target that is no less than the number
-// of triangles, and no max_error, the result is the whole input.
-// Source: M. Garland, P. Heckbert, Surface Simplification Using Quadric Error Metrics, 1997 (in meshoptimizer).
-// Errors: as Tree, and Error for an index that is no point, for a max_error with Method::cluster, and for
-// Method::collapse in a library that was built without meshoptimizer.
+// Collapse (M. Garland, P. Heckbert, 1997) keeps points of the input with all their attributes. Boundaries and seams stay
+// closed. It may leave more triangles than `target`. A target that is not below the input gives the whole input.
+// Errors: as Tree; an index that is no point; max_error with cluster; collapse in a build without meshoptimizer.
 GLARK_EXPORT Simplified simplify(const Mesh& mesh, const SimplifyOptions& options = {});
 
 }  // namespace glark::vstree

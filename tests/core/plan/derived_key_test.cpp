@@ -76,10 +76,15 @@ TEST_F(DerivedKeys, WhatTheDrawAsksForIsInTheKey) {
 }
 
 TEST(Batches, TakeManyTrianglesAtShallowUniformLevels) {
-  EXPECT_TRUE(draws_batches({.level = 2}, 16));
-  EXPECT_FALSE(draws_batches({.level = 2}, 15));
-  EXPECT_FALSE(draws_batches({.level = 3}, 16));
-  EXPECT_FALSE(draws_batches({.adaptive = true, .level = 2}, 16));
+  depth::DepthPlan plan;
+  plan.level = 2;
+  EXPECT_TRUE(draws_batches(plan, 16));
+  EXPECT_FALSE(draws_batches(plan, 15));
+  plan.level = 3;
+  EXPECT_FALSE(draws_batches(plan, 16));
+  plan.level = 2;
+  plan.adaptive = true;
+  EXPECT_FALSE(draws_batches(plan, 16));
 }
 
 }  // namespace
