@@ -72,8 +72,8 @@ def reach_all(laboratory: Laboratory, apis: list, jobs: int) -> list:
             with lock:
                 reaches.append(reach)
                 file.write(reach.line() + "\n")
-            if len(reaches) % 200 == 0:
                 file.flush()
+            if len(reaches) % 200 == 0:
                 say(f"{len(reaches)} cases: which mutants they reach is known")
     written = {(api, case) for api in apis for case in laboratory.cases(api)}
     failed = [reach for reach in reaches if reach.verdict not in ("Pass", "QualityWarning", "NotSupported", "Unimplemented")]

@@ -20,12 +20,12 @@ NOT_MUTATED = (".glsl.h",)  # read by C++ and by GLSL
 ERROR = re.compile(r"^(?P<path>[^\s:]+):(?P<line>\d+):\d+: (?:fatal )?error: (?P<text>.*)$")
 NOTE = re.compile(r"^(?P<path>[^\s:]+):(?P<line>\d+):\d+:   (?:required|in .constexpr)")
 UNDECLARED = re.compile(r"[‘'](\w+)[’'] was not declared")
-# GL reads the texts of our shaders at one place. There the choices in these texts are made.
+# GL reads the texts of our shaders at one place. There the choices in these texts are made. A hook adds no line.
 HOOK_FILE = "glark/core/objects/shader.cpp"
 HOOKS = [("const char* text = source.c_str();",
-          "const std::string chosen_text = glark_mutants::text_of_shader(source);\n  const char* text = chosen_text.c_str();"),
+          "const std::string chosen_text = glark_mutants::text_of_shader(source); const char* text = chosen_text.c_str();"),
          ("GLint compiled = GL_FALSE;",
-          "GLint compiled = GL_FALSE;\n  struct Watch { const GLint& is; ~Watch() { glark_mutants::shader_compiled(is != 0); } } "
+          "GLint compiled = GL_FALSE; struct Watch { const GLint& is; ~Watch() { glark_mutants::shader_compiled(is != 0); } } "
           "const watch{compiled};")]
 ROUNDS = 25
 
@@ -109,8 +109,6 @@ class Library:
         mutants = [mutant for mutant in self.by_file[name] if mutant.number not in self.left_out]
         text, self.owners[name] = instrumented((self.root / name).read_text(), mutants)
         write_if_other(self.source / name, hooked(name, text))
-        if name == HOOK_FILE:
-            self.owners[name] = {}  # the hooks have moved the lines
 
     def configure(self, header: pathlib.Path) -> None:
         launcher = ["-DCMAKE_C_COMPILER_LAUNCHER=ccache", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []

@@ -8,6 +8,7 @@ import dataclasses
 
 from .operators import Edit, Mutant
 
+CONDITIONS = {"compare", "logic", "forget", "not", "negate"}
 # In GLSL, a choice is marked by these characters. The library makes it when it hands the text to GL: runtime.h.
 BEGIN, NEW, OLD, END = "\x01", "\x02", "\x03", "\x04"
 
@@ -82,10 +83,11 @@ def write_place(writer: Writer, text: str, place: Place) -> None:
             writer.put(f"\nif ({chosen(mutant)}) {{}} else\n", mutant)
         write_range(writer, text, place.begin, place.end, place.inner)
     else:
+        cast = "static_cast<bool>" if first[0].operator in CONDITIONS else ""  # both sides of ?: need the same type
         for mutant, edit in place.choices:
-            writer.put(f"\n({chosen(mutant)} ?\n{edit.new}\n:\n", mutant)
+            writer.put(f"\n({chosen(mutant)} ?\n{cast}({edit.new})\n: {cast}\n(", mutant)
         write_range(writer, text, place.begin, place.end, place.inner)
-        writer.put("\n" + ")" * len(place.choices))
+        writer.put("\n" + "))" * len(place.choices))
 
 
 def write_equality(writer: Writer, choices: list) -> None:

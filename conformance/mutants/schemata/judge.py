@@ -97,9 +97,12 @@ class Laboratory:
         if not suite.is_file():
             raise run.Complaint(f"{suite} is missing: build the target glark-conformance first")
 
-    def cases(self, api: str) -> list:
         done = subprocess.run([self.suite, "--list", "--json"], capture_output=True, text=True, check=True)
-        return [case["name"] for case in json.loads(done.stdout)["cases"] if case["written"] and api in case["apis"]]
+        self.listed = [case for case in json.loads(done.stdout)["cases"] if case["written"]]
+        self.optional = {case["name"] for case in self.listed if case["optional"]}
+
+    def cases(self, api: str) -> list:
+        return [case["name"] for case in self.listed if api in case["apis"]]
 
     def run(self, api: str, names: list, mutant: int = -1, reached: pathlib.Path | None = None, most_cpu: float = 60) -> CaseRun:
         """Runs the cases in one process until one fails. `mutant` -1 is the true implementation."""
@@ -128,8 +131,8 @@ class Laboratory:
             result.how = "Timeout" if watch.hangs or status & 127 == signal.SIGXCPU or result.cpu >= most_cpu else "Crash"
         return result
 
-    @staticmethod
-    def read(line: bytes, result: CaseRun) -> None:
+    def read(self, line: bytes, result: CaseRun) -> None:
+        """NotSupported is no answer of a case that the true implementation passes, unless what it asks for is optional."""
         try:
             message = json.loads(line)
         except ValueError:
@@ -137,7 +140,8 @@ class Laboratory:
         if "end" not in message:
             return
         result.verdicts.append((message["end"], message["verdict"]))
-        if message["verdict"] in BAD and not result.failed:
+        bad = message["verdict"] in BAD or (message["verdict"] == "NotSupported" and message["end"] not in self.optional)
+        if bad and not result.failed:
             result.failed, result.how = message["end"], message["verdict"]
 
     def reach(self, api: str, case: str) -> Reach:

@@ -114,7 +114,7 @@ class Operators:
         values = {"void": [""], "bool": ["true", "false"], "": []}.get(" ".join(words), ["{}"])
         if not words and function.name.split("::")[-1].startswith("~"):
             values = [""]
-        for value in values:
+        for value in values if "&" not in words else ():
             text = f"return {value};" if value else "return;"
             if self.tokens.source(first, last) != text:
                 edit = Edit(self.tokens[first].begin, self.tokens[first].begin, text, "before")
