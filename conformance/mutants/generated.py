@@ -88,7 +88,9 @@ class Campaign:
     def __init__(self, arguments: argparse.Namespace):
         self.arguments = arguments
         self.folder = pathlib.Path(arguments.build).resolve() / "mutants/generated"
-        self.mutants = build.all_mutants(ROOT)
+        self.mutants = build.all_mutants(ROOT, arguments.files)
+        if not self.mutants:
+            raise run.Complaint("no file matches " + " ".join(arguments.files))
         listed, outside = equivalents.read()
         self.sorter = equivalents.Sorter(listed, outside)
         self.library = build.Library(self.folder, ROOT, self.mutants, arguments.jobs, say)
@@ -158,6 +160,8 @@ def options() -> argparse.ArgumentParser:
     parser.add_argument("--build", default=str(ROOT / "build/release"), help="directory with a built glark-conformance")
     parser.add_argument("--check", action="store_true", help="only check that each entry of schemata/equivalents.toml is a mutant")
     parser.add_argument("--show", metavar="GLOB", help="print the mutants of such files, and stop")
+    parser.add_argument("--files", action="append", metavar="GLOB",
+                        help="a library with mutants of these files only, which is built sooner; may be repeated")
     parser.add_argument("--filter", action="append", metavar="GLOB", help="only such mutants: of FILE or FILE:FUNCTION:OPERATOR; may be repeated")
     parser.add_argument("--sample", type=int, default=0, metavar="N", help="judge N mutants, drawn at random")
     parser.add_argument("--seed", type=int, default=1, help="seed of the sample")

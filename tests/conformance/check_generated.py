@@ -16,7 +16,8 @@ import run  # noqa: E402
 from schemata import build, equivalents, instrument, judge, table  # noqa: E402
 from schemata.operators import mutants_of  # noqa: E402
 
-TOY = """#include "glark/core/toy.h"
+TOY = """// A toy.
+#include "glark/core/toy.h"
 namespace toy {
 int smaller(int a, int b) {
   if (a < b && b != 7) {
@@ -37,7 +38,8 @@ extern "C" const char* shader() {
   return text.c_str();
 }
 """
-HEADER = """#pragma once
+HEADER = """// A toy.
+#pragma once
 #include <string>
 struct Pair {
   int one = 0;

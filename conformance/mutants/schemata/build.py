@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 """Makes the library that holds all mutants. Mutants that do not compile are left out."""
+import fnmatch
 import json
 import os
 import pathlib
@@ -30,16 +31,16 @@ HOOKS = [("const char* text = source.c_str();",
 ROUNDS = 25
 
 
-def sources_of(root: pathlib.Path) -> list:
-    """The names of the files from which mutants are made."""
+def sources_of(root: pathlib.Path, globs: list | None = None) -> list:
+    """The names of the files from which mutants are made: all, or those that a glob matches."""
     names = [str(path.relative_to(root)) for folder in FOLDERS for path in (root / folder).rglob("*")
              if path.suffix in (".cpp", ".h", ".glsl") and not path.name.endswith(NOT_MUTATED)]
-    return sorted(names)
+    return sorted(name for name in names if any(fnmatch.fnmatchcase(name, glob) for glob in globs or ["*"]))
 
 
-def all_mutants(root: pathlib.Path, names: list | None = None) -> list:
+def all_mutants(root: pathlib.Path, globs: list | None = None) -> list:
     mutants = []
-    for name in names if names is not None else sources_of(root):
+    for name in sources_of(root, globs):
         mutants += mutants_of(name, (root / name).read_text())
     if len(mutants) > MOST:
         raise run.Complaint(f"there are {len(mutants)} mutants; schemata/build.py has room for {MOST}")
@@ -48,12 +49,18 @@ def all_mutants(root: pathlib.Path, names: list | None = None) -> list:
     return mutants
 
 
-def hooked(name: str, text: str) -> str:
+def hooked(name: str, text: str, has_mutants: bool) -> str:
+    """Adds what the mutants need, without a line of its own: the line of an error tells which mutant it is about."""
     for old, new in HOOKS if name == HOOK_FILE else ():
         if text.count(old) != 1:
             raise run.Complaint(f"{name}: {old!r} occurs {text.count(old)} times; schemata/build.py hooks in there")
         text = text.replace(old, new)
-    return text
+    if name.endswith(".glsl") or not (has_mutants or name == HOOK_FILE):
+        return text
+    first, _, rest = text.partition("\n")
+    if not first.startswith("//"):
+        raise run.Complaint(f"{name} does not begin with a comment, which schemata/build.py replaces by an #include")
+    return f'#include "glark_mutants.h"\n{rest}'
 
 
 class Library:
@@ -77,9 +84,9 @@ class Library:
         self.folder.mkdir(parents=True, exist_ok=True)
         self.remember()
         self.copy()
-        header = self.folder / "glark_mutants.h"
-        write_if_other(header, f"#define GLARK_MUTANT_COUNT {MOST}\n" + (pathlib.Path(__file__).parent / "runtime.h").read_text())
-        self.configure(header)
+        runtime = (pathlib.Path(__file__).parent / "runtime.h").read_text()
+        write_if_other(self.source / "glark_mutants.h", f"#define GLARK_MUTANT_COUNT {MOST}\n{runtime}")
+        self.configure()
         self.prune("headers", [name for name in self.by_file if name.endswith(".h")], self.errors_of_headers)
         self.prune("sources", list(self.by_file), self.errors_of_build)
 
@@ -108,13 +115,14 @@ class Library:
     def write(self, name: str) -> None:
         mutants = [mutant for mutant in self.by_file[name] if mutant.number not in self.left_out]
         text, self.owners[name] = instrumented((self.root / name).read_text(), mutants)
-        write_if_other(self.source / name, hooked(name, text))
+        write_if_other(self.source / name, hooked(name, text, bool(mutants)))
 
-    def configure(self, header: pathlib.Path) -> None:
+    def configure(self) -> None:
+        """With the flags of run.py, so that ccache has the files without mutants."""
         launcher = ["-DCMAKE_C_COMPILER_LAUNCHER=ccache", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         command = ["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DGLARK_MUTANT=ON", "-DGLARK_TESTS=OFF", "-DGLARK_BENCH=OFF",
-                   "-DGLARK_PROGRAMS=OFF", "-DGLARK_WERROR=OFF", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG -w",
-                   f"-DCMAKE_CXX_FLAGS=-include {header}", f"-DPython3_EXECUTABLE={sys.executable}", *launcher]
+                   "-DGLARK_PROGRAMS=OFF", "-DGLARK_WERROR=OFF", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
+                   f"-DPython3_EXECUTABLE={sys.executable}", *launcher]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise run.Complaint(f"the copy with all mutants cannot be configured:\n{done.stdout}{done.stderr}")
@@ -183,7 +191,9 @@ class Library:
         subprocess.run(["cmake", "--build", self.build, "--target", "glark_gl_generated"], capture_output=True, check=False)
         words = {word: None for entry in commands for word in entry["command"].split() if word.startswith(("-I", "-D", "-std", "-f"))}
         for entry in commands:
-            words |= {word: None for word in re.findall(r"-isystem \S+|-include \S+", entry["command"])}
+            words |= {word: None for word in re.findall(r"-isystem \S+", entry["command"])}
+        if not names:
+            return []
         path = self.folder / "headers.cpp"
         path.write_text("".join(f'#include "{name}"\n' for name in names))
         done = subprocess.run([compiler_of(commands[0]), *" ".join(words).split(), "-w", "-fsyntax-only", "-I", self.source, path],
