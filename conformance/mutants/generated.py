@@ -60,21 +60,28 @@ def read_reaches(path: pathlib.Path, digest: str) -> list:
     return [reach_of(line) for line in lines[1:]]
 
 
-def reach_all(laboratory: Laboratory, apis: list, jobs: int) -> list:
+def groups_of(pairs: list, size: int) -> list:
+    """[(API, cases)] with at most so many cases each."""
+    groups = []
+    for api, case in pairs:
+        if not groups or groups[-1][0] != api or len(groups[-1][1]) == size:
+            groups.append((api, []))
+        groups[-1][1].append(case)
+    return groups
+
+
+def reach_all(laboratory: Laboratory, apis: list, jobs: int, size: int) -> list:
     """Runs each case once with the true implementation, unless this library's file of reaches has it already."""
     path = laboratory.folder / "reached.jsonl"
     reaches = read_reaches(path, hashlib.sha256(laboratory.library.read_bytes()).hexdigest())
     known = {(reach.api, reach.case) for reach in reaches}
     missing = [(api, case) for api in apis for case in laboratory.cases(api) if (api, case) not in known]
-    lock = threading.Lock()
+    say(f"{len(known)} cases: it is known which mutants they reach; {len(missing)} cases to run")
     with path.open("a") as file, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for reach in pool.map(lambda pair: laboratory.reach(*pair), missing):
-            with lock:
-                reaches.append(reach)
-                file.write(reach.line() + "\n")
-                file.flush()
-            if len(reaches) % 200 == 0:
-                say(f"{len(reaches)} cases: which mutants they reach is known")
+        for found in pool.map(lambda group: laboratory.reach(*group), groups_of(missing, size)):
+            reaches += found
+            file.write("".join(reach.line() + "\n" for reach in found))
+            file.flush()
     written = {(api, case) for api in apis for case in laboratory.cases(api)}
     failed = [reach for reach in reaches if reach.verdict not in ("Pass", "QualityWarning", "NotSupported", "Unimplemented")]
     for reach in failed:
@@ -101,7 +108,7 @@ class Campaign:
         compiled = [mutant for mutant in self.mutants if mutant.number not in self.library.left_out]
         say(f"{len(self.mutants)} mutants; {len(compiled)} of them compile, in one library: {self.library.path}")
         laboratory = Laboratory(pathlib.Path(self.arguments.build).resolve() / "bin/glark-conformance", self.library.path, self.folder)
-        self.judge = Judge(laboratory, reach_all(laboratory, self.arguments.api, self.arguments.jobs), self.arguments.most_cases)
+        self.judge = Judge(laboratory, reach_all(laboratory, self.arguments.api, self.arguments.jobs, self.arguments.group), self.arguments.most_cases)
         self.compiled = [mutant for mutant in compiled if self.sorter.sort(mutant) != "outside"]
         reached = [mutant for mutant in self.compiled if mutant.number in self.judge.by_mutant]
         say(f"{len(compiled) - len(self.compiled)} are outside the specification; {len(reached)} of the other {len(self.compiled)} are "
@@ -167,6 +174,8 @@ def options() -> argparse.ArgumentParser:
     parser.add_argument("--seed", type=int, default=1, help="seed of the sample")
     parser.add_argument("--covered", action="store_true", help="draw the sample from mutants that a case reaches")
     parser.add_argument("--api", action="append", choices=sorted(PLATFORMS), help="judge by the cases of this API; may be repeated (default: all)")
+    parser.add_argument("--group", type=int, default=1, metavar="N",
+                        help="N cases share a process when it is noted what they reach: quicker, but less exact")
     parser.add_argument("--most-cases", type=int, default=0, metavar="N", help="judge a mutant by at most N cases")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="number of parallel processes")
     parser.add_argument("--resume", action="store_true", help="keep the verdicts of the journal, and judge the rest")

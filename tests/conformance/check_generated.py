@@ -244,6 +244,10 @@ class Program(unittest.TestCase):
         with self.assertRaisesRegex(run.Complaint, "no mutant matches b"):
             generated.matching(mutants, ["b*"])
 
+    def test_groups(self):
+        pairs = [("gl-core", "a"), ("gl-core", "b"), ("gl-core", "c"), ("gles", "a")]
+        self.assertEqual([("gl-core", ["a", "b"]), ("gl-core", ["c"]), ("gles", ["a"])], generated.groups_of(pairs, 2))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -72,7 +72,7 @@ class Library:
         self.jobs = jobs
         self.say = say
         self.source = folder / "source"
-        self.build = folder / "build"
+        self.build = self.source / "build/release"  # at the place that the release build has in the true sources: see configure
         self.path = self.build / "lib/libGLARK.so"
         self.by_file = {}
         for mutant in mutants:
@@ -107,25 +107,41 @@ class Library:
         for name in names:
             path = self.source / name
             path.parent.mkdir(parents=True, exist_ok=True)
-            if name in self.by_file:
+            if name in self.by_file or name == HOOK_FILE:
                 self.write(name)
-            elif not path.is_file() or path.read_bytes() != (self.root / name).read_bytes():
+            elif name != "CMakeLists.txt" and (not path.is_file() or path.read_bytes() != (self.root / name).read_bytes()):
                 shutil.copyfile(self.root / name, path)
 
     def write(self, name: str) -> None:
-        mutants = [mutant for mutant in self.by_file[name] if mutant.number not in self.left_out]
+        mutants = [mutant for mutant in self.by_file.get(name, ()) if mutant.number not in self.left_out]
         text, self.owners[name] = instrumented((self.root / name).read_text(), mutants)
         write_if_other(self.source / name, hooked(name, text, bool(mutants)))
 
     def configure(self) -> None:
-        """With the flags of run.py, so that ccache has the files without mutants."""
+        """With the flags and the relative paths of the release build, so that ccache has the files without mutants."""
         launcher = ["-DCMAKE_C_COMPILER_LAUNCHER=ccache", "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+        self.relax_flags()
         command = ["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DGLARK_MUTANT=ON", "-DGLARK_TESTS=OFF", "-DGLARK_BENCH=OFF",
-                   "-DGLARK_PROGRAMS=OFF", "-DGLARK_WERROR=OFF", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
-                   f"-DPython3_EXECUTABLE={sys.executable}", *launcher]
+                   "-DGLARK_PROGRAMS=OFF", "-DCMAKE_BUILD_TYPE=Release", f"-DPython3_EXECUTABLE={sys.executable}", *launcher]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise run.Complaint(f"the copy with all mutants cannot be configured:\n{done.stdout}{done.stderr}")
+
+    def relax_flags(self) -> None:
+        """Files with mutants, or with headers that have some, are compiled once and run for a while: without warnings, without -O3."""
+        has_headers = any(name.endswith(".h") for name in self.by_file)
+        names = [name for name in sources_of(self.root) if name.endswith(".cpp") and (has_headers or name in self.by_file or name == HOOK_FILE)]
+        paths = "\n  ".join(f"${{PROJECT_SOURCE_DIR}}/{name}" for name in names)
+        text = (self.root / "CMakeLists.txt").read_text() + f"""
+foreach(target glark_core glark_pattern glark_derive GLARK)
+  if(TARGET ${{target}})
+    set_source_files_properties(
+  {paths}
+    TARGET_DIRECTORY ${{target}} PROPERTIES COMPILE_OPTIONS "-w;-O0")
+  endif()
+endforeach()
+"""
+        write_if_other(self.source / "CMakeLists.txt", text)
 
     def prune(self, what: str, names: list, errors_of) -> None:
         for number in range(ROUNDS):

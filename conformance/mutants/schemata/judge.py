@@ -144,14 +144,17 @@ class Laboratory:
         if bad and not result.failed:
             result.failed, result.how = message["end"], message["verdict"]
 
-    def reach(self, api: str, case: str) -> Reach:
-        """Runs a case with the true implementation, and notes which mutants it reaches."""
+    def reach(self, api: str, cases: list) -> list:
+        """Runs cases in one process with the true implementation, and notes which mutants they reach together."""
         path = self.folder / f"reached-{os.getpid()}-{threading.get_ident()}"
         path.unlink(missing_ok=True)
-        done = self.run(api, [case], reached=path, most_cpu=600)
+        done = self.run(api, cases, reached=path, most_cpu=600)
         numbers = frozenset(i for i, byte in enumerate(path.read_bytes()) if byte) if path.is_file() else frozenset()
         path.unlink(missing_ok=True)
-        return Reach(api, case, dict(done.verdicts).get(case, done.how or "Missing"), done.cpu, numbers)
+        if done.failed and len(cases) > 1:
+            return [reach for case in cases for reach in self.reach(api, [case])]
+        verdicts = dict(done.verdicts)
+        return [Reach(api, case, verdicts.get(case, done.how or "Missing"), done.cpu / len(cases), numbers) for case in cases]
 
 
 @dataclasses.dataclass

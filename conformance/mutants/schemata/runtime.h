@@ -91,5 +91,4 @@ inline void shader_compiled(bool compiled) {
 }
 
 }  // namespace glark_mutants
-#pragma GCC optimize("O0")  // these files are compiled once and run for a while
 #endif
