@@ -232,6 +232,8 @@ class Results(unittest.TestCase):
         self.assertEqual(reaches[0], judge.reach_of(reaches[0].line()))
         judges = judge.Judge(None, reaches)
         self.assertEqual(["narrow", "broad", "slow"], [reach.case for reach in judges.order(self.mutants[0])])
+        turns = judge.Judge(None, [judge.Reach("gl-compat", name, "Pass", 1, frozenset([0])) for name in ("ark.a.1", "ark.a.2", "ark.b.1")])
+        self.assertEqual(["ark.a.1", "ark.b.1", "ark.a.2"], [reach.case for reach in turns.order(self.mutants[0])])
         judges.remember(self.mutants[0], "gl-compat", "slow")
         self.assertEqual("slow", judges.order(self.mutants[0])[0].case)
 

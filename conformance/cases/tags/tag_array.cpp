@@ -214,9 +214,26 @@ void check_client_state(Test& t) {
   gl.Disable(GL_DEPTH_TAG_ARRAY_ARK);
   expect_unchanged(t, take_snapshot(t), disabled, "Disable after EnableClientState");
   t.expect_no_error("client state");
-  for (const int name : {GL_ARK, GL_DEPTH_TAG_ARRAY_TYPE_ARK, GL_DEPTH_TAG_ATTRIBUTE_ARK})
+  for (const int name : {GL_ARK, GL_DEPTH_TAG_ARRAY_TYPE_ARK, GL_DEPTH_TAG_ATTRIBUTE_ARK}) {
     expect_refused(t, GL_INVALID_ENUM, "EnableClientState of another token",
                    [&] { gl.EnableClientState(static_cast<GLenum>(name)); });
+    expect_refused(t, GL_INVALID_ENUM, "DisableClientState of another token",
+                   [&] { gl.DisableClientState(static_cast<GLenum>(name)); });
+  }
+}
+
+void check_other_client_state(Test& t) {
+  set_everything(t);
+  for (const bool enabled : {true, false}) {
+    enabled ? gl.EnableClientState(GL_DEPTH_TAG_ARRAY_ARK) : gl.DisableClientState(GL_DEPTH_TAG_ARRAY_ARK);
+    gl.EnableClientState(GL_NORMAL_ARRAY);
+    t.expect(gl.IsEnabled(GL_NORMAL_ARRAY) == GL_TRUE, "the array of normals is enabled");
+    expect_enabled(t, enabled, "EnableClientState of another array");
+    gl.DisableClientState(GL_NORMAL_ARRAY);
+    t.expect(gl.IsEnabled(GL_NORMAL_ARRAY) == GL_FALSE, "the array of normals is disabled");
+    expect_enabled(t, enabled, "DisableClientState of another array");
+  }
+  t.expect_no_error("client state of another array");
 }
 
 }  // namespace
@@ -250,6 +267,12 @@ Cases tag_array_cases() {
        .wrong = "INVALID_ENUM; a third flag.",
        .apis = compat_only,
        .check = check_client_state},
+      {.name = "ark.tag_array.other_client_state",
+       .clauses = {"10.R.1-27"},
+       .plan = "EnableClientState and DisableClientState of the array of normals: they change it, and not the tags.",
+       .wrong = "Every array is taken for the one of tags.",
+       .apis = compat_only,
+       .check = check_other_client_state},
   };
   for (const TagType& type : tag_types) {
     cases.push_back({.name = std::string("ark.tag_array.draw.") + type.leaf,

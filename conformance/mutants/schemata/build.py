@@ -84,7 +84,7 @@ class Library:
         self.folder.mkdir(parents=True, exist_ok=True)
         self.remember()
         self.copy()
-        runtime = (pathlib.Path(__file__).parent / "runtime.h").read_text()
+        runtime = (pathlib.Path(__file__).parent / "runtime.h.in").read_text()
         write_if_other(self.source / "glark_mutants.h", f"#define GLARK_MUTANT_COUNT {MOST}\n{runtime}")
         self.configure()
         self.prune("headers", [name for name in self.by_file if name.endswith(".h")], self.errors_of_headers)

@@ -9,7 +9,7 @@ import dataclasses
 from .operators import Edit, Mutant
 
 CONDITIONS = {"compare", "logic", "forget", "not", "negate"}
-# In GLSL, a choice is marked by these characters. The library makes it when it hands the text to GL: runtime.h.
+# In GLSL, a choice is marked by these characters. The library makes it when it hands the text to GL: runtime.h.in.
 BEGIN, NEW, OLD, END = "\x01", "\x02", "\x03", "\x04"
 
 

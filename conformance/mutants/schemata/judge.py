@@ -124,6 +124,8 @@ class Laboratory:
         process.returncode = status
         process.stdout.close()
         watch.over.set()
+        if os.WIFEXITED(status) and os.WEXITSTATUS(status) in (126, 127):
+            raise run.Complaint(f"{self.suite} cannot be started")
         result.cpu = usage.ru_utime + usage.ru_stime
         left = [name for name in names if name not in {case for case, _ in result.verdicts}]
         if left and not result.failed:
@@ -157,6 +159,10 @@ class Laboratory:
         return [Reach(api, case, verdicts.get(case, done.how or "Missing"), done.cpu / len(cases), numbers) for case in cases]
 
 
+def area_of(case: str) -> str:
+    return case.split(".")[1] if "." in case else case
+
+
 @dataclasses.dataclass
 class Verdict:
     mutant: str  # identity
@@ -181,11 +187,17 @@ class Judge:
                 self.by_mutant.setdefault(number, []).append(reach)
 
     def order(self, mutant) -> list:
-        """Cases that caught a mutant of the same function come first, then quick ones that reach little else."""
+        """Cases that caught a mutant of the same function or file come first. Then each area of the suite gives a case in turn, quick
+        ones that reach little else first: much of the code is reached by most cases, and only those of one area look at it."""
         near = self.killers.get((mutant.file, mutant.function), []) + self.killers.get(mutant.file, [])
         place = {key: i for i, key in reversed(list(enumerate(near)))}
-        return sorted(self.by_mutant.get(mutant.number, ()),
-                      key=lambda reach: (place.get((reach.api, reach.case), len(near)), reach.cpu * len(reach.mutants)))
+        turns = {}
+        keys = []
+        for reach in sorted(self.by_mutant.get(mutant.number, ()), key=lambda reach: reach.cpu * len(reach.mutants)):
+            area = area_of(reach.case)
+            turns[area] = turns.get(area, 0) + 1
+            keys.append((place.get((reach.api, reach.case), len(near)), turns[area], len(keys), reach))
+        return [key[3] for key in sorted(keys, key=lambda key: key[:3])]
 
     def judge(self, mutant, identity: str) -> Verdict:
         cases = self.order(mutant)
@@ -224,4 +236,4 @@ class Judge:
             known = self.killers.setdefault(key, [])
             if (api, case) not in known:
                 known.insert(0, (api, case))
-            del known[4:]
+            del known[8:]
