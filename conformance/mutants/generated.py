@@ -145,7 +145,7 @@ class Campaign:
         known = journal.verdicts.get(self.identities[mutant.number])
         if self.sorter.sort(mutant):
             return False
-        return known is None or (self.arguments.survivors and known.verdict == "survived")
+        return known is None or (self.arguments.survivors and known.verdict in ("survived", "undecided"))
 
     def kind(self, mutant, journal: table.Journal) -> str:
         return self.sorter.sort(mutant) or journal.verdicts[self.identities[mutant.number]].verdict
@@ -153,7 +153,7 @@ class Campaign:
     def report(self, journal: table.Journal) -> int:
         judged = [(mutant, self.kind(mutant, journal)) for mutant in self.chosen]
         text = table.table_of(judged)
-        survivors = table.survivors_of(judged, journal.verdicts, self.identities)
+        survivors = "".join(table.survivors_of(judged, journal.verdicts, self.identities, kind) for kind in ("survived", "undecided"))
         (self.folder / "table.md").write_text(text)
         (self.folder / "survivors.txt").write_text(survivors)
         say("\n" + text + "\nsurvived:\n" + survivors)
@@ -176,10 +176,10 @@ def options() -> argparse.ArgumentParser:
     parser.add_argument("--api", action="append", choices=sorted(PLATFORMS), help="judge by the cases of this API; may be repeated (default: all)")
     parser.add_argument("--group", type=int, default=1, metavar="N",
                         help="N cases share a process when it is noted what they reach: quicker, but less exact")
-    parser.add_argument("--most-cases", type=int, default=0, metavar="N", help="judge a mutant by at most N cases")
+    parser.add_argument("--most-cases", type=int, default=0, metavar="N", help="judge a mutant by at most N cases; one that passes them is undecided")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="number of parallel processes")
     parser.add_argument("--resume", action="store_true", help="keep the verdicts of the journal, and judge the rest")
-    parser.add_argument("--survivors", action="store_true", help="with --resume: judge again what survived")
+    parser.add_argument("--survivors", action="store_true", help="with --resume: judge again what survived or is undecided")
     parser.add_argument("--table", metavar="FILE", help="write the table between the markers of this document")
     return parser
 

@@ -203,9 +203,9 @@ class Results(unittest.TestCase):
             mutant.number = number
 
     def test_rates(self):
-        kinds = ["killed", "killed", "survived", "not covered", "equivalent", "does not compile"]
+        kinds = ["killed", "killed", "survived", "undecided", "not covered", "equivalent", "does not compile"]
         judged = [(self.mutants[0], kind) for kind in kinds]
-        self.assertIn("| all | 5 | 1 | 1 | 1 | 2 | 50.0 % | 66.7 % |", table.table_of(judged))
+        self.assertIn("| all | 6 | 1 | 1 | 1 | 1 | 2 | 40.0 % | 50.0 % |", table.table_of(judged))
         self.assertEqual(1, table.survivors_of(judged, {}, {0: "x"}).count("a.cpp:1"))
 
     def test_resumed(self):
@@ -245,6 +245,16 @@ class Program(unittest.TestCase):
         self.assertEqual(len(mutants), len(generated.matching(mutants, ["a.*"])))
         with self.assertRaisesRegex(run.Complaint, "no mutant matches b"):
             generated.matching(mutants, ["b*"])
+
+    def test_undecided(self):
+        class Passes:
+            def run(self, *_arguments, **_more):
+                return judge.CaseRun([], 0)
+        mutant = next(mutant for mutant in mutants_of("a.cpp", "void f() { y = 1; }") if mutant.operator == "drop")
+        reaches = [judge.Reach("gl-core", name, "Pass", 1, frozenset([0])) for name in "abc"]
+        for most, verdict in [(2, "undecided"), (0, "survived"), (3, "survived")]:
+            self.assertEqual(verdict, judge.Judge(Passes(), reaches, most).judge(mutant, "x").verdict)
+        self.assertEqual("not covered", judge.Judge(Passes(), []).judge(mutant, "x").verdict)
 
     def test_groups(self):
         pairs = [("gl-core", "a"), ("gl-core", "b"), ("gl-core", "c"), ("gles", "a")]

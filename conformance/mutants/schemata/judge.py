@@ -166,7 +166,7 @@ def area_of(case: str) -> str:
 @dataclasses.dataclass
 class Verdict:
     mutant: str  # identity
-    verdict: str  # killed, survived, not covered, does not compile
+    verdict: str  # killed, survived, undecided (not tried by all cases that reach it), not covered, does not compile
     by: str = ""  # the API and the case that failed, and how
     tried: int = 0  # number of cases
     reached_by: int = 0
@@ -219,6 +219,8 @@ class Judge:
                 result.verdict, result.by = "killed", f"{group[0].api} {done.failed} {done.how}"
                 self.remember(mutant, group[0].api, done.failed)
                 return result
+        if result.tried < result.reached_by:
+            result.verdict = "undecided"
         return result
 
     def try_group(self, mutant, group: list) -> CaseRun:

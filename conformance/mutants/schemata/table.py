@@ -12,7 +12,7 @@ import run
 from .judge import Verdict
 
 MARKERS = ("<!-- generated mutants -->", "<!-- /generated mutants -->")
-COLUMNS = ("killed", "survived", "not covered", "equivalent", "does not compile")
+COLUMNS = ("killed", "survived", "undecided", "not covered", "equivalent", "does not compile")
 
 
 def identities_of(mutants: list, root: pathlib.Path) -> dict:
@@ -59,7 +59,7 @@ class Row:
 
     def line(self) -> str:
         wanted = self.made() - self.counts["equivalent"]
-        cells = [self.made(), self.counts["equivalent"], self.counts["not covered"], self.counts["survived"], self.counts["killed"],
+        cells = [self.made(), self.counts["equivalent"], self.counts["not covered"], self.counts["undecided"], self.counts["survived"], self.counts["killed"],
                  self.rate(wanted), self.rate(wanted - self.counts["not covered"])]
         return f"| {self.name} | " + " | ".join(map(str, cells)) + " |"
 
@@ -73,7 +73,7 @@ def rows_of(judged: list, name_of) -> list:
 
 def table_of(judged: list) -> str:
     """`judged`: [(mutant, kind)] with the kinds of COLUMNS."""
-    head = ["| | made | equivalent | not reached | survived | killed | killed of all | killed of those reached |", "|---|---|---|---|---|---|---|---|"]
+    head = ["| | made | equivalent | not reached | undecided | survived | killed | killed of all | killed of those reached |", "|---|---|---|---|---|---|---|---|---|"]
     lines = [*head, *(row.line() for row in rows_of(judged, lambda mutant: mutant.operator + (" in GLSL" if mutant.is_glsl else ""))), *(
         row.line() for row in rows_of(judged, lambda mutant: f"`{mutant.folder()}`")), *(row.line() for row in rows_of(judged, lambda _: "all"))]
     return "\n".join(lines) + "\n"
