@@ -25,12 +25,13 @@ Shape cube(std::uint32_t n) {
     const auto first = static_cast<std::uint32_t>(shape.size());
     for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
       float point[3] = {}, normal[3] = {};
+      const std::uint32_t column = i % (n + 1), row = i / (n + 1);
       point[axis] = normal[axis] = side;
-      point[(axis + 1) % 3] = side * (2 * static_cast<float>(i % (n + 1)) / static_cast<float>(n) - 1);
-      point[(axis + 2) % 3] = 2 * static_cast<float>(i / (n + 1)) / static_cast<float>(n) - 1;
+      point[(axis + 1) % 3] = side * (2 * static_cast<float>(column) / static_cast<float>(n) - 1);
+      point[(axis + 2) % 3] = 2 * static_cast<float>(row) / static_cast<float>(n) - 1;
       shape.positions.insert(shape.positions.end(), point, point + 3);
       shape.normals.insert(shape.normals.end(), normal, normal + 3);
-      if (i % (n + 1) == n || i / (n + 1) == n) continue;
+      if (column == n || row == n) continue;
       const std::uint32_t a = first + i, b = a + 1, c = a + n + 2, d = a + n + 1;
       shape.triangles.insert(shape.triangles.end(), {a, b, c, a, c, d});
     }
