@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::int64_t initial_ring_bytes = std::int64_t{4} << 20;
 constexpr std::int64_t largest_capture_bytes = std::int64_t{1} << 30;
-constexpr std::int64_t texel_bytes = 16;    // records begin at a texel
 constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 
 constexpr std::array<GLenum, 2> query_targets = {GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, GL_PRIMITIVES_GENERATED};
@@ -139,7 +138,7 @@ CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles,
   }
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
   if (current_.buffer == ring_.name()) {
-    cursor_ += static_cast<GLintptr>((bytes_of(layout, triangles) + texel_bytes - 1) / texel_bytes * texel_bytes);
+    cursor_ += static_cast<GLintptr>(bytes_of(layout, triangles));
   }
   return result;
 }

@@ -50,7 +50,6 @@ struct DrawCall {
   GLenum mode = 0;
   std::uint64_t triangles = 0;  // their number in the whole call, or a bound if !exact
   bool exact = true;
-  std::uint64_t known() const { return exact ? triangles : 0; }
   bool tags_vary = false;       // glDepthTag1i was called between its vertices
   bool whole_polygons = false;  // its triangles are those of GL's quads, or of one GL_POLYGON alone
   const PolygonSides* polygon_sides =

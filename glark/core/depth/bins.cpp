@@ -6,7 +6,6 @@
 #include <iterator>
 #include <vector>
 
-#include "glark/core/capture/record_texels.h"
 namespace glark::depth {
 namespace {
 
@@ -24,7 +23,7 @@ constexpr std::int64_t deep_reserve_bytes = std::int64_t{32} << 20;
 
 constexpr const char* uniform_names[] = {"record_offset",        "corner_words", "tag_offset", "uniform_tag",
                                          "triangle_bound",       "count_on_gpu", "pool_level", "instance_capacity",
-                                         "tags_are_edge_depths", "counted",      "parts"};
+                                         "tags_are_edge_depths", "counted"};
 
 }  // namespace
 
@@ -36,9 +35,6 @@ bool BinStage::build(core::ComputePass& pass, std::uint64_t number, const BinKin
       .es = language_ == capture::Language::es,
       .defines = {{"GLARK_PASS", number},
                   {"GLARK_INTERIOR", static_cast<std::uint64_t>(kind.interior)},
-                  {"GLARK_FIRST_TEXELS", core::BufferTexels::first_unit},
-                  {"GLARK_SECOND_TEXELS", core::BufferTexels::first_unit + 1},
-                  {"GLARK_ENDS", 0U},
                   {"GLARK_STEPS", morphing ? std::uint64_t{pattern::morph_steps} : 1U},
                   {"GLARK_PACKED_BITS", kind.measured ? static_cast<std::uint64_t>(measured_bits(morphing)) : 0U}}};
   return compilation_.build(pass, text, uniform_names);
@@ -89,12 +85,12 @@ bool BinStage::has_room(const capture::Layout& layout, std::uint32_t triangles, 
   const std::uint32_t instances = most_instances(layout, triangles, plan.deepest);
   const auto found = passes_.find({plan.interior, plan.measured});
   return found != passes_.end() && found->second.built() && instances <= capacity_ &&
-         reorder_.has_room(layout, instances) && texels_.can_read(capture::record_bytes(layout, triangles));
+         reorder_.has_room(layout, instances);
 }
 
 bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, const DepthPlan& plan) {
   const std::uint32_t instances = most_instances(layout, triangles, plan.deepest);
-  if (!texels_.can_read(capture::record_bytes(layout, triangles)) || !compile({plan.interior, plan.measured})) {
+  if (!compile({plan.interior, plan.measured})) {
     return false;
   }
   if (instances > capacity_ &&
@@ -105,19 +101,10 @@ bool BinStage::reserve(const capture::Layout& layout, std::uint32_t triangles, c
   return reorder_.reserve(layout, instances);
 }
 
-namespace {
-
-// The records, or the measured depths: a word for each triangle.
-core::BufferTexels::Range depths_of(const BinRequest& request) {
-  return request.measured.buffer != 0 ? core::BufferTexels::Range{request.measured.buffer, request.measured.offset,
-                                                                  std::int64_t{4} * request.triangles.count}
-                                      : capture::record_texels(*request.layout, request.triangles);
-}
-
-}  // namespace
-
-void BinStage::set_uniforms(const core::ComputePass& pass, const BinRequest& request, GLint record_offset) const {
-  const GLint values[] = {record_offset,
+void BinStage::set_uniforms(const core::ComputePass& pass, const BinRequest& request) const {
+  const bool measured = request.measured.buffer != 0;
+  const GLintptr offset = measured ? request.measured.offset : request.triangles.offset;
+  const GLint values[] = {static_cast<GLint>(offset / 4),
                           request.layout->corner_words,
                           request.layout->tag_offset,
                           static_cast<GLint>(request.uniform_tag),
@@ -126,14 +113,13 @@ void BinStage::set_uniforms(const core::ComputePass& pass, const BinRequest& req
                           static_cast<GLint>(request.pool_level),
                           static_cast<GLint>(capacity_),
                           request.tags_are_edge_depths ? 1 : 0,
-                          request.counted ? 1 : 0,
-                          Reorder::parts(*request.layout)};
+                          request.counted ? 1 : 0};
   pass.set_integers(gl_, values);
 }
 
 BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings) {
-  const core::BufferTexels::Range depths = depths_of(request);
-  texels_.bind({&depths, 1});
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0,
+                     request.measured.buffer != 0 ? request.measured.buffer : request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, instances_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, work_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, count_buffer);
@@ -141,13 +127,12 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, c
   const core::ComputePass* const passes[] = {&own.count, &scan_, &own.scatter};
   for (std::size_t i = 0; i < std::size(passes); ++i) {
     passes[i]->use(gl_);
-    set_uniforms(*passes[i], request, core::BufferTexels::first_word(depths));
+    set_uniforms(*passes[i], request);
     core::ComputePass::dispatch(gl_, i == 1 ? 1 : request.triangles.count);
     gl_.MemoryBarrier(i == 2 ? GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT |
                                    GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT
                              : GL_SHADER_STORAGE_BARRIER_BIT);
   }
-  texels_.unbind();
   const Order order{instances_.name(), work_.name(), static_cast<GLintptr>(work_all_instances * 4)};
   reorder_.run(*request.layout, request.triangles, order, bindings);
   return {.records = reorder_.records(),
@@ -198,7 +183,6 @@ void BinStage::release() {
   passes_.clear();
   work_.release(gl_);
   instances_.release(gl_);
-  texels_.release();
   reorder_.release();
   capacity_ = 0;
 }

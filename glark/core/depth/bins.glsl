@@ -15,8 +15,9 @@ const int scanners = 32;
 layout(local_size_x = 64) in;
 #endif
 
-// Sorted by piece: the parts (Reorder::parts) of instance_capacity coarse triangles (room for 3 words each), then as many
-// patches (4 words each).
+layout(std430, binding = 0) readonly buffer Records { uint records[]; };
+// Sorted by piece: the corners of instance_capacity coarse triangles (3 words each), then as many patches (4 words
+// each).
 layout(std430, binding = 1) writeonly buffer Instances { uint instances[]; };
 // Words (uint):
 //   0, 1     number of refined triangles, low and high word
@@ -36,6 +37,7 @@ const int cursors = counts + piece_count;
 const int pieces = cursors + piece_count;
 const int commands = pieces + 4 * piece_count;
 
+uniform int record_offset;     // in words
 uniform int corner_words;
 uniform int tag_offset;        // in a corner; < 0: every tag is uniform_tag
 uniform int uniform_tag;
@@ -45,7 +47,6 @@ uniform int pool_level;
 uniform int tags_are_edge_depths;  // corner k holds the depth of edge k
 uniform int instance_capacity;
 uniform int counted;  // the triangles count for the budget
-uniform int parts;    // of a record, which are moved one by one: 1 or 3
 
 #if GLARK_PASS == 1
 
@@ -100,12 +101,7 @@ void main() {
   atomicAdd(triangles_high, overflows + (low + triangles < low ? 1u : 0u));
   barrier();
   if (self == 0) {
-    all = min(all, capacity);
-    uint moved = uint(parts) * all;
-    work[all_instances] = (moved + 2u) / 3u * 3u;  // the feedback takes vertices in threes
-    for (uint i = moved; i < work[all_instances]; ++i) {
-      instances[i] = 0u;
-    }
+    work[all_instances] = 3u * min(all, capacity);
     work[all_instances + 1] = 1u;
     add_triangles();
   }
@@ -113,7 +109,6 @@ void main() {
 
 #else
 
-#include "glark/core/depth/texels.glsl"
 #include "glark/core/depth/edge_steps.glsl"
 
 const int interior = GLARK_INTERIOR;
@@ -126,7 +121,7 @@ int tag_of(int corner) {
   if (tag_offset < 0) {
     return uniform_tag * depth_steps;
   }
-  return steps_of(uintBitsToFloat(record_at(record_offset + (3 * triangle + corner) * corner_words + tag_offset)));
+  return steps_of(uintBitsToFloat(records[record_offset + (3 * triangle + corner) * corner_words + tag_offset]));
 }
 
 void emit_instance(int piece, float ou, float ov, float s, float r) {
@@ -137,8 +132,8 @@ void emit_instance(int piece, float ou, float ov, float s, float r) {
   if (slot >= instance_capacity) {
     return;
   }
-  for (int part = 0; part < parts; ++part) {
-    instances[parts * slot + part] = uint(parts * triangle + part);
+  for (int corner = 0; corner < 3; ++corner) {
+    instances[3 * slot + corner] = uint(3 * triangle + corner);
   }
   int to = 3 * instance_capacity + 4 * slot;
   uvec4 words = floatBitsToUint(placement_of(vec4(ou, ov, s, r), edge_steps));
@@ -161,7 +156,7 @@ void main() {
     return;
   }
   if (packed_bits > 0) {
-    uint word = record_at(record_offset + triangle);
+    uint word = records[record_offset + triangle];
     uint mask = (1u << packed_bits) - 1u;
     edge_steps = ivec3(word & mask, (word >> packed_bits) & mask, (word >> (2 * packed_bits)) & mask);
 #if GLARK_PASS == 0

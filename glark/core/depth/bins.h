@@ -16,7 +16,6 @@
 #include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/depth/reorder.h"
-#include "glark/core/objects/buffer_texels.h"
 #include "glark/core/objects/compilation.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
@@ -39,11 +38,7 @@ struct BinRequest {
 class BinStage {
  public:
   BinStage(core::Compilation& compilation, capture::Language language)
-      : gl_(compilation.gl()),
-        compilation_(compilation),
-        language_(language),
-        texels_(gl_),
-        reorder_(compilation, language) {}
+      : gl_(compilation.gl()), compilation_(compilation), language_(language), reorder_(compilation, language) {}
 
   // Uploads the piece table. Call it again after the pool was replaced. False without memory.
   bool prepare(const pattern::GpuPool& pool);
@@ -52,7 +47,7 @@ class BinStage {
   bool has_room(const capture::Layout& layout, std::uint32_t triangles, const DepthPlan& plan) const;
   std::uint32_t capacity() const { return capacity_; }  // instances of any draw
   // Dispatches the passes. Changes the program, the vertex array, GL_DRAW_INDIRECT_BUFFER and the storage buffer
-  // bindings 1 to 3, which the caller restores.
+  // bindings 0 to 3, which the caller restores.
   BinnedInstances sort(const BinRequest& request, GLuint count_buffer, const core::Bindings& bindings);
   // The size of the result of the last sort(); reads back.
   InstanceExtent extent(const BinnedInstances& sorted) const;
@@ -78,14 +73,13 @@ class BinStage {
   };
   bool build(core::ComputePass& pass, std::uint64_t number, const BinKind& kind);
   bool compile(const BinKind& kind);
-  void set_uniforms(const core::ComputePass& pass, const BinRequest& request, GLint record_offset) const;
+  void set_uniforms(const core::ComputePass& pass, const BinRequest& request) const;
 
   const gl::Dispatch& gl_;
   core::Compilation& compilation_;
   capture::Language language_;
   core::ComputePass scan_;
   std::map<BinKind, Passes> passes_;
-  core::BufferTexels texels_;  // the records, or the measured depths
   core::GpuBuffer work_;
   core::GpuBuffer instances_;
   std::uint32_t capacity_ = 0;  // instances

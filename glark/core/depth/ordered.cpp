@@ -3,10 +3,8 @@
 #include "glark/core/depth/ordered.h"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
-#include "glark/core/capture/record_texels.h"
 #include "glark/core/pattern/pieces.glsl.h"
 
 namespace glark::depth {
@@ -97,21 +95,21 @@ bool OrderedStage::takes(const capture::Layout& layout, const capture::CoarseTri
 }
 
 void OrderedStage::bind_buffers(const OrderedRequest& request) const {
-  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, result_.name());
-  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, request.work);
-  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, request.ends.limits);
+  const GLuint buffers[] = {request.measure.triangles.buffer, result_.name(), request.work, request.ends.positions,
+                            request.ends.limits};
+  for (GLuint i = 0; i < std::size(buffers); ++i) {
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i]);
+  }
 }
 
 BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bindings& bindings) {
   const capture::Layout& layout = *request.measure.layout;
   const capture::CoarseTriangles& triangles = request.measure.triangles;
-  const core::BufferTexels::Range read[] = {capture::record_texels(layout, triangles), request.ends.positions};
-  texels_.bind(std::span(read).first(request.ends.positions.buffer != 0 ? 2 : 1));
   bind_buffers(request);
   const core::ComputePass& pass = *find(request.measure.measures, triangles.count);
   pass.use(gl_);
   const auto straight = straight_edge_words(request.measure);
-  const GLint values[] = {core::BufferTexels::first_word(read[0]),
+  const GLint values[] = {static_cast<GLint>(triangles.offset / 4),
                           layout.corner_words,
                           layout.tag_offset,
                           request.tags_are_edge_depths ? 1 : 0,
@@ -129,7 +127,6 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
   gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   gl_.DispatchCompute(1, 1, 1);
   gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-  texels_.unbind();
   return {.records = result_.name(),
           .records_offset = records_offset,
           .record_stride = layout.triangle_words() * 4,
@@ -156,7 +153,6 @@ void OrderedStage::release() {
   }
   passes_.clear();
   no_memory_ = false;
-  texels_.release();
   result_.release(gl_);
 }
 

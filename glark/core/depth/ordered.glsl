@@ -10,16 +10,19 @@
 
 layout(local_size_x = GLARK_GROUP) in;
 
+layout(std430, binding = 0) readonly buffer Records { uint records[]; };
 // First DrawElementsIndirectCommands (5 words each), then patches (4 words each), then records. There is room for
 // GLARK_TRIANGLES * GLARK_INSTANCES instances.
 layout(std430, binding = 1) writeonly buffer Output { uint result[]; };
 layout(std430, binding = 2) buffer Work { uint work[]; };           // see bins.glsl
+layout(std430, binding = 3) readonly buffer Ends { uint ends[]; };  // see measure.glsl
 layout(std430, binding = 4) readonly buffer Limits { float limits[]; };
 
 const int pieces = 12 + 2 * piece_count;
 const int patches = 5 * GLARK_TRIANGLES * GLARK_INSTANCES;
 const int moved_records = patches + 4 * GLARK_TRIANGLES * GLARK_INSTANCES;
 
+uniform int record_offset;  // in words
 uniform int corner_words;
 uniform int tag_offset;  // in a corner
 uniform int tags_are_edge_depths;
@@ -37,7 +40,6 @@ int shown_steps(int first) { return int(shown[first]) - 1; }
 int corner_count() { return 3 * triangle_count; }
 int loop_bound(int count) { return min(count, corner_count() * count); }  // is `count`, but not a constant
 
-#include "glark/core/depth/texels.glsl"
 #include "glark/core/depth/edge_steps.glsl"
 #if !GLARK_TAGS
 #include "glark/core/depth/measure/limits.glsl"
@@ -68,7 +70,7 @@ void emit_instance(int piece, float ou, float ov, float s, float r) {
 #include "glark/core/pattern/expand.glsl.h"
 
 int tag_of(int corner) {
-  return steps_of(uintBitsToFloat(record_at(record_offset + corner * corner_words + tag_offset)));
+  return steps_of(uintBitsToFloat(records[record_offset + corner * corner_words + tag_offset]));
 }
 
 void expand(int triangle) {
@@ -100,7 +102,7 @@ void write_instance(int triangle, int slot, int piece, vec4 placement) {
   }
   int size = 3 * corner_words;
   for (int i = 0; i < size; ++i) {
-    result[moved_records + slot * size + i] = record_at(record_offset + triangle * size + i);
+    result[moved_records + slot * size + i] = records[record_offset + triangle * size + i];
   }
   atomicAdd(refined_triangles, index_count / 3u);
   atomicAdd(budget_triangles, counted != 0 && !is_flat ? index_count / 3u : 0u);

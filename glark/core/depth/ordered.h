@@ -29,7 +29,7 @@ struct OrderedRequest {
 class OrderedStage {
  public:
   OrderedStage(core::Compilation& compilation, capture::Language language)
-      : gl_(compilation.gl()), compilation_(compilation), language_(language), texels_(gl_) {}
+      : gl_(compilation.gl()), compilation_(compilation), language_(language) {}
 
   // Returns whether this stage handles draws of so many triangles, if the number is exact.
   static bool may_take(std::uint32_t triangles, const DepthPlan& plan);
@@ -60,8 +60,7 @@ class OrderedStage {
   capture::Language language_;
   std::map<Measures, Passes> passes_;
   core::GpuBuffer result_;
-  core::BufferTexels texels_;  // the records, and the ends
-  bool no_memory_ = false;     // for the result
+  bool no_memory_ = false;  // for the result
 };
 
 }  // namespace glark::depth

@@ -14,16 +14,16 @@ namespace {
 constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 constexpr const char* types[] = {"", "float", "vec2", "vec3", "vec4"};
 
-// The least number of inputs that hold the words of a part, four words each.
-int inputs_of(int part_words) { return (part_words + 3) / 4; }
-int size_of_input(int part_words, int input) { return std::min(4, part_words - 4 * input); }
+// The least number of inputs that hold the words of a corner, four words each.
+int inputs_of(int corner_words) { return (corner_words + 3) / 4; }
+int size_of_input(int corner_words, int input) { return std::min(4, corner_words - 4 * input); }
 
-std::string mover_source(capture::Language language, int part_words) {
+std::string mover_source(capture::Language language, int corner_words) {
   std::string inputs;
   std::string body;
-  for (int input = 0; input < inputs_of(part_words); ++input) {
+  for (int input = 0; input < inputs_of(corner_words); ++input) {
     const std::string number = std::to_string(input);
-    const std::string type = types[size_of_input(part_words, input)];
+    const std::string type = types[size_of_input(corner_words, input)];
     inputs += "layout(location = " + number + ") in " + type + " words" + number + ";\nout " + type + " moved" +
               number + ";\n";
     body += "  moved" + number + " = words" + number + ";\n";
@@ -35,17 +35,17 @@ std::string mover_source(capture::Language language, int part_words) {
 
 }  // namespace
 
-void Reorder::build(Mover& mover, int words) {
+void Reorder::build(Mover& mover, int corner_words) {
   if (mover.tried || !compilation_.may_begin(&mover)) {
     return;
   }
   const core::Compilation::Step step(compilation_);
   mover.tried = true;
   const std::vector<core::ShaderText> texts{
-      {GL_VERTEX_SHADER, mover_source(language_, words)},
+      {GL_VERTEX_SHADER, mover_source(language_, corner_words)},
       {GL_FRAGMENT_SHADER, core::idle_fragment_shader(language_ == capture::Language::es)}};
   std::vector<std::string> varyings;
-  for (int input = 0; input < inputs_of(words); ++input) {
+  for (int input = 0; input < inputs_of(corner_words); ++input) {
     varyings.push_back("moved" + std::to_string(input));
   }
   mover.program = core::build_program(gl_, "the reordering program", texts, varyings);
@@ -54,39 +54,36 @@ void Reorder::build(Mover& mover, int words) {
   }
 }
 
-std::int64_t Reorder::bytes_for(const capture::Layout& layout, std::uint32_t instances) {
-  constexpr std::int64_t most_added = 2;  // see Order
-  return (instances + most_added) * stride(layout) + chunk_overrun;
-}
-
 bool Reorder::has_room(const capture::Layout& layout, std::uint32_t instances) const {
-  const auto mover = movers_.find(part_words(layout));
-  return mover != movers_.end() && mover->second.program != 0 && bytes_for(layout, instances) <= records_.size();
+  const auto mover = movers_.find(layout.corner_words);
+  return mover != movers_.end() && mover->second.program != 0 &&
+         static_cast<std::int64_t>(instances) * stride(layout) + chunk_overrun <= records_.size();
 }
 
 bool Reorder::reserve(const capture::Layout& layout, std::uint32_t instances) {
   if (feedback_ == 0) {
     gl_.GenTransformFeedbacks(1, &feedback_);
   }
-  Mover& mover = movers_[part_words(layout)];
-  build(mover, part_words(layout));
-  return mover.program != 0 && records_.reserve(gl_, bytes_for(layout, instances), GL_DYNAMIC_COPY);
+  Mover& mover = movers_[layout.corner_words];
+  build(mover, layout.corner_words);
+  return mover.program != 0 &&
+         records_.reserve(gl_, static_cast<std::int64_t>(instances) * stride(layout) + chunk_overrun, GL_DYNAMIC_COPY);
 }
 
 void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order,
                   const core::Bindings& bindings) {
-  const Mover& mover = movers_.at(part_words(layout));
+  const Mover& mover = movers_.at(layout.corner_words);
   gl_.UseProgram(mover.program);
   gl_.BindVertexArray(mover.vertex_array);
   gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, order.indices);
-  for (int input = 0; input < inputs_of(part_words(layout)); ++input) {
+  for (int input = 0; input < inputs_of(layout.corner_words); ++input) {
     const auto location = static_cast<GLuint>(input);
     gl_.EnableVertexAttribArray(location);
-    gl_.VertexAttribFormat(location, size_of_input(part_words(layout), input), GL_FLOAT, GL_FALSE,
+    gl_.VertexAttribFormat(location, size_of_input(layout.corner_words, input), GL_FLOAT, GL_FALSE,
                            static_cast<GLuint>(input * 16));
     gl_.VertexAttribBinding(location, 0);
   }
-  gl_.BindVertexBuffer(0, triangles.buffer, triangles.offset, part_words(layout) * 4);
+  gl_.BindVertexBuffer(0, triangles.buffer, triangles.offset, layout.corner_words * 4);
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   gl_.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, records_.name());
   gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER,

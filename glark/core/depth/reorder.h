@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Puts coarse records into the order of their instances: draws the records through an index buffer and captures them
-// again. Vertex fetch moves a whole record as one vertex, or a long one as three; a compute shader would move single
-// words.
+// again. Vertex fetch moves whole corners; a compute shader would move single words.
 // The draw uses triangles. Mesa keeps the mode of a paused transform feedback (the application's) in the context, not
 // in the object, so our feedback must use the same mode.
 #pragma once
 
-#include <cstdint>
 #include <map>
 
 #include "glark/core/capture/coarse_triangles.h"
@@ -20,8 +18,8 @@
 
 namespace glark::depth {
 
-// The order: Reorder::parts() numbers for each instance (uint32) from the start of `indices`, and up to two more, which
-// complete a triangle. The DrawElementsIndirectCommand in `commands` holds their number.
+// The order: three corners per instance (uint32) from the start of `indices`. The DrawElementsIndirectCommand in
+// `commands` holds their number.
 struct Order {
   GLuint indices = 0;
   GLuint commands = 0;
@@ -42,8 +40,6 @@ class Reorder {
   void run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order,
            const core::Bindings& bindings);
 
-  // The number of vertices that move a record. Part p of record r is vertex parts * r + p.
-  static int parts(const capture::Layout& layout) { return layout.triangle_words() <= most_words ? 1 : 3; }
   GLuint records() const { return records_.name(); }
   static GLsizei stride(const capture::Layout& layout) { return layout.triangle_words() * 4; }
   void release();
@@ -54,16 +50,12 @@ class Reorder {
     GLuint program = 0;
     GLuint vertex_array = 0;
   };
-  // OpenGL guarantees 16 attributes and 16 outputs of four words, of which gl_Position takes one.
-  static constexpr int most_words = 48;
-  static int part_words(const capture::Layout& layout) { return layout.triangle_words() / parts(layout); }
-  static std::int64_t bytes_for(const capture::Layout& layout, std::uint32_t instances);
-  void build(Mover& mover, int words);
+  void build(Mover& mover, int corner_words);
 
   const gl::Dispatch& gl_;
   core::Compilation& compilation_;
   capture::Language language_;
-  std::map<int, Mover> movers_;  // by the number of words in a part
+  std::map<int, Mover> movers_;  // by the number of words in a corner
   core::GpuBuffer records_;
   GLuint feedback_ = 0;
 };

@@ -3,7 +3,6 @@
 #include "glark/core/plan/derived_key.h"
 
 #include "glark/core/plan/polygons/quad_capture.h"
-#include "glark/core/refine/derive.h"
 #include "glark/core/shape.h"
 #include "glark/core/weld/weld.h"
 
@@ -26,11 +25,6 @@ DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
   key.morphing = request.morphing;
   add_shape(state.options, state.ark, key);
   return key;
-}
-
-bool draws_batches(const depth::DepthPlan& depth, std::uint64_t triangles) {
-  constexpr std::uint64_t fewest_triangles = 16;
-  return !depth.adaptive && depth.level <= refine::deepest_batched && triangles >= fewest_triangles;
 }
 
 float crease_of(const ContextOptions& options) { return options.transparent ? options.crease : weld::no_crease; }

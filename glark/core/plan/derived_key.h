@@ -4,10 +4,7 @@
 // Selects the derived program of an application's program that a draw needs. No GL.
 #pragma once
 
-#include <cstdint>
-
 #include "glark/core/ark_state.h"
-#include "glark/core/depth/depth_plan.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/programs/program.h"
@@ -29,8 +26,6 @@ struct KeyRequest {
   bool morphing = false;  // vertices move between levels
 };
 DerivedKey derived_key(const KeyState& state, const KeyRequest& request);
-// Instances cost more than their vertices where a pattern is small. An instance is then a batch of coarse triangles.
-bool draws_batches(const depth::DepthPlan& depth, std::uint64_t triangles);
 // The angle beyond which shared normals do not curve an edge, in degrees. A program that calls the API gets what its
 // normals say.
 float crease_of(const ContextOptions& options);

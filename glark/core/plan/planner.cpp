@@ -282,7 +282,6 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .tagged = depth.adaptive && !depth.measured,
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
-  key.batched = !plan.polygons && !parts_.feedback.captures(env_.bindings()) && draws_batches(plan.depth, call.known());
   key.normal_attribute = normal.attribute;
   key.instanced = instanced;
   add_welded_words(

@@ -118,8 +118,8 @@ capture::CoarseTriangles CentroidSplit::split(const SplitRequest& request, GLuin
   passes_[1].use(gl_);
   set_uniforms(passes_[1], request);
   gl_.DispatchCompute(groups_for(request.records()), 1, 1);
-  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT |
-                    GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT);
   return {records_.name(), 0, request.records(), request.triangles.count_on_gpu};
 }
 

@@ -76,9 +76,9 @@ class Deriver {
 
   // The application may use names that the contract fixes. Its variable gets another name, unless the API can see it.
   bool resolve_collisions() {
-    IdentifierSet fixed = {lattice_input,         patch_input,        records_block,       words_member,
-                           record_texels_uniform, first_word_uniform, height_map_uniform,  height_channel_uniform,
-                           height_range_uniform,  instance_input,     shape_number_uniform};
+    IdentifierSet fixed = {lattice_input,      patch_input,         records_block,          words_member,
+                           first_word_uniform, height_map_uniform,  height_channel_uniform, height_range_uniform,
+                           instance_input,     shape_number_uniform};
     for (int i = 0; i < request_.layout.chunk_count(); ++i) fixed.insert(chunk_input_prefix + std::to_string(i));
     for (const std::string& name : application_identifiers_) {
       const bool ours =
@@ -115,7 +115,6 @@ class Deriver {
     plan_.border_offset = request_.layout.border_offset;
     plan_.placed = request_.placed;
     plan_.stored = request_.stored;
-    plan_.batched = request_.batched && plan_.version.at_least(140, 320);
     plan_.at_corner = request_.at_corner;
     plan_.at_points = request_.at_points;
     plan_.chunk_count = plan_.at_corner ? request_.layout.corner_chunk_count() : request_.layout.chunk_count();

@@ -27,11 +27,6 @@ inline constexpr const char* records_block = "glark_Records";
 inline constexpr const char* words_member = "glark_words";
 inline constexpr const char* first_word_uniform = "glark_first_word";
 inline constexpr unsigned records_binding = 4;
-// For batches of coarse triangles: a buffer texture with the words of all records, four a texel. The lattice is then a
-// vec3, whose third component is the number of the triangle in its batch, and the instance is the number of the batch.
-inline constexpr const char* record_texels_uniform = "glark_record_texels";
-inline constexpr int triangles_a_batch = 32;
-inline constexpr unsigned deepest_batched = 2;  // uniform level; deeper, an instance costs little beside its vertices
 // uint, in OpenGL ES with a placement: the number of the instance among all bins. It takes the place of the first
 // chunk.
 inline constexpr const char* instance_input = "glark_instance";
@@ -70,7 +65,6 @@ struct DeriveRequest {
   int coordinate_field =
       -1;  // field of the texture coordinate for displacement, two floats or more; -1: nothing is displaced
   bool stored = false;       // the record is read from the storage block
-  bool batched = false;      // an instance is a batch of coarse triangles, where the language has buffer textures
   bool at_corner = false;    // each vertex is one captured corner, which the chunks hold; nothing is refined
   bool at_points = false;    // only the position counts; each vertex is a triangle, and instances are lattice points
   bool morphing = false;     // the placement holds edge depths, and vertices move between levels; with a placement only

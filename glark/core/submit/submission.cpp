@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/submit/submission.h"
 
-#include "glark/core/objects/error_scope.h"
 #include "glark/core/refine/derive.h"
 #include "glark/core/report/statistics.h"
 #include "glark/core/shape.h"
@@ -17,7 +16,7 @@ bool is_indirect(const core::DrawPlan& plan, const RefinedTriangles& refined) {
 }  // namespace
 
 Submission::Submission(const core::Environment& environment, const Parts& parts)
-    : env_(environment), parts_(parts), modes_(environment), stage_(environment.gl), batches_(environment.gl) {}
+    : env_(environment), parts_(parts), modes_(environment), stage_(environment.gl) {}
 
 void Submission::begin(const core::DrawPlan& plan, bool indirect) const {
   const core::Bindings& b = env_.bindings();
@@ -101,15 +100,7 @@ void Submission::issue(const core::DrawPlan& plan, const RefinedTriangles& refin
     return;
   }
   const unsigned level = plan.depth.level;
-  if (plan.derived->batched()) {
-    if (!batches_.built(level)) {
-      core::ErrorScope errors(env_.errors);
-      batches_.build(level);
-    }
-    batches_.draw({*layout, refined.triangles, *plan.derived, level});
-  } else {
-    stage_.draw_uniform(pool, {refined.triangles, layout, stored, level, plan.placed, refined.count_command});
-  }
+  stage_.draw_uniform(pool, {refined.triangles, layout, stored, level, plan.placed, refined.count_command});
   core::statistics().refined_triangles +=
       refined.triangles.count_on_gpu ? 0 : std::uint64_t{refined.triangles.count} << (2 * level);
 }

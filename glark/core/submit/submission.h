@@ -12,7 +12,6 @@
 #include "glark/core/plan/feedback_in_use.h"
 #include "glark/core/programs/draw_programs.h"
 #include "glark/core/state/environment.h"
-#include "glark/core/submit/batches.h"
 #include "glark/core/submit/draw_modes.h"
 #include "glark/core/submit/submit.h"
 
@@ -46,10 +45,7 @@ class Submission {
   void draw_vertices(const core::RefinedVertices& vertices);
   // Restores the vertex array and the program after a capture of no triangles.
   void restore_after_capture() const;
-  void release() {
-    stage_.release();
-    batches_.release();
-  }
+  void release() { stage_.release(); }
 
  private:
   void set_inputs(const core::DrawPlan& plan, const RefinedTriangles& refined) const;
@@ -64,7 +60,6 @@ class Submission {
   Parts parts_;
   DrawModes modes_;
   SubmitStage stage_;
-  Batches batches_;
 };
 
 }  // namespace glark::submit

@@ -32,7 +32,7 @@ void insert_border(int corner) {
     }
     now = seen;
   }
-  int first = int(table_at(vertex_table() + 2 * place_of(corner))) - 1;
+  int first = int(tables[vertex_table() + 2 * place_of(corner)]) - 1;
   if (normal_words(corner) != normal_words(first)) {
     atomicOr(tables[word + 1], 1u);
   }
@@ -48,24 +48,24 @@ void insert_border(int corner) {
 // almost zero.
 vec3 normal_of_place(int corner) {
   int word = border_of(corner);
-  if (table_at(word + 1) == 0u) {
+  if (tables[word + 1] == 0u) {
     return uintBitsToFloat(normal_words(corner));
   }
-  ivec3 sum = ivec3(int(table_at(word + 2)), int(table_at(word + 3)), int(table_at(word + 4)));
+  ivec3 sum = ivec3(int(tables[word + 2]), int(tables[word + 3]), int(tables[word + 4]));
   return all(lessThan(abs(sum), ivec3(64))) ? vec3(0.0) : glark_pn_unit(vec3(sum));
 }
 
 void write_border(int half_edge, int slot) {
   int to = record_offset + half_edge * corner_words + border_offset;
   int next = next_corner(half_edge);
-  uvec2 own = coordinate_of(int(table_at(border_of(half_edge))) - 1);
+  uvec2 own = coordinate_of(int(tables[border_of(half_edge)]) - 1);
   uvec3 normal = floatBitsToUint(normal_of_place(half_edge));
   uvec2 near = own;
-  uvec2 far = coordinate_of(int(table_at(border_of(next))) - 1);
+  uvec2 far = coordinate_of(int(tables[border_of(next)]) - 1);
   if (slot >= 0) {
     bool falling = is_falling(half_edge);
-    near = coordinate_of(end_of_side(table_at(2 * slot), falling));
-    far = coordinate_of(end_of_side(table_at(2 * slot), !falling));
+    near = coordinate_of(end_of_side(tables[2 * slot], falling));
+    far = coordinate_of(end_of_side(tables[2 * slot], !falling));
   }
   uint words[9] = uint[9](normal.x, normal.y, normal.z, own.x, own.y, near.x, near.y, far.x, far.y);
   for (int i = 0; i < 9; ++i) {

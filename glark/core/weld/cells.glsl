@@ -42,12 +42,12 @@ void find_cells() {
   const int exponent_of_steps = 20;  // in half of the extent, rounded up
   float size = 0.0;
   for (int axis = 0; axis < corners_of_triangle; ++axis) {
-    uint most = table_at(extent_offset + axis);
+    uint most = tables[extent_offset + axis];
     if (most == 0u) {
       continue;  // no coordinate is finite
     }
     precise float greatest = 0.5 * unordered(most);
-    precise float least = 0.5 * unordered(~table_at(extent_offset + 3 + axis));
+    precise float least = 0.5 * unordered(~tables[extent_offset + 3 + axis]);
     precise float middle = greatest + least;
     precise float half_of_extent = greatest - least;
     size = max(size, max(half_of_extent, 0.25 * abs(middle)));

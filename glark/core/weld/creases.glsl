@@ -31,8 +31,8 @@ float largest(vec3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
 //   the direction in which the triangle lies, seen from its edge: a unit vector across the edge. Zero if the corners are
 //   almost in one line
 //   the unit normal of the triangle, of either direction. Zero if the triangle has no area
-int note_of(int half_edge) { return half_edge * corner_words + control_offset; }
-vec3 note_at(int word) { return uintBitsToFloat(records_at(word)); }
+int note_of(int half_edge) { return record_offset + half_edge * corner_words + control_offset; }
+vec3 note_at(int word) { return uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2])); }
 vec3 direction_of(int half_edge) { return note_at(note_of(half_edge)); }
 vec3 face_normal_of(int half_edge) { return note_at(note_of(half_edge) + 3); }
 // Bits of the word of a half-edge.
@@ -112,8 +112,8 @@ void measure_face(int half_edge) {
   Face face = face_of(from, to, third);
   vec3 unit_normal = glark_pn_unit(face.normal);
   for (int i = 0; i < corners_of_triangle; ++i) {
-    records[record_offset + note_of(half_edge) + i] = floatBitsToUint(direction[i]);
-    records[record_offset + note_of(half_edge) + 3 + i] = floatBitsToUint(unit_normal[i]);
+    records[note_of(half_edge) + i] = floatBitsToUint(direction[i]);
+    records[note_of(half_edge) + 3 + i] = floatBitsToUint(unit_normal[i]);
   }
   tables[next_side(half_edge)] = atomicExchange(tables[first_side(slot)], side_name(half_edge, falling));
   if (face.normal != vec3(0.0)) {
@@ -145,7 +145,7 @@ void look_beyond(int half_edge) {
   bool has_own = false;
   bool counts = true;
   int corner = half_edge;
-  uint side = table_at(first_side(slot));
+  uint side = tables[first_side(slot)];
   for (int left = most_sides; corner >= 0; --left) {
     bool own = is_normal_of(corner, face);
     has_own = has_own || (own && counts);
@@ -157,7 +157,7 @@ void look_beyond(int half_edge) {
       counts = other != vec3(0.0) && cosine < same;
       bends = bends || (counts && cosine > opposite);
       corner = next_corner(next_corner(other_half_edge));
-      side = table_at(next_side(other_half_edge));
+      side = tables[next_side(other_half_edge)];
     }
   }
   tables[edge_slots() + half_edge] |= (bends || side != 0u ? bends_beyond : 0u) | (has_own ? has_own_normal : 0u);
@@ -204,7 +204,7 @@ bool is_face_of_body(int half_edge) {
   uint found = 0u;
   int at = half_edge;
   for (int i = 0; i < corners_of_triangle; ++i) {
-    found |= table_at(edge_slots() + at);
+    found |= tables[edge_slots() + at];
     at = next_corner(at);
   }
   return (found & bends_beyond) == 0u && (found & has_own_normal) != 0u;
@@ -244,7 +244,7 @@ bvec2 is_crease(int half_edge, vec3 along, vec3 direction, Ends normals) {
   float straightest = none;
   bvec2 shared_normal = bvec2(false);
   int count = 0;
-  uint side = table_at(first_side(slot_of_side(half_edge)));
+  uint side = tables[first_side(slot_of_side(half_edge))];
   for (; side != 0u && count < most_sides; ++count) {
     vec3 other = direction_of(half_edge_of(side));
     float cosine = dot(direction, other);
@@ -256,7 +256,7 @@ bvec2 is_crease(int half_edge, vec3 along, vec3 direction, Ends normals) {
       }
       straightest = cosine;
     }
-    side = table_at(next_side(half_edge_of(side)));
+    side = tables[next_side(half_edge_of(side))];
   }
   if (straightest == none) {
     shared_normal = is_crease_of_boundary(half_edge, along, direction, normals);
@@ -285,12 +285,12 @@ void mark(int half_edge) {
   }
 }
 #elif GLARK_PASS == 7
-bool is_straight_at(int corner) { return table_at(steepness(corner)) != 0u; }
+bool is_straight_at(int corner) { return tables[steepness(corner)] != 0u; }
 
 // Control points are kept multiplied by 3. The edge then stays within 3/8 of the height, the triangle within half of it.
 // No limit is known if no triangle at the edge has an area.
 vec3 limited(vec3 control, vec4 near, vec4 far, int slot) {
-  uint height = table_at(height_of(slot));
+  uint height = tables[height_of(slot)];
   if (height == 0u) {
     return control;
   }

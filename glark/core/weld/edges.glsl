@@ -6,10 +6,10 @@
 // The word of a half-edge: 1 if it runs from the higher end to the lower one; then its slot, from 1; at the top, what
 // creases.glsl knows of the triangles beyond it.
 const int bits_of_slot = 29;
-bool is_falling(int half_edge) { return (table_at(edge_slots() + half_edge) & 1u) == 1u; }
+bool is_falling(int half_edge) { return (tables[edge_slots() + half_edge] & 1u) == 1u; }
 // -1: the half-edge is no side of its edge.
 int slot_of_side(int half_edge) {
-  return int((table_at(edge_slots() + half_edge) >> 1) & ((1u << bits_of_slot) - 1u)) - 1;
+  return int((tables[edge_slots() + half_edge] >> 1) & ((1u << bits_of_slot) - 1u)) - 1;
 }
 
 int first_slot_of_edge(int low_place, int high_place) {
@@ -34,11 +34,11 @@ int slot_of(int half_edge) {
   int low = falling ? to : from;
   int high = falling ? from : to;
   int next = first_slot_of_edge(low, high);
-  uint side = table_at(2 * next);
+  uint side = tables[2 * next];
   while (side != 0u && slot < 0) {
     slot = is_edge_of(low, high, side) ? next : -1;
     next = next_slot(next);
-    side = table_at(2 * next);
+    side = tables[2 * next];
   }
   return slot;
 }

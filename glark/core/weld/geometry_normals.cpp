@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "glark/core/objects/buffer_texels.h"
 #include "glark/core/weld/weld.h"
 
 namespace glark::weld {
@@ -19,8 +18,8 @@ constexpr char normals_source[] =
 constexpr const char* uniform_names[] = {"record_offset",   "corner_words",   "triangle_bound", "count_on_gpu",
                                          "position_offset", "position_words", "normal_offset",  "slot_count",
                                          "key_count",       "key_offset",     "ends_of_edge",   "corners_of_triangle",
-                                         "first_texel",     "least_cosine"};
-constexpr std::size_t least_cosine = 13;
+                                         "least_cosine"};
+constexpr std::size_t least_cosine = 12;
 
 }  // namespace
 
@@ -30,10 +29,7 @@ bool GeometryNormals::build() {
     const core::ComputeText text{.what = "a pass that makes normals",
                                  .source = normals_source,
                                  .es = language_ == capture::Language::es,
-                                 .defines = {{"GLARK_PASS", pass},
-                                             {"GLARK_GROUP", core::ComputePass::group_size},
-                                             {"GLARK_FIRST_TEXELS", core::BufferTexels::first_unit},
-                                             {"GLARK_SECOND_TEXELS", core::BufferTexels::first_unit + 1}}};
+                                 .defines = {{"GLARK_PASS", pass}, {"GLARK_GROUP", core::ComputePass::group_size}}};
     built = compilation_.build(passes_.at(pass), text, uniform_names) && built;
   }
   return built;
@@ -53,8 +49,7 @@ void GeometryNormals::run(const GeometryNormalsRequest& request) const {
                           request.keys,
                           request.key_offset,
                           ends_of_edge,
-                          corners_of_triangle,
-                          request.first_texel};
+                          corners_of_triangle};
   constexpr float rounding = 1e-4F;  // faces that meet at exactly the angle join
   const float cosine = std::cos(request.crease * std::numbers::pi_v<float> / 180) - rounding;
   for (std::size_t i = 0; i < passes_.size(); ++i) {
@@ -65,7 +60,7 @@ void GeometryNormals::run(const GeometryNormalsRequest& request) const {
       gl_.Uniform1f(pass.location(least_cosine), cosine);
     }
     core::ComputePass::dispatch(gl_, i == 0 ? static_cast<std::uint32_t>(request.slots) : 3 * request.triangles.count);
-    gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
 }
 

@@ -4,7 +4,6 @@
 // Makes corner normals from positions, for meshes without normals. The includer supplies #version and:
 //   GLARK_PASS       0 clear the table, 1 link the corners at each position, 2 write the normals
 //   GLARK_GROUP      size of a work group
-//   GLARK_FIRST_TEXELS, GLARK_SECOND_TEXELS  texture units (tables.glsl)
 //
 // The normal of a corner is the mean of the faces around its position, weighted by their angles there. Only faces count
 // that a fan of triangles joins to the corner's own one: neighbours share an edge and meet at no more than the crease
@@ -84,7 +83,7 @@ ivec3 sum_of_fan(int corner, uint first) {
   int faces[most_faces];
   int count = 0;
   uint members = 0u;
-  for (uint next = first; next != 0u; next = table_at(next_in_list(int(next) - 1))) {
+  for (uint next = first; next != 0u; next = tables[next_in_list(int(next) - 1)]) {
     faces[count] = int(next) - 1;
     members |= faces[count] == corner ? 1u << count : 0u;
     ++count;
@@ -111,7 +110,7 @@ ivec3 sum_of_fan(int corner, uint first) {
 ivec3 sum_of_near_faces(int corner, uint first) {
   vec3 own = face_normal(corner);
   ivec3 sum = ivec3(0);
-  for (uint next = first; next != 0u; next = table_at(next_in_list(int(next) - 1))) {
+  for (uint next = first; next != 0u; next = tables[next_in_list(int(next) - 1)]) {
     int face = int(next) - 1;
     sum += face == corner || dot(own, face_normal(face)) > least_cosine ? weighted_normal(face) : ivec3(0);
   }
@@ -119,9 +118,9 @@ ivec3 sum_of_near_faces(int corner, uint first) {
 }
 
 void write(int corner) {
-  uint first = table_at(list_of(int(table_at(place_of(corner)))));
+  uint first = tables[list_of(int(tables[place_of(corner)]))];
   int count = 0;
-  for (uint next = first; next != 0u; next = table_at(next_in_list(int(next) - 1))) {
+  for (uint next = first; next != 0u; next = tables[next_in_list(int(next) - 1)]) {
     ++count;
   }
   ivec3 sum = count <= 32 ? sum_of_fan(corner, first) : sum_of_near_faces(corner, first);

@@ -23,7 +23,6 @@ struct GeometryNormalsRequest {
   GLint key_offset = 0;     // of them, in words of the tables
   float crease = 0;         // degrees; faces that meet at more keep their own normals
   std::uint64_t slots = 0;  // of the table: 4 or more for each triangle
-  GLint first_texel = 0;    // of the records
 };
 
 class GeometryNormals {
@@ -34,7 +33,7 @@ class GeometryNormals {
   bool built() const { return passes_.back().built(); }
   // Compiles the passes when first called. Rare path: wrap in an ErrorScope.
   bool build();
-  // Takes the storage buffers and the texels that WeldStage::run() binds. The table needs 2 words for each slot and 6 for each triangle.
+  // Takes the storage buffers that WeldStage::run() binds. The table needs 2 words for each slot and 6 for each triangle.
   void run(const GeometryNormalsRequest& request) const;
   void release();
 

@@ -20,12 +20,8 @@ layout(std430, binding = 0) buffer Records { uint records[]; };
 // half-edge.
 layout(std430, binding = 1) coherent buffer Tables { uint tables[]; };
 layout(std430, binding = 2) readonly buffer Count { uint count_command[]; };
-// The same, for what earlier passes have written. It costs less to read on some drivers (objects/buffer_texels.h).
-layout(binding = GLARK_FIRST_TEXELS) uniform highp usamplerBuffer record_texels;
-layout(binding = GLARK_SECOND_TEXELS) uniform highp usamplerBuffer table_texels;
 
 uniform int record_offset;  // in words
-uniform int first_texel;    // of the records
 uniform int corner_words;
 uniform int triangle_bound;
 uniform int count_on_gpu;
@@ -51,13 +47,8 @@ uniform int key_offset;  // in the tables: words of a corner. Vertices with diff
 uniform int ends_of_edge;                // 2
 uniform int corners_of_triangle;         // 3
 
-// `word`: of the records of this draw.
-uint record_at(int word) { return texelFetch(record_texels, first_texel + word).x; }
-uvec3 records_at(int word) { return uvec3(record_at(word), record_at(word + 1), record_at(word + 2)); }
-uint table_at(int word) { return texelFetch(table_texels, word).x; }
-
 uint word_of(int corner, int word) {
-  uint value = record_at(corner * corner_words + word);
+  uint value = records[record_offset + corner * corner_words + word];
   return value == 0x80000000u ? 0u : value;  // zero has one sign
 }
 
@@ -68,7 +59,7 @@ uvec4 position_of(int corner) {
 
 bool same_key(int a, int b) {
   for (int i = 0; i < key_count; ++i) {
-    int word = int(table_at(key_offset + i));
+    int word = int(tables[key_offset + i]);
     if (word_of(a, word) != word_of(b, word)) {
       return false;
     }
@@ -97,7 +88,7 @@ int slot_for(uint hash) {
 
 int first_slot(uint hash, int corner) {
   for (int i = 0; i < key_count; ++i) {
-    hash = hashed(hash, word_of(corner, int(table_at(key_offset + i))));
+    hash = hashed(hash, word_of(corner, int(tables[key_offset + i])));
   }
   return slot_for(hash);
 }

@@ -14,12 +14,12 @@ constexpr char weld_source[] =
     ;
 
 constexpr const char* uniform_names[] = {
-    "record_offset", "corner_words",   "triangle_bound", "count_on_gpu",  "position_offset",   "position_words",
-    "normal_offset", "control_offset", "turn_offset",    "border_offset", "coordinate_offset", "tag_offset",
-    "slot_count",    "key_count",      "extent_offset",  "key_offset",    "ends_of_edge",      "corners_of_triangle",
-    "first_texel",   "crease_cosine",  "steepest_cosine"};
-constexpr std::size_t crease_cosine = 19;
-constexpr std::size_t steepest_cosine = 20;
+    "record_offset",     "corner_words",  "triangle_bound",      "count_on_gpu",  "position_offset",
+    "position_words",    "normal_offset", "control_offset",      "turn_offset",   "border_offset",
+    "coordinate_offset", "tag_offset",    "slot_count",          "key_count",     "extent_offset",
+    "key_offset",        "ends_of_edge",  "corners_of_triangle", "crease_cosine", "steepest_cosine"};
+constexpr std::size_t crease_cosine = 18;
+constexpr std::size_t steepest_cosine = 19;
 constexpr std::uint32_t extent[6] = {};  // the words of cells.glsl, before the first corner
 
 // The size of each table. A triangle adds at most 3 entries.
@@ -55,10 +55,6 @@ std::span<const GLint> used_keys(const WeldRequest& request) {
   return request.key_words.first(std::min(request.key_words.size(), most_key_words));
 }
 
-core::BufferTexels::Range records_of(const WeldRequest& request) {
-  return capture::record_texels(*request.layout, request.triangles);
-}
-
 // Sets the limits of creases.glsl. Faces that meet at exactly the angle of the limit do not make a crease.
 void set_limits(const gl::Dispatch& gl, const core::ComputePass& pass, float degrees) {
   constexpr float rounding = 1e-4F;
@@ -89,8 +85,6 @@ bool WeldStage::build(Ability ability, Pass pass) {
                                .es = language_ == capture::Language::es,
                                .defines = {{"GLARK_PASS", static_cast<std::uint64_t>(pass)},
                                            {"GLARK_GROUP", core::ComputePass::group_size},
-                                           {"GLARK_FIRST_TEXELS", core::BufferTexels::first_unit},
-                                           {"GLARK_SECOND_TEXELS", core::BufferTexels::first_unit + 1},
                                            {"GLARK_DISPLACED", ability == Ability::displaced ? 1U : 0U},
                                            {"GLARK_CREASED", ability == Ability::creased ? 1U : 0U}}};
   return compilation_.build(this->pass(ability, pass), text, uniform_names);
@@ -110,9 +104,7 @@ bool WeldStage::can_hold(const WeldPlan& plan, const capture::Layout& layout, st
   if (largest_block_ == 0) {
     gl_.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest_block_);
   }
-  const std::uint64_t bytes = bytes_for(plan, layout, triangles);
-  return bytes <= static_cast<std::uint64_t>(largest_block_) && texels_.can_read(static_cast<std::int64_t>(bytes)) &&
-         texels_.can_read(capture::record_bytes(layout, triangles));
+  return bytes_for(plan, layout, triangles) <= static_cast<std::uint64_t>(largest_block_);
 }
 
 bool WeldStage::needs(const WeldPlan& plan, const capture::Layout& layout, Pass pass) {
@@ -165,18 +157,15 @@ void WeldStage::dispatch(Pass step, const WeldRequest& request, std::uint32_t in
                           static_cast<GLint>(extent_offset(*request.plan, layout, triangles)),
                           static_cast<GLint>(key_offset(*request.plan, layout, triangles)),
                           ends_of_edge,
-                          corners_of_triangle,
-                          core::BufferTexels::first_word(records_of(request))};
+                          corners_of_triangle};
   program.use(gl_);
   program.set_integers(gl_, values);
   set_limits(gl_, program, request.plan->crease);
   core::ComputePass::dispatch(gl_, invocations);
-  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void WeldStage::run(const WeldRequest& request, GLuint captured_count) {
-  const core::BufferTexels::Range read[] = {records_of(request), {tables_.name(), 0, tables_.size()}};
-  texels_.bind(read);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, captured_count);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, tables_.name());
@@ -188,7 +177,6 @@ void WeldStage::run(const WeldRequest& request, GLuint captured_count) {
     weld(request);
   }
   gl_.MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  texels_.unbind();
 }
 
 void WeldStage::upload_keys(const WeldRequest& request) const {
@@ -206,8 +194,7 @@ void WeldStage::make_normals(const WeldRequest& request) const {
                 .keys = static_cast<GLint>(used_keys(request).size()),
                 .key_offset = static_cast<GLint>(key_offset(*request.plan, *request.layout, request.triangles.count)),
                 .crease = request.plan->crease,
-                .slots = slots_for(request.triangles.count),
-                .first_texel = core::BufferTexels::first_word(records_of(request))});
+                .slots = slots_for(request.triangles.count)});
 }
 
 void WeldStage::weld(const WeldRequest& request) const {
@@ -234,7 +221,6 @@ void WeldStage::release() {
     }
   }
   tables_.release(gl_);
-  texels_.release();
 }
 
 }  // namespace glark::weld

@@ -6,7 +6,6 @@
 //   GLARK_PASS       0 clear the tables, 1 find the places of vertices, 2 join edges, 3 rank the turns of sides, 4 measure
 //                    faces, 5 look beyond edges, 6 mark creases, 7 write. Passes 4 to 6 need GLARK_CREASED
 //   GLARK_GROUP      size of a work group
-//   GLARK_FIRST_TEXELS, GLARK_SECOND_TEXELS  texture units (tables.glsl)
 //   GLARK_DISPLACED  1 if records have border words. Where it is 0, the pass compiles faster
 //   GLARK_CREASED    1 if curved triangles stay near their coarse ones
 //
@@ -23,7 +22,7 @@
 
 layout(local_size_x = GLARK_GROUP) in;
 
-int place_of(int corner) { return int(table_at(vertex_slots() + corner)); }
+int place_of(int corner) { return int(tables[vertex_slots() + corner]); }
 
 // The tangent plane of the normal. Of the two opposite directions, it is the one whose first nonzero component is
 // positive. Zero if the normal is zero or not finite.
@@ -46,7 +45,8 @@ uvec3 normal_words(int corner) {
 uvec4 plane_of(int corner) { return plane_of_normal(normal_words(corner)); }
 
 vec3 normal_of(int corner) {
-  return uintBitsToFloat(records_at(corner * corner_words + normal_offset));
+  int word = record_offset + corner * corner_words + normal_offset;
+  return uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2]));
 }
 
 uvec2 coordinate_of(int corner) { return uvec2(word_of(corner, coordinate_offset), word_of(corner, coordinate_offset + 1)); }
@@ -119,7 +119,7 @@ void write_control(int corner, int behind, vec3 control) {
 }
 
 void write_turn(int half_edge, int slot) {
-  uint most = slot >= 0 ? table_at(turn_table() + slot) : side_name(half_edge, false);
+  uint most = slot >= 0 ? tables[turn_table() + slot] : side_name(half_edge, false);
   records[record_offset + half_edge * corner_words + turn_offset] = (most - 1u) >> 1;
 }
 
@@ -130,8 +130,8 @@ void write_edge(int half_edge, int slot) {
   uint least = side_name(half_edge, falling);
   uint greatest = least;
   if (slot >= 0) {
-    least = table_at(2 * slot);
-    greatest = table_at(2 * slot + 1);
+    least = tables[2 * slot];
+    greatest = tables[2 * slot + 1];
   }
   for (int end = 0; end < ends_of_edge; ++end) {
     bool high = end == 1;
@@ -158,7 +158,7 @@ void write_edge(int half_edge, int slot) {
 }
 
 void write_tag(int corner) {
-  records[record_offset + corner * corner_words + tag_offset] = table_at(vertex_table() + 2 * place_of(corner) + 1);
+  records[record_offset + corner * corner_words + tag_offset] = tables[vertex_table() + 2 * place_of(corner) + 1];
 }
 
 void write(int corner) {

@@ -19,8 +19,6 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
-#include "glark/core/capture/record_texels.h"
-#include "glark/core/objects/buffer_texels.h"
 #include "glark/core/objects/compilation.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
@@ -61,11 +59,7 @@ inline constexpr GLint corners_of_triangle = 3;
 class WeldStage {
  public:
   WeldStage(core::Compilation& compilation, capture::Language language)
-      : gl_(compilation.gl()),
-        compilation_(compilation),
-        language_(language),
-        normals_(compilation, language),
-        texels_(gl_) {}
+      : gl_(compilation.gl()), compilation_(compilation), language_(language), normals_(compilation, language) {}
 
   // Returns whether the tables for `triangles` triangles fit into a storage block.
   bool can_hold(const WeldPlan& plan, const capture::Layout& layout, std::uint64_t triangles);
@@ -101,7 +95,6 @@ class WeldStage {
   std::array<std::array<core::ComputePass, std::size(all_passes)>, 3> passes_;  // by ability
   GeometryNormals normals_;
   core::GpuBuffer tables_;
-  core::BufferTexels texels_;  // the records, and the tables
   GLint64 largest_block_ = 0;
 };
 

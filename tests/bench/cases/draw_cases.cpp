@@ -62,17 +62,6 @@ void run_static(const std::string& name, const DrawCase& which, const Mesh& mesh
             times);
 }
 
-// Both meshes are written before each draw, so nothing is kept.
-void run_changed(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report,
-                 const Effort& effort) {
-  constexpr double goal = 0.85;
-  const Subject coarse(mesh, which.shading, which.view);
-  const Subject fine(refine(mesh, which.level), which.shading, which.view);
-  expect_same(name, coarse.refined(which.level), fine.as_is());
-  const auto times = interleave({coarse.touched(coarse.refined(which.level)), fine.touched(fine.as_is())}, effort);
-  add_ratio(report, {name + "/changed", "", Goal::at_least, goal, 0, "", {}}, times);
-}
-
 // For comparison with published figures. Most of them use a mesh without shared vertices.
 void run_separate(const std::string& name, const DrawCase& which, const Mesh& mesh, Report& report,
                   const Effort& effort) {
@@ -121,11 +110,6 @@ void add_draw_cases(std::vector<Case>& cases) {
     for (DrawCase which : deep) {
       which.shading = shading;
       add_case(cases, which, "static", run_static);
-    }
-  }
-  for (const Shading shading : {Shading::glsl, Shading::fixed_function}) {
-    for (const int coarse : {200, 1246, 10000}) {
-      for (const unsigned level : {1U, 2U}) add_case(cases, {shading, coarse, level}, "changed", run_changed);
     }
   }
   for (unsigned level = 1; level <= 6; ++level)

@@ -75,17 +75,5 @@ TEST_F(DerivedKeys, WhatTheDrawAsksForIsInTheKey) {
   EXPECT_FALSE(key().tagged || key().placed || key().morphing);
 }
 
-TEST(Batches, TakeManyTrianglesAtShallowUniformLevels) {
-  depth::DepthPlan plan;
-  plan.level = 2;
-  EXPECT_TRUE(draws_batches(plan, 16));
-  EXPECT_FALSE(draws_batches(plan, 15));
-  plan.level = 3;
-  EXPECT_FALSE(draws_batches(plan, 16));
-  plan.level = 2;
-  plan.adaptive = true;
-  EXPECT_FALSE(draws_batches(plan, 16));
-}
-
 }  // namespace
 }  // namespace glark::core

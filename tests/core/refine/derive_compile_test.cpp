@@ -5,8 +5,6 @@
 // in every refinement.
 #include <gtest/gtest.h>
 
-#include <utility>
-
 #include "tests/core/refine/support/derive_harness.h"
 
 namespace glark::refine::test {
@@ -163,14 +161,12 @@ TEST_P(DeriveCompile, InEveryRefinement) {
   }
   for (const auto refinement :
        {core::Refinement::linear_inputs, core::Refinement::linear_outputs, core::Refinement::pn}) {
-    for (const auto& [flat_colors, batched] : {std::pair{false, false}, {true, false}, {false, true}}) {
+    for (const bool flat_colors : {false, true}) {
       DeriveRequest request;
       request.vertex_sources = stage.sources;
       request.layout = make_record(inputs).layout;
       request.refinement = refinement;
       request.outputs.flat_colors = flat_colors;
-      request.batched = batched;
-      request.placed = !batched;
       request.extensions = extensions;
       const Derivation derivation = derive_vertex_stage(request);
       ASSERT_TRUE(derivation.ok) << derivation.error;

@@ -68,12 +68,6 @@ class StateAfterDraws : public testing::TestWithParam<Profile> {
     glCullFace(GL_FRONT);
     glFrontFace(GL_CW);
     glEnable(GL_POLYGON_OFFSET_LINE);
-    for (const GLenum unit : {GL_TEXTURE0 + 78, GL_TEXTURE0 + 79}) {
-      GLuint texels = 0;
-      glGenTextures(1, &texels);
-      glActiveTexture(unit);
-      glBindTexture(GL_TEXTURE_BUFFER, texels);
-    }
     glActiveTexture(GL_TEXTURE3);
     GLuint texture = 0;
     glGenTextures(1, &texture);
@@ -146,12 +140,6 @@ TEST_P(StateAfterDraws, UniformDepthFromABuffer) {
   set_uniform_depth();
   use_new_program();
   expect_state_kept(4 * 16, [] { glDrawArrays(GL_TRIANGLE_STRIP, 0, 6); });
-}
-
-TEST_P(StateAfterDraws, UniformDepthOfManyTriangles) {
-  set_uniform_depth();
-  use_new_program();
-  expect_state_kept(32 * 16, [] { glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 6, 8); });
 }
 
 TEST_P(StateAfterDraws, AdaptiveTagsFromAnArray) {

@@ -149,8 +149,7 @@ void StateSnapshot::take_vertex_attributes() {
 void StateSnapshot::take_textures() {
   GLint active = 0;
   glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  constexpr GLuint most_units = 80;  // glark reads buffers through the units 78 and 79
-  for (GLuint unit = 0; unit < most_units; ++unit) {
+  for (GLuint unit = 0; unit < 16; ++unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
     for (const GLenum name : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_CUBE_MAP,
                               GL_TEXTURE_BINDING_BUFFER, GL_SAMPLER_BINDING}) {

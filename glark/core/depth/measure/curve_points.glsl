@@ -13,14 +13,18 @@ const int first_quarter = 3;
 const int centre = 9;
 const int first_middle = 10;
 
-int place_of_point(int point, int triangle) {
+int word_of_point(int point, int triangle) {
   int triangles = corner_count() / 3;
   int whole = triangles - triangles % 3;
-  return triangle < whole ? point * whole + triangle : point_count * whole + 3 * point + (triangle - whole);
+  int at = triangle < whole ? point * whole + triangle : point_count * whole + 3 * point + (triangle - whole);
+  return 4 * at;
 }
 
 // x, y and w.
-vec3 point_of(int point, int triangle) { return end_at(place_of_point(point, triangle)).xyw; }
+vec3 point_of(int point, int triangle) {
+  int word = word_of_point(point, triangle);
+  return uintBitsToFloat(uvec3(ends[word], ends[word + 1], ends[word + 3]));
+}
 
 vec4 position_of(int corner) { return vec4(point_of(corner % 3, corner / 3), 0.0).xywz; }
 

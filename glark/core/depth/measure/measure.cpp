@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "glark/core/capture/record_texels.h"
 #include "glark/core/depth/measure/measuring_pass.h"
 
 namespace glark::depth {
@@ -59,9 +58,6 @@ std::vector<core::ComputeText::Define> defines_of(const Measures& measures) {
           {"GLARK_NORMALS", flag(measures.normals)},
           {"GLARK_STRAIGHT", flag(measures.straight)},
           {"GLARK_POINTS", static_cast<std::uint64_t>(measures.points)},
-          {"GLARK_FIRST_TEXELS", core::BufferTexels::first_unit},
-          {"GLARK_SECOND_TEXELS", core::BufferTexels::first_unit + 1},
-          {"GLARK_ENDS", flag(!measures.tags)},
           {"GLARK_STEPS", static_cast<std::uint64_t>(measures.depth_steps)}};
 }
 
@@ -131,7 +127,7 @@ EdgeEnds MeasureStage::find_ends(const MeasureRequest& request, const core::Edge
     positions_.capture({*request.layout, request.triangles, request.screen}, bindings);
   }
   update_limits(rule, request.measures.depth_steps > 1, work);
-  return {positions_.texels(request.screen.points), limits_.name()};
+  return {positions_.buffer(), limits_.name()};
 }
 
 std::array<GLint, straight_edge_uniforms> straight_edge_words(const MeasureRequest& request) {
@@ -146,9 +142,7 @@ std::array<GLint, straight_edge_uniforms> straight_edge_words(const MeasureReque
 MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::Bindings& bindings) {
   const bool curves = request.screen.measures_curves();
   const MeasuredDepths result{positions_.buffer(), positions_.words_offset(request.screen.points)};
-  const core::BufferTexels::Range read[] = {capture::record_texels(*request.layout, request.triangles),
-                                            positions_.texels(request.screen.points)};
-  texels_.bind(read);
+  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, request.triangles.buffer);
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, positions_.buffer());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, limits_.name());
   const GLint stamp =
@@ -156,7 +150,7 @@ MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::
   const core::ComputePass& pass = depth_passes_.at(request.measures);
   pass.use(gl_);
   const auto straight = straight_edge_words(request);
-  const GLint values[] = {core::BufferTexels::first_word(read[0]),
+  const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
                           request.layout->corner_words,
                           request.normal_offset,
                           static_cast<GLint>(result.offset / 4),
@@ -171,8 +165,7 @@ MeasuredDepths MeasureStage::measure(const MeasureRequest& request, const core::
   pass.set_integers(gl_, values);
   gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   core::ComputePass::dispatch(gl_, request.triangles.count);
-  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-  texels_.unbind();
+  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return result;
 }
 
@@ -185,7 +178,6 @@ void MeasureStage::release() {
   rule_ = core::EdgeMeasure{};
   limits_tried_ = false;
   limits_.release(gl_);
-  texels_.release();
   positions_.release();
   shown_.release();
 }

@@ -67,9 +67,11 @@ void main() {
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 1) writeonly buffer Ends { uint ends[]; };  // behind the positions: the words of MeasuredDepths
+layout(std430, binding = 0) readonly buffer Records { uint records[]; };
+layout(std430, binding = 1) buffer Ends { uint ends[]; };  // gl_Position of each corner, then the words of MeasuredDepths
 layout(std430, binding = 2) readonly buffer Limits { float limits[]; };
 
+uniform int record_offset;  // in words
 uniform int corner_words;
 uniform int first_depth;    // word of `ends`
 uniform int triangle_bound;
@@ -94,7 +96,6 @@ const int packed_bits = GLARK_STEPS == 1 ? 4 : 10;
 int corner_count() { return 3 * triangle_bound; }
 int loop_bound(int count) { return min(count, corner_count() * count); }  // is `count`, but not a constant
 
-#include "glark/core/depth/texels.glsl"
 #include "glark/core/depth/edge_steps.glsl"
 #include "glark/core/depth/measure/limits.glsl"
 #include "glark/core/depth/measure/edge_depth.glsl"

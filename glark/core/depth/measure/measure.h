@@ -17,7 +17,6 @@
 #include "glark/core/depth/measure/measuring_pass.h"
 #include "glark/core/depth/measure/screen_positions.h"
 #include "glark/core/depth/measure/shown_edges.h"
-#include "glark/core/objects/buffer_texels.h"
 #include "glark/core/objects/compilation.h"
 #include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
@@ -46,7 +45,6 @@ class MeasureStage {
       : gl_(compilation.gl()),
         compilation_(compilation),
         language_(language),
-        texels_(compilation.gl()),
         positions_(compilation.gl()),
         shown_(compilation, language) {}
 
@@ -75,7 +73,6 @@ class MeasureStage {
   core::ComputePass limits_pass_;
   std::map<Measures, core::ComputePass> depth_passes_;
   core::GpuBuffer limits_;
-  core::BufferTexels texels_;  // the records, and the ends
   ScreenPositions positions_;
   ShownEdges shown_;
   core::EdgeMeasure rule_;     // the limits are made for this rule

@@ -4,15 +4,13 @@
 // The edge depths that the measuring pass writes, and the input of that pass.
 #pragma once
 
-#include "glark/core/objects/buffer_texels.h"
 #include "glark/gl/types.h"
 
 namespace glark::depth {
 
-// The input of the measuring pass: the positions of the captured corners or points (vec4, a texel each), and the limits
-// of this frame.
+// The input of the measuring pass: the positions of the captured corners (vec4), and the limits of this frame.
 struct EdgeEnds {
-  core::BufferTexels::Range positions;
+  GLuint positions = 0;
   GLuint limits = 0;
 };
 

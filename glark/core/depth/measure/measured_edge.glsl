@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The measured depth, in steps, between two captured corners, for measure.glsl and ordered.glsl. Both declare
-// `record_at()`, `end_at()`, `corner_count()`, `loop_bound()` and the uniforms. Loops take their bounds from loop_bound(): compilers
+// `records`, `ends`, `corner_count()`, `loop_bound()` and the uniforms. Loops take their bounds from loop_bound(): compilers
 // would unroll loops with constant ones, and the user waits for them. They supply, each 0 or 1:
 //   GLARK_CURVES   curves are measured
 //   GLARK_LENGTHS  the lengths of edges on the screen are measured
@@ -25,12 +25,13 @@ uniform int turn_offset;  // in a corner; < 0: each side of an edge is measured 
 #include "glark/core/depth/measure/hidden_triangle.glsl"
 #else
 vec4 position_of(int corner) {
-  return end_at(corner);
+  return uintBitsToFloat(uvec4(ends[4 * corner], ends[4 * corner + 1], ends[4 * corner + 2], ends[4 * corner + 3]));
 }
 #endif
 
 vec3 normal_at(int corner, int offset) {
-  return uintBitsToFloat(records_at(record_offset + corner * corner_words + offset));
+  int word = record_offset + corner * corner_words + offset;
+  return uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2]));
 }
 
 // Returns the side of the edge from `begin` to `end` that is measured, as the corners where this side begins and ends.
@@ -38,7 +39,7 @@ ivec2 side_that_turns_most(int begin, int end) {
   if (turn_offset < 0) {
     return ivec2(begin, end);
   }
-  uint from = record_at(record_offset + begin * corner_words + turn_offset);
+  uint from = records[record_offset + begin * corner_words + turn_offset];
   if (from >= uint(corner_count())) {
     return ivec2(begin, end);  // beyond the triangles that the GPU counted
   }

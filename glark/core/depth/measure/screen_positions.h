@@ -10,7 +10,6 @@
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/depth_plan.h"
-#include "glark/core/objects/buffer_texels.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/state/bindings.h"
 
@@ -33,7 +32,6 @@ class ScreenPositions {
   // records a storage buffer binding, which the caller restores.
   void capture(const PositionRequest& request, const core::Bindings& bindings);
   GLuint buffer() const { return buffer_.name(); }
-  core::BufferTexels::Range texels(int points) const { return {buffer_.name(), 0, words_offset(points), GL_RGBA32UI}; }
   // Behind the positions there is room for a word for each triangle. Its place does not depend on their number.
   GLintptr words_offset(int points) const;
   void release();

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "glark/core/capture/record_texels.h"
 #include "glark/core/depth/measure/measuring_pass.h"
 
 namespace glark::depth {
@@ -60,7 +59,7 @@ GLint ShownEdges::mark(const ShownRequest& request, const core::Bindings& bindin
     clear(pass);
   }
   ++stamp_;
-  const GLint values[] = {core::BufferTexels::first_word(capture::record_texels(request.layout, request.triangles)),
+  const GLint values[] = {static_cast<GLint>(request.triangles.offset / 4),
                           request.layout.corner_words,
                           static_cast<GLint>(request.triangles.count),
                           request.layout.turn_offset,

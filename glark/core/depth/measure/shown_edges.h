@@ -36,8 +36,8 @@ class ShownEdges {
   bool has_room(std::uint32_t triangles, const Measures& measures) const;
   // Compiles the pass when first called; false without memory. Rare path: wrap in an ErrorScope.
   bool reserve(std::uint32_t triangles, const Measures& measures);
-  // Binds the marks to storage binding 3, where the depth pass reads them. The caller has bound the texels of the
-  // records and of the positions. Returns the stamp of this draw. Does nothing if the layout does not tell
+  // Binds the marks to storage binding 3, where the depth pass reads them. The caller has bound the records and the
+  // positions to 0 and 1, and the limits to 2. Returns the stamp of this draw. Does nothing if the layout does not tell
   // the sides of an edge.
   GLint mark(const ShownRequest& request, const core::Bindings& bindings);
   void release();

@@ -25,8 +25,8 @@ const float least_cosine = 0.9996954;  // square of the cosine of 1 degree
 
 vec4 place_of(int corner) {
   int word = record_offset + corner * corner_words + straight_position;
-  float w = straight_position_words > 3 ? uintBitsToFloat(record_at(word + 3)) : 1.0;
-  return vec4(uintBitsToFloat(records_at(word)), w);
+  float w = straight_position_words > 3 ? uintBitsToFloat(records[word + 3]) : 1.0;
+  return vec4(uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2])), w);
 }
 
 // The curve at `corner` leaves the chord to `other`. Positions whose w differ have straight edges (weld/tangent.glsl).
@@ -39,7 +39,7 @@ bool leans(int corner, int other, int behind) {
   along = along * scale;
   if (straight_control >= 0) {
     int word = record_offset + corner * corner_words + straight_control + behind;
-    vec3 control = uintBitsToFloat(records_at(word));
+    vec3 control = uintBitsToFloat(uvec3(records[word], records[word + 1], records[word + 2]));
     precise vec3 offset = (control - (2.0 * near.xyz + far.xyz)) * scale;
     return glark_square(offset) > most_lean * glark_square(along);
   }

@@ -29,8 +29,7 @@ std::string words_expression(const EpiloguePlan& plan, int first, int count) {
   for (int word = first; word < first + count;) {
     const int in_chunk = word % 4;
     const int taken = std::min(4 - in_chunk, first + count - word);
-    parts += std::string(part_count++ == 0 ? "" : ", ") + (plan.batched ? "@chunk" : chunk_input_prefix) +
-             std::to_string(word / 4);
+    parts += std::string(part_count++ == 0 ? "" : ", ") + chunk_input_prefix + std::to_string(word / 4);
     if (taken < 4) parts += "." + std::string(components.substr(in_chunk, taken));
     word += taken;
   }
@@ -70,46 +69,15 @@ std::string storage_declarations(const EpiloguePlan& plan) {
          "[@record + word]; }\n";
 }
 
-// Chunk `chunk` of a record that begins at any word of a texel.
-std::string shifted_chunk(int chunk) {
-  const std::string a = "@texel" + std::to_string(chunk);
-  const std::string b = "@texel" + std::to_string(chunk + 1);
-  return "  @chunk" + std::to_string(chunk) + " = @shift == 0 ? " + a + " : @shift == 1 ? vec4(" + a + ".yzw, " + b +
-         ".x) : @shift == 2 ? vec4(" + a + ".zw, " + b + ".xy) : vec4(" + a + ".w, " + b + ".xyz);\n";
-}
-
-// Records begin at whole texels if their size is a multiple of a texel.
-std::string batch_declarations(const EpiloguePlan& plan) {
-  const int words = 3 * plan.corner_words;
-  const bool whole = words % 4 == 0;
-  std::string globals;
-  std::string fetches;
-  std::string shifts;
-  for (int chunk = 0; chunk < plan.chunk_count + (whole ? 0 : 1); ++chunk) {
-    const std::string number = std::to_string(chunk);
-    fetches += (whole ? "  @chunk" : "  vec4 @texel") + number + " = texelFetch(" + record_texels_uniform +
-               ", @first + " + number + ");\n";
-    if (chunk == plan.chunk_count) break;
-    globals += "vec4 @chunk" + number + ";\n";
-    if (!whole) shifts += shifted_chunk(chunk);
-  }
-  return std::string("uniform ") + (plan.version.es ? "highp " : "") + "samplerBuffer " + record_texels_uniform +
-         ";\nuniform int " + first_word_uniform + ";\n" + globals +
-         "void @find_record() {\n  int @word = " + first_word_uniform + " + (gl_InstanceID * " +
-         std::to_string(triangles_a_batch) + " + int(" + lattice_input + ".z)) * " + std::to_string(words) +
-         ";\n  int @first = @word >> 2;\n" + (whole ? "" : "  int @shift = @word & 3;\n") + fetches + shifts + "}\n";
-}
-
 }  // namespace
 
 std::string chunk_declarations(const EpiloguePlan& plan) {
   const std::string storage = plan.version.has_in_out() ? "in" : "attribute";
   const std::string precision = plan.version.es ? " highp" : "";
   std::string text;
-  if (!plan.at_corner) text += storage + precision + (plan.batched ? " vec3 " : " vec2 ") + lattice_input + ";\n";
+  if (!plan.at_corner) text += storage + precision + " vec2 " + lattice_input + ";\n";
   if (plan.placed && !plan.at_corner) text += storage + precision + " vec4 " + patch_input + ";\n";
   if (plan.stored) return text + storage_declarations(plan);
-  if (plan.batched) return text + batch_declarations(plan);
   for (int chunk = 0; chunk < plan.chunk_count; ++chunk) {
     text += storage + precision + " vec4 " + chunk_input_prefix + std::to_string(chunk) + ";\n";
   }

@@ -15,7 +15,7 @@ class MainText {
   std::string text() {
     if (plan_.at_corner) return "void main() {\n" + fill_from_corner(plan_, 0) + run() + "}\n";
     std::string main = "void main() {\n  @place();\n";
-    if (plan_.stored || plan_.batched) main += "  @find_record();\n";
+    if (plan_.stored) main += "  @find_record();\n";
     main += run_at_corners();
     const std::string end = finish() + "}\n";
     if (plan_.interpolates_outputs()) return main + end;
@@ -104,7 +104,7 @@ void @place() {
 // The same for a piece that covers the whole triangle.
 constexpr const char* cover_function = R"(vec3 @weights;
 void @place() {
-  vec2 lattice = glark_lattice.xy * 0.000030517578125;
+  vec2 lattice = glark_lattice * 0.000030517578125;
   @weights = vec3((1.0 - lattice.x) - lattice.y, lattice);
 }
 )";

@@ -47,7 +47,6 @@ struct EpiloguePlan {
   bool at_points = false;  // see DeriveRequest
   bool placed = true;
   bool stored = false;
-  bool batched = false;
   int provoking_corner = 2;
   int corner_words = 0;
   int control_offset = -1;  // word of the welded control points in a corner; -1: computed from the corners' own normals

@@ -8,7 +8,6 @@
 #include <atomic>
 #include <optional>
 
-#include "glark/core/objects/buffer_texels.h"
 #include "glark/core/objects/shader.h"
 #include "glark/core/refine/glsl/geometry_shader.h"
 #include "glark/core/refine/program/labels.h"
@@ -81,11 +80,6 @@ void log_unsound_outputs(const core::Program& program) {
     core::log(core::LogLevel::info, fmt::format("{}: output {} is interpolated between the corners ({})",
                                                 label(program), output.path, reason));
   }
-}
-
-core::DerivedKey unbatched(core::DerivedKey key) {
-  key.batched = false;
-  return key;
 }
 
 void leave(core::Program& program, const std::string& reason) {
@@ -286,7 +280,6 @@ DeriveRequest ProgramBuilder::request_for(core::Program& program, const core::De
   }
   request.extensions = traits_.extensions;
   request.stored = !key.at_corner && request.layout.chunk_count() > most_chunks(key.placed);
-  request.batched = key.batched && !request.stored;
   return request;
 }
 
@@ -305,11 +298,6 @@ void ProgramBuilder::find_uniforms(const DeriveRequest& request, core::DerivedPr
   derived.height_map = gl_.GetUniformLocation(derived.name, height_map_uniform);
   derived.height_channel = gl_.GetUniformLocation(derived.name, height_channel_uniform);
   derived.height_range = gl_.GetUniformLocation(derived.name, height_range_uniform);
-  const GLint texels = gl_.GetUniformLocation(derived.name, record_texels_uniform);
-  if (texels >= 0) {
-    gl_.ProgramUniform1i(derived.name, texels, static_cast<GLint>(core::BufferTexels::first_unit));
-    derived.batch_word = gl_.GetUniformLocation(derived.name, first_word_uniform);
-  }
   if (!request.stored) {
     return;
   }
@@ -353,9 +341,6 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
                                                        owner != nullptr ? owner->name : 0, key, error)
                                     : 0;
-  if (name == 0 && request.batched) {  // the stage may use all texture units
-    return slot = derive(program, owner, unbatched(key));
-  }
   error = log_for_author(error, derivation.prefix);
   program.refinement_log = error;
   if (name == 0) {

@@ -43,11 +43,10 @@ struct DerivedKey {
   int coordinate_attribute = -1;  // of the displacement; -1: the input with that role
   bool morphing = false;          // vertices move between levels
   // Welded by position. Where there is room, the record then has:
-  bool welded = false;   // the control points of curved edges
-  bool border = false;   // the normals and texture coordinates that displacement takes on edges
-  bool turns = false;    // the greatest turn of the normals along each edge, of all its sides
-  bool placed = true;    // pieces have a placement (patch); only a uniform level of one piece a triangle needs none
-  bool batched = false;  // an instance is a batch of coarse triangles: a shallow uniform level of many triangles
+  bool welded = false;  // the control points of curved edges
+  bool border = false;  // the normals and texture coordinates that displacement takes on edges
+  bool turns = false;   // the greatest turn of the normals along each edge, of all its sides
+  bool placed = true;   // pieces have a placement (patch); only a uniform level of one piece a triangle needs none
   bool positions_only() const { return at_corner || at_points; }
   auto operator<=>(const DerivedKey&) const = default;
 };
@@ -121,7 +120,6 @@ struct DerivedProgram {
   GLint height_channel = -1;
   GLint height_range = -1;
   GLint first_word = -1;        // location of its uniform; -1: the program reads no records from the storage block
-  GLint batch_word = -1;        // the same; >= 0: the program reads records from a buffer texture, in batches
   bool corner_outputs = false;  // some outputs come from the corners of the coarse triangle: flat or interpolated ones
   bool numbered = false;        // it reads records, and an attribute numbers its instances
   std::vector<GLint> location_of;          // by the application's location: ours, or -1
@@ -132,7 +130,6 @@ struct DerivedProgram {
   std::unique_ptr<ShapeUniforms> shape_uniforms;  // null: nobody asks for their changes
 
   bool stored() const { return first_word >= 0; }
-  bool batched() const { return batch_word >= 0; }
 };
 
 // A derived program that glUniform* calls of the application must reach, too.
