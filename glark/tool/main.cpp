@@ -87,8 +87,9 @@ std::string with_nearest_option(const std::string& problem, const std::vector<st
 }
 
 // `words` are the arguments of glark; the first one may be a command.
-int complain(const std::string& problem, const std::vector<std::string>& words) {
-  const std::string command = !words.empty() && words.front() == "pattern" ? "pattern" : "run";
+int complain(const std::string& problem, const CLI::App& app, const std::vector<std::string>& words) {
+  const bool known = !words.empty() && app.get_subcommand_no_throw(words.front()) != nullptr;
+  const std::string command = known ? words.front() : "run";
   fmt::print(stderr, "glark: {}; glark --help lists the commands, glark {} --help the options\n", problem, command);
   return exit_usage;
 }
@@ -159,15 +160,16 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& wanted) {  // --help, --version
     return commands.app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return complain(with_nearest_option(error.what(), words), words);
+    return complain(with_nearest_option(error.what(), words), commands.app, words);
   }
   if (commands.info->parsed()) return glark::tool::info();
   if (commands.pattern->parsed()) return glark::tool::draw_pattern(commands.drawing);
   if (commands.settings->parsed()) return print_settings(commands.page);
-  if (!commands.run->parsed() && !commands.doctor->parsed()) return complain("no command is given", words);
+  if (!commands.run->parsed() && !commands.doctor->parsed())
+    return complain("no command is given", commands.app, words);
   if (program.empty())
     return complain(fmt::format("no program to run is given; write: glark {} [OPTIONS] PROGRAM [ARGUMENTS]", words[0]),
-                    words);
+                    commands.app, words);
   if (commands.doctor->parsed()) return glark::tool::doctor(commands.options, program, commands.seconds);
   return glark::tool::run(commands.options, program);
 }

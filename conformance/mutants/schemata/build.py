@@ -21,7 +21,7 @@ NOT_MUTATED = (".glsl.h",)  # read by C++ and by GLSL
 ERROR = re.compile(r"^(?P<path>[^\s:]+):(?P<line>\d+):\d+: (?:fatal )?error: (?P<text>.*)$")
 NOTE = re.compile(r"^(?P<path>[^\s:]+):(?P<line>\d+):\d+:   (?:required|in .constexpr)")
 UNDECLARED = re.compile(r"[‘'](\w+)[’'] was not declared")
-# GL reads the texts of our shaders at one place. There the choices in these texts are made. A hook adds no line.
+# The one place where the texts of our shaders go to GL: here the mutant in such a text is chosen. A hook adds no line.
 HOOK_FILE = "glark/core/objects/shader.cpp"
 HOOKS = [("const char* text = source.c_str();",
           "const std::string chosen_text = glark_mutants::text_of_shader(source); const char* text = chosen_text.c_str();"),

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Writes all mutants of a file into its text. Each is a choice at run time: `(glark_mutants::on(17) ? mutant : original)`.
 
-The mutant's text holds no other mutant, because only one is chosen. So the text grows only with the depth of the nesting.
+Only one mutant is ever chosen, so the text of a mutant needs no choices inside. That keeps the text short: each original
+is repeated only as often as mutants lie around it.
 """
 import dataclasses
 

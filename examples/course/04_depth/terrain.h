@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 // A coarse terrain of 2 * 10 * 10 triangles around a peak. The y axis points up.
@@ -36,3 +38,12 @@ struct Terrain {
     return 0.4F * std::sin(1.3F * x + 0.4F) * std::cos(1.1F * z) + 1.5F * std::exp(-1.2F * (x * x + z * z));
   }
 };
+
+// Whether each tag is the wanted one less a number that is the same for all; tags below 0 count as 0.
+inline bool lowered_alike(const std::vector<float>& tags, const std::vector<float>& wanted) {
+  const auto finest = static_cast<std::size_t>(std::max_element(wanted.begin(), wanted.end()) - wanted.begin());
+  const float less = wanted[finest] - tags[finest];
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    if (std::abs(std::max(wanted[i] - less, 0.0F) - std::max(tags[i], 0.0F)) > 0.01F) return false;
+  return true;
+}

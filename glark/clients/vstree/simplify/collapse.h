@@ -15,8 +15,8 @@ constexpr std::size_t least_to_cluster = 200000;
 Method method_for(const Mesh& mesh, const SimplifyOptions& options);
 
 // Collapses edges with meshoptimizer. Points at one position with equal colours and texture coordinates are one vertex.
-// Of the points of such a vertex, each corner of the result gets the one whose normal is nearest to the normal of its
-// triangle. So hard edges keep their two normals. Error: Element::option if this build has no meshoptimizer.
+// Such a vertex may have points with different normals. A corner of the result then has the point whose normal is nearest
+// to that of its triangle, so hard edges keep their two normals. Error: Element::option if this build has no meshoptimizer.
 Simplified collapse(const Surface& surface, const SimplifyOptions& options);
 
 }  // namespace glark::vstree
