@@ -25,8 +25,10 @@ struct Reconstruct {
   Files files;
   std::string reference;
   reconstruct::ReconstructOptions options;
-  std::size_t most_triangles = 0;  // 0: no limit
+  std::size_t most_triangles = 0;  // 0: `triangles_a_point` for each point of the file
 };
+
+constexpr std::size_t triangles_a_point = 2;  // about as many as a mesh has whose vertices are the points
 
 struct Seconds {
   double normals = 0;
@@ -78,6 +80,7 @@ Report report_of(const reconstruct::Reconstructed& result) {
   report["noise"] = result.noise;
   report["parts_left_out"] = result.left_out;
   report["area_left_out_percent"] = 100 * static_cast<double>(result.area_left_out);
+  report["outliers"] = result.outliers;
   return report;
 }
 
@@ -101,13 +104,17 @@ std::size_t warn_of_left_out(const geometry::Geometry& points, const geometry::G
         "{}: parts with less than {:.3g} % of the area are left out: {}, with {:.2g} % of the area together; "
         "--least-part 0 keeps them",
         file, 100 * least_part, parts, numbers["area_left_out_percent"].get<double>()));
+  const auto outliers = numbers["outliers"].get<std::size_t>();
+  if (outliers > 0)
+    warn(fmt::format("{}: {} of {} points lie on no surface, as their neighbours show; they are left out as outliers",
+                     file, outliers, points.point_count()));
   const auto distance = numbers["node_side"].get<double>();  // noise that the mesh smooths is at most a tenth of it
   const std::size_t count = points_left_out(points, mesh, distance);
-  if (count > 0)
+  if (count > outliers)
     warn(
-        fmt::format("{}: {} of {} points are left out, which are more than {:.3g} from the mesh; --measure shows how "
+        fmt::format("{}: {} of {} points are left out, which are more than {:.3g} from the mesh{}; --measure shows how "
                     "far, a smaller --node-samples or --least-part keeps more",
-                    file, count, points.point_count(), distance));
+                    file, count, points.point_count(), distance, outliers > 0 ? ", outliers among them" : ""));
   return count;
 }
 
@@ -122,14 +129,18 @@ geometry::Geometry mesh_of(reconstruct::Reconstructed result, const std::array<d
 }
 
 // Simplifies the mesh if it has more triangles than the command allows.
-geometry::Geometry limited(geometry::Geometry mesh, const Reconstruct& command, Seconds& seconds) {
-  if (command.most_triangles == 0 || mesh.triangle_count() <= command.most_triangles) return mesh;
+geometry::Geometry limited(geometry::Geometry mesh, const geometry::Geometry& points, const Reconstruct& command,
+                           Seconds& seconds) {
+  const std::size_t most =
+      command.most_triangles > 0 ? command.most_triangles : triangles_a_point * points.point_count();
+  if (mesh.triangle_count() <= most) return mesh;
   Progress progress("simplifying");
   progress.show(-1);
   geometry::Geometry fewer =
-      simplified(mesh, {.target = command.most_triangles, .threads = command.options.threads}).geometry;
+      simplified(mesh, {.target = most, .threads = command.options.threads}).geometry;
   seconds.simplification = progress.seconds();
   if (!fewer.triangles.empty()) return fewer;
+  if (command.most_triangles == 0) return mesh;
   throw geometry::Error(command.files.input +
                         ": so few triangles have no volume, and the result is empty; nothing is written; allow more by "
                         "--triangles");
@@ -146,7 +157,7 @@ void run(const Reconstruct& command) {
   geometry::Geometry whole = mesh_of(std::move(result), points.origin);
   numbers["points_left_out"] =
       warn_of_left_out(points, whole, numbers, command.files.input, command.options.least_part);
-  const geometry::Geometry mesh = limited(std::move(whole), command, seconds);
+  const geometry::Geometry mesh = limited(std::move(whole), points, command, seconds);
   store(mesh, command.files);
   Report report;
   report["input"] = contents_of(points);
@@ -200,7 +211,8 @@ void add_reconstruct(CLI::App& app) {
       ->check(CLI::Range(0, 1000));
   command
       ->add_option("--triangles", reconstruction->most_triangles,
-                   "The most triangles of the mesh; more are simplified. Default: no limit")
+                   fmt::format("The most triangles of the mesh; more are simplified. Default: {} for each point; a very large number keeps all",
+                               triangles_a_point))
       ->transform(whole_above_zero());
   describe_threads(*command, options.threads);
   command->callback([reconstruction] { run(*reconstruction); });

@@ -15,6 +15,10 @@ namespace {
 constexpr std::size_t parallel_grain = 8192;  // smaller subtrees are built by a single thread
 constexpr std::size_t fewest_to_flatten =
     16;  // thick leaves with fewer points are not split: their shape is only noise
+// Where more than this share of the points is in thick leaves, there is no surface. Their triangulations would cost much
+// and show nothing. Smaller groups may be a thin part of a surface.
+constexpr double most_thick = 0.5;
+constexpr std::size_t fewest_without_surface = 48;
 
 // A tree with node and leaf numbers of its own. Its first node is its root.
 struct Subtree {
@@ -51,9 +55,7 @@ class TreeBuilder {
   std::uint32_t build(Subtree& subtree, std::size_t begin, std::size_t end) const {
     Box box;
     for (std::size_t i = begin; i < end; ++i) box.add(surfels_[i].position);
-    if (end - begin <= options_.leaf_points || box.low == box.high) {
-      return build_height_fields(subtree, begin, end);
-    }
+    if (end - begin <= options_.leaf_points || box.low == box.high) return build_leaves(subtree, begin, end);
     const std::size_t leaves = (end - begin + options_.leaf_points - 1) / options_.leaf_points;
     const std::size_t middle = split(begin, end, box, begin + (end - begin) * (leaves / 2) / leaves);
     return add_inner_node(
@@ -104,9 +106,23 @@ class TreeBuilder {
     return low > begin && (high == end || middle - low <= high - middle) ? low : high;
   }
 
+  // Appends height fields, or one leaf without a surface if most of the surfels are in none.
+  std::uint32_t build_leaves(Subtree& subtree, std::size_t begin, std::size_t end) const {
+    const std::size_t nodes = subtree.nodes.size(), leaves = subtree.leaves.size();
+    std::size_t thick = 0;
+    const std::uint32_t root = build_height_fields(subtree, begin, end, thick);
+    const bool is_surface = static_cast<double>(thick) <= most_thick * static_cast<double>(end - begin);
+    if (is_surface || end - begin < fewest_without_surface) return root;
+    subtree.nodes.resize(nodes);
+    subtree.leaves.resize(leaves);
+    const std::uint32_t leaf = add_leaf(subtree, begin, end);
+    subtree.leaves.back().has_surface = false;
+    return leaf;
+  }
+
   // Splits the surfels until each part is a height field. Folds are split by normals. This separates the two sides of a
-  // thin sheet.
-  std::uint32_t build_height_fields(Subtree& subtree, std::size_t begin, std::size_t end) const {
+  // thin sheet. Adds the number of surfels in parts that remain thick.
+  std::uint32_t build_height_fields(Subtree& subtree, std::size_t begin, std::size_t end, std::size_t& thick) const {
     const std::span<Surfel> surfels = surfels_.subspan(begin, end - begin);
     const Plane plane = fit_plane(surfels);
     const Shape shape = classify_shape(surfels, plane, options_.height_field);
@@ -118,10 +134,13 @@ class TreeBuilder {
       for (const Surfel& surfel : surfels) box.add(surfel.position);
       if (!(box.low == box.high)) middle = split(begin, end, box, begin + (end - begin) / 2);
     }
-    if (middle == begin || middle == end) return add_leaf(subtree, begin, end);
+    if (middle == begin || middle == end) {
+      if (shape == Shape::thick) thick += end - begin;
+      return add_leaf(subtree, begin, end);
+    }
     return add_inner_node(
-        subtree, end - begin, [&](Subtree& to) { return build_height_fields(to, begin, middle); },
-        [&](Subtree& to) { return build_height_fields(to, middle, end); });
+        subtree, end - begin, [&](Subtree& to) { return build_height_fields(to, begin, middle, thick); },
+        [&](Subtree& to) { return build_height_fields(to, middle, end, thick); });
   }
 
   std::uint32_t add_leaf(Subtree& subtree, std::size_t begin, std::size_t end) const {
