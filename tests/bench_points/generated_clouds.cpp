@@ -36,8 +36,8 @@ Distances distances_of(const Statue& statue, std::span<const float> positions,
   Distances result;
   const std::vector<float> on_mesh = samples_of(positions, triangles, samples);
   for (std::size_t i = 0; i < on_mesh.size(); i += 3) {
-    const double off = statue.distance({static_cast<double>(on_mesh[i]), static_cast<double>(on_mesh[i + 1]),
-                                        static_cast<double>(on_mesh[i + 2])});
+    const double off = statue.distance(
+        {static_cast<double>(on_mesh[i]), static_cast<double>(on_mesh[i + 1]), static_cast<double>(on_mesh[i + 2])});
     result.to_surface += off * off;
   }
   result.to_surface = std::sqrt(result.to_surface / samples) * percent;
@@ -78,7 +78,8 @@ void add_rows(const CloudOptions& options, unsigned seed, const std::string& nam
   add_row(statue, name, works[0].cpu_seconds, mesh.positions, mesh.triangles, table);
   if (!is_with_peer) return;
   const auto front = peer("front", name, cloud.positions, 1);
-  if (front) add_row(statue, name + ", advancing front", front->work.cpu_seconds, cloud.positions, front->triangles, table);
+  if (front)
+    add_row(statue, name + ", advancing front", front->work.cpu_seconds, cloud.positions, front->triangles, table);
 }
 
 std::string percent(double share) {
@@ -86,8 +87,9 @@ std::string percent(double share) {
   return text.substr(0, text.find('.') + 2) + " %";
 }
 
-const std::vector<std::string> columns{"",          "CPU s",         "triangles",      "RMS from the surface, % of the diagonal",
-                                       "RMS to it", "greatest",      "boundary edges", "non-manifold edges"};
+const std::vector<std::string> columns{
+    "",          "CPU s",    "triangles",      "RMS from the surface, % of the diagonal",
+    "RMS to it", "greatest", "boundary edges", "non-manifold edges"};
 
 }  // namespace
 

@@ -45,7 +45,8 @@ void add_rows(const std::string& name, const Part& part, int rounds, Table& tabl
   const MeshView original{part.positions, part.triangles};
   const std::size_t before = non_manifold_by_position(original);
   for (std::size_t i = 0; i < works.size(); ++i) {
-    const MeshView result = i == 0 ? MeshView{part.positions, peer} : MeshView{ours[i - 1].positions, ours[i - 1].triangles};
+    const MeshView result =
+        i == 0 ? MeshView{part.positions, peer} : MeshView{ours[i - 1].positions, ours[i - 1].triangles};
     const MeshDistances distances = distances_between(original, result, samples);
     const std::size_t after = non_manifold_by_position(result);
     table.rows.push_back({works[i].name, Number{works[i].cpu_seconds, 4},
@@ -60,8 +61,14 @@ void add_rows(const std::string& name, const Part& part, int rounds, Table& tabl
 
 std::vector<Table> generated_mesh_tables(const Settings& settings) {
   const int rounds = std::min(settings.rounds, 3);
-  const std::vector<std::string> columns{"",         "CPU s",   "of the peer's",    "triangles", "RMS, % of the diagonal",
-                                         "greatest", "borders", "more edges of three triangles"};
+  const std::vector<std::string> columns{"",
+                                         "CPU s",
+                                         "of the peer's",
+                                         "triangles",
+                                         "RMS, % of the diagonal",
+                                         "greatest",
+                                         "borders",
+                                         "more edges of three triangles"};
   Table machine{"Machine parts to a tenth, all positions", columns, {}};
   for (const unsigned seed : {1U, 2U}) {
     for (const shapes::NamedPart& part : shapes::machine_parts)

@@ -22,13 +22,14 @@ inline StatueDistance distance_from(const shapes::Statue& statue, const Reconstr
   StatueDistance result;
   const std::vector<float> on_mesh = bench::samples_of(mesh.positions, mesh.triangles, samples);
   for (std::size_t i = 0; i < on_mesh.size(); i += 3) {
-    const double off = statue.distance({static_cast<double>(on_mesh[i]), static_cast<double>(on_mesh[i + 1]),
-                                        static_cast<double>(on_mesh[i + 2])});
+    const double off = statue.distance(
+        {static_cast<double>(on_mesh[i]), static_cast<double>(on_mesh[i + 1]), static_cast<double>(on_mesh[i + 2])});
     result.to_statue += off * off / samples;
   }
   result.to_statue = std::sqrt(result.to_statue) / statue.diagonal();
   const shapes::Cloud surface = shapes::cloud_of(statue, 99, {.samples = samples});
-  result.from_statue = bench::SurfaceDistance(mesh.positions, mesh.triangles).rms(surface.positions) / statue.diagonal();
+  result.from_statue =
+      bench::SurfaceDistance(mesh.positions, mesh.triangles).rms(surface.positions) / statue.diagonal();
   return result;
 }
 

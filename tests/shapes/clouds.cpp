@@ -78,7 +78,8 @@ Cloud cloud_of(const Statue& statue, unsigned seed, const CloudOptions& options)
       continue;
     }
     Point point = surface.next();
-    while (share(random) > std::pow(options.density_ratio, (statue.low()[2] - point[2]) / height)) point = surface.next();
+    while (share(random) > std::pow(options.density_ratio, (statue.low()[2] - point[2]) / height))
+      point = surface.next();
     if (std::any_of(holes.begin(), holes.end(), [&](const Point& hole) {
           return std::hypot(point[0] - hole[0], point[1] - hole[1], point[2] - hole[2]) < options.hole;
         }))

@@ -86,7 +86,8 @@ Part gear(unsigned seed, int detail) {
   const double depth = numbers.between(0.08, 0.16), hole = numbers.between(0.2, 0.4);
   const auto outer = [=](double angle, double z) {
     const double phase = std::fmod(angle * teeth / (2 * pi), 1.0);
-    const double rise = std::clamp(8 * std::abs(phase - 0.5) - 1.5, 0.0, 1.0);  // flat tips and grounds, straight flanks
+    const double rise =
+        std::clamp(8 * std::abs(phase - 0.5) - 1.5, 0.0, 1.0);  // flat tips and grounds, straight flanks
     return around(1 - depth * rise, angle, z);
   };
   PartBuilder builder;
@@ -99,7 +100,8 @@ Part gear(unsigned seed, int detail) {
 Part flange(unsigned seed, int detail) {
   Numbers numbers(seed);
   const int bolts = numbers.whole(4, 8), sides = 6 * detail, arcs = 10 * detail;
-  const double inner = numbers.between(0.25, 0.4), bolt = numbers.between(0.08, 0.12), half = numbers.between(0.04, 0.1);
+  const double inner = numbers.between(0.25, 0.4), bolt = numbers.between(0.08, 0.12),
+               half = numbers.between(0.04, 0.1);
   const double middle = (1 + inner) / 2;
   PartBuilder builder;
   for (int k = 0; k < bolts; ++k) {
@@ -138,10 +140,9 @@ Part flange(unsigned seed, int detail) {
 Part bracket(unsigned seed, int detail) {
   Numbers numbers(seed);
   const double wall = numbers.between(0.08, 0.2);
-  const std::array<std::vector<double>, 3> lines{
-      {{0, wall, numbers.between(0.4, 0.5), numbers.between(0.6, 0.8), 1.2},
-       {0, numbers.between(0.2, 0.3), numbers.between(0.5, 0.6), 0.8},
-       {0, wall, numbers.between(0.4, 0.6), 1}}};
+  const std::array<std::vector<double>, 3> lines{{{0, wall, numbers.between(0.4, 0.5), numbers.between(0.6, 0.8), 1.2},
+                                                  {0, numbers.between(0.2, 0.3), numbers.between(0.5, 0.6), 0.8},
+                                                  {0, wall, numbers.between(0.4, 0.6), 1}}};
   const auto is_solid = [&](int x, int y, int z) {
     if (x < 0 || y < 0 || z < 0 || x > 3 || y > 2 || z > 2) return false;
     const bool is_slot = y == 1 && (x == 2 || z == 1);
@@ -197,14 +198,15 @@ Part pipe(unsigned seed, int detail) {
   builder.grid(around, along, [&](double a, double t) { return at(inner, std::fmod(a, 1.0), t); });
   for (const double end : {0.0, 1.0})
     builder.grid(
-        around, detail,
-        [&](double a, double t) { return at(inner + t * (outer - inner), std::fmod(a, 1.0), end); }, end == 0);
+        around, detail, [&](double a, double t) { return at(inner + t * (outer - inner), std::fmod(a, 1.0), end); },
+        end == 0);
   return builder.take();
 }
 
 Part cup(unsigned seed, int detail) {
   Numbers numbers(seed);
-  const double wall = numbers.between(0.02, 0.06), height = numbers.between(0.8, 1.6), lean = numbers.between(-0.2, 0.3);
+  const double wall = numbers.between(0.02, 0.06), height = numbers.between(0.8, 1.6),
+               lean = numbers.between(-0.2, 0.3);
   PartBuilder builder;
   const int around_count = 48 * detail;
   const auto radius = [=](double z) { return 0.5 + lean * z / height; };

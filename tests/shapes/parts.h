@@ -33,7 +33,11 @@ struct NamedPart {
   Part (*make)(unsigned seed, int detail);
 };
 // The closed machine parts, for figures.
-inline constexpr NamedPart machine_parts[] = {{"box with fillets", box_with_fillets}, {"gear", gear}, {"flange", flange},
-                                              {"bracket", bracket}, {"pipe", pipe}, {"cup", cup}};
+inline constexpr NamedPart machine_parts[] = {{"box with fillets", box_with_fillets},
+                                              {"gear", gear},
+                                              {"flange", flange},
+                                              {"bracket", bracket},
+                                              {"pipe", pipe},
+                                              {"cup", cup}};
 
 }  // namespace glark::shapes

@@ -56,7 +56,8 @@ Counts Strips::counts(unsigned level) const {
     counts.strips += patch.strip.count > 0 ? 1 : 0;
     counts.indices += patch.strip.count;
   }
-  for (const Leaf& leaf : state_->levels[level].tree.leaves) counts.loose_points += leaf.has_surface ? 0 : leaf.unique_count;
+  for (const Leaf& leaf : state_->levels[level].tree.leaves)
+    counts.loose_points += leaf.has_surface ? 0 : leaf.unique_count;
   return counts;
 }
 

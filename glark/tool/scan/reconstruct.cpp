@@ -136,8 +136,7 @@ geometry::Geometry limited(geometry::Geometry mesh, const geometry::Geometry& po
   if (mesh.triangle_count() <= most) return mesh;
   Progress progress("simplifying");
   progress.show(-1);
-  geometry::Geometry fewer =
-      simplified(mesh, {.target = most, .threads = command.options.threads}).geometry;
+  geometry::Geometry fewer = simplified(mesh, {.target = most, .threads = command.options.threads}).geometry;
   seconds.simplification = progress.seconds();
   if (!fewer.triangles.empty()) return fewer;
   if (command.most_triangles == 0) return mesh;
@@ -211,7 +210,8 @@ void add_reconstruct(CLI::App& app) {
       ->check(CLI::Range(0, 1000));
   command
       ->add_option("--triangles", reconstruction->most_triangles,
-                   fmt::format("The most triangles of the mesh; more are simplified. Default: {} for each point; a very large number keeps all",
+                   fmt::format("The most triangles of the mesh; more are simplified. Default: {} for each point; a "
+                               "very large number keeps all",
                                triangles_a_point))
       ->transform(whole_above_zero());
   describe_threads(*command, options.threads);

@@ -85,8 +85,8 @@ void EvenSamples::fill_sparse_parts(const Workers& workers) {
   std::vector<std::uint8_t> is_used(entries.size(), 1);
   for (const std::uint32_t i : outliers) is_used[i] = 0;
   std::erase_if(sparse, [&](std::uint32_t i) { return is_used[i] == 0; });
-  const Filling filling = filling_around(sparse, neighbours, points, is_used,
-                                         static_cast<float>(filled_spacings * spacing), workers);
+  const Filling filling =
+      filling_around(sparse, neighbours, points, is_used, static_cast<float>(filled_spacings * spacing), workers);
   if (outliers.empty() && filling.points.empty()) return;
   outliers_ += static_cast<std::uint32_t>(outliers.size());
   change(outliers, filling, workers);

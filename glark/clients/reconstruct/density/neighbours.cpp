@@ -48,18 +48,30 @@ Float4 Neighbours::unit_normal_of(std::uint32_t entry) const {
   return unit_normal(&points_.normals[3 * index_of(entry)]);
 }
 
+// The last entry before `end` with the key of this one. There may be a million of them.
+std::uint32_t Neighbours::last_alike(std::uint32_t entry, std::uint32_t end) const {
+  const auto first = entries_.begin() + entry;
+  const auto beyond =
+      std::partition_point(first, entries_.begin() + end, [&](const Entry& other) { return other.key == first->key; });
+  return static_cast<std::uint32_t>(beyond - entries_.begin()) - 1;
+}
+
 void Neighbours::find(std::uint32_t entry, std::size_t count, std::vector<Near>& out) const {
   const Float4 here = point(entry);
   for (const Level& level : levels_) {
     out.clear();
-    level.blocks.each(cells_around(cell_of(here, level.level), level.level), [&](std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t i = begin; i < end; ++i) {
-        if (i > begin && entries_[i].key == entries_[i - 1].key) continue;
-        const Float4 apart = point(i) - here;
-        const float square = dot(apart, apart);
-        if (square > 0) out.push_back({square, i});
-      }
-    });
+    level.blocks.each(cells_around(cell_of(here, level.level), level.level),
+                      [&](std::uint32_t begin, std::uint32_t end) {
+                        for (std::uint32_t i = begin; i < end; ++i) {
+                          if (i > begin && entries_[i].key == entries_[i - 1].key) {
+                            i = last_alike(i, end);
+                            continue;
+                          }
+                          const Float4 apart = point(i) - here;
+                          const float square = dot(apart, apart);
+                          if (square > 0) out.push_back({square, i});
+                        }
+                      });
     if (out.size() >= 2 * count) break;
   }
   count = std::min(count, out.size());

@@ -35,6 +35,8 @@ class Neighbours {
   void find(std::uint32_t entry, std::size_t count, std::vector<Near>& out) const;
 
  private:
+  std::uint32_t last_alike(std::uint32_t entry, std::uint32_t end) const;
+
   Float4 unit_normal_of(std::uint32_t entry) const;
 
   const PointSet& points_;

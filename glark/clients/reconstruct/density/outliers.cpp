@@ -18,7 +18,7 @@ constexpr int least_planes = 2;          // planes of a surface on which an unsu
 constexpr float similar = 0.5F;          // the cosine of normals that agree
 constexpr float slope = 0.35F;           // the height over a tangent plane, relative to the distance
 constexpr float own_slope = 0.2F;        // the same, for the planes of one side only
-constexpr float noises = 2.5F;             // heights that noise explains
+constexpr float noises = 2.5F;           // heights that noise explains
 constexpr float isolation = 1.3F;        // the distance of the fourth neighbour, relative to that of its neighbours
 constexpr std::size_t grain = 256;
 

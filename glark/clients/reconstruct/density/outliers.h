@@ -24,7 +24,7 @@ std::vector<std::uint32_t> outliers_among(std::span<const std::uint32_t> suspect
 
 // What some of the samples show.
 struct Sampling {
-  double unsupported = 0;   // the share of samples without support
+  double unsupported = 0;  // the share of samples without support
   float sixth_square = 0;  // the median squared distance of the sixth neighbour of samples with support
 };
 Sampling look_at_some(const Neighbours& neighbours, float noise, const Workers& workers);

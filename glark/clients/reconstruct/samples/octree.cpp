@@ -136,9 +136,8 @@ Octree octree_of(const PointSet& points, SortedSamples sorted, const Reconstruct
   if (entries.empty()) return octree;
   const Occupancy occupancy = occupancy_of(entries);
   double side = side_for(occupancy, static_cast<double>(options.node_samples));
-  const double noise =
-      std::max(noise_of(points, tight, entries, level_for_noise(occupancy)),
-               static_cast<double>(options.threshold * tight.diagonal));
+  const double noise = std::max(noise_of(points, tight, entries, level_for_noise(occupancy)),
+                                static_cast<double>(options.threshold * tight.diagonal));
   side = std::max(side, sides_to_noise * noise);
   unsigned level = 0;
   octree.cube = cube_with(tight, side, level);

@@ -155,8 +155,8 @@ class Parting {
 
   const Surface& surface_;
   Simplified& result_;
-  std::vector<Place> place_;    // of each place
-  std::vector<Float4> points_;  // the same in the unit cube, then the copies
+  std::vector<Place> place_;             // of each place
+  std::vector<Float4> points_;           // the same in the unit cube, then the copies
   std::map<Edge, std::uint32_t> given_;  // for a vertex and a sheet: the new vertex
 };
 
