@@ -208,9 +208,9 @@ TEST(FrameCapture, AFileThatCannotBeWrittenIsAMessageAndNoFailure) {
 
 TEST(FrameCapture, AFrameThatNeverCameIsTold) {
   const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_CAPTURE=2:/nowhere/b.png");
-  EXPECT_EQ(outcome.output, std::string(drawn) +
-                                "glark: frame 2 was not written to /nowhere/b.png: the program ended after frame 1; "
-                                "choose an earlier one\n");
+  EXPECT_EQ(outcome.output,
+            "glark: frame 2 was not written to /nowhere/b.png: the program ended after frame 1; choose an earlier one\n" +
+                std::string(drawn));
   EXPECT_EQ(run_preloaded("/bin/echo hello", "GLARK_CAPTURE=2:/nowhere/b.png").output, "hello\n");
 }
 
