@@ -88,7 +88,8 @@ std::string with_nearest_option(const std::string& problem, const std::vector<st
 
 // `words` are the arguments of glark; the first one may be a command.
 int complain(const std::string& problem, const CLI::App& app, const std::vector<std::string>& words) {
-  const bool known = !words.empty() && app.get_subcommand_no_throw(words.front()) != nullptr;
+  const auto is_named = [&](const CLI::App* command) { return command->get_name() == words.front(); };
+  const bool known = !words.empty() && !app.get_subcommands(is_named).empty();
   const std::string command = known ? words.front() : "run";
   fmt::print(stderr, "glark: {}; glark --help lists the commands, glark {} --help the options\n", problem, command);
   return exit_usage;
