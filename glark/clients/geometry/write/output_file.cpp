@@ -87,6 +87,17 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
+void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
+  flush();
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t count =
+        pwrite(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("writing failed");
+    done += static_cast<std::size_t>(count);
+  }
+}
+
 void OutputFile::commit() {
   flush();
   if (direct_) return;

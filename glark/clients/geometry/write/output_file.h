@@ -5,6 +5,7 @@
 // replaces, and the owner and group where the system permits it. Other hard links keep the old contents.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -25,6 +26,10 @@ class OutputFile {
   void write_values(std::span<const Value> values) {
     write({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
   }
+  // Replaces bytes that were written before. Not for pipes and devices.
+  void overwrite(std::uint64_t offset, std::string_view bytes);
+  // Whether the bytes go straight to a pipe or a device, where they cannot be replaced.
+  bool is_direct() const { return direct_; }
   // Puts the finished file in place.
   void commit();
 
