@@ -15,9 +15,11 @@
 
 #include <glark/error.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -126,6 +128,83 @@ struct WriteOptions {
 GLARK_EXPORT std::unique_ptr<PointWriter> create_points(const std::filesystem::path& file, const Schema& schema,
                                                         std::optional<std::uint64_t> count = std::nullopt,
                                                         const WriteOptions& options = {});
+
+// Where several passes get their points from.
+struct Source {
+  std::string name;  // for messages
+  // Returns a reader that begins at the first point. Several threads call it.
+  std::function<std::unique_ptr<PointReader>(const ReadOptions& options)> open;
+};
+
+// The points of a file. The file must not change between the passes: Error.
+GLARK_EXPORT Source file_source(const std::filesystem::path& file, const std::string& format = {});
+
+// Receives the finished fraction of the work, 0 to 1.
+using Progress = std::function<void(double fraction)>;
+
+struct SampleOptions {
+  std::size_t target = 0;  // the most samples; the result has at most 1 % less. 0: `error` is used instead
+  // The root mean square distance of the points of a sample from its tangent planes, relative to the diagonal of the
+  // bounding box.
+  double error = 1e-4;
+  std::size_t memory = std::size_t{256} << 20;  // bytes, 32 MiB or more; the sampling itself is not counted
+  unsigned threads = 0;                         // 0: as many as the machine has; the result does not depend on it
+  bool skip_invalid = false;                    // leaves out points whose coordinates are not finite
+  bool allow_in_core = true;                    // false: streams even what fits into the memory
+  Progress progress = {};
+};
+
+// A part of space, the range of the stream that has its points, and its samples.
+struct SampledCell {
+  std::array<double, 3> corner{};  // the least corner of the cube
+  double side = 0;
+  std::uint64_t points = 0;
+  std::uint64_t first = 0, last = 0;            // indices of the first and the last point
+  std::uint64_t first_sample = 0, samples = 0;  // the samples follow one another
+  double error = 0;                             // root mean square of the samples' errors, in the positions' unit
+};
+
+struct SampleReport {
+  std::uint64_t points = 0, left_out = 0, samples = 0;
+  bool in_core = false;      // all points fitted into the memory
+  bool is_shuffled = false;  // the order has no coherence: the points went through a file of cells
+  std::vector<SampledCell> cells;
+};
+
+// Samples a scan: clusters of points of a volume-surface tree, a sample each, with the mean normal and colour. Two passes
+// read the points. The first one counts the points of each cell of a coarse grid. The second one sums up the points of
+// small cubes of each cell. A finished cell gets a tree over these sums, whose clusters are chosen for the whole scan.
+// Points whose order has no coherence are sorted into a file of cells first, in the folder `temporary`.
+// create: makes the writer, which gets positions, normals, and red green blue as uint8 if the source has them.
+// Source: Boubekeur 2007, ch. 4.3; docs/reference/stream.md lists the differences. Errors: Error for a source that cannot
+// be read, or that changes between the passes, and for options out of range.
+GLARK_EXPORT SampleReport sample(const Source& source, const SampleOptions& options,
+                                 const std::filesystem::path& temporary,
+                                 const std::function<std::unique_ptr<PointWriter>(const Schema&)>& create);
+
+struct TransferOptions {
+  unsigned neighbours = 12;  // the nearest samples that a point follows, 3 to 64; more make colours smoother
+  bool singular = false;     // a kernel that keeps sharp borders of colours
+  unsigned threads = 0;      // 0: as many as the machine has; the result does not depend on it
+  Progress progress = {};
+};
+
+struct TransferReport {
+  std::uint64_t points = 0;
+  bool is_deformed = false;           // some sample has moved
+  std::vector<std::string> channels;  // those that were written
+};
+
+// Transfers the edit of a sampling to the scan: `from` became `to`. Each point moves as the samples around it did, and
+// normals turn along. A channel of `to` that `from` had with other values, or had not, is interpolated at each point.
+// The samples of `to` correspond to those of `from` by their order, or by a channel "index". Everything else in `large`
+// stays as it is, byte by byte: triangles, other channels, records of LAS. `output` has the format of `large`. It
+// appears at the end, complete; a former file stays until then.
+// Source: Boubekeur 2007, ch. 4.4. Errors: Error for files that cannot be read or do not fit together, options out of
+// range, a channel that LAS does not have, text PLY, coordinates that do not fit into the numbers of the file.
+GLARK_EXPORT TransferReport transfer(const std::filesystem::path& large, const std::filesystem::path& from,
+                                     const std::filesystem::path& to, const std::filesystem::path& output,
+                                     const TransferOptions& options = {});
 
 }  // namespace glark::stream
 

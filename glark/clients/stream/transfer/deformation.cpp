@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/stream/transfer/deformation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glark::stream {
+namespace {
+
+using common::cross;
+using common::dot;
+using common::length;
+using common::unit;
+using common::Vector3f;
+
+constexpr int halvings = 6;
+constexpr float least_height = 0.05F;  // of a triangle, relative to its longest edge
+constexpr float most_scale = 8;        // of the distance from the plane
+
+// The mean of the neighbours, and their mean normal.
+struct Plane {
+  Vector3f centre, normal;
+  Vector3f project(const Vector3f& p) const { return p - normal * dot(p - centre, normal); }
+};
+
+Plane plane_of(std::span<const Neighbour> neighbours, const std::vector<Vector3f>& positions,
+               const std::vector<Vector3f>& normals, const Vector3f& origin) {
+  Plane plane;
+  float sum = 0;
+  for (const Neighbour& near : neighbours) {
+    plane.centre += near.weight * (positions[near.index] - origin);
+    plane.normal += near.weight * normals[near.index];
+    sum += near.weight;
+  }
+  plane.centre = origin + plane.centre * (1 / sum);
+  plane.normal = unit(plane.normal);
+  return plane;
+}
+
+float circumradius(const std::array<Vector3f, 3>& t) {
+  const Vector3f a = t[1] - t[0], b = t[2] - t[1], c = t[0] - t[2];
+  const float area = length(cross(a, c));  // twice the area
+  return area > 0 ? length(a) * length(b) * length(c) / (2 * area) : 0;
+}
+
+bool is_wide(const std::array<Vector3f, 3>& t) {
+  const float longest = std::max({common::squared_distance(t[0], t[1]), common::squared_distance(t[1], t[2]),
+                                  common::squared_distance(t[2], t[0])});
+  return length(cross(t[1] - t[0], t[2] - t[0])) > least_height * longest;
+}
+
+}  // namespace
+
+bool choose_triangle(const Sampling& sampling, const Vector3f& point, std::span<const Neighbour> neighbours,
+                     std::array<std::uint32_t, 3>& triangle) {
+  float angle = 1.0471976F;  // half of the apex angle
+  for (int i = 0; i < halvings; ++i, angle /= 2) {
+    const float cosine = std::cos(angle);
+    std::array<Vector3f, 3> directions{};
+    std::size_t have = 0;
+    for (const Neighbour& near : neighbours) {
+      const Vector3f direction = unit(sampling.before[near.index] - point);
+      bool is_excluded = false;
+      for (std::size_t k = 0; k < have; ++k) is_excluded |= dot(direction, directions[k]) > cosine;
+      if (is_excluded) continue;
+      if (have == 2 &&
+          !is_wide({sampling.before[triangle[0]], sampling.before[triangle[1]], sampling.before[near.index]}))
+        continue;
+      triangle[have] = near.index;
+      directions[have] = direction;
+      if (++have == 3) return true;
+    }
+  }
+  return false;
+}
+
+// All is relative to the point, so that an edit that moves nothing gives the same bits or nearly so.
+Deformed deform(const Sampling& sampling, const Vector3f& point, const Vector3f& normal,
+                std::span<const Neighbour> neighbours) {
+  const Vector3f after = sampling.after[neighbours[0].index];
+  const Plane from = plane_of(neighbours, sampling.before, sampling.normals, point);
+  const Plane to = plane_of(neighbours, sampling.after, sampling.normals_after, after);
+  Deformed result{point + (after - sampling.before[neighbours[0].index]), normal};
+  std::array<std::uint32_t, 3> triangle{};
+  if (is_zero(from.normal) || is_zero(to.normal) || !choose_triangle(sampling, point, neighbours, triangle))
+    return result;
+  std::array<Vector3f, 3> t{}, t_after{};
+  std::array<Vector3f, 3> flat{}, flat_after{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    t[k] = sampling.before[triangle[k]];
+    t_after[k] = sampling.after[triangle[k]];
+    flat[k] = from.project(t[k]);
+    flat_after[k] = to.project(t_after[k]);
+  }
+  if (!is_wide(flat)) return result;
+  const Vector3f p = from.project(point);
+  const Vector3f a = flat[1] - flat[0], b = flat[2] - flat[0], c = p - flat[0];
+  const Vector3f n = cross(a, b);
+  const float whole = dot(n, n);
+  const float u = dot(cross(c, b), n) / whole, v = dot(cross(a, c), n) / whole;
+  const Vector3f a_after = flat_after[1] - flat_after[0], b_after = flat_after[2] - flat_after[0];
+  const float r = circumradius(t), r_after = circumradius(t_after);
+  const float scale = r > 0 && r_after > 0 ? std::clamp(r_after / r, 1 / most_scale, most_scale) : 1;
+  const float distance = dot(point - from.centre, from.normal);
+  result.position = flat_after[0] + a_after * u + b_after * v + to.normal * (scale * distance);
+  // The normal keeps its components along the edges' dual directions and the plane's normal.
+  const Vector3f unit_n = unit(n), unit_after = unit(cross(a_after, b_after));
+  if (is_zero(normal) || is_zero(unit_after)) return result;
+  // Covectors: w with w a and w b kept. They turn by the inverse transpose of the triangle's map.
+  const float wa = dot(normal, a), wb = dot(normal, b), wn = dot(normal, unit_n);
+  const Vector3f area = cross(a_after, b_after);
+  const float area_square = dot(area, area);
+  const Vector3f dual_a = cross(b_after, area) * (1 / area_square), dual_b = cross(area, a_after) * (1 / area_square);
+  result.normal = unit(dual_a * wa + dual_b * wb + unit_after * (wn / scale));
+  return result;
+}
+
+}  // namespace glark::stream
