@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// glark sample LARGE -o SMALL: samples of a scan of any size.
+#include <fmt/format.h>
+
+#include <glark/stream.h>
+
+#include <memory>
+
+#include "glark/tool/scan/commands.h"
+#include "glark/tool/scan/console.h"
+#include "glark/tool/scan/peak_memory.h"
+#include "glark/tool/scan/validators.h"
+
+namespace glark::tool {
+namespace {
+
+struct Sample {
+  std::string input, output, format;
+  stream::SampleOptions options;
+  bool text = false, json = false;
+};
+
+void sample(const Sample& command) {
+  const std::filesystem::path output = command.output;
+  stream::SampleOptions options = command.options;
+  Progress progress("sampling " + command.input);
+  options.progress = [&](double fraction) { progress.show(fraction); };
+  const stream::SampleReport report =
+      stream::sample(stream::file_source(command.input, command.format), options, output.parent_path(),
+                     [&](const stream::Schema& schema) {
+                       return stream::create_points(output, schema, std::nullopt, {.text = command.text});
+                     });
+  if (report.left_out > 0)
+    warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", command.input, report.left_out));
+  if (report.is_shuffled)
+    warn(command.input + ": the order of its points has no coherence; they went through a temporary file of cells");
+  Report printed;
+  printed["points"] = report.points;
+  printed["samples"] = report.samples;
+  printed["cells"] = report.cells.size();
+  printed["in_core"] = report.in_core;
+  printed["shuffled"] = report.is_shuffled;
+  printed["seconds"] = progress.seconds();
+  printed["peak_memory_bytes"] = peak_memory();
+  print(printed, command.json);
+}
+
+}  // namespace
+
+void add_sample(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("sample", "Sample a scan of any size");
+  const auto sampling = std::make_shared<Sample>();
+  stream::SampleOptions& options = sampling->options;
+  command->add_option("LARGE", sampling->input, "Points: .ply, .las, .stl, .xyz, .pts or .raw (triples of floats)")
+      ->required();
+  command->add_option("-o,--output", sampling->output, "The file to write: .ply, .las, .xyz, .pts or .raw")
+      ->type_name("SMALL")
+      ->required();
+  CLI::Option* target =
+      command->add_option("--target", options.target, "The most samples; the result has at most 1 % less")
+          ->transform(whole_above_zero());
+  command
+      ->add_option("--error", options.error,
+                   "Without a target: the root mean square distance of a sample's points from their tangent planes, "
+                   "relative to the bounding box's diagonal; default 1e-4")
+      ->check(above_zero())
+      ->excludes(target);
+  command->add_option("--memory", options.memory, "The most memory, as 64MB or 1GB; default 256MB")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("BYTES");
+  command->add_option("--threads", options.threads,
+                      "Most threads; default: all of the machine. The result is the same");
+  command
+      ->add_option_function<std::string>(
+          "--format", [sampling](const std::string& name) { sampling->format = "." + name; }, "The format of LARGE")
+      ->type_name("NAME");
+  command->add_flag("--skip-invalid", options.skip_invalid,
+                    "Leave out points with NaN or infinite coordinates instead of stopping");
+  command->add_flag("--text", sampling->text, "Write PLY as text");
+  command->add_flag("--json", sampling->json, "Report as JSON on standard output");
+  command->callback([sampling] { sample(*sampling); });
+}
+
+}  // namespace glark::tool
