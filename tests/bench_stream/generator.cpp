@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "glark/clients/geometry/formats.h"
 
@@ -73,12 +74,15 @@ ScanGenerator::ScanGenerator(const std::filesystem::path& model, const ScanOptio
     areas_.push_back(area);
   }
   triangles_ = std::move(sorted);
+  // The product of an index and the step must not overflow.
+  if (options.shuffled && options.points >> 32 != 0)
+    throw std::invalid_argument("a shuffled scan has less than 2^32 points");
   step_ = options.points * 618 / 1000 | 1U;
   while (std::gcd(step_, options.points) != 1) step_ += 2;
 }
 
 void ScanGenerator::point(std::uint64_t i, double* position, float* normal) const {
-  if (options_.shuffled) i = static_cast<std::uint64_t>(static_cast<unsigned __int128>(i) * step_ % options_.points);
+  if (options_.shuffled) i = i * step_ % options_.points;
   const double area = areas_.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(options_.points);
   const auto t = static_cast<std::size_t>(std::lower_bound(areas_.begin(), areas_.end(), area) - areas_.begin());
   const std::array<Corner, 3>& triangle = triangles_[std::min(t, triangles_.size() - 1)];
