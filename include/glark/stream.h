@@ -134,6 +134,8 @@ struct Source {
   std::string name;  // for messages
   // Returns a reader that begins at the first point. Several threads call it.
   std::function<std::unique_ptr<PointReader>(const ReadOptions& options)> open;
+  // Differs between sources whose points differ, so that a killed run is not continued with others; may be empty.
+  std::string identity = {};
 };
 
 // The points of a file. The file must not change between the passes: Error.
@@ -151,6 +153,10 @@ struct SampleOptions {
   unsigned threads = 0;                         // 0: as many as the machine has; the result does not depend on it
   bool skip_invalid = false;                    // leaves out points whose coordinates are not finite
   bool allow_in_core = true;                    // false: streams even what fits into the memory
+  // A folder for the state of the work, which is made, and removed at the end. If the run is killed, or the disk gets
+  // full, the next one continues from there with `resume`, and repeats a twentieth of a pass at most. Empty: no folder.
+  std::filesystem::path work = {};
+  bool resume = false;
   Progress progress = {};
 };
 
@@ -186,6 +192,8 @@ struct TransferOptions {
   unsigned neighbours = 12;  // the nearest samples that a point follows, 3 to 64; more make colours smoother
   bool singular = false;     // a kernel that keeps sharp borders of colours
   unsigned threads = 0;      // 0: as many as the machine has; the result does not depend on it
+  std::filesystem::path work = {};  // as SampleOptions; it must be on the file system of the output
+  bool resume = false;
   Progress progress = {};
 };
 
@@ -205,6 +213,57 @@ struct TransferReport {
 GLARK_EXPORT TransferReport transfer(const std::filesystem::path& large, const std::filesystem::path& from,
                                      const std::filesystem::path& to, const std::filesystem::path& output,
                                      const TransferOptions& options = {});
+
+// Which part of a scan each cell of its sampling has, so that more samples can be taken from that part alone.
+struct CellIndex {
+  std::uint64_t bytes = 0;   // the size of the scan's file
+  std::uint64_t points = 0;  // of the scan
+  std::vector<SampledCell> cells;
+};
+
+// Writes and reads an index as text. The samples of the cells are not kept. Errors: Error for a file that cannot be
+// written or read, or that is no index.
+GLARK_EXPORT void write_cells(const std::filesystem::path& file, const CellIndex& index);
+GLARK_EXPORT CellIndex read_cells(const std::filesystem::path& file);
+
+// The part of an edited sampling that gets more samples: the samples within a box or a sphere after the edit, or those
+// with a channel that is not zero. A point of the scan belongs to the region if its nearest sample does.
+struct Region {
+  enum class Kind : std::uint8_t { box, sphere, channel };
+  Kind kind = Kind::box;
+  std::array<double, 3> low{}, high{};  // box
+  std::array<double, 3> centre{};       // sphere
+  double radius = 0;
+  std::string channel;
+};
+
+struct RefineOptions {
+  std::size_t target = 0;  // the most new samples. 0: `error` is used instead
+  double error = 1e-4;     // as SampleOptions, relative to the diagonal of the region's points
+  std::size_t memory = std::size_t{256} << 20;  // bytes, for the points of the region and their sampling
+  unsigned neighbours = 12;                     // as TransferOptions
+  unsigned threads = 0;
+};
+
+struct RefineReport {
+  std::uint64_t points_read = 0;  // of the scan
+  std::uint64_t points = 0;       // in the region
+  std::uint64_t samples = 0;      // new ones; they follow the others
+};
+
+// The files of refine().
+struct RefineFiles {
+  std::filesystem::path large;            // the scan
+  std::filesystem::path cells;            // the index of the sampling
+  std::filesystem::path from, to;         // the sampling before and after the edit; the same file if nothing is edited
+  std::filesystem::path output;           // `from` and the new samples
+  std::filesystem::path edited_output;    // `to` and the new samples, deformed and coloured as those around them; or empty
+};
+
+// Takes more samples of a region. Only the ranges of the cells around the region are read. Source: Boubekeur 2007, ch.
+// 4.5. Errors: Error for files that cannot be read or do not fit together, a scan that was changed, a region without
+// samples, or one whose points do not fit into the memory.
+GLARK_EXPORT RefineReport refine(const RefineFiles& files, const Region& region, const RefineOptions& options = {});
 
 }  // namespace glark::stream
 

@@ -64,7 +64,9 @@ TEST_F(Sampling, MeetsTheTargetAndLiesOnTheSurface) {
     EXPECT_GE(report.samples, target - std::max<std::size_t>(8, target / 100));
     const AllPoints all = read_all(*open_points(path("b.ply")));
     EXPECT_EQ(all.positions.size() / 3, report.samples);
-    if (target >= 1000) EXPECT_LT(mean_square_distance(all), 0.01);
+    if (target >= 1000) {
+      EXPECT_LT(mean_square_distance(all), 0.01);
+    }
   }
 }
 
@@ -74,7 +76,9 @@ TEST_F(Sampling, KeepsNormalsAndColours) {
   for (std::size_t i = 0; i < all.positions.size() / 3; ++i) {
     const double z = (all.positions[3 * i + 2] - 30) / 3;
     EXPECT_NEAR(all.normals[3 * i + 2], z, 0.05);
-    if (std::abs(z) > 0.1) EXPECT_EQ(all.channels[3 * i], z > 0 ? 200 : 0);
+    if (std::abs(z) > 0.1) {
+      EXPECT_EQ(all.channels[3 * i], z > 0 ? 200 : 0);
+    }
     EXPECT_EQ(all.channels[3 * i + 2], 50);
   }
 }

@@ -30,7 +30,7 @@ AllPoints sheet(std::size_t side) {
 }
 
 const Schema plain{Number::float32, true, {}};
-const Schema coloured{
+const Schema painted{
     Number::float32, true, {{"red", Number::uint8}, {"green", Number::uint8}, {"blue", Number::uint8}}};
 
 class Edited : public Transferring {
@@ -101,14 +101,14 @@ TEST_F(Edited, ColoursAreAddedAndTrianglesStay) {
   write("small.ply", small, plain);
   for (std::size_t i = 0; i < small.positions.size(); i += 3)
     small.channels.insert(small.channels.end(), {20 * small.positions[i], 7, 255});
-  write("edited.ply", small, coloured);
+  write("edited.ply", small, painted);
   write("large.ply", sheet(100), plain);
   std::string bytes = bytes_of(path("large.ply"));
   bytes.insert(bytes.find("end_header"), "element face 1\nproperty list uchar int vertex_indices\n");
   const std::string face("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
   transfer(made("faces.ply", bytes + face), path("small.ply"), path("edited.ply"), path("out.ply"));
   const auto reader = open_points(path("out.ply"));
-  EXPECT_EQ(reader->schema(), coloured);
+  EXPECT_EQ(reader->schema(), painted);
   const AllPoints out = read_all(*reader), large = sheet(100);
   for (std::size_t i = 0; i < out.positions.size() / 3; ++i) {
     EXPECT_NEAR(out.channels[3 * i], 20 * large.positions[3 * i], 8);

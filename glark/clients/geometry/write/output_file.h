@@ -17,11 +17,16 @@ class OutputFile {
  public:
   // Throws Error if the folder is not writable. Pipes and devices are written directly.
   explicit OutputFile(const std::filesystem::path& file);
+  // The same, but the bytes go to the file `partial` until commit(). It is on the same file system, keeps its first
+  // `kept` bytes, and stays if commit() is not called. Throws Error if it has less.
+  OutputFile(const std::filesystem::path& file, const std::filesystem::path& partial, std::uint64_t kept);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view bytes);
+  // Gives all bytes to the system.
+  void flush();
   template <class Value>
   void write_values(std::span<const Value> values) {
     write({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
@@ -34,13 +39,13 @@ class OutputFile {
   void commit();
 
  private:
-  void flush();
   [[noreturn]] void fail(const std::string& what) const;
 
   std::filesystem::path file_;
   std::filesystem::path aside_;  // empty if the temporary file has no name
   int descriptor_ = -1;
   bool direct_ = false;
+  bool stays_ = false;  // the temporary file is not removed
   std::string buffer_;
 };
 

@@ -16,7 +16,7 @@
 namespace glark::stream {
 namespace {
 
-[[noreturn]] void fail(const std::string& file, const std::string& problem) {
+[[noreturn]] void fail_to_read(const std::string& file, const std::string& problem) {
   throw Error(Element::file, 0, file + ": " + problem);
 }
 
@@ -24,11 +24,11 @@ namespace {
 
 SourceFile::SourceFile(const std::filesystem::path& file) : name_(file.string()) {
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor_ < 0) fail(name_, std::string("cannot be read: ") + std::strerror(errno) + "; check the name");
+  if (descriptor_ < 0) fail_to_read(name_, std::string("cannot be read: ") + std::strerror(errno) + "; check the name");
   struct stat status {};
   if (fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
     close(descriptor_);
-    fail(name_, "is not a regular file, and several passes need one; write it to a disk first");
+    fail_to_read(name_, "is not a regular file, and several passes need one; write it to a disk first");
   }
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -42,14 +42,14 @@ SourceFile::SourceFile(SourceFile&& other) noexcept
 
 FileState SourceFile::state() const {
   struct stat status {};
-  if (fstat(descriptor_, &status) != 0) fail(name_, std::string("cannot be read: ") + std::strerror(errno));
+  if (fstat(descriptor_, &status) != 0) fail_to_read(name_, std::string("cannot be read: ") + std::strerror(errno));
   return {static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 
 void SourceFile::require_unchanged(const FileState& before) const {
   const FileState now = state();
   if (now == before) return;
-  fail(name_,
+  fail_to_read(name_,
        fmt::format("the file changed while it was read: it had {} bytes, now {}; start again when nothing writes "
                    "to it",
                    before.size, now.size));
@@ -60,10 +60,10 @@ void SourceFile::read(std::uint64_t offset, std::span<char> to) const {
     const ssize_t got = pread(descriptor_, to.data() + done, to.size() - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0)
-      fail(name_, fmt::format("reading at byte {} failed: {}; check the disk or copy the file", offset + done,
+      fail_to_read(name_, fmt::format("reading at byte {} failed: {}; check the disk or copy the file", offset + done,
                               std::strerror(errno)));
     if (got == 0)
-      fail(name_, fmt::format("the file ends at byte {}, in the middle of its points; it is cut off or was changed, "
+      fail_to_read(name_, fmt::format("the file ends at byte {}, in the middle of its points; it is cut off or was changed, "
                               "get it again",
                               offset + done));
     done += static_cast<std::size_t>(got);

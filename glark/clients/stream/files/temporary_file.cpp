@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <glark/stream.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,7 +14,7 @@
 namespace glark::stream {
 namespace {
 
-[[noreturn]] void fail(const std::string& folder, const std::string& what) {
+[[noreturn]] void fail_in(const std::string& folder, const std::string& what) {
   const int error = errno;
   throw Error(Element::file, 0,
               folder + ": a temporary file " + what + ": " + std::strerror(error) + "; " +
@@ -30,7 +31,20 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& folder) : folder_(fold
     descriptor_ = mkostemp(name.data(), O_CLOEXEC);
     if (descriptor_ >= 0) unlink(name.c_str());
   }
-  if (descriptor_ < 0) fail(folder_, "cannot be made");
+  if (descriptor_ < 0) fail_in(folder_, "cannot be made");
+}
+
+TemporaryFile::TemporaryFile(const std::filesystem::path& folder, const char* name)
+    : folder_(folder.string()),
+      descriptor_(open((folder / name).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600)) {
+  if (descriptor_ < 0) fail_in(folder_, "cannot be made");
+}
+
+void TemporaryFile::continue_at(std::uint64_t size) {
+  struct stat status {};
+  if (fstat(descriptor_, &status) != 0 || static_cast<std::uint64_t>(status.st_size) < size)
+    throw Error(Element::file, 0, folder_ + ": a file of the work is shorter than it was; start without --resume");
+  end_ = size;
 }
 
 TemporaryFile::~TemporaryFile() {
@@ -53,7 +67,7 @@ void TemporaryFile::write(std::uint64_t offset, std::span<const char> bytes) {
     const ssize_t count =
         pwrite(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(folder_, "cannot be written");
+    if (count < 0) fail_in(folder_, "cannot be written");
     done += static_cast<std::size_t>(count);
   }
 }
@@ -64,7 +78,7 @@ void TemporaryFile::read(std::uint64_t offset, std::span<char> bytes) const {
         pread(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
     if (count < 0 && errno == EINTR) continue;
     if (count == 0) errno = EIO;
-    if (count <= 0) fail(folder_, "cannot be read");
+    if (count <= 0) fail_in(folder_, "cannot be read");
     done += static_cast<std::size_t>(count);
   }
 }

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "glark/clients/stream/sample/cell_pass.h"
+#include "glark/clients/stream/sample/pass/cell_pass.h"
 
 namespace glark::stream {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "glark/clients/stream/sample/local_points.h"
+#include "glark/clients/stream/sample/pass/local_points.h"
 
 namespace glark::stream {
 namespace {

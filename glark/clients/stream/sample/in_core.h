@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "glark/clients/stream/sample/cell_pass.h"
+#include "glark/clients/stream/sample/pass/cell_pass.h"
 
 namespace glark::stream {
 

@@ -84,23 +84,48 @@ SampleReport report_of(const Census& census, const Plan& plan) {
   return report;
 }
 
+// All that the saved states depend on.
+std::string identity_of(const Source& source, const SampleOptions& options) {
+  return fmt::format("glark sample 1\n{}\n{} {} {} {} {}\n", source.identity, options.target, options.error,
+                     options.memory, options.skip_invalid, options.allow_in_core);
+}
+
+// The second pass. Sets plan.is_shuffled if the unfinished cells do not fit into memory after all.
+std::unique_ptr<TreeStore> make_trees(const PassInput& input, Plan& plan, const std::filesystem::path& temporary) {
+  WorkFolder& folder = input.checkpoints.folder();
+  auto trees = std::make_unique<TreeStore>(folder, temporary, plan.cells.size());
+  // A run before may have found this out.
+  plan.is_shuffled |= folder.load("shuffled", [](StateReader&) { return true; });
+  if (!plan.is_shuffled && !stream_cells(input, *trees)) {
+    plan.is_shuffled = true;
+    folder.save("shuffled", [](StateWriter&) {});
+    trees = std::make_unique<TreeStore>(folder, temporary, plan.cells.size());
+  }
+  if (plan.is_shuffled) sort_into_cells(input, temporary, *trees);
+  return trees;
+}
+
 }  // namespace
 
 Source file_source(const std::filesystem::path& file, const std::string& format) {
   std::error_code missing;
   if (!std::filesystem::is_regular_file(file, missing))
-    return {file.string(), [file, format](const ReadOptions& options) {
+    return {file.string(),
+            [file, format](const ReadOptions& options) {
               ReadOptions with_format = options;
               with_format.format = format;
               return open_points(file, with_format);
-            }};
+            },
+            {}};
   const FileState before = SourceFile(file).state();
-  return {file.string(), [file, format, before](const ReadOptions& options) {
+  return {file.string(),
+          [file, format, before](const ReadOptions& options) {
             SourceFile(file).require_unchanged(before);
             ReadOptions with_format = options;
             with_format.format = format;
             return open_points(file, with_format);
-          }};
+          },
+          fmt::format("{} {} {} {}", before.size, before.seconds, before.nanoseconds, format)};
 }
 
 SampleReport sample(const Source& source, const SampleOptions& options, const std::filesystem::path& temporary,
@@ -115,6 +140,10 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
   if (options.allow_in_core && points.count() && fits_in_core(*points.count(), options.memory))
     return sample_in_core(points, options, create);
 
+  const bool keeps_states = !options.work.empty() && points.can_seek() && points.count() && !source.identity.empty();
+  WorkFolder folder(keeps_states ? options.work : std::filesystem::path(), identity_of(source, options),
+                    options.resume);
+  Checkpoints checkpoints(folder, points.count().value_or(0));
   ReadOptions positions_only = reading;
   positions_only.normals = positions_only.channels = false;
   Census census;
@@ -126,20 +155,14 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
   };
   {
     BlockSource counted(source, positions_only, workers);
-    census = take_census(counted, choose_lattice(source, reading, grid_levels), part_done(0, 0.3));
+    census = take_census(counted, choose_lattice(source, reading, grid_levels), part_done(0, 0.3), checkpoints);
   }
   if (census.cubes.empty())
     throw Error(Element::file, 0, source.name + ": no point has finite coordinates; export it again");
   Plan plan = make_plan(census, options);
   census.cubes = {};
-  const PassInput input{points, census, plan, workers, part_done(0.3, 0.65)};
-  auto trees = std::make_unique<TreeStore>(temporary, plan.cells.size());
-  if (!plan.is_shuffled && !stream_cells(input, *trees)) {
-    plan.is_shuffled = true;
-    trees = std::make_unique<TreeStore>(temporary, plan.cells.size());
-  }
-  if (plan.is_shuffled) sort_into_cells(input, temporary, *trees);
-
+  const PassInput input{points, census, plan, workers, part_done(0.3, 0.65), checkpoints};
+  const std::unique_ptr<TreeStore> trees = make_trees(input, plan, temporary);
   const Assembly assembly(plan, *trees);
   const float threshold = options.target > 0 ? assembly.threshold_for(options.target)
                                              : static_cast<float>(options.error * census.diagonal());
@@ -152,6 +175,7 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
       report.cells);
   if (orients) writer.orient(options.threads);
   writer.finish();
+  folder.finish();
   report.samples = writer.count();
   if (options.progress) options.progress(1);
   return report;

@@ -14,7 +14,8 @@ using common::length;
 using common::unit;
 using common::Vector3f;
 
-constexpr int halvings = 6;
+// The cosine of half of the cone's apex angle, 120 degrees, and of its halves.
+constexpr std::array cosines{0.5F, 0.8660254F, 0.9659258F, 0.9914449F, 0.9978589F, 0.9994646F};
 constexpr float least_height = 0.05F;  // of a triangle, relative to its longest edge
 constexpr float most_scale = 8;        // of the distance from the plane
 
@@ -52,20 +53,18 @@ bool is_wide(const std::array<Vector3f, 3>& t) {
 
 }  // namespace
 
-bool choose_triangle(const Sampling& sampling, const Vector3f& point, std::span<const Neighbour> neighbours,
+bool choose_triangle(const Samples& samples, const Vector3f& point, std::span<const Neighbour> neighbours,
                      std::array<std::uint32_t, 3>& triangle) {
-  float angle = 1.0471976F;  // half of the apex angle
-  for (int i = 0; i < halvings; ++i, angle /= 2) {
-    const float cosine = std::cos(angle);
+  for (const float cosine : cosines) {
     std::array<Vector3f, 3> directions{};
     std::size_t have = 0;
     for (const Neighbour& near : neighbours) {
-      const Vector3f direction = unit(sampling.before[near.index] - point);
+      const Vector3f direction = unit(samples.before[near.index] - point);
       bool is_excluded = false;
       for (std::size_t k = 0; k < have; ++k) is_excluded |= dot(direction, directions[k]) > cosine;
       if (is_excluded) continue;
       if (have == 2 &&
-          !is_wide({sampling.before[triangle[0]], sampling.before[triangle[1]], sampling.before[near.index]}))
+          !is_wide({samples.before[triangle[0]], samples.before[triangle[1]], samples.before[near.index]}))
         continue;
       triangle[have] = near.index;
       directions[have] = direction;
@@ -76,20 +75,20 @@ bool choose_triangle(const Sampling& sampling, const Vector3f& point, std::span<
 }
 
 // All is relative to the point, so that an edit that moves nothing gives the same bits or nearly so.
-Deformed deform(const Sampling& sampling, const Vector3f& point, const Vector3f& normal,
+Deformed deform(const Samples& samples, const Vector3f& point, const Vector3f& normal,
                 std::span<const Neighbour> neighbours) {
-  const Vector3f after = sampling.after[neighbours[0].index];
-  const Plane from = plane_of(neighbours, sampling.before, sampling.normals, point);
-  const Plane to = plane_of(neighbours, sampling.after, sampling.normals_after, after);
-  Deformed result{point + (after - sampling.before[neighbours[0].index]), normal};
+  const Vector3f after = samples.after[neighbours[0].index];
+  const Plane from = plane_of(neighbours, samples.before, samples.normals, point);
+  const Plane to = plane_of(neighbours, samples.after, samples.normals_after, after);
+  Deformed result{point + (after - samples.before[neighbours[0].index]), normal};
   std::array<std::uint32_t, 3> triangle{};
-  if (is_zero(from.normal) || is_zero(to.normal) || !choose_triangle(sampling, point, neighbours, triangle))
+  if (is_zero(from.normal) || is_zero(to.normal) || !choose_triangle(samples, point, neighbours, triangle))
     return result;
   std::array<Vector3f, 3> t{}, t_after{};
   std::array<Vector3f, 3> flat{}, flat_after{};
   for (std::size_t k = 0; k < 3; ++k) {
-    t[k] = sampling.before[triangle[k]];
-    t_after[k] = sampling.after[triangle[k]];
+    t[k] = samples.before[triangle[k]];
+    t_after[k] = samples.after[triangle[k]];
     flat[k] = from.project(t[k]);
     flat_after[k] = to.project(t_after[k]);
   }

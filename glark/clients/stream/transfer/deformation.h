@@ -5,16 +5,17 @@
 // Source: Boubekeur 2007, ch. 4.4.2.
 #pragma once
 
+#include <array>
 #include <span>
 
-#include "glark/clients/stream/transfer/sampling.h"
+#include "glark/clients/stream/transfer/samples.h"
 
 namespace glark::stream {
 
 // Three samples around a point, as even and as near as possible. Each chosen sample excludes a cone about its direction
 // from the point, with an apex angle of 120 degrees; halves of it if too few samples are left.
 // Returns false if no three samples span a triangle.
-bool choose_triangle(const Sampling& sampling, const common::Vector3f& point, std::span<const Neighbour> neighbours,
+bool choose_triangle(const Samples& samples, const common::Vector3f& point, std::span<const Neighbour> neighbours,
                      std::array<std::uint32_t, 3>& triangle);
 
 struct Deformed {
@@ -22,7 +23,7 @@ struct Deformed {
   common::Vector3f normal;    // of unit length; zero stays zero
 };
 
-Deformed deform(const Sampling& sampling, const common::Vector3f& point, const common::Vector3f& normal,
+Deformed deform(const Samples& samples, const common::Vector3f& point, const common::Vector3f& normal,
                 std::span<const Neighbour> neighbours);
 
 }  // namespace glark::stream

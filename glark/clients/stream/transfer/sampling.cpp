@@ -8,7 +8,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <nanoflann.hpp>
 
 namespace glark::stream {
 namespace {
@@ -16,17 +15,6 @@ namespace {
 using common::Vector3f;
 
 constexpr std::size_t neighbours_of_a_frame = 10;
-
-struct Cloud {
-  const std::vector<Vector3f>& points;
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  float kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][axis]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3, std::uint32_t>;
 
 struct FileContents {
   std::vector<double> positions, channels;
@@ -74,37 +62,43 @@ bool is_unchanged(const FileContents& from, const FileContents& to, std::size_t 
 }
 
 // Turns each normal by the linear map that fits the neighbours of its sample best. Normals turn by its cofactors.
-void turn_normals(Sampling& sampling, const Index& index) {
-  std::array<std::uint32_t, neighbours_of_a_frame> found{};
-  std::array<float, neighbours_of_a_frame> squares{};
-  for (std::size_t i = 0; i < sampling.size(); ++i) {
-    const Vector3f p = sampling.before[i];
-    const std::array<float, 3> query{p.x, p.y, p.z};
-    const std::size_t count = index.knnSearch(query.data(), found.size(), found.data(), squares.data());
-    const Vector3f n = sampling.normals[i];
-    const Eigen::Vector3d normal(n.x, n.y, n.z);
-    Eigen::Matrix3d before = Eigen::Matrix3d::Zero(), both = Eigen::Matrix3d::Zero();
-    for (std::size_t k = 0; k < count; ++k) {
-      const Vector3f a = sampling.before[found[k]] - p, b = sampling.after[found[k]] - sampling.after[i];
-      const Eigen::Vector3d from(a.x, a.y, a.z), to(b.x, b.y, b.z);
-      before += from * from.transpose();
-      both += to * from.transpose();
-    }
-    // The neighbours say little about the map across the surface: there it is taken to be a rotation of the normal.
-    const double extent = before.trace();
-    const Eigen::Matrix3d map = both * (before + 1e-6 * (extent + 1e-30) * Eigen::Matrix3d::Identity()).inverse();
-    const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
-    Eigen::Vector3d turned = (map * u).cross(map * v);
-    if (!(turned.norm() > 0)) turned = normal;
-    turned.normalize();
-    sampling.normals_after[i] = {static_cast<float>(turned[0]), static_cast<float>(turned[1]),
-                                 static_cast<float>(turned[2])};
+Vector3f turned_normal(const Samples& samples, std::size_t i, const std::vector<std::uint32_t>& neighbours) {
+  const Vector3f n = samples.normals[i];
+  const Eigen::Vector3d normal(n.x, n.y, n.z);
+  if (!(normal.norm() > 0)) return n;
+  Eigen::Matrix3d before = Eigen::Matrix3d::Zero(), both = Eigen::Matrix3d::Zero();
+  for (const std::uint32_t k : neighbours) {
+    const Vector3f a = samples.before[k] - samples.before[i], b = samples.after[k] - samples.after[i];
+    const Eigen::Vector3d from(a.x, a.y, a.z), to(b.x, b.y, b.z);
+    before += from * from.transpose();
+    both += to * from.transpose();
   }
+  // The neighbours say little about the map across the surface. The cross product does not need it.
+  const double extent = before.trace();
+  const Eigen::Matrix3d map = both * (before + 1e-6 * (extent + 1e-30) * Eigen::Matrix3d::Identity()).inverse();
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  Eigen::Vector3d turned = (map * u).cross(map * v);
+  if (!(turned.norm() > 0)) return n;
+  turned.normalize();
+  return {static_cast<float>(turned[0]), static_cast<float>(turned[1]), static_cast<float>(turned[2])};
+}
+
+void turn_normals(Samples& samples, const common::Workers& workers) {
+  const SampleIndex index(samples.before);
+  workers.each(samples.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> neighbours;
+    std::vector<float> squares;
+    for (std::size_t i = begin; i < end; ++i) {
+      index.nearest(samples.before[i], neighbours_of_a_frame, neighbours, squares);
+      samples.normals_after[i] = turned_normal(samples, i, neighbours);
+    }
+  });
 }
 
 }  // namespace
 
-Sampling read_sampling(const std::filesystem::path& from, const std::filesystem::path& to, unsigned threads) {
+Sampling read_sampling(const std::filesystem::path& from, const std::filesystem::path& to,
+                       const common::Workers& workers) {
   const FileContents before = read_file(from), after = read_file(to);
   const std::size_t count = before.positions.size() / 3;
   if (count == 0) throw Error(Element::file, 0, from.string() + ": the sampling has no points; sample the scan again");
@@ -113,6 +107,7 @@ Sampling read_sampling(const std::filesystem::path& from, const std::filesystem:
                 fmt::format("{}: has {} points, the sampling {} has {}; edit without adding or removing points",
                             to.string(), after.positions.size() / 3, from.string(), count));
   Sampling sampling;
+  Samples& samples = sampling.samples;
   for (std::size_t k = 0; k < 3; ++k) sampling.origin[k] = before.positions[k];
   const std::vector<std::size_t> places = places_of(after, to.string(), count);
   const auto relative = [&](const std::vector<double>& all, std::size_t i) {
@@ -126,59 +121,23 @@ Sampling read_sampling(const std::filesystem::path& from, const std::filesystem:
     if (after.schema.channels[k].name != "index" && !is_unchanged(before, after, k, places)) edited.push_back(k);
   for (const std::size_t k : edited) sampling.channels.push_back(after.schema.channels[k]);
   for (std::size_t i = 0; i < count; ++i) {
-    sampling.before.push_back(relative(before.positions, i));
-    sampling.after.push_back(relative(after.positions, places[i]));
-    sampling.is_deformed |= !(sampling.before.back() == sampling.after.back());
+    samples.before.push_back(relative(before.positions, i));
+    samples.after.push_back(relative(after.positions, places[i]));
+    sampling.is_deformed |= !(samples.before.back() == samples.after.back());
     for (const std::size_t k : edited)
-      sampling.values.push_back(static_cast<float>(after.channels[width * places[i] + k]));
+      samples.values.push_back(static_cast<float>(after.channels[width * places[i] + k]));
   }
   std::vector<float> normals = before.normals;
   if (normals.empty()) {
     std::vector<float> positions;
-    for (const Vector3f& p : sampling.before) positions.insert(positions.end(), {p.x, p.y, p.z});
-    normals = vstree::estimate_normals({.positions = positions}, {.threads = threads});
+    for (const Vector3f& p : samples.before) positions.insert(positions.end(), {p.x, p.y, p.z});
+    normals = vstree::estimate_normals({.positions = positions}, {.threads = static_cast<unsigned>(workers.count())});
   }
   for (std::size_t i = 0; i < count; ++i)
-    sampling.normals.push_back(common::unit(common::vector_at(std::span<const float>(normals), i)));
-  sampling.normals_after = sampling.normals;
-  if (sampling.is_deformed) {
-    const Cloud cloud{sampling.before};
-    const Index index(3, cloud);
-    turn_normals(sampling, index);
-  }
+    samples.normals.push_back(common::unit(common::vector_at(std::span<const float>(normals), i)));
+  samples.normals_after = samples.normals;
+  if (sampling.is_deformed) turn_normals(samples, workers);
   return sampling;
-}
-
-struct Neighbours::Tree {
-  explicit Tree(const Sampling& sampling) : cloud{sampling.before}, index(3, cloud) {}
-  Cloud cloud;
-  Index index;
-};
-
-Neighbours::Neighbours(const Sampling& sampling, unsigned count, bool is_singular)
-    : tree_(std::make_unique<Tree>(sampling)),
-      count_(std::min<std::size_t>(count, sampling.size())),
-      is_singular_(is_singular) {}
-Neighbours::~Neighbours() = default;
-
-// The kernel is Hermite's polynomial of the distance relative to that of the farthest neighbour.
-// Source: Boubekeur 2007, ch. 4.4.1, with max in the place of arg max.
-void Neighbours::find(const Vector3f& point, std::vector<Neighbour>& found) const {
-  constexpr std::size_t most = 64;
-  std::array<std::uint32_t, most> indices{};
-  std::array<float, most> squares{};
-  const std::array<float, 3> query{point.x, point.y, point.z};
-  const std::size_t count =
-      tree_->index.knnSearch(query.data(), std::min(count_, most), indices.data(), squares.data());
-  found.resize(count);
-  const float farthest = count > 0 ? std::sqrt(squares[count - 1]) : 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float distance = std::sqrt(squares[i]), t = farthest > 0 ? distance / farthest : 0;
-    float weight = 1 - 3 * t * t + 2 * t * t * t;
-    if (is_singular_) weight /= t * t + 1e-6F;
-    found[i] = {indices[i], distance, weight};
-  }
-  if (count > 0 && !(found[0].weight > 0)) found[0].weight = 1;  // all are equally far, or there is one only
 }
 
 }  // namespace glark::stream
