@@ -15,6 +15,7 @@
 
 #include "tests/bench_stream/edits.h"
 #include "tests/bench_stream/generator.h"
+#include "tests/bench_stream/quality.h"
 
 namespace {
 
@@ -91,6 +92,15 @@ int main(int argc, char** argv) {
   generate->add_option("--points", scan.points, "Its points");
   generate->add_flag("--shuffled", scan.shuffled, "In no order");
   generate->callback([&] { bench::write_scan(bench::ScanGenerator(model, scan), scan.points, file); });
+
+  CLI::App* quality = app.add_subcommand("quality", "Measure the distance of a scan from a sampling");
+  std::uint64_t step = 1;
+  quality->add_option("SCAN", file)->required();
+  quality->add_option("SMALL", model, "The sampling")->required();
+  quality->add_option("--step", step, "Measure each N-th point");
+  quality->callback([&] {
+    fmt::print("RMS distance: {:.6f} % of the diagonal\n", 100 * bench::distance_of(file, model, step));
+  });
 
   Sampling run;
   std::string edit = "bend";

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <glark/vstree.h>
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -131,8 +129,6 @@ Source file_source(const std::filesystem::path& file, const std::string& format)
 SampleReport sample(const Source& source, const SampleOptions& options, const std::filesystem::path& temporary,
                     const CreateWriter& create) {
   check(options);
-  // Large blocks go back to the system when they are freed, so that the memory is what is in use.
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);
   const common::Workers workers(options.threads);
   ReadOptions reading;
   reading.keep_invalid = options.skip_invalid;
