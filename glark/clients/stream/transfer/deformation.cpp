@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace glark::stream {
 namespace {
@@ -59,7 +60,8 @@ bool choose_triangle(const Samples& samples, const Vector3f& point, std::span<co
     std::array<Vector3f, 3> directions{};
     std::size_t have = 0;
     for (const Neighbour& near : neighbours) {
-      const Vector3f direction = unit(samples.before[near.index] - point);
+      const Vector3f away = samples.before[near.index] - point;
+      const Vector3f direction = away * (1 / std::sqrt(dot(away, away) + std::numeric_limits<float>::min()));
       bool is_excluded = false;
       for (std::size_t k = 0; k < have; ++k) is_excluded |= dot(direction, directions[k]) > cosine;
       if (is_excluded) continue;

@@ -15,7 +15,6 @@ using common::Vector3f;
 constexpr std::size_t gathered = 4;     // times the nearest samples of a point
 constexpr float wider = 1.0001F;        // for the rounding of distances
 constexpr std::int32_t low_bits = 255;  // of a key: the sample. The others are those of the squared distance
-constexpr std::size_t few = 32;
 
 void copy(const std::vector<Vector3f>& from, const std::vector<std::uint32_t>& indices, std::vector<Vector3f>& to) {
   to.resize(indices.size());
@@ -33,7 +32,14 @@ void NearSamples::gather(const Vector3f& centre) {
   farthest_ = std::sqrt(squares_[count_ - 1]);
   covered_ = indices_.size() == all_.size() ? std::numeric_limits<float>::max() : std::sqrt(squares_.back());
   reach_ = (covered_ - farthest_) / 2;
+  last_point_ = centre;
+  last_farthest_ = farthest_;
   copy(all_.before, indices_, near_.before);
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    x_[i] = near_.before[i].x;
+    y_[i] = near_.before[i].y;
+    z_[i] = near_.before[i].z;
+  }
   copy(all_.after, indices_, near_.after);
   copy(all_.normals, indices_, near_.normals);
   copy(all_.normals_after, indices_, near_.normals_after);
@@ -43,28 +49,38 @@ void NearSamples::gather(const Vector3f& centre) {
                 near_.values.begin() + static_cast<std::ptrdiff_t>(channels_ * i));
 }
 
-// Sorts the first keys. A key's place is the number of smaller keys: no branch depends on the keys.
-void NearSamples::sort_keys(std::size_t found) {
-  if (found > few) {
-    std::sort(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(found));
-    return;
-  }
-  std::array<std::int32_t, few> places{}, keys{};
-  std::copy_n(keys_.begin(), few, keys.begin());
+// Sorts at most `width` keys. A key's place is the number of smaller keys: no branch depends on the keys.
+template <std::size_t width>
+void NearSamples::sort_few(std::size_t found) {
+  std::array<std::int32_t, width> places{}, keys{};
+  std::copy_n(keys_.begin(), width, keys.begin());
   for (std::size_t other = 0; other < found; ++other)
-    for (std::size_t i = 0; i < few; ++i) places[i] += keys[other] < keys[i] ? 1 : 0;
+    for (std::size_t i = 0; i < width; ++i) places[i] += keys[other] < keys[i] ? 1 : 0;
   for (std::size_t i = 0; i < found; ++i) keys_[static_cast<std::size_t>(places[i])] = keys[i];
 }
 
+void NearSamples::sort_keys(std::size_t found) {
+  if (found <= 16)
+    sort_few<16>(found);
+  else if (found <= 32)
+    sort_few<32>(found);
+  else
+    std::sort(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(found));
+}
+
 // Returns false if other samples may be nearer than those that are gathered. The triangle inequality tells it: the
-// nearest samples of the centre are near the point, too.
+// nearest samples of the centre, and those of the last point, are near the point, too.
 bool NearSamples::choose(const Vector3f& point) {
   if (covered_ < 0) return false;
   const float away = common::length(point - centre_);
-  const float bound = (farthest_ + away) * wider, square = bound * bound + std::numeric_limits<float>::min();
+  const float bound = std::min(farthest_ + away, last_farthest_ + common::length(point - last_point_)) * wider;
+  const float square = bound * bound + std::numeric_limits<float>::min();
   std::array<float, most> squares;
   const std::size_t size = near_.size();
-  for (std::size_t i = 0; i < size; ++i) squares[i] = common::squared_distance(near_.before[i], point);
+  for (std::size_t i = 0; i < size; ++i) {
+    const float dx = x_[i] - point.x, dy = y_[i] - point.y, dz = z_[i] - point.z;
+    squares[i] = dx * dx + dy * dy + dz * dz;
+  }
   std::size_t found = 0;
   for (std::size_t i = 0; i < size; ++i) {
     keys_[found] = (std::bit_cast<std::int32_t>(squares[i]) & ~low_bits) | static_cast<std::int32_t>(i);
@@ -76,7 +92,9 @@ bool NearSamples::choose(const Vector3f& point) {
     found_[i].index = static_cast<std::uint32_t>(keys_[i] & low_bits);
     distances_[i] = std::sqrt(squares[found_[i].index]);
   }
-  return away == 0 || distances_[count_ - 1] + away <= covered_;
+  last_point_ = point;
+  last_farthest_ = distances_[count_ - 1];
+  return away == 0 || last_farthest_ + away <= covered_;
 }
 
 // The kernel is Hermite's polynomial of the distance relative to that of the farthest neighbour.

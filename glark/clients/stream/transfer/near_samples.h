@@ -33,6 +33,8 @@ class NearSamples {
   void sort_keys(std::size_t found);
 
   static constexpr std::size_t most = 256;  // so that an index has 8 bits
+  template <std::size_t width>
+  void sort_few(std::size_t found);
 
   const SampleIndex& index_;
   const Samples& all_;
@@ -44,7 +46,10 @@ class NearSamples {
   float reach_ = 0;
   float farthest_ = 0;  // the distance of the last one of the `count` nearest samples from the centre
   float covered_ = -1;  // all samples within this distance from the centre are gathered
-  std::array<std::int32_t, most + 32> keys_{};
+  common::Vector3f last_point_;  // the one of the last find(), and the distance of its farthest neighbour
+  float last_farthest_ = 0;
+  std::array<float, most> x_{}, y_{}, z_{};  // the positions before, for loops over all
+  std::array<std::int32_t, most + 1> keys_{};
   std::array<float, most> distances_{};
   std::array<Neighbour, 64> found_{};
 };
