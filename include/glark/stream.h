@@ -149,7 +149,7 @@ struct SampleOptions {
   // The root mean square distance of the points of a sample from its tangent planes, relative to the diagonal of the
   // bounding box.
   double error = 1e-4;
-  std::size_t memory = std::size_t{256} << 20;  // bytes, 32 MiB or more; the sampling itself is not counted
+  std::size_t memory = std::size_t{256} << 20;  // bytes, 40 MiB or more; the sampling itself is not counted
   unsigned threads = 0;                         // 0: as many as the machine has; the result does not depend on it
   bool skip_invalid = false;                    // leaves out points whose coordinates are not finite
   bool allow_in_core = true;                    // false: streams even what fits into the memory

@@ -28,7 +28,7 @@ class Refining : public TemporaryFolder {
     writer->finish();
     SampleOptions options;
     options.target = 500;
-    options.memory = std::size_t{32} << 20;
+    options.memory = std::size_t{40} << 20;
     options.allow_in_core = false;
     const SampleReport report =
         sample(file_source(path("large.ply")), options, path(""),

@@ -41,7 +41,7 @@ std::filesystem::path write_sphere(const std::filesystem::path& file, const Scan
 }
 
 SampleReport sample_file(const std::filesystem::path& from, const std::filesystem::path& to, SampleOptions options) {
-  options.memory = std::size_t{32} << 20;
+  options.memory = std::size_t{40} << 20;
   options.allow_in_core = false;
   return sample(file_source(from), options, to.parent_path(),
                 [&](const Schema& schema) { return create_points(to, schema); });
@@ -149,7 +149,7 @@ TEST_F(Sampling, BadOptionsAreExplained) {
     });
   };
   EXPECT_NE(problem({.error = 2}).find("error is 2"), std::string::npos);
-  EXPECT_NE(problem({.target = 5, .memory = 1000}).find("32 MiB"), std::string::npos);
+  EXPECT_NE(problem({.target = 5, .memory = 1000}).find("40 MiB"), std::string::npos);
 }
 
 TEST_F(Sampling, AFileThatChangesBetweenThePassesIsExplained) {

@@ -69,6 +69,16 @@ bool is_in(const SampledCell& cell, const double* position) {
   return inside;
 }
 
+// A cube around all cells.
+SampledCell box_of(const std::vector<SampledCell>& cells) {
+  SampledCell box = cells.front();
+  for (const SampledCell& cell : cells)
+    for (std::size_t k = 0; k < 3; ++k) box.corner[k] = std::min(box.corner[k], cell.corner[k]);
+  for (const SampledCell& cell : cells)
+    for (std::size_t k = 0; k < 3; ++k) box.side = std::max(box.side, cell.corner[k] + cell.side - box.corner[k]);
+  return box;
+}
+
 // Keeps the points of a piece of the stream, so that the order does not depend on threads.
 struct Piece {
   std::uint64_t first = 0;
@@ -79,7 +89,7 @@ class RegionReader {
  public:
   RegionReader(const Sampling& sampling, const SampleIndex& tree, const std::vector<bool>& is_inside,
                std::vector<SampledCell> cells, std::size_t memory)
-      : sampling_(sampling), tree_(tree), is_inside_(is_inside), cells_(std::move(cells)), memory_(memory) {}
+      : sampling_(sampling), tree_(tree), is_inside_(is_inside), cells_(std::move(cells)), box_(box_of(cells_)), memory_(memory) {}
 
   RegionPoints run(BlockSource& source, const std::vector<Range>& ranges) {
     RegionPoints all;
@@ -98,12 +108,18 @@ class RegionReader {
  private:
   void keep(const Points& points, std::size_t channels) {
     Piece piece{points.first, {}};
+    const SampledCell* cell = cells_.data();
     std::vector<std::uint32_t> near;
     std::vector<float> squares;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double* position = &points.positions[3 * i];
-      if (std::none_of(cells_.begin(), cells_.end(), [&](const SampledCell& cell) { return is_in(cell, position); }))
-        continue;
+      if (!is_in(box_, position)) continue;
+      if (!is_in(*cell, position)) {  // most points are in the cell of the point before
+        const auto found = std::find_if(cells_.begin(), cells_.end(),
+                                        [&](const SampledCell& other) { return is_in(other, position); });
+        if (found == cells_.end()) continue;
+        cell = &*found;
+      }
       Vector3f p;
       for (std::size_t k = 0; k < 3; ++k) p[k] = static_cast<float>(position[k] - sampling_.origin[k]);
       tree_.nearest(p, 1, near, squares);
@@ -137,6 +153,7 @@ class RegionReader {
   const SampleIndex& tree_;
   const std::vector<bool>& is_inside_;
   std::vector<SampledCell> cells_;
+  SampledCell box_;
   std::size_t memory_;
   std::mutex mutex_;
   std::vector<Piece> pieces_;
@@ -177,6 +194,9 @@ RegionPoints read_region(const std::filesystem::path& large, const CellIndex& in
   const std::vector<std::size_t> needed = cells_around(index, sampling, tree, is_inside);
   std::vector<SampledCell> cells;
   for (const std::size_t c : needed) cells.push_back(index.cells[c]);
+  if (cells.empty())
+    throw Error(Element::file, 0,
+                large.string() + ": no cell of its index has the region; the index may be that of another sampling");
   ReadOptions reading;
   reading.keep_invalid = true;
   const Source source = file_source(large);

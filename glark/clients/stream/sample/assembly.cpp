@@ -9,7 +9,7 @@ namespace glark::stream {
 namespace {
 
 // Errors of one class begin with the same bits. For positive floats, the order of the bits is the order of the numbers.
-constexpr unsigned class_shift = 11;  // steps of 2^-12
+constexpr unsigned class_shift = 13;  // steps of 2^-10
 constexpr std::size_t classes = std::size_t{1} << (31 - class_shift);
 std::size_t class_of(float error) { return (std::bit_cast<std::uint32_t>(error) & 0x7FFFFFFFU) >> class_shift; }
 
@@ -26,7 +26,10 @@ Assembly::Assembly(const Plan& plan, const TreeStore& trees) : plan_(plan), tree
 
 // The shape and the error of the cells of one cube of the octree. Cubes with one child are no nodes.
 Assembly::Part Assembly::build(std::size_t first, std::size_t last, unsigned level) {
-  if (last - first == 1) return {trees_.place(first).shape, plan_.centre(first), trees_.place(first).root.error};
+  if (last - first == 1) {
+    const TreeStore::Root root = trees_.root(first);
+    return {root.shape, plan_.centre(first), root.error};
+  }
   const auto child_at = [&](std::size_t cell, unsigned at) { return plan_.cells[cell].key >> (3 * (at - 1)); };
   while (child_at(first, level) == child_at(last - 1, level)) --level;
   const std::size_t slot = volumes_.size();

@@ -9,13 +9,15 @@
 #include "glark/clients/stream/files/source_file.h"
 #include "glark/clients/stream/sample/assembly.h"
 #include "glark/clients/stream/sample/in_core.h"
+#include "glark/clients/stream/sample/pass/trim_memory.h"
 
 namespace glark::stream {
 namespace {
 
 constexpr unsigned grid_levels = 7;  // the lattice has about 2^7 cubes along the scan
-constexpr std::size_t least_memory = std::size_t{32} << 20;
-constexpr std::size_t bytes_for_normals = 300;  // of a sample, while normals are estimated
+constexpr std::size_t least_memory = std::size_t{40} << 20;
+constexpr std::size_t bytes_for_normals = 900;  // of a sample, while normals are estimated
+constexpr std::size_t program_bytes = std::size_t{24} << 20;
 
 void check(const SampleOptions& options) {
   if (options.target == 0 && !(options.error > 0 && options.error < 1))
@@ -24,7 +26,7 @@ void check(const SampleOptions& options) {
   if (options.memory < least_memory)
     throw Error(
         Element::option, 0,
-        fmt::format("glark-stream: memory is {} bytes; {} (32 MiB) is the least", options.memory, least_memory));
+        fmt::format("glark-stream: memory is {} bytes; {} (40 MiB) is the least", options.memory, least_memory));
 }
 
 // Collects samples and gives them to a writer in blocks.
@@ -157,14 +159,16 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
     throw Error(Element::file, 0, source.name + ": no point has finite coordinates; export it again");
   Plan plan = make_plan(census, options);
   census.cubes = {};
+  trim_memory(options.memory);
   const PassInput input{points, census, plan, workers, part_done(0.3, 0.65), checkpoints};
   const std::unique_ptr<TreeStore> trees = make_trees(input, plan, temporary);
+  trim_memory(options.memory);
   const Assembly assembly(plan, *trees);
   const float threshold = options.target > 0 ? assembly.threshold_for(options.target)
                                              : static_cast<float>(options.error * census.diagonal());
   SampleReport report = report_of(census, plan);
   const PointKind kind(points.schema());
-  const bool orients = !kind.has_normals && options.target * bytes_for_normals <= options.memory;
+  const bool orients = !kind.has_normals && options.target * bytes_for_normals + program_bytes <= options.memory;
   SampleWriter writer(create(sampling_schema(points.schema(), kind.has_colours())), kind.has_colours(), orients);
   assembly.select(
       threshold, [&](const std::array<double, 3>& position, const ClusterNode& node) { writer.add(position, node); },

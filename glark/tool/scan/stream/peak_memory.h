@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <sys/resource.h>
-
 #include <cstdint>
+#include <fstream>
+#include <string>
 
 namespace glark::tool {
 
-// The most memory that this process has had, in bytes: its resident set.
+// The most memory that this process has had, in bytes: its resident set. getrusage() would count that of the program
+// which started this one.
 inline std::uint64_t peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (std::uint64_t kilobytes = 0; word == "VmHWM:" && status >> kilobytes) return kilobytes * 1024;
+  return 0;
 }
 
 }  // namespace glark::tool

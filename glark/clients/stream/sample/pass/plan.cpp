@@ -9,7 +9,7 @@ namespace {
 
 constexpr unsigned most_bits = 10;                            // a key of a micro-cluster has 3 * 10 bits
 constexpr double parts_a_sample = 2.5, clusters_a_part = 4;  // as in vstree::simplify(), and micro-clusters of a part
-constexpr std::size_t program_bytes = std::size_t{18} << 20;  // the program itself and its buffers
+constexpr std::size_t program_bytes = std::size_t{24} << 20;  // the program itself and its buffers
 constexpr double bytes_a_node = 420;                          // of a tree under construction, for each micro-cluster
 constexpr double bytes_unfinished = 180;  // of a micro-cluster in a table, with the growth of the table
 constexpr double most_clusters = 1 << 16, least_clusters = 256;
@@ -26,6 +26,7 @@ Plan make_plan(const Census& census, const SampleOptions& options) {
   Plan plan;
   plan.lattice = census.lattice;
   plan.by_error = options.target == 0;
+  plan.memory = options.memory;
   const auto points = static_cast<double>(census.points - census.left_out);
   const double part =
       std::max(1.0, points / (parts_a_sample * static_cast<double>(std::max<std::size_t>(1, options.target))));
@@ -38,9 +39,9 @@ Plan make_plan(const Census& census, const SampleOptions& options) {
   const double each = points_a_cluster(census, plan.finer);
   if (!plan.by_error) plan.least = static_cast<std::uint32_t>(std::clamp(part / each, 1.0, 1e6));
 
-  const auto room = static_cast<double>(options.memory - std::min(options.memory / 2, program_bytes));
-  plan.open_bytes = static_cast<std::size_t>(0.45 * room);
-  const double at_once = std::min(most_clusters, 0.35 * room / static_cast<double>(trees_at_a_time) / bytes_a_node);
+  const auto room = static_cast<double>(options.memory - std::min(options.memory / 5 * 3, program_bytes));
+  plan.open_bytes = static_cast<std::size_t>(0.4 * room);
+  const double at_once = std::min(most_clusters, 0.3 * room / static_cast<double>(trees_at_a_time) / bytes_a_node);
   const auto cells_with = [&](double clusters) {
     return cells_of(census.cubes, static_cast<std::uint64_t>(std::max(1.0, clusters * each)), most_bits - plan.finer);
   };

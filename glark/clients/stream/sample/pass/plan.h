@@ -18,6 +18,7 @@ struct Plan {
   std::uint32_t least = 1;  // micro-clusters of a leaf
   bool by_error = false;
   bool is_shuffled = false;    // the unfinished cells do not fit into memory
+  std::size_t memory = 0;      // of the whole process
   std::size_t open_bytes = 0;  // for unfinished cells, or for the buffers of shuffled points
 
   std::array<double, 3> corner(std::size_t cell) const { return lattice.corner(cells[cell].key); }

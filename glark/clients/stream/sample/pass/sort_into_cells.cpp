@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "glark/clients/stream/sample/pass/local_points.h"
+#include "glark/clients/stream/sample/pass/trim_memory.h"
 
 namespace glark::stream {
 namespace {
@@ -49,6 +50,7 @@ class CellSorter {
       input_.workers.each(next_cell_ - first, 1, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) build_tree(first + i);
       });
+      trim_memory(plan_.memory);
       const std::uint64_t done = next_cell_ < begins_.size() ? begins_[next_cell_] : input_.census.points;
       if (input_.advance) input_.advance(input_.census.points / 2 + done / 2);
       if (input_.checkpoints.is_due(done)) save_trees();

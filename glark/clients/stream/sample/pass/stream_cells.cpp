@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "glark/clients/stream/sample/pass/local_points.h"
+#include "glark/clients/stream/sample/pass/trim_memory.h"
 
 namespace glark::stream {
 namespace {
@@ -31,6 +32,7 @@ class CellStream {
       read = input_.source.each(done, done + batch_size, [&](const Points& points) { locate(points, done); });
       if (!add(std::span(batch_).first(static_cast<std::size_t>(read)))) return false;
       done += read;
+      trim_memory(plan_.memory);
       if (input_.advance) input_.advance(done);
       if (input_.checkpoints.is_due(done)) save(done);
     }
@@ -50,13 +52,19 @@ class CellStream {
       if (!state.get(done) || !state.get(finished) || !state.get_all(missing) || missing.size() != missing_.size() ||
           !trees_.load(state))
         return false;
-      for (MicroTable& table : tables_)
-        if (!table.load(state)) return false;
+      for (std::size_t cell = 0; cell < tables_.size(); ++cell) {
+        if (missing[cell] == 0 || missing[cell] == missing_[cell]) continue;  // complete, or not begun
+        tables_[cell] = std::make_unique<MicroTable>();
+        if (!tables_[cell]->load(state)) return false;
+      }
       finished_ = static_cast<std::size_t>(finished);
       missing_ = std::move(missing);
       return true;
     });
-    if (!is_begun) done = 0;
+    if (!is_begun) {
+      done = 0;
+      for (auto& table : tables_) table.reset();
+    }
     input_.checkpoints.begin(done);
     return done;
   }
@@ -67,7 +75,8 @@ class CellStream {
       state.put(std::uint64_t{finished_});
       state.put_all(std::span<const std::uint64_t>(missing_));
       trees_.save(state);
-      for (const MicroTable& table : tables_) table.save(state);
+      for (const auto& table : tables_)
+        if (table) table->save(state);
     });
   }
 
@@ -87,12 +96,14 @@ class CellStream {
 
   // Each thread adds to parts of its own, so that the sums have the order of the stream.
   bool add(std::span<const LocalPoint> points) {
+    for (const LocalPoint& point : points)
+      if (point.cell != no_cell && !tables_[point.cell]) tables_[point.cell] = std::make_unique<MicroTable>();
     const std::size_t owners = std::min<std::size_t>(input_.workers.count(), MicroTable::parts);
     input_.workers.each(owners, 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t owner = first; owner < last; ++owner)
         for (const LocalPoint& point : points) {
           const unsigned part = MicroTable::part_of(point.key);
-          if (point.cell != no_cell && part % owners == owner) tables_[point.cell].add(part, point, kind_.has_normals);
+          if (point.cell != no_cell && part % owners == owner) tables_[point.cell]->add(part, point, kind_.has_normals);
         }
     });
     std::vector<std::uint32_t> complete;
@@ -112,13 +123,15 @@ class CellStream {
   }
 
   void finish(std::uint32_t cell) {
-    std::vector<MicroCluster> clusters = tables_[cell].take();
+    std::vector<MicroCluster> clusters = tables_[cell]->take();
+    tables_[cell].reset();
     trees_.put(cell, cluster_tree(clusters, plan_.tree_options(cell, kind_.has_normals)));
   }
 
   std::size_t open_bytes() const {
     std::size_t bytes = 0;
-    for (const MicroTable& table : tables_) bytes += table.bytes();
+    for (const auto& table : tables_)
+      if (table) bytes += sizeof(MicroTable) + table->bytes();
     return bytes;
   }
 
@@ -127,7 +140,7 @@ class CellStream {
   TreeStore& trees_;
   PointKind kind_;
   std::vector<LocalPoint> batch_;
-  std::vector<MicroTable> tables_;
+  std::vector<std::unique_ptr<MicroTable>> tables_;  // of the unfinished cells
   std::vector<std::uint64_t> missing_;  // points of each cell that are still to come
   std::size_t finished_ = 0, batches_ = 0;
 };

@@ -10,17 +10,22 @@ TreeStore::TreeStore(const WorkFolder& work, const std::filesystem::path& tempor
       places_(cells) {}
 
 void TreeStore::put(std::size_t cell, const ClusterTree& tree) {
-  Place& place = places_[cell];
-  place.nodes = static_cast<std::uint32_t>(tree.nodes.size());
-  place.shape = tree.shape;
-  place.root = tree.nodes.front();
-  place.offset =
-      file_->append({reinterpret_cast<const char*>(tree.nodes.data()), tree.nodes.size() * sizeof(ClusterNode)});
+  const Root root{tree.shape, tree.nodes.front().error};
+  std::string bytes(reinterpret_cast<const char*>(&root), sizeof(root));
+  bytes.append(reinterpret_cast<const char*>(tree.nodes.data()), tree.nodes.size() * sizeof(ClusterNode));
+  places_[cell] = {file_->append(bytes), tree.nodes.size()};
+}
+
+TreeStore::Root TreeStore::root(std::size_t cell) const {
+  Root root;
+  file_->read(places_[cell].offset, {reinterpret_cast<char*>(&root), sizeof(root)});
+  return root;
 }
 
 void TreeStore::read(std::size_t cell, std::vector<ClusterNode>& nodes) const {
-  nodes.resize(places_[cell].nodes);
-  file_->read(places_[cell].offset, {reinterpret_cast<char*>(nodes.data()), nodes.size() * sizeof(ClusterNode)});
+  nodes.resize(static_cast<std::size_t>(places_[cell].nodes));
+  file_->read(places_[cell].offset + sizeof(Root),
+              {reinterpret_cast<char*>(nodes.data()), nodes.size() * sizeof(ClusterNode)});
 }
 
 void TreeStore::save(StateWriter& state) const {
