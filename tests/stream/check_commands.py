@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Runs glark sample and glark transfer as processes: the memory that they take, kills, and a full disk.
 
-check_commands.py GLARK_SCAN [--kills N]: N kills of each command (4).
+check_commands.py GLARK_SCAN [--kills N]: N kills of each command (2).
 """
 import argparse
 import json
@@ -24,7 +24,7 @@ except ImportError:
     print("numpy is missing: skipped")
     sys.exit(0)
 
-PROGRAM, KILLS = "", 4
+PROGRAM, KILLS = "", 2
 MIB = 1 << 20
 
 
@@ -102,7 +102,7 @@ class Commands(unittest.TestCase):
 
     def test_memory_is_bounded(self):
         peaks = []
-        for count in (300000, 3000000):
+        for count in (300000, 2000000):
             large = write_scan(self.path / f"{count}.raw", count)
             peaks.append(self.peak("sample", large, "-o", self.path / "small.ply", "--target", 20000, "--memory", "40MiB",
                                    "--json"))
@@ -110,15 +110,15 @@ class Commands(unittest.TestCase):
         self.assertLess(peaks[1], peaks[0] + 6 * MIB)
 
     def test_shuffled_points_keep_the_bound(self):
-        large = write_scan(self.path / "large.raw", 1500000, shuffled=True)
-        self.assertLess(self.peak("sample", large, "-o", self.path / "small.ply", "--target", 200000, "--memory",
+        large = write_scan(self.path / "large.raw", 1000000, shuffled=True)
+        self.assertLess(self.peak("sample", large, "-o", self.path / "small.ply", "--target", 50000, "--memory",
                                   "40MiB", "--json"), 40 * MIB)
 
     def test_a_killed_run_continues(self):
         for shuffled in (False, True):
-            large = write_scan(self.path / "large.raw", 2200000, shuffled)
+            large = write_scan(self.path / "large.raw", 1400000, shuffled)
             small, again = self.path / "small.ply", self.path / "again.ply"
-            options = ["sample", large, "--target", 20000, "--memory", "40MiB", "-o"]
+            options = ["sample", large, "--target", 3000, "--memory", "40MiB", "-o"]
             self.run_it(*options, small)
             again.write_text("old")
             self.assertGreater(self.killed(again, *options, again), 0)
@@ -131,14 +131,14 @@ class Commands(unittest.TestCase):
         self.assertEqual((self.path / "out.raw").read_bytes(), (self.path / "again.raw").read_bytes())
 
     def test_a_full_disk_is_said_and_the_run_continues(self):
-        large = write_scan(self.path / "large.raw", 2200000)
+        large = write_scan(self.path / "large.raw", 1400000)
         small = self.path / "small.ply"
-        self.run_it("sample", large, "-o", small, "--target", 20000, "--memory", "40MiB")
+        self.run_it("sample", large, "-o", small, "--target", 3000, "--memory", "40MiB")
         lift(small, self.path / "edited.ply")
         disk = self.path / "disk"
         disk.mkdir()
         command = f"{PROGRAM} transfer {large} --from {small} --to {self.path}/edited.ply"
-        script = f"""mount -t tmpfs -o size=20m none {disk} || exit 77
+        script = f"""mount -t tmpfs -o size=14m none {disk} || exit 77
             echo old > {disk}/out.raw
             {command} -o {disk}/out.raw && exit 1
             grep -q old {disk}/out.raw || exit 2
