@@ -19,7 +19,8 @@ struct SampleIndex::Tree {
       return false;
     }
   };
-  explicit Tree(const std::vector<common::Vector3f>& positions) : cloud{positions}, index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {}
+  explicit Tree(const std::vector<common::Vector3f>& positions)
+      : cloud{positions}, index(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {}
 
   Cloud cloud;
   nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3, std::uint32_t> index;

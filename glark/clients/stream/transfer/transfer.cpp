@@ -67,8 +67,7 @@ class Transfer {
           values(channels * points.size()),
           local(points.size()) {
       for (std::size_t i = 0; i < local.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-          local[i][k] = static_cast<float>(positions[3 * i + k] - sampling.origin[k]);
+        for (std::size_t k = 0; k < 3; ++k) local[i][k] = static_cast<float>(positions[3 * i + k] - sampling.origin[k]);
     }
   };
 
@@ -98,8 +97,7 @@ class Transfer {
     interpolate(near.samples(), neighbours, points.values.data() + out_.channels().size() * i);
     if (!sampling_.is_deformed) return;
     const bool has_normals = !points.normals.empty();
-    const Vector3f normal =
-        has_normals ? common::vector_at(std::span<const float>(points.normals), i) : Vector3f{};
+    const Vector3f normal = has_normals ? common::vector_at(std::span<const float>(points.normals), i) : Vector3f{};
     const Deformed moved = deform(near.samples(), p, normal, neighbours);
     for (std::size_t k = 0; k < 3; ++k) {
       points.positions[3 * i + k] += static_cast<double>(moved.position[k]) - static_cast<double>(p[k]);
@@ -139,8 +137,7 @@ class Output {
     writing([&] {
       file_ = folder.is_used() ? std::make_unique<geometry::OutputFile>(file, folder.path("output"), kept)
                                : std::make_unique<geometry::OutputFile>(file);
-      if (file_->is_direct())
-        throw Error(Element::file, 0, file.string() + ": is a pipe or a device; write to a file");
+      if (file_->is_direct()) throw Error(Element::file, 0, file.string() + ": is a pipe or a device; write to a file");
       if (!is_begun) file_->write(layout.header());
     });
   }
@@ -243,8 +240,7 @@ TransferReport transfer(const std::filesystem::path& large, const std::filesyste
     });
     written.add(std::span(edited).first(count * size_out), count);
     if (checkpoints.is_due(written.done())) written.save();
-    if (options.progress)
-      options.progress(static_cast<double>(written.done()) / static_cast<double>(layout->records));
+    if (options.progress) options.progress(static_cast<double>(written.done()) / static_cast<double>(layout->records));
   }
   file.require_unchanged(before);
   written.finish(file, layout->begin + layout->size(), out);
