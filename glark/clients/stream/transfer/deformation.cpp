@@ -18,7 +18,7 @@ using common::Vector3f;
 // The cosine of half of the cone's apex angle, 120 degrees, and of its halves.
 constexpr std::array cosines{0.5F, 0.8660254F, 0.9659258F, 0.9914449F, 0.9978589F, 0.9994646F};
 constexpr float near_inside = -0.1F;  // the least coordinate of a point that a triangle is around
-constexpr float far_outside = -1;
+constexpr float far_outside = -3;
 constexpr float least_flat_height = 0.01F;  // of its projection
 constexpr float least_height = 0.15F;       // of a triangle, relative to its longest edge
 constexpr float most_scale = 8;             // of the distance from the plane
