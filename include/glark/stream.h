@@ -189,9 +189,9 @@ GLARK_EXPORT SampleReport sample(const Source& source, const SampleOptions& opti
                                  const std::function<std::unique_ptr<PointWriter>(const Schema&)>& create);
 
 struct TransferOptions {
-  unsigned neighbours = 12;  // the nearest samples that a point follows, 3 to 64; more make colours smoother
-  bool singular = false;     // a kernel that keeps sharp borders of colours
-  unsigned threads = 0;      // 0: as many as the machine has; the result does not depend on it
+  unsigned neighbours = 12;         // the nearest samples that a point follows, 3 to 64; more make colours smoother
+  bool singular = false;            // a kernel that keeps sharp borders of colours
+  unsigned threads = 0;             // 0: as many as the machine has; the result does not depend on it
   std::filesystem::path work = {};  // as SampleOptions; it must be on the file system of the output
   bool resume = false;
   Progress progress = {};
@@ -226,6 +226,10 @@ struct CellIndex {
 GLARK_EXPORT void write_cells(const std::filesystem::path& file, const CellIndex& index);
 GLARK_EXPORT CellIndex read_cells(const std::filesystem::path& file);
 
+// The same as sample(), from a file to a file. It writes the index, too: `small` with the ending ".cells" added.
+GLARK_EXPORT SampleReport sample_file(const std::filesystem::path& large, const std::filesystem::path& small,
+                                      const SampleOptions& options = {});
+
 // The part of an edited sampling that gets more samples: the samples within a box or a sphere after the edit, or those
 // with a channel that is not zero. A point of the scan belongs to the region if its nearest sample does.
 struct Region {
@@ -238,8 +242,8 @@ struct Region {
 };
 
 struct RefineOptions {
-  std::size_t target = 0;  // the most new samples. 0: `error` is used instead
-  double error = 1e-4;     // as SampleOptions, relative to the diagonal of the region's points
+  std::size_t target = 0;                       // the most new samples. 0: `error` is used instead
+  double error = 1e-4;                          // as SampleOptions, relative to the diagonal of the region's points
   std::size_t memory = std::size_t{256} << 20;  // bytes, for the points of the region and their sampling
   unsigned neighbours = 12;                     // as TransferOptions
   unsigned threads = 0;
@@ -253,11 +257,12 @@ struct RefineReport {
 
 // The files of refine().
 struct RefineFiles {
-  std::filesystem::path large;            // the scan
-  std::filesystem::path cells;            // the index of the sampling
-  std::filesystem::path from, to;         // the sampling before and after the edit; the same file if nothing is edited
-  std::filesystem::path output;           // `from` and the new samples
-  std::filesystem::path edited_output;    // `to` and the new samples, deformed and coloured as those around them; or empty
+  std::filesystem::path large;     // the scan
+  std::filesystem::path cells;     // the index of the sampling
+  std::filesystem::path from, to;  // the sampling before and after the edit; the same file if nothing is edited
+  std::filesystem::path output;    // `from` and the new samples
+  std::filesystem::path
+      edited_output;  // `to` and the new samples, deformed and coloured as those around them; or empty
 };
 
 // Takes more samples of a region. Only the ranges of the cells around the region are read. Source: Boubekeur 2007, ch.
