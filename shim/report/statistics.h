@@ -16,6 +16,9 @@ void frame_counted();
 // Returns the number of the current frame, counted from 1.
 unsigned long current_frame();
 
+// Returns whether this process has created a context. A forked child starts without one.
+bool has_made_context();
+
 void write_statistics();
 
 }  // namespace glark::shim
