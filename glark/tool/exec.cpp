@@ -25,6 +25,9 @@ const std::vector<OtherCommand> commands {
 #if GLARK_HAS_VSTREE
   {"simplify", scan, "Fewer triangles, or points where there are no triangles: glark simplify FILE -o OUT"},
       {"reconstruct", scan, "A mesh from points: glark reconstruct FILE -o OUT"},
+      {"sample", scan, "Samples of a scan of any size: glark sample LARGE -o SMALL"},
+      {"transfer", scan,
+       "The edit of a sampling, on the whole scan: glark transfer LARGE --from SMALL --to EDITED -o OUT"},
 #endif
 #if GLARK_HAS_SURFEL
       {"strip", scan, "Triangle strips that interpolate points: glark strip FILE -o OUT"},

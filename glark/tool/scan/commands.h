@@ -10,7 +10,9 @@ namespace glark::tool {
 
 void add_info(CLI::App& app);
 void add_reconstruct(CLI::App& app);
+void add_sample(CLI::App& app);
 void add_simplify(CLI::App& app);
 void add_strip(CLI::App& app);
+void add_transfer(CLI::App& app);
 
 }  // namespace glark::tool

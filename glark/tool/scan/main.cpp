@@ -35,6 +35,10 @@ int main(int argc, char** argv) {
 #if GLARK_HAS_SURFEL
   glark::tool::add_strip(app);
 #endif
+#if GLARK_HAS_STREAM
+  glark::tool::add_sample(app);
+  glark::tool::add_transfer(app);
+#endif
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0) return complain("the report cannot be written to standard output", exit_failure);

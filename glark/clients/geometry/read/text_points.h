@@ -7,16 +7,9 @@
 
 #include "glark/clients/geometry/geometry.h"
 #include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/read/text_row.h"
 
 namespace glark::geometry {
-
-enum class TextPoints {
-  // Six columns are a position and a normal if all normals have length 1 or 0, or if a number is negative. Otherwise
-  // they are a position and a colour.
-  xyz,
-  // The first line may be the number of points. Six columns are a position and a colour.
-  pts,
-};
 
 Reading read_text_points(Input& input, TextPoints kind, const ReadOptions& options);
 

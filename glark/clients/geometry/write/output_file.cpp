@@ -60,9 +60,25 @@ OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
   buffer_.reserve(block_size);
 }
 
+OutputFile::OutputFile(const fs::path& file, const fs::path& partial, std::uint64_t kept)
+    : file_(resolved(file)), aside_(partial), stays_(true) {
+  std::error_code error;
+  if (fs::is_directory(file_, error)) throw Error(file.string() + ": is a folder; name a file in it");
+  descriptor_ = open(aside_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, permissions);
+  struct stat status {};
+  if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) fail("cannot be written");
+  if (static_cast<std::uint64_t>(status.st_size) < kept)
+    throw Error(partial.string() + ": is shorter than it was; start again without --resume");
+  if (ftruncate(descriptor_, static_cast<off_t>(kept)) != 0 || lseek(descriptor_, 0, SEEK_END) < 0)
+    fail("cannot be written");
+  struct stat replaced {};
+  if (stat(file_.c_str(), &replaced) == 0) take_over(descriptor_, replaced);
+  buffer_.reserve(block_size);
+}
+
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) close(descriptor_);
-  if (!aside_.empty()) unlink(aside_.c_str());
+  if (!aside_.empty() && !stays_) unlink(aside_.c_str());
 }
 
 void OutputFile::fail(const std::string& what) const {
@@ -85,6 +101,17 @@ void OutputFile::flush() {
     done += static_cast<std::size_t>(count);
   }
   buffer_.clear();
+}
+
+void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
+  flush();
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t count =
+        pwrite(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("writing failed");
+    done += static_cast<std::size_t>(count);
+  }
 }
 
 void OutputFile::commit() {

@@ -84,7 +84,7 @@ void TreeBuilder::divide(Nodes& out, Task& task) {
   }
   if (!task.is_alone && task.size() <= samples_alone) {
     Records& room = rooms_.local();
-    if (room.all().size() < task.size()) room = Records(samples_alone);
+    if (room.all().size() < task.size()) room = Records(std::min(samples_alone, buffers_[0].all().size()));
     task.other = room.all().first(task.size());
     task.is_alone = true;
   }

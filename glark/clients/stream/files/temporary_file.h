@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A file for intermediate results. Without a name, nothing is left of it when the process ends, however it ends.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <mutex>
+#include <span>
+#include <string>
+
+namespace glark::stream {
+
+class TemporaryFile {
+ public:
+  // Throws Error if the folder cannot be written.
+  explicit TemporaryFile(const std::filesystem::path& folder);
+  // A file with a name in the folder, which stays, with what it has.
+  TemporaryFile(const std::filesystem::path& folder, const char* name);
+  // The next append() begins at `size`. Throws Error if the file is shorter.
+  void continue_at(std::uint64_t size);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  // Adds bytes at the end, and returns where they begin. Several threads may call it. Throws Error, for a full disk too.
+  std::uint64_t append(std::span<const char> bytes);
+  void write(std::uint64_t offset, std::span<const char> bytes);
+  void read(std::uint64_t offset, std::span<char> bytes) const;
+  std::uint64_t size() const { return end_; }
+
+ private:
+  std::string folder_;
+  int descriptor_ = -1;
+  std::mutex mutex_;
+  std::uint64_t end_ = 0;
+};
+
+}  // namespace glark::stream

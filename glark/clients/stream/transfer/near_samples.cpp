@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/stream/transfer/near_samples.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace glark::stream {
+namespace {
+
+using common::Vector3f;
+
+constexpr std::size_t gathered = 4;     // times the nearest samples of a point
+constexpr float wider = 1.0001F;        // for the rounding of distances
+constexpr std::int32_t low_bits = 255;  // of a key: the sample. The others are those of the squared distance
+
+void copy(const std::vector<Vector3f>& from, const std::vector<std::uint32_t>& indices, std::vector<Vector3f>& to) {
+  to.resize(indices.size());
+  for (std::size_t i = 0; i < indices.size() && !from.empty(); ++i) to[i] = from[indices[i]];
+}
+
+}  // namespace
+
+NearSamples::NearSamples(const SampleIndex& index, const Samples& samples, std::size_t count, std::size_t channels)
+    : index_(index), all_(samples), count_(std::min(count, samples.size())), channels_(channels) {}
+
+void NearSamples::gather(const Vector3f& centre) {
+  centre_ = centre;
+  index_.nearest(centre, std::min(most, gathered * count_), indices_, squares_);
+  farthest_ = std::sqrt(squares_[count_ - 1]);
+  covered_ = indices_.size() == all_.size() ? std::numeric_limits<float>::max() : std::sqrt(squares_.back());
+  reach_ = (covered_ - farthest_) / 2;
+  last_point_ = centre;
+  last_farthest_ = farthest_;
+  copy(all_.before, indices_, near_.before);
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    x_[i] = near_.before[i].x;
+    y_[i] = near_.before[i].y;
+    z_[i] = near_.before[i].z;
+  }
+  copy(all_.after, indices_, near_.after);
+  copy(all_.normals, indices_, near_.normals);
+  copy(all_.normals_after, indices_, near_.normals_after);
+  near_.values.resize(channels_ * indices_.size());
+  for (std::size_t i = 0; i < indices_.size(); ++i)
+    std::copy_n(all_.values.begin() + static_cast<std::ptrdiff_t>(channels_ * indices_[i]), channels_,
+                near_.values.begin() + static_cast<std::ptrdiff_t>(channels_ * i));
+}
+
+// Sorts at most `width` keys. A key's place is the number of smaller keys: no branch depends on the keys.
+template <std::size_t width>
+void NearSamples::sort_few(std::size_t found) {
+  std::array<std::int32_t, width> places{}, keys{};
+  std::copy_n(keys_.begin(), width, keys.begin());
+  for (std::size_t other = 0; other < found; ++other)
+    for (std::size_t i = 0; i < width; ++i) places[i] += keys[other] < keys[i] ? 1 : 0;
+  for (std::size_t i = 0; i < found; ++i) keys_[static_cast<std::size_t>(places[i])] = keys[i];
+}
+
+void NearSamples::sort_keys(std::size_t found) {
+  if (found <= 16)
+    sort_few<16>(found);
+  else if (found <= 32)
+    sort_few<32>(found);
+  else
+    std::sort(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(found));
+}
+
+// Returns false if other samples may be nearer than those that are gathered. The triangle inequality tells it: the
+// nearest samples of the centre, and those of the last point, are near the point, too.
+bool NearSamples::choose(const Vector3f& point) {
+  if (covered_ < 0) return false;
+  const float away = common::length(point - centre_);
+  const float bound = std::min(farthest_ + away, last_farthest_ + common::length(point - last_point_)) * wider;
+  const float square = bound * bound + std::numeric_limits<float>::min();
+  std::array<float, most> squares;
+  const std::size_t size = near_.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const float dx = x_[i] - point.x, dy = y_[i] - point.y, dz = z_[i] - point.z;
+    squares[i] = dx * dx + dy * dy + dz * dz;
+  }
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    keys_[found] = (std::bit_cast<std::int32_t>(squares[i]) & ~low_bits) | static_cast<std::int32_t>(i);
+    found += squares[i] <= square ? 1 : 0;
+  }
+  if (found < count_) return false;
+  sort_keys(found);
+  for (std::size_t i = 0; i < count_; ++i) {
+    found_[i].index = static_cast<std::uint32_t>(keys_[i] & low_bits);
+    distances_[i] = std::sqrt(squares[found_[i].index]);
+  }
+  last_point_ = point;
+  last_farthest_ = distances_[count_ - 1];
+  return away == 0 || last_farthest_ + away <= covered_;
+}
+
+// The kernel is Hermite's polynomial of the distance relative to that of the farthest neighbour.
+// Source: Boubekeur 2007, ch. 4.4.1, with max in the place of arg max.
+std::span<const Neighbour> NearSamples::find(const Vector3f& point, bool is_singular) {
+  if (!choose(point)) {
+    gather(point);
+    choose(point);
+  }
+  const float farthest = distances_[count_ - 1], scale = farthest > 0 ? 1 / farthest : 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const float t = distances_[i] * scale;
+    found_[i].weight = 1 - 3 * t * t + 2 * t * t * t;
+    if (is_singular) found_[i].weight /= t * t + 1e-6F;
+  }
+  if (!(found_[0].weight > 0)) found_[0].weight = 1;  // all are equally far, or there is one only
+  return std::span(found_).first(count_);
+}
+
+}  // namespace glark::stream

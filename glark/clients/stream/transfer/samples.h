@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "glark/clients/common/vector.h"
+
+namespace glark::stream {
+
+// Samples before and after an edit. Positions are relative to an origin that the user knows.
+struct Samples {
+  std::vector<common::Vector3f> before, after;
+  std::vector<common::Vector3f> normals, normals_after;  // of unit length, or zero
+  std::vector<float> values;                             // [channels * samples]
+
+  std::size_t size() const { return before.size(); }
+};
+
+// A sample near a point, and its weight.
+struct Neighbour {
+  std::uint32_t index = 0;
+  float weight = 0;
+};
+
+}  // namespace glark::stream

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Scans of any size: points read and written a span at a time, so that a file may be larger than the memory. Link to
+// glark-stream.
+//
+//   const auto reader = glark::stream::open_points("scan.las");
+//   const auto writer = glark::stream::create_points("scan.ply", reader->schema(), reader->count());
+//   for (auto points = reader->read(); points.size() > 0; points = reader->read()) writer->write(points);
+//   writer->finish();
+//
+// PointReader and PointWriter are interfaces: a program may stream from and to its own places.
+#ifndef GLARK_STREAM_H
+#define GLARK_STREAM_H
+
+#include <glark/error.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glark::stream {
+
+enum class Element { option, file, point };
+
+// An error in an argument or a file: the file, the element, its value, and the remedy.
+class GLARK_EXPORT Error : public ElementError<Element> {
+ public:
+  Error(Element element, std::size_t index, const std::string& what);
+};
+
+// The type of a number in a file.
+enum class Number : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+// A number that each point has besides its position and normal: a colour, an intensity, a class.
+struct Channel {
+  std::string name;  // as PLY has it: red, green, blue, alpha, intensity, classification, gps_time ...
+  Number type = Number::float32;
+  friend bool operator==(const Channel&, const Channel&) = default;
+};
+
+// What each point of a stream has.
+struct Schema {
+  Number position = Number::float32;  // float64 if the coordinates have more digits than a float
+  bool normals = false;
+  std::vector<Channel> channels;
+  friend bool operator==(const Schema&, const Schema&) = default;
+};
+
+inline constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+// Returns the index of the channel, or none.
+GLARK_EXPORT std::size_t channel_index(const Schema& schema, const std::string& name);
+
+// Points that follow one another in a stream. The arrays belong to the reader, and are valid until its next call.
+struct Points {
+  std::uint64_t first = 0;            // the index of the first point in the stream
+  std::span<const double> positions;  // [3 * points], in the file's unit
+  std::span<const float> normals;     // [3 * points], of any length; empty without normals
+  std::span<const double> channels;   // [channels * points], a point's channels together; bytes are 0 to 255
+  std::size_t size() const { return positions.size() / 3; }
+};
+
+class GLARK_EXPORT PointReader {
+ public:
+  PointReader() = default;
+  virtual ~PointReader();
+  PointReader(const PointReader&) = delete;
+  PointReader& operator=(const PointReader&) = delete;
+
+  virtual const std::string& name() const = 0;  // for messages
+  virtual const Schema& schema() const = 0;
+  virtual std::optional<std::uint64_t> count() const = 0;  // of all points, if it is known before the end
+  // Returns the next points: at most `most`, none at the end. Errors: Error for a file that ends early or cannot be
+  // read, for a word that is no number, and for a point whose coordinates are not finite.
+  virtual Points read(std::size_t most = 4096) = 0;
+  // Whether seek() works: for files of binary records, not for text, pipes or compressed files.
+  virtual bool can_seek() const = 0;
+  // The next read() begins at this point. Errors: Error without can_seek(), or beyond the end.
+  virtual void seek(std::uint64_t point) = 0;
+};
+
+class GLARK_EXPORT PointWriter {
+ public:
+  PointWriter() = default;
+  virtual ~PointWriter();
+  PointWriter(const PointWriter&) = delete;
+  PointWriter& operator=(const PointWriter&) = delete;
+
+  virtual const Schema& schema() const = 0;
+  // The points have the normals and channels of the schema. Errors: Error if writing fails or a number does not fit.
+  virtual void write(const Points& points) = 0;
+  // Ends the file and puts it in its place. Without this call, nothing is left behind.
+  virtual void finish() = 0;
+};
+
+struct ReadOptions {
+  // ".ply", ".las", ".xyz" (".txt", ".asc", ".csv"), ".pts", ".stl" or ".raw" (triples of floats); empty: by the name.
+  std::string format = {};
+  bool normals = true;   // false: normals are not decoded
+  bool channels = true;  // false: channels are not decoded
+  // Points whose coordinates are NaN or infinite are read as they are, instead of an Error.
+  bool keep_invalid = false;
+};
+
+// Opens a file of points. PLY and text may be compressed by zstd, or come from a pipe ("/dev/stdin" with a format).
+// An STL file gives the three corners of each triangle. Errors: Error for a file that cannot be read, whose format is
+// unknown, whose header is wrong or announces more than the file has.
+GLARK_EXPORT std::unique_ptr<PointReader> open_points(const std::filesystem::path& file,
+                                                      const ReadOptions& options = {});
+
+struct WriteOptions {
+  bool text = false;  // PLY as text
+  // LAS: the size of a step of the coordinates. 0: a power of ten, at most 2^-20 of the extent of the first points.
+  double step = 0;
+};
+
+// Creates a file of points: .ply, .las, .xyz, .pts, .stl or .raw by its name. The file appears at finish(), complete.
+// A channel that the format cannot hold is left out; schema() tells which ones stay. count: needed for pipes, and for
+// .pts. Errors: Error for a folder that cannot be written, or a format that is unknown.
+GLARK_EXPORT std::unique_ptr<PointWriter> create_points(const std::filesystem::path& file, const Schema& schema,
+                                                        std::optional<std::uint64_t> count = std::nullopt,
+                                                        const WriteOptions& options = {});
+
+// Where several passes get their points from.
+struct Source {
+  std::string name;  // for messages
+  // Returns a reader that begins at the first point. Several threads call it.
+  std::function<std::unique_ptr<PointReader>(const ReadOptions& options)> open;
+  // Differs between sources whose points differ, so that a killed run is not continued with others; may be empty.
+  std::string identity = {};
+};
+
+// The points of a file. The file must not change between the passes: Error.
+GLARK_EXPORT Source file_source(const std::filesystem::path& file, const std::string& format = {});
+
+// Receives the finished fraction of the work, 0 to 1.
+using Progress = std::function<void(double fraction)>;
+
+struct SampleOptions {
+  std::size_t target = 0;  // the most samples; the result has at most 1 % less. 0: `error` is used instead
+  // The root mean square distance of the points of a sample from its tangent planes, relative to the diagonal of the
+  // bounding box.
+  double error = 1e-4;
+  std::size_t memory = std::size_t{256} << 20;  // bytes, 40 MiB or more; the sampling itself is not counted
+  unsigned threads = 0;                         // 0: as many as the machine has; the result does not depend on it
+  bool skip_invalid = false;                    // leaves out points whose coordinates are not finite
+  bool allow_in_core = true;                    // false: streams even what fits into the memory
+  // A folder for the state of the work, which is made, and removed at the end. If the run is killed, or the disk gets
+  // full, the next one continues from there with `resume`, and repeats a twentieth of a pass at most. Empty: no folder.
+  std::filesystem::path work = {};
+  bool resume = false;
+  Progress progress = {};
+};
+
+// A part of space, the range of the stream that has its points, and its samples.
+struct SampledCell {
+  std::array<double, 3> corner{};  // the least corner of the cube
+  double side = 0;
+  std::uint64_t points = 0;
+  std::uint64_t first = 0, last = 0;            // indices of the first and the last point
+  std::uint64_t first_sample = 0, samples = 0;  // the samples follow one another
+  double error = 0;                             // root mean square of the samples' errors, in the positions' unit
+};
+
+struct SampleReport {
+  std::uint64_t points = 0, left_out = 0, samples = 0;
+  bool in_core = false;      // all points fitted into the memory
+  bool is_shuffled = false;  // the order has no coherence: the points went through a file of cells
+  std::vector<SampledCell> cells;
+};
+
+// Samples a scan: clusters of points of a volume-surface tree, a sample each, with the mean normal and colour. Two passes
+// read the points. The first one counts the points of each cell of a coarse grid. The second one sums up the points of
+// small cubes of each cell. A finished cell gets a tree over these sums, whose clusters are chosen for the whole scan.
+// Points whose order has no coherence are sorted into a file of cells first, in the folder `temporary`.
+// create: makes the writer, which gets positions, normals, and red green blue as uint8 if the source has them.
+// Source: Boubekeur 2007, ch. 4.3; docs/reference/stream.md lists the differences. Errors: Error for a source that cannot
+// be read, or that changes between the passes, and for options out of range.
+GLARK_EXPORT SampleReport sample(const Source& source, const SampleOptions& options,
+                                 const std::filesystem::path& temporary,
+                                 const std::function<std::unique_ptr<PointWriter>(const Schema&)>& create);
+
+struct TransferOptions {
+  unsigned neighbours = 12;         // the nearest samples that a point follows, 3 to 64; more make colours smoother
+  bool singular = false;            // a kernel that keeps sharp borders of colours
+  unsigned threads = 0;             // 0: as many as the machine has; the result does not depend on it
+  std::filesystem::path work = {};  // as SampleOptions; it must be on the file system of the output
+  bool resume = false;
+  Progress progress = {};
+};
+
+struct TransferReport {
+  std::uint64_t points = 0;
+  bool is_deformed = false;           // some sample has moved
+  std::vector<std::string> channels;  // those that were written
+};
+
+// Transfers the edit of a sampling to the scan: `from` became `to`. Each point moves as the samples around it did, and
+// normals turn along. A channel of `to` that `from` had with other values, or had not, is interpolated at each point.
+// The samples of `to` correspond to those of `from` by their order, or by a channel "index". Everything else in `large`
+// stays as it is, byte by byte: triangles, other channels, records of LAS. `output` has the format of `large`. It
+// appears at the end, complete; a former file stays until then.
+// Source: Boubekeur 2007, ch. 4.4. Errors: Error for files that cannot be read or do not fit together, options out of
+// range, a channel that LAS does not have, text PLY, coordinates that do not fit into the numbers of the file.
+GLARK_EXPORT TransferReport transfer(const std::filesystem::path& large, const std::filesystem::path& from,
+                                     const std::filesystem::path& to, const std::filesystem::path& output,
+                                     const TransferOptions& options = {});
+
+// Which part of a scan each cell of its sampling has, so that more samples can be taken from that part alone.
+struct CellIndex {
+  std::uint64_t bytes = 0;   // the size of the scan's file
+  std::uint64_t points = 0;  // of the scan
+  std::vector<SampledCell> cells;
+};
+
+// Writes and reads an index as text. The samples of the cells are not kept. Errors: Error for a file that cannot be
+// written or read, or that is no index.
+GLARK_EXPORT void write_cells(const std::filesystem::path& file, const CellIndex& index);
+GLARK_EXPORT CellIndex read_cells(const std::filesystem::path& file);
+
+// The same as sample(), from a file to a file. It writes the index, too: `small` with the ending ".cells" added.
+GLARK_EXPORT SampleReport sample_file(const std::filesystem::path& large, const std::filesystem::path& small,
+                                      const SampleOptions& options = {});
+
+// The part of an edited sampling that gets more samples: the samples within a box or a sphere after the edit, or those
+// with a channel that is not zero. A point of the scan belongs to the region if its nearest sample does.
+struct Region {
+  enum class Kind : std::uint8_t { box, sphere, channel };
+  Kind kind = Kind::box;
+  std::array<double, 3> low{}, high{};  // box
+  std::array<double, 3> centre{};       // sphere
+  double radius = 0;
+  std::string channel;
+};
+
+struct RefineOptions {
+  std::size_t target = 0;                       // the most new samples. 0: `error` is used instead
+  double error = 1e-4;                          // as SampleOptions, relative to the diagonal of the region's points
+  std::size_t memory = std::size_t{256} << 20;  // bytes, for the points of the region and their sampling
+  unsigned neighbours = 12;                     // as TransferOptions
+  unsigned threads = 0;
+};
+
+struct RefineReport {
+  std::uint64_t points_read = 0;  // of the scan
+  std::uint64_t points = 0;       // in the region
+  std::uint64_t samples = 0;      // new ones; they follow the others
+};
+
+// The files of refine().
+struct RefineFiles {
+  std::filesystem::path large;     // the scan
+  std::filesystem::path cells;     // the index of the sampling
+  std::filesystem::path from, to;  // the sampling before and after the edit; the same file if nothing is edited
+  std::filesystem::path output;    // `from` and the new samples
+  std::filesystem::path
+      edited_output;  // `to` and the new samples, deformed and coloured as those around them; or empty
+};
+
+// Takes more samples of a region. Only the ranges of the cells around the region are read. Source: Boubekeur 2007, ch.
+// 4.5. Errors: Error for files that cannot be read or do not fit together, a scan that was changed, a region without
+// samples, or one whose points do not fit into the memory.
+GLARK_EXPORT RefineReport refine(const RefineFiles& files, const Region& region, const RefineOptions& options = {});
+
+}  // namespace glark::stream
+
+#endif  // GLARK_STREAM_H

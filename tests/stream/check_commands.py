@@ -1,0 +1,182 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""Runs glark sample and glark transfer as processes: the memory that they take, kills, and a full disk.
+
+check_commands.py GLARK_SCAN [--kills N]: N kills of each command (2).
+"""
+import argparse
+import json
+import os
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+try:
+    import numpy
+except ImportError:
+    if os.environ.get("CI"):
+        raise
+    print("numpy is missing: skipped")
+    sys.exit(0)
+
+PROGRAM, KILLS = "", 2
+MIB = 1 << 20
+
+
+def write_scan(path: pathlib.Path, count: int, shuffled: bool = False) -> pathlib.Path:
+    """Points of a sphere with bumps, in rings from below."""
+    height = (2 * numpy.arange(count, dtype=numpy.float64) + 1) / count - 1
+    turn = 2.399963229728653 * numpy.arange(count)
+    radius = numpy.sqrt(1 - height * height)
+    points = numpy.stack([radius * numpy.cos(turn), radius * numpy.sin(turn), height], axis=1)
+    points *= 1 + 0.01 * numpy.sin(20 * points).prod(axis=1, keepdims=True)
+    if shuffled:
+        numpy.random.default_rng(1).shuffle(points)
+    points.astype("<f4").tofile(path)
+    return path
+
+
+def lift(small: pathlib.Path, edited: pathlib.Path) -> None:
+    """Moves a sampling by its height."""
+    data = small.read_bytes()
+    begin = data.index(b"end_header\n") + 11
+    points = numpy.frombuffer(data[begin:], dtype="<f4").reshape(-1, 6).copy()
+    points[:, 0] += points[:, 2]
+    edited.write_bytes(data[:begin] + points.tobytes())
+
+
+class Commands(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def run_it(self, *arguments, status: int = 0) -> subprocess.CompletedProcess:
+        result = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
+        self.assertEqual(result.returncode, status, result.stderr)
+        return result
+
+    def peak(self, *arguments) -> int:
+        """Returns the resident set of a process at its peak, as it reports it, and compares this with what the system says meanwhile."""
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        seen = 0
+        while process.poll() is None:
+            lines = pathlib.Path(f"/proc/{process.pid}/status").read_text().splitlines()
+            seen = max([seen, *(1024 * int(line.split()[1]) for line in lines if line.startswith("VmHWM:"))])
+            time.sleep(0.005)
+        said = json.loads(process.stdout.read())["peak_memory_bytes"]
+        process.stdout.close()
+        self.assertEqual(process.returncode, 0)
+        self.assertGreaterEqual(said + MIB, seen)
+        self.assertGreater(seen, said / 2)
+        return said
+
+    def killed(self, output: pathlib.Path, *arguments) -> int:
+        """Kills a command several times, continues it to its end, and returns how often it was killed."""
+        resume, kills = [], 0
+        moments = random.Random(7)
+        while kills < KILLS:
+            process = subprocess.Popen([PROGRAM, *map(str, arguments), *resume], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+            time.sleep(moments.uniform(0.03, 0.3))
+            if process.poll() is not None:
+                self.assertEqual(process.returncode, 0)
+                resume = []
+                break
+            process.kill()
+            process.wait()
+            kills += 1
+            resume = ["--resume"]
+            self.assertEqual(output.read_text(), "old")
+        if resume:
+            self.run_it(*arguments, *resume)
+        self.assertEqual([file.name for file in self.path.iterdir() if "partial" in file.name or file.name[0] == "."], [])
+        return kills
+
+    def test_memory_is_bounded(self):
+        peaks = []
+        for count in (300000, 2000000):
+            large = write_scan(self.path / f"{count}.raw", count)
+            peaks.append(self.peak("sample", large, "-o", self.path / "small.ply", "--target", 20000, "--memory", "40MiB",
+                                   "--json"))
+        self.assertLess(max(peaks), 40 * MIB)
+        self.assertLess(peaks[1], peaks[0] + 6 * MIB)
+
+    def test_shuffled_points_keep_the_bound(self):
+        large = write_scan(self.path / "large.raw", 1000000, shuffled=True)
+        self.assertLess(self.peak("sample", large, "-o", self.path / "small.ply", "--target", 50000, "--memory",
+                                  "40MiB", "--json"), 40 * MIB)
+
+    def test_a_killed_run_continues(self):
+        for shuffled in (False, True):
+            large = write_scan(self.path / "large.raw", 1400000, shuffled)
+            small, again = self.path / "small.ply", self.path / "again.ply"
+            options = ["sample", large, "--target", 3000, "--memory", "40MiB", "-o"]
+            self.run_it(*options, small)
+            again.write_text("old")
+            self.assertGreater(self.killed(again, *options, again), 0)
+            self.assertEqual(small.read_bytes(), again.read_bytes())
+        lift(small, self.path / "edited.ply")
+        options = ["transfer", large, "--from", small, "--to", self.path / "edited.ply", "-o"]
+        self.run_it(*options, self.path / "out.raw")
+        (self.path / "again.raw").write_text("old")
+        self.assertGreater(self.killed(self.path / "again.raw", *options, self.path / "again.raw"), 0)
+        self.assertEqual((self.path / "out.raw").read_bytes(), (self.path / "again.raw").read_bytes())
+
+    def test_a_full_disk_is_said_and_the_run_continues(self):
+        large = write_scan(self.path / "large.raw", 1400000)
+        small = self.path / "small.ply"
+        self.run_it("sample", large, "-o", small, "--target", 3000, "--memory", "40MiB")
+        lift(small, self.path / "edited.ply")
+        disk = self.path / "disk"
+        disk.mkdir()
+        command = f"{PROGRAM} transfer {large} --from {small} --to {self.path}/edited.ply"
+        script = f"""mount -t tmpfs -o size=14m none {disk} || exit 77
+            echo old > {disk}/out.raw
+            {command} -o {disk}/out.raw && exit 1
+            grep -q old {disk}/out.raw || exit 2
+            mount -o remount,size=99m {disk} || exit 77
+            {command} -o {disk}/out.raw --resume || exit 3
+            test ! -e {disk}/out.raw.partial || exit 4
+            {command} -o {self.path}/wanted.raw && cmp {disk}/out.raw {self.path}/wanted.raw"""
+        if shutil.which("unshare") is None:
+            self.skipTest("unshare is missing")
+        result = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", script],
+                                capture_output=True, text=True, check=False)
+        if result.returncode == 77 or "unshare failed" in result.stderr or "Operation not permitted" in result.stderr:
+            self.skipTest("the system lets no user mount a file system: " + result.stderr.strip())
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("make room on the disk", result.stderr)
+
+    def test_regions_are_explained(self):
+        large = write_scan(self.path / "large.raw", 20000)
+        small = self.path / "small.ply"
+        self.run_it("sample", large, "-o", small, "--target", 500)
+        out = ["-o", self.path / "fine.ply"]
+        for region, said in (("blob:1", "is no kind of region"), ("box:1,2", "it has 2 numbers, not 6"),
+                             ("sphere:0,0,0,-1", "not above 0"), ("box:0,0,0,1,1,x", "is no number"),
+                             ("sphere:9,9,9,1", "no sample lies in the region")):
+            result = self.run_it("sample", large, "--refine", region, "--from", small, *out, status=1)
+            self.assertIn(said, result.stderr)
+        self.assertIn("needs --from", self.run_it("sample", large, "--refine", "sphere:0,0,1,1", *out, status=1).stderr)
+        self.assertIn("belong to --refine", self.run_it("sample", large, "--from", small, *out, status=1).stderr)
+        report = json.loads(self.run_it("sample", large, "--refine", "sphere:0,0,1,0.5", "--from", small, "--target", 300,
+                                        *out, "--json").stdout)
+        self.assertGreater(report["new_samples"], 280)
+        self.assertTrue((self.path / "fine.ply.cells").exists())
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("--kills", type=int, default=KILLS)
+    parsed = parser.parse_args()
+    PROGRAM, KILLS = parsed.program, parsed.kills
+    unittest.main(argv=sys.argv[:1])

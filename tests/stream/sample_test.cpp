@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Sampling: the number of samples, their distance from a known surface, and the same result for any order of threads.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "tests/stream/temporary_folder.h"
+
+namespace glark::stream {
+namespace {
+
+using Sampling = TemporaryFolder;
+
+struct Scan {
+  std::size_t points = 60000;
+  bool normals = true, shuffled = false;
+};
+
+// A sphere of radius 3 about (10, 20, 30) in rings from below, its colour red in the upper half.
+std::filesystem::path write_sphere(const std::filesystem::path& file, const Scan& scan) {
+  const Schema schema{
+      Number::float32, scan.normals, {{"red", Number::uint8}, {"green", Number::uint8}, {"blue", Number::uint8}}};
+  std::vector<std::size_t> order(scan.points);
+  std::iota(order.begin(), order.end(), 0);
+  if (scan.shuffled) std::shuffle(order.begin(), order.end(), std::mt19937(1));
+  const auto writer = create_points(file, schema, scan.points);
+  for (const std::size_t i : order) {
+    const double z = 2 * (static_cast<double>(i) + 0.5) / static_cast<double>(scan.points) - 1;
+    const double angle = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1 - z * z);
+    const std::vector<double> n{r * std::cos(angle), r * std::sin(angle), z};
+    const std::vector<float> normal{static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])};
+    const std::vector<double> position{10 + 3 * n[0], 20 + 3 * n[1], 30 + 3 * n[2]};
+    const std::vector<double> colour{z > 0 ? 200.0 : 0.0, 100, 50};
+    writer->write({0, position, scan.normals ? std::span<const float>(normal) : std::span<const float>{}, colour});
+  }
+  writer->finish();
+  return file;
+}
+
+SampleReport sample_file(const std::filesystem::path& from, const std::filesystem::path& to, SampleOptions options) {
+  options.memory = std::size_t{40} << 20;
+  options.allow_in_core = false;
+  return sample(file_source(from), options, to.parent_path(),
+                [&](const Schema& schema) { return create_points(to, schema); });
+}
+
+double mean_square_distance(const AllPoints& all) {
+  double sum = 0;
+  for (std::size_t i = 0; i < all.positions.size(); i += 3) {
+    const double r = std::hypot(all.positions[i] - 10, all.positions[i + 1] - 20, all.positions[i + 2] - 30);
+    sum += (r - 3) * (r - 3);
+  }
+  return std::sqrt(sum / (static_cast<double>(all.positions.size()) / 3));
+}
+
+TEST_F(Sampling, MeetsTheTargetAndLiesOnTheSurface) {
+  const auto file = write_sphere(path("a.ply"), {});
+  for (const std::size_t target : {50, 1000, 8000}) {
+    const SampleReport report = sample_file(file, path("b.ply"), {.target = target});
+    EXPECT_LE(report.samples, target);
+    EXPECT_GE(report.samples, target - std::max<std::size_t>(8, target / 100));
+    const AllPoints all = read_all(*open_points(path("b.ply")));
+    EXPECT_EQ(all.positions.size() / 3, report.samples);
+    if (target >= 1000) {
+      EXPECT_LT(mean_square_distance(all), 0.01);
+    }
+  }
+}
+
+TEST_F(Sampling, KeepsNormalsAndColours) {
+  sample_file(write_sphere(path("a.ply"), {}), path("b.ply"), {.target = 2000});
+  const AllPoints all = read_all(*open_points(path("b.ply")));
+  for (std::size_t i = 0; i < all.positions.size() / 3; ++i) {
+    const double z = (all.positions[3 * i + 2] - 30) / 3;
+    EXPECT_NEAR(all.normals[3 * i + 2], z, 0.05);
+    if (std::abs(z) > 0.1) {
+      EXPECT_EQ(all.channels[3 * i], z > 0 ? 200 : 0);
+    }
+    EXPECT_EQ(all.channels[3 * i + 2], 50);
+  }
+}
+
+TEST_F(Sampling, TheThreadsDoNotMatter) {
+  const auto file = write_sphere(path("a.ply"), {});
+  sample_file(file, path("b.ply"), {.target = 3000, .threads = 1});
+  sample_file(file, path("c.ply"), {.target = 3000, .threads = 2});
+  EXPECT_TRUE(bytes_of(path("b.ply")) == bytes_of(path("c.ply")));
+}
+
+TEST_F(Sampling, ShuffledPointsGiveAsGoodSamples) {
+  const SampleReport report =
+      sample_file(write_sphere(path("a.ply"), {.shuffled = true}), path("b.ply"), {.target = 2000});
+  EXPECT_GE(report.samples, 1980U);
+  EXPECT_LT(mean_square_distance(read_all(*open_points(path("b.ply")))), 0.01);
+}
+
+TEST_F(Sampling, NormalsAreFoundWhereThereAreNone) {
+  sample_file(write_sphere(path("a.ply"), {.normals = false}), path("b.ply"), {.target = 2000});
+  const AllPoints all = read_all(*open_points(path("b.ply")));
+  EXPECT_LT(mean_square_distance(all), 0.01);
+  std::size_t outwards = 0;
+  for (std::size_t i = 0; i < all.positions.size() / 3; ++i)
+    outwards += all.normals[3 * i] * (all.positions[3 * i] - 10) +
+                            all.normals[3 * i + 1] * (all.positions[3 * i + 1] - 20) +
+                            all.normals[3 * i + 2] * (all.positions[3 * i + 2] - 30) >
+                        2.7
+                    ? 1
+                    : 0;
+  EXPECT_GT(outwards, all.positions.size() / 3 * 98 / 100);
+}
+
+TEST_F(Sampling, AnErrorIsKept) {
+  const auto file = write_sphere(path("a.ply"), {});
+  const SampleReport coarse = sample_file(file, path("b.ply"), {.error = 1e-2});
+  const SampleReport fine = sample_file(file, path("c.ply"), {.error = 1e-3});
+  EXPECT_GT(fine.samples, 4 * coarse.samples);
+  for (const SampledCell& cell : fine.cells) EXPECT_LE(cell.error, 1.001e-3 * 6 * std::sqrt(3.0));
+}
+
+TEST_F(Sampling, EveryPointIsInACell) {
+  const SampleReport report = sample_file(write_sphere(path("a.ply"), {}), path("b.ply"), {.target = 500});
+  std::uint64_t points = 0;
+  for (const SampledCell& cell : report.cells) {
+    points += cell.points;
+    EXPECT_LE(cell.first, cell.last);
+  }
+  EXPECT_EQ(points, 60000U);
+  EXPECT_EQ(report.cells.back().first_sample + report.cells.back().samples, report.samples);
+}
+
+TEST_F(Sampling, InCoreGivesTheSameCount) {
+  const auto file = write_sphere(path("a.ply"), {});
+  const SampleReport report = sample(file_source(file), {.target = 1000}, path(""),
+                                     [&](const Schema& schema) { return create_points(path("b.ply"), schema); });
+  EXPECT_TRUE(report.in_core);
+  EXPECT_GE(report.samples, 980U);
+  EXPECT_LT(mean_square_distance(read_all(*open_points(path("b.ply")))), 0.01);
+}
+
+TEST_F(Sampling, BadOptionsAreExplained) {
+  const auto file = write_sphere(path("a.ply"), {.points = 10});
+  const auto problem = [&](const SampleOptions& options) {
+    return problem_of([&] {
+      sample(file_source(file), options, path(""),
+             [&](const Schema& schema) { return create_points(path("b.ply"), schema); });
+    });
+  };
+  EXPECT_NE(problem({.error = 2}).find("error is 2"), std::string::npos);
+  EXPECT_NE(problem({.target = 5, .memory = 1000}).find("40 MiB"), std::string::npos);
+}
+
+TEST_F(Sampling, AFileThatChangesBetweenThePassesIsExplained) {
+  const auto file = write_sphere(path("a.ply"), {});
+  const Source source = file_source(file);
+  write_sphere(file, {.points = 50000});
+  EXPECT_NE(problem_of([&] {
+              sample(source, {.target = 5}, path(""),
+                     [&](const Schema& schema) { return create_points(path("b.ply"), schema); });
+            }).find("changed while it was read"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace glark::stream

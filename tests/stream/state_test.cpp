@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// States of runs that were killed.
+#include <limits>
+
+#include "glark/clients/stream/files/work_folder.h"
+#include "glark/clients/stream/space/spatial_order.h"
+#include "tests/stream/temporary_folder.h"
+
+namespace glark::stream {
+namespace {
+
+using Work = TemporaryFolder;
+
+bool load_number(const WorkFolder& folder, int& number) {
+  return folder.load("number", [&](StateReader& state) { return state.get(number); });
+}
+
+TEST_F(Work, AStateIsKeptForTheSameWork) {
+  int number = 0;
+  {
+    WorkFolder folder(path("work"), "first", false);
+    EXPECT_FALSE(load_number(folder, number));
+    folder.save("number", [](StateWriter& state) { state.put(42); });
+  }
+  EXPECT_TRUE(load_number(WorkFolder(path("work"), "first", true), number));
+  EXPECT_EQ(number, 42);
+  EXPECT_FALSE(load_number(WorkFolder(path("work"), "second", true), number));
+}
+
+TEST_F(Work, WithoutResumeAStateIsDropped) {
+  int number = 0;
+  { WorkFolder(path("work"), "a", false).save("number", [](StateWriter& state) { state.put(42); }); }
+  EXPECT_FALSE(load_number(WorkFolder(path("work"), "a", false), number));
+}
+
+TEST_F(Work, TheFolderGoesWithTheWork) {
+  { const WorkFolder unused(path("a"), "", false); }
+  EXPECT_FALSE(std::filesystem::exists(path("a")));
+  WorkFolder folder(path("b"), "", false);
+  folder.save("number", [](StateWriter& state) { state.put(42); });
+  EXPECT_TRUE(std::filesystem::exists(path("b")));
+  folder.finish();
+  EXPECT_FALSE(std::filesystem::exists(path("b")));
+}
+
+TEST_F(Work, EveryDamageOfAStateIsFound) {
+  WorkFolder folder(path("work"), "a", false);
+  folder.save("number", [](StateWriter& state) { state.put(42); });
+  const std::string good = bytes_of(path("work/number"));
+  int number = 0;
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    std::string bad = good;
+    bad[i] = static_cast<char>(bad[i] ^ 4);
+    made("work/number", bad);
+    EXPECT_FALSE(load_number(folder, number)) << i;
+    made("work/number", good.substr(0, i));
+    EXPECT_FALSE(load_number(folder, number)) << i;
+  }
+  made("work/number", good);
+  EXPECT_TRUE(load_number(folder, number));
+}
+
+TEST_F(Work, AnArrayThatIsTooLongIsNotRead) {
+  WorkFolder folder(path("work"), "a", false);
+  folder.save("array", [](StateWriter& state) { state.put(std::uint64_t{1} << 60); });
+  std::vector<double> array;
+  EXPECT_FALSE(folder.load("array", [&](StateReader& state) { return state.get_all(array); }));
+}
+
+TEST(SpatialOrder, NearPointsFollowOneAnother) {
+  const std::vector<common::Vector3f> points{{0, 0, 0}, {100, 0, 0}, {1, 0, 0}, {99, 0, 0}};
+  EXPECT_EQ(spatial_order(points), (std::vector<std::uint32_t>{0, 2, 3, 1}));
+}
+
+TEST(SpatialOrder, PointsThatAreNotFiniteAndEqualPointsKeepTheirOrder) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(spatial_order(std::vector<common::Vector3f>{{5, 5, 5}, {nan, 0, 0}, {5, 5, 5}}).size(), 3U);
+  EXPECT_EQ(spatial_order(std::vector<common::Vector3f>(3)), (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+}  // namespace
+}  // namespace glark::stream

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Edits of a sampling on the whole scan, against the same edits of the scan itself.
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "tests/stream/temporary_folder.h"
+
+namespace glark::stream {
+namespace {
+
+using Point = std::array<double, 3>;
+using Edit = std::function<Point(const Point&)>;
+using Transferring = TemporaryFolder;
+
+// Points of a wavy sheet over [0, 10] x [0, 4], `side` of them along the shorter edge.
+AllPoints sheet(std::size_t side) {
+  AllPoints all;
+  const double step = 4.0 / static_cast<double>(side);
+  for (std::size_t i = 0; i < side * side * 5 / 2; ++i) {
+    const double x = (static_cast<double>(i / side) + 0.5) * step, y = (static_cast<double>(i % side) + 0.5) * step;
+    const double slope = 0.05 * std::cos(x);
+    const double length = std::hypot(slope, 1);
+    all.positions.insert(all.positions.end(), {x, y, 0.05 * std::sin(x)});
+    all.normals.insert(all.normals.end(), {static_cast<float>(-slope / length), 0, static_cast<float>(1 / length)});
+  }
+  return all;
+}
+
+const Schema plain{Number::float32, true, {}};
+const Schema painted{
+    Number::float32, true, {{"red", Number::uint8}, {"green", Number::uint8}, {"blue", Number::uint8}}};
+
+class Edited : public Transferring {
+ protected:
+  void write(const char* name, const AllPoints& all, const Schema& schema) const {
+    const auto writer = create_points(path(name), schema, all.positions.size() / 3);
+    writer->write(all.points());
+    writer->finish();
+  }
+  static AllPoints moved(AllPoints all, const Edit& edit) {
+    for (std::size_t i = 0; i < all.positions.size(); i += 3) {
+      const Point to = edit({all.positions[i], all.positions[i + 1], all.positions[i + 2]});
+      std::copy(to.begin(), to.end(), all.positions.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return all;
+  }
+  // Moves the sampling, transfers this, and returns the root mean square distance from the edit of the scan itself.
+  double error_of(const Edit& edit) const {
+    const AllPoints large = sheet(100), small = sheet(18);  // 3 %
+    write("large.ply", large, plain);
+    write("small.ply", small, plain);
+    write("edited.ply", moved(small, edit), plain);
+    transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path("out.ply"));
+    const AllPoints out = read_all(*open_points(path("out.ply"))), wanted = moved(large, edit);
+    double sum = 0;
+    for (std::size_t i = 0; i < wanted.positions.size(); ++i)
+      sum += (out.positions[i] - wanted.positions[i]) * (out.positions[i] - wanted.positions[i]);
+    return std::sqrt(sum / static_cast<double>(wanted.positions.size() / 3));
+  }
+};
+
+const double diagonal = std::hypot(10, 4);
+
+TEST_F(Edited, NothingMovesWithoutAnEdit) {
+  EXPECT_LT(error_of([](const Point& p) { return p; }), 1e-6);
+  EXPECT_TRUE(bytes_of(path("large.ply")) == bytes_of(path("out.ply")));
+}
+
+TEST_F(Edited, RigidMotionsAreExact) {
+  EXPECT_LT(error_of([](const Point& p) { return Point{-p[1] + 3, p[0], p[2] - 7}; }), 1e-5 * diagonal);
+}
+
+TEST_F(Edited, ScalesAreExact) {
+  EXPECT_LT(error_of([](const Point& p) { return Point{2 * p[0], 2 * p[1], 2 * p[2]}; }), 1e-4 * diagonal);
+}
+
+// The sheet becomes part of a cylinder, by a quarter turn.
+TEST_F(Edited, ABendIsNear) {
+  const auto bend = [](const Point& p) {
+    const double angle = p[0] / 10 * 1.5707963, r = 10 / 1.5707963 - p[2];
+    return Point{r * std::sin(angle), p[1], 10 / 1.5707963 - r * std::cos(angle)};
+  };
+  EXPECT_LT(error_of(bend), 5e-4 * diagonal);
+  const AllPoints out = read_all(*open_points(path("out.ply"))), large = sheet(100);
+  double sum = 0;
+  for (std::size_t i = 0; i < out.positions.size() / 3; ++i) {
+    const double turn = large.positions[3 * i] / 10 * 1.5707963;
+    const double nx = large.normals[3 * i], nz = large.normals[3 * i + 2];
+    const double cosine = out.normals[3 * i] * (nx * std::cos(turn) - nz * std::sin(turn)) +
+                          out.normals[3 * i + 2] * (nx * std::sin(turn) + nz * std::cos(turn));
+    sum += std::pow(std::acos(std::min(1.0, cosine)), 2);
+  }
+  EXPECT_LT(std::sqrt(sum / (static_cast<double>(out.positions.size()) / 3)), 3 * 3.14159 / 180);
+}
+
+TEST_F(Edited, ColoursAreAddedAndTrianglesStay) {
+  AllPoints small = sheet(18);
+  write("small.ply", small, plain);
+  for (std::size_t i = 0; i < small.positions.size(); i += 3)
+    small.channels.insert(small.channels.end(), {20 * small.positions[i], 7, 255});
+  write("edited.ply", small, painted);
+  write("large.ply", sheet(100), plain);
+  std::string bytes = bytes_of(path("large.ply"));
+  bytes.insert(bytes.find("end_header"), "element face 1\nproperty list uchar int vertex_indices\n");
+  const std::string face("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
+  transfer(made("faces.ply", bytes + face), path("small.ply"), path("edited.ply"), path("out.ply"));
+  const auto reader = open_points(path("out.ply"));
+  EXPECT_EQ(reader->schema(), painted);
+  const AllPoints out = read_all(*reader), large = sheet(100);
+  for (std::size_t i = 0; i < out.positions.size() / 3; ++i) {
+    EXPECT_NEAR(out.channels[3 * i], 20 * large.positions[3 * i], 8);
+    EXPECT_EQ(out.channels[3 * i + 1], 7);
+    EXPECT_EQ(out.channels[3 * i + 2], 255);
+  }
+  EXPECT_TRUE(bytes_of(path("out.ply")).ends_with(face));
+}
+
+TEST_F(Edited, SamplesMayBeReordered) {
+  const AllPoints small = sheet(18);
+  const Edit lift = [](const Point& p) { return Point{p[0], p[1], p[2] + p[0]}; };
+  AllPoints reversed;
+  for (std::size_t i = small.positions.size() / 3; i-- > 0;) {
+    const Point to = lift({small.positions[3 * i], small.positions[3 * i + 1], small.positions[3 * i + 2]});
+    reversed.positions.insert(reversed.positions.end(), to.begin(), to.end());
+    reversed.channels.push_back(static_cast<double>(i));
+  }
+  write("small.ply", small, plain);
+  write("ordered.ply", moved(small, lift), plain);
+  write("edited.ply", reversed, {Number::float32, false, {{"index", Number::int32}}});
+  write("large.ply", sheet(40), plain);
+  transfer(path("large.ply"), path("small.ply"), path("ordered.ply"), path("a.ply"));
+  transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path("b.ply"), {.threads = 1});
+  EXPECT_TRUE(bytes_of(path("a.ply")) == bytes_of(path("b.ply")));
+}
+
+TEST_F(Edited, LasKeepsItsOtherNumbers) {
+  const Schema las{Number::float64, false, {{"intensity", Number::uint16}, {"classification", Number::uint8}}};
+  AllPoints large = sheet(40);
+  large.normals.clear();
+  for (std::size_t i = 0; i < large.positions.size() / 3; ++i)
+    large.channels.insert(large.channels.end(), {static_cast<double>(i), static_cast<double>(i % 30)});
+  write("large.las", large, las);
+  const AllPoints small = sheet(18);
+  write("small.ply", small, plain);
+  write("edited.ply", moved(small, [](const Point& p) { return Point{p[0] + 100, p[1], p[2]}; }), plain);
+  transfer(path("large.las"), path("small.ply"), path("edited.ply"), path("out.las"));
+  const AllPoints before = read_all(*open_points(path("large.las"))), after = read_all(*open_points(path("out.las")));
+  EXPECT_EQ(before.channels, after.channels);
+  for (std::size_t i = 0; i < before.positions.size(); i += 3)
+    EXPECT_NEAR(after.positions[i], before.positions[i] + 100, 1e-3);
+}
+
+TEST_F(Edited, BadInputIsExplained) {
+  const AllPoints small = sheet(18);
+  write("small.ply", small, plain);
+  write("other.ply", sheet(10), plain);
+  write("large.ply", sheet(40), plain);
+  made("out.ply", "old");
+  const auto problem = [&](const char* large, const char* to, const TransferOptions& options = {}) {
+    return problem_of([&] { transfer(path(large), path("small.ply"), path(to), path("out.ply"), options); });
+  };
+  EXPECT_NE(problem("large.ply", "other.ply").find("edit without adding or removing points"), std::string::npos);
+  EXPECT_NE(problem("large.ply", "small.ply", {.neighbours = 2}).find("3 to 64"), std::string::npos);
+  made("text.xyz", "0 0 0\n");
+  EXPECT_NE(problem("text.xyz", "small.ply").find("convert it to binary PLY"), std::string::npos);
+  AllPoints repeated = small;
+  repeated.normals.clear();
+  repeated.channels.assign(small.positions.size() / 3, 5);
+  write("repeated.ply", repeated, {Number::float32, false, {{"index", Number::int32}}});
+  EXPECT_NE(problem("large.ply", "repeated.ply").find("repeated"), std::string::npos);
+  EXPECT_EQ(bytes_of(path("out.ply")), "old");
+}
+
+}  // namespace
+}  // namespace glark::stream
