@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include "shim/contexts/contexts.h"
+#include "shim/contexts/native_windows.h"
 #include "shim/contexts/thread.h"
 #include "shim/frames/frame.h"
 #include "shim/names/real_functions.h"
@@ -84,6 +85,12 @@ GLARK_EXPORT int glXMakeContextCurrent(void* display, GlxDrawable draw, GlxDrawa
 GLARK_EXPORT int glXMakeCurrentReadSGI(void* display, GlxDrawable draw, GlxDrawable read, void* context) {
   make_current_begins(Provider::glx, context);
   return switched(GLARK_REAL(glXMakeCurrentReadSGI)(display, draw, read, context), display, draw, context);
+}
+
+GLARK_EXPORT GlxDrawable glXCreateWindow(void* display, void* config, GlxDrawable window, const int* attributes) {
+  const GlxDrawable drawable = GLARK_REAL(glXCreateWindow)(display, config, window, attributes);
+  note_glx_window(window, drawable);
+  return drawable;
 }
 
 GLARK_EXPORT void glXSwapBuffers(void* display, GlxDrawable drawable) {

@@ -27,10 +27,15 @@ std::vector<std::string> names_of_this_program() {
 
 }  // namespace
 
+const std::vector<std::string>& program_names() {
+  static const std::vector<std::string>& instance = *new std::vector<std::string>(names_of_this_program());
+  return instance;
+}
+
 const settings::Settings& options() {
   static const settings::Settings& instance = *[] {
     // Reads `environ`, because programs may define a getenv of their own.
-    settings::Parsed parsed = settings::parse(environ, names_of_this_program());
+    settings::Parsed parsed = settings::parse(environ, program_names());
     install_log(parsed.settings.log_level);
     for (const std::string& problem : parsed.problems) core::log(core::LogLevel::warning, problem);
     if (!parsed.settings.dump_folder.empty()) install_shader_dump(parsed.settings.dump_folder);

@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "glark/settings/settings.h"
 
 namespace glark::shim {
 
 // Returns the settings of this process. The first call reads them from the environment and logs their errors.
 const settings::Settings& options();
+
+// The names that this program may have in the configuration file: settings::program_names().
+const std::vector<std::string>& program_names();
 
 }  // namespace glark::shim
