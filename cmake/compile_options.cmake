@@ -5,7 +5,7 @@
 add_library(glark_options INTERFACE)
 target_include_directories(glark_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
 target_compile_options(glark_options INTERFACE
-  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion>
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic $<IF:$<AND:$<BOOL:${GLARK_UNITY}>,$<CXX_COMPILER_ID:GNU>>,-Wshadow=local,-Wshadow> -Wconversion -Wno-sign-conversion>
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${GLARK_WERROR}>>:-Werror>)
 # GCC 12 warns of overlaps that are not there in "literal" + std::to_string(x) (GCC bug 105329).
 target_compile_options(glark_options INTERFACE $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CXX_COMPILER_ID:GNU>>:-Wno-restrict>)

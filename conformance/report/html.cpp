@@ -44,12 +44,6 @@ const char* class_of(Verdict verdict) {
   }
 }
 
-const Case* find_case(const std::string& name) {
-  for (const Case& each : all_cases())
-    if (each.name == name) return &each;
-  return nullptr;
-}
-
 std::string label_of(const std::string& path) {
   const std::size_t dash = path.rfind('-');
   const std::string label = dash == std::string::npos ? path : path.substr(dash + 1);

@@ -13,12 +13,6 @@
 namespace glark::conformance {
 namespace {
 
-const Case* find_case(const std::string& name) {
-  for (const Case& each : all_cases())
-    if (each.name == name) return &each;
-  return nullptr;
-}
-
 std::string seconds_text(double seconds) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.3f", seconds);

@@ -33,4 +33,10 @@ const std::vector<Case>& all_cases() {
   return cases;
 }
 
+const Case* find_case(const std::string& name) {
+  for (const Case& each : all_cases())
+    if (each.name == name) return &each;
+  return nullptr;
+}
+
 }  // namespace glark::conformance

@@ -55,6 +55,8 @@ std::vector<Case> written_cases();
 
 // All cases, sorted by name. Throws std::logic_error if two have the same name.
 const std::vector<Case>& all_cases();
+// Null if there is no case of this name.
+const Case* find_case(const std::string& name);
 
 // The sentence with this id. Throws std::logic_error if there is none.
 const std::string& sentence_of(const std::string& clause);

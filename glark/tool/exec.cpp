@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* scan = "glark-scan";
 // `glark info` with a file is glark-scan; without, the launcher itself.
-constexpr std::string_view info = "info";
+constexpr std::string_view info_command = "info";
 const std::vector<OtherCommand> commands {
 #if GLARK_HAS_VSTREE
   {"simplify", scan, "Fewer triangles, or points where there are no triangles: glark simplify FILE -o OUT"},
@@ -49,7 +49,7 @@ const char* program_of(std::span<char* const> words) {
   if (words.empty()) return nullptr;
   for (const OtherCommand& command : commands)
     if (std::string_view(words[0]) == command.name) return command.program;
-  return words[0] == info && words.size() > 1 ? scan : nullptr;
+  return words[0] == info_command && words.size() > 1 ? scan : nullptr;
 }
 
 int become(const std::string& program, char** argv) {

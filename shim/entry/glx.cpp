@@ -12,7 +12,7 @@ namespace {
 
 const char* text(const GLubyte* name) { return reinterpret_cast<const char*>(name); }
 
-void* created(void* context, void* share) {
+void* glx_created(void* context, void* share) {
   context_created(Provider::glx, context, share);
   return context;
 }
@@ -40,20 +40,20 @@ GLARK_EXPORT GlxProc glXGetProcAddressARB(const GLubyte* name) {
 }
 
 GLARK_EXPORT void* glXCreateContext(void* display, void* visual, void* share, int direct) {
-  return created(GLARK_REAL(glXCreateContext)(display, visual, share, direct), share);
+  return glx_created(GLARK_REAL(glXCreateContext)(display, visual, share, direct), share);
 }
 
 GLARK_EXPORT void* glXCreateNewContext(void* display, void* config, int type, void* share, int direct) {
-  return created(GLARK_REAL(glXCreateNewContext)(display, config, type, share, direct), share);
+  return glx_created(GLARK_REAL(glXCreateNewContext)(display, config, type, share, direct), share);
 }
 
 GLARK_EXPORT void* glXCreateContextAttribsARB(void* display, void* config, void* share, int direct,
                                               const int* attributes) {
-  return created(GLARK_REAL(glXCreateContextAttribsARB)(display, config, share, direct, attributes), share);
+  return glx_created(GLARK_REAL(glXCreateContextAttribsARB)(display, config, share, direct, attributes), share);
 }
 
 GLARK_EXPORT void* glXCreateContextWithConfigSGIX(void* display, void* config, int type, void* share, int direct) {
-  return created(GLARK_REAL(glXCreateContextWithConfigSGIX)(display, config, type, share, direct), share);
+  return glx_created(GLARK_REAL(glXCreateContextWithConfigSGIX)(display, config, type, share, direct), share);
 }
 
 GLARK_EXPORT void glXDestroyContext(void* display, void* context) {

@@ -8,7 +8,7 @@ using namespace glark::shim;
 
 namespace {
 
-void* created(void* context, void* share) {
+void* osmesa_created(void* context, void* share) {
   context_created(Provider::osmesa, context, share);
   return context;
 }
@@ -21,16 +21,17 @@ GLARK_EXPORT OSMesaProc OSMesaGetProcAddress(const char* name) {
 }
 
 GLARK_EXPORT void* OSMesaCreateContext(GLenum format, void* share) {
-  return created(GLARK_REAL(OSMesaCreateContext)(format, share), share);
+  return osmesa_created(GLARK_REAL(OSMesaCreateContext)(format, share), share);
 }
 
 GLARK_EXPORT void* OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint stencil_bits, GLint accumulation_bits,
                                           void* share) {
-  return created(GLARK_REAL(OSMesaCreateContextExt)(format, depth_bits, stencil_bits, accumulation_bits, share), share);
+  return osmesa_created(GLARK_REAL(OSMesaCreateContextExt)(format, depth_bits, stencil_bits, accumulation_bits, share),
+                        share);
 }
 
 GLARK_EXPORT void* OSMesaCreateContextAttribs(const int* attributes, void* share) {
-  return created(GLARK_REAL(OSMesaCreateContextAttribs)(attributes, share), share);
+  return osmesa_created(GLARK_REAL(OSMesaCreateContextAttribs)(attributes, share), share);
 }
 
 // Mesa destroys a context even while it is current. So free our objects first, then treat the context as released.

@@ -9,7 +9,7 @@
 
 #include <glark/depth.h>
 
-#include "tests/depth/allocations.h"
+#include "tests/common/allocations.h"
 #include "tests/depth/meshes.h"
 
 namespace glark::depth {
@@ -168,7 +168,7 @@ TEST(Tagger, UpdatesAllocateNothing) {
   std::vector<float> other(mesh.vertices());
   const std::vector<float> coordinates(2 * mesh.vertices(), 0.25F);
   const std::vector<float> heights(16, 1.0F);
-  const int before = testing::allocations();
+  const int before = glark::test::allocations();
   tagger.by_distance(mesh.positions, {}, tags);
   tagger.by_edge_length(mesh.positions, {}, 4, other);
   tagger.take_greater(other, tags);
@@ -177,7 +177,7 @@ TEST(Tagger, UpdatesAllocateNothing) {
   tagger.by_displacement(coordinates, {heights, 4, 4}, 0.01F, other);
   tagger.blend(other, 0.5F, tags);
   tagger.keep_budget(2000, tags);
-  EXPECT_EQ(testing::allocations(), before);
+  EXPECT_EQ(glark::test::allocations(), before);
 }
 
 }  // namespace

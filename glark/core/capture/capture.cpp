@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::int64_t initial_ring_bytes = std::int64_t{4} << 20;
 constexpr std::int64_t largest_capture_bytes = std::int64_t{1} << 30;
-constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 
 constexpr std::array<GLenum, 2> query_targets = {GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, GL_PRIMITIVES_GENERATED};
 

@@ -4,6 +4,7 @@
 // The layout of a coarse record: what one captured corner holds, in 4-byte words.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Field {
   int offset = 0;           // first word within the corner record
   int words = 0;            // words of the whole input: array_size * columns * rows
 };
+
+// Bytes after the records of a buffer: the last vec4 chunk of the last record may read past its end.
+inline constexpr std::int64_t chunk_overrun = 16;
 
 // The words that welding writes to a corner: the control points of its edges, 3 b210 (vec3) towards the next corner,
 // then towards the one before.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr char bins_source[] =
 #include "glark/core/depth/bins.glsl.inc"
+#include "glark/core/depth/kept_instances.h"
     ;
 
 // Words of the work buffer, as bins.glsl declares it.
@@ -21,9 +22,9 @@ constexpr std::size_t work_commands = work_pieces + 4 * pattern::piece_count;
 constexpr std::size_t work_words = work_commands + 5 * pattern::piece_count;
 constexpr std::int64_t deep_reserve_bytes = std::int64_t{32} << 20;
 
-constexpr const char* uniform_names[] = {"record_offset",        "corner_words", "tag_offset", "uniform_tag",
-                                         "triangle_bound",       "count_on_gpu", "pool_level", "instance_capacity",
-                                         "tags_are_edge_depths", "counted"};
+constexpr const char* bin_uniforms[] = {"record_offset",        "corner_words", "tag_offset", "uniform_tag",
+                                        "triangle_bound",       "count_on_gpu", "pool_level", "instance_capacity",
+                                        "tags_are_edge_depths", "counted"};
 
 }  // namespace
 
@@ -37,7 +38,7 @@ bool BinStage::build(core::ComputePass& pass, std::uint64_t number, const BinKin
                   {"GLARK_INTERIOR", static_cast<std::uint64_t>(kind.interior)},
                   {"GLARK_STEPS", morphing ? std::uint64_t{pattern::morph_steps} : 1U},
                   {"GLARK_PACKED_BITS", kind.measured ? static_cast<std::uint64_t>(measured_bits(morphing)) : 0U}}};
-  return compilation_.build(pass, text, uniform_names);
+  return compilation_.build(pass, text, bin_uniforms);
 }
 
 bool BinStage::compile(const BinKind& kind) {
@@ -144,11 +145,7 @@ BinnedInstances BinStage::sort(const BinRequest& request, GLuint count_buffer, c
           .command_count = pattern::piece_count};
 }
 
-namespace {
-
-constexpr std::size_t command_words = 5;
-
-}  // namespace
+namespace {}  // namespace
 
 InstanceExtent BinStage::extent(const BinnedInstances& sorted) const {
   std::vector<std::uint32_t> all(command_words * pattern::piece_count);

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
+#include "glark/core/capture/record.h"
+
 namespace glark::depth {
 namespace {
 
-// Words of a DrawElementsIndirectCommand.
-constexpr std::size_t command_words = 5;
+// Places of words in a DrawElementsIndirectCommand.
 constexpr std::size_t instance_count = 1;
 constexpr std::size_t base_instance = 4;
 
 constexpr std::int64_t patch_bytes = 16;
-constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 
 // Returns whether `next` continues `last` with the same piece.
 bool continues(std::span<const std::uint32_t> last, std::span<const std::uint32_t> next) {
@@ -41,7 +41,7 @@ InstanceExtent extent_of(std::span<const std::uint32_t> commands, GLsizei record
     }
     extent.commands.insert(extent.commands.end(), command.begin(), command.end());
   }
-  extent.bytes = extent.instances * (std::int64_t{record_stride} + patch_bytes) + chunk_overrun +
+  extent.bytes = extent.instances * (std::int64_t{record_stride} + patch_bytes) + capture::chunk_overrun +
                  static_cast<std::int64_t>(extent.commands.size() * sizeof(extent.commands[0]));
   return extent;
 }
@@ -54,7 +54,7 @@ BinnedInstances copy_instances(const gl::Dispatch& gl, const BinnedInstances& so
   const std::int64_t patches = patch_bytes * extent.instances;
   result.records = result.patches = result.commands = to.name();
   result.records_offset = 0;
-  result.patches_offset = static_cast<GLintptr>(records + chunk_overrun);
+  result.patches_offset = static_cast<GLintptr>(records + capture::chunk_overrun);
   result.commands_offset = result.patches_offset + static_cast<GLintptr>(patches);
   result.command_count = static_cast<GLsizei>(extent.commands.size() / command_words);
   to.copy_from(gl, sorted.records, sorted.records_offset, 0, records);

@@ -13,6 +13,8 @@
 
 namespace glark::depth {
 
+inline constexpr std::size_t command_words = 5;  // of a DrawElementsIndirectCommand
+
 struct InstanceExtent {
   std::uint32_t instances = 0;
   std::uint64_t refined_triangles = 0;

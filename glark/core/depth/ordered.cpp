@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "glark/core/capture/record.h"
 #include "glark/core/pattern/pieces.glsl.h"
 
 namespace glark::depth {
@@ -14,7 +15,7 @@ constexpr char ordered_source[] =
 #include "glark/core/depth/ordered.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {
+constexpr const char* ordered_uniforms[] = {
     "record_offset",   "corner_words",     "tag_offset",  "tags_are_edge_depths", "triangle_count",
     "pool_level",      "normal_offset",    "turn_offset", "straight_position",    "straight_position_words",
     "straight_normal", "straight_control", "counted",     "culled_side",          "half_size"};
@@ -22,14 +23,13 @@ constexpr std::size_t culled_side_uniform = 13;
 constexpr std::size_t half_size = 14;
 constexpr int most_triangles = 128;                               // the size of a work group that GL and ES guarantee
 constexpr std::uint32_t group_sizes[] = {8, 32, most_triangles};  // idle invocations are not free
-constexpr int most_instances = 4;                                 // of one triangle that is not deeper than a tile
-constexpr std::int64_t slots = std::int64_t{most_triangles} * most_instances;
+constexpr int instances_a_triangle = 4;                           // of one triangle that is not deeper than a tile
+constexpr std::int64_t slots = std::int64_t{most_triangles} * instances_a_triangle;
 constexpr GLintptr patches_offset = slots * 20;
 constexpr GLintptr records_offset = patches_offset + slots * 16;
-constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 
 std::int64_t bytes_for(const capture::Layout& layout) {
-  return records_offset + slots * layout.triangle_words() * 4 + chunk_overrun;
+  return records_offset + slots * layout.triangle_words() * 4 + capture::chunk_overrun;
 }
 
 // The index of the smallest work group that takes so many triangles.
@@ -48,10 +48,10 @@ bool OrderedStage::build(const Measures& measures, std::size_t group) {
                          .failure = core::LogLevel::warning};
   const core::ComputeText::Define own[] = {{"GLARK_GROUP", group_sizes[group]},
                                            {"GLARK_TRIANGLES", most_triangles},
-                                           {"GLARK_INSTANCES", most_instances},
+                                           {"GLARK_INSTANCES", instances_a_triangle},
                                            {"GLARK_TAGS", measures.tags ? 1U : 0U}};
   text.defines.insert(text.defines.end(), std::begin(own), std::end(own));
-  return compilation_.build(passes_[measures].at(group), text, uniform_names);
+  return compilation_.build(passes_[measures].at(group), text, ordered_uniforms);
 }
 
 const core::ComputePass* OrderedStage::find(const Measures& measures, std::uint32_t triangles) const {
@@ -134,7 +134,7 @@ BinnedInstances OrderedStage::sort(const OrderedRequest& request, const core::Bi
           .patches_offset = patches_offset,
           .commands = result_.name(),
           .commands_offset = 0,
-          .command_count = static_cast<GLsizei>(triangles.count) * most_instances};
+          .command_count = static_cast<GLsizei>(triangles.count) * instances_a_triangle};
 }
 
 InstanceExtent OrderedStage::extent(const BinnedInstances& sorted) const {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "glark/core/capture/record.h"
 #include "glark/core/objects/shader.h"
 
 namespace glark::depth {
 namespace {
 
-constexpr std::int64_t chunk_overrun = 16;  // the last vec4 chunk of the last record may read past its end
 constexpr const char* types[] = {"", "float", "vec2", "vec3", "vec4"};
 
 // The least number of inputs that hold the words of a corner, four words each.
@@ -57,7 +57,7 @@ void Reorder::build(Mover& mover, int corner_words) {
 bool Reorder::has_room(const capture::Layout& layout, std::uint32_t instances) const {
   const auto mover = movers_.find(layout.corner_words);
   return mover != movers_.end() && mover->second.program != 0 &&
-         static_cast<std::int64_t>(instances) * stride(layout) + chunk_overrun <= records_.size();
+         static_cast<std::int64_t>(instances) * stride(layout) + capture::chunk_overrun <= records_.size();
 }
 
 bool Reorder::reserve(const capture::Layout& layout, std::uint32_t instances) {
@@ -67,7 +67,8 @@ bool Reorder::reserve(const capture::Layout& layout, std::uint32_t instances) {
   Mover& mover = movers_[layout.corner_words];
   build(mover, layout.corner_words);
   return mover.program != 0 &&
-         records_.reserve(gl_, static_cast<std::int64_t>(instances) * stride(layout) + chunk_overrun, GL_DYNAMIC_COPY);
+         records_.reserve(gl_, static_cast<std::int64_t>(instances) * stride(layout) + capture::chunk_overrun,
+                          GL_DYNAMIC_COPY);
 }
 
 void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Order& order,

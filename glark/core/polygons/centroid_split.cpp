@@ -18,7 +18,6 @@ constexpr const char* uniform_names[] = {"record_offset", "corner_words", "tag_o
 constexpr std::size_t corners = 11;
 constexpr std::uint32_t group_size = 64;
 constexpr std::uint32_t most_groups = 65535;  // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT
-constexpr std::int64_t chunk_overrun = 16;    // the last vec4 chunk of the last record may read past its end
 
 GLuint groups_for(std::uint32_t count) { return std::min((count + group_size - 1) / group_size, most_groups); }
 
@@ -27,7 +26,8 @@ std::int64_t record_words(const SplitRequest& request) {
 }
 
 std::int64_t bytes_of(const SplitRequest& request) {
-  return 4 * (record_words(request) + std::int64_t{request.polygons()} * request.layout->corner_words) + chunk_overrun;
+  return 4 * (record_words(request) + std::int64_t{request.polygons()} * request.layout->corner_words) +
+         capture::chunk_overrun;
 }
 
 std::int64_t table_bytes(const SplitRequest& request) {

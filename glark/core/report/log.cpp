@@ -7,14 +7,14 @@
 namespace glark::core {
 namespace {
 
-std::atomic<LogSink> sink{nullptr};
+std::atomic<LogSink> log_sink{nullptr};
 
 }  // namespace
 
-void set_log_sink(LogSink wanted) { sink.store(wanted, std::memory_order_relaxed); }
+void set_log_sink(LogSink wanted) { log_sink.store(wanted, std::memory_order_relaxed); }
 
 void log(LogLevel level, std::string_view message) {
-  if (const LogSink current = sink.load(std::memory_order_relaxed); current != nullptr) {
+  if (const LogSink current = log_sink.load(std::memory_order_relaxed); current != nullptr) {
     current(level, message);
   }
 }

@@ -7,15 +7,15 @@
 namespace glark::core {
 namespace {
 
-std::atomic<ShaderSink> sink{nullptr};
+std::atomic<ShaderSink> shader_sink{nullptr};
 
 }  // namespace
 
-void set_shader_sink(ShaderSink wanted) { sink.store(wanted, std::memory_order_relaxed); }
-bool wants_shaders() { return sink.load(std::memory_order_relaxed) != nullptr; }
+void set_shader_sink(ShaderSink wanted) { shader_sink.store(wanted, std::memory_order_relaxed); }
+bool wants_shaders() { return shader_sink.load(std::memory_order_relaxed) != nullptr; }
 
 void show_shader(const ShownShader& shader) {
-  if (const ShaderSink current = sink.load(std::memory_order_relaxed); current != nullptr) {
+  if (const ShaderSink current = shader_sink.load(std::memory_order_relaxed); current != nullptr) {
     current(shader);
   }
 }

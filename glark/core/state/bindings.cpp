@@ -2,25 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/state/bindings.h"
 
+#include "glark/core/objects/get_integer.h"
+
 namespace glark::core {
 namespace {
 
-GLint get(const gl::Dispatch& gl, GLenum name) {
-  GLint value = 0;
-  gl.GetIntegerv(name, &value);
-  return value;
-}
-
-GLuint get_name(const gl::Dispatch& gl, GLenum binding) { return static_cast<GLuint>(get(gl, binding)); }
+GLuint get_name(const gl::Dispatch& gl, GLenum binding) { return static_cast<GLuint>(get_integer(gl, binding)); }
 
 void read_objects(const gl::Dispatch& gl, Bindings& b) {
   b.program = get_name(gl, GL_CURRENT_PROGRAM);
   b.pipeline = get_name(gl, GL_PROGRAM_PIPELINE_BINDING);
   b.vertex_array = get_name(gl, GL_VERTEX_ARRAY_BINDING);
   b.transform_feedback = get_name(gl, GL_TRANSFORM_FEEDBACK_BINDING);
-  b.transform_feedback_active = get(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
+  b.transform_feedback_active = get_integer(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
   if (!b.transform_feedback_ours) {  // ours is paused between our draws
-    b.transform_feedback_paused = get(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
+    b.transform_feedback_paused = get_integer(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
   }
 }
 
@@ -45,8 +41,8 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
   b.debug_output = gl.IsEnabled(GL_DEBUG_OUTPUT) != GL_FALSE;
   b.blend = gl.IsEnabled(GL_BLEND) != GL_FALSE;
   b.depth_test = gl.IsEnabled(GL_DEPTH_TEST) != GL_FALSE;
-  b.depth_writes = get(gl, GL_DEPTH_WRITEMASK) != 0;
-  b.depth_function = static_cast<GLenum>(get(gl, GL_DEPTH_FUNC));
+  b.depth_writes = get_integer(gl, GL_DEPTH_WRITEMASK) != 0;
+  b.depth_function = static_cast<GLenum>(get_integer(gl, GL_DEPTH_FUNC));
   b.stencil_test = gl.IsEnabled(GL_STENCIL_TEST) != GL_FALSE;
   b.polygon_offset = gl.IsEnabled(GL_POLYGON_OFFSET_FILL) != GL_FALSE;
   GLboolean channels[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
@@ -54,8 +50,8 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
   b.color_writes =
       channels[0] != GL_FALSE || channels[1] != GL_FALSE || channels[2] != GL_FALSE || channels[3] != GL_FALSE;
   b.cull_face = gl.IsEnabled(GL_CULL_FACE) != GL_FALSE;
-  b.culled_face = static_cast<GLenum>(get(gl, GL_CULL_FACE_MODE));
-  b.front_face = static_cast<GLenum>(get(gl, GL_FRONT_FACE));
+  b.culled_face = static_cast<GLenum>(get_integer(gl, GL_CULL_FACE_MODE));
+  b.front_face = static_cast<GLenum>(get_integer(gl, GL_FRONT_FACE));
   GLfloat viewport[4] = {0, 0, 0, 0};
   gl.GetFloatv(GL_VIEWPORT, viewport);
   b.viewport = {viewport[2], viewport[3]};
@@ -67,15 +63,15 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
     gl.GetIntegerv(GL_POLYGON_MODE, modes);
     b.front_polygon_mode = static_cast<GLenum>(modes[0]);
     b.back_polygon_mode = capabilities.is_compatibility() ? static_cast<GLenum>(modes[1]) : b.front_polygon_mode;
-    b.provoking_vertex = static_cast<GLenum>(get(gl, GL_PROVOKING_VERTEX));
+    b.provoking_vertex = static_cast<GLenum>(get_integer(gl, GL_PROVOKING_VERTEX));
   }
   set_polygon_modes(b, b.front_polygon_mode, b.back_polygon_mode);
 }
 
 // Returns whether the first draw buffer has floating-point colours.
 bool draws_floats(const gl::Dispatch& gl) {
-  const auto buffer = static_cast<GLenum>(get(gl, GL_DRAW_BUFFER));
-  if (get(gl, GL_DRAW_FRAMEBUFFER_BINDING) == 0 || buffer == GL_NONE) {
+  const auto buffer = static_cast<GLenum>(get_integer(gl, GL_DRAW_BUFFER));
+  if (get_integer(gl, GL_DRAW_FRAMEBUFFER_BINDING) == 0 || buffer == GL_NONE) {
     return false;
   }
   const auto attachment = [&](GLenum name) {
@@ -90,12 +86,12 @@ bool draws_floats(const gl::Dispatch& gl) {
 void read_compatibility_modes(const gl::Dispatch& gl, Bindings& b) {
   b.vertex_program = gl.IsEnabled(GL_VERTEX_PROGRAM_ARB) != GL_FALSE;
   b.two_side = gl.IsEnabled(GL_VERTEX_PROGRAM_TWO_SIDE) != GL_FALSE;
-  b.matrix_mode = static_cast<GLenum>(get(gl, GL_MATRIX_MODE));
-  b.shade_model = static_cast<GLenum>(get(gl, GL_SHADE_MODEL));
-  const GLint clamp = get(gl, GL_CLAMP_VERTEX_COLOR);
+  b.matrix_mode = static_cast<GLenum>(get_integer(gl, GL_MATRIX_MODE));
+  b.shade_model = static_cast<GLenum>(get_integer(gl, GL_SHADE_MODEL));
+  const GLint clamp = get_integer(gl, GL_CLAMP_VERTEX_COLOR);
   b.clamps_by_framebuffer = clamp == GL_FIXED_ONLY;
   b.clamp_vertex_color = clamp != GL_FALSE && !(b.clamps_by_framebuffer && draws_floats(gl));
-  b.render_mode = static_cast<GLenum>(get(gl, GL_RENDER_MODE));
+  b.render_mode = static_cast<GLenum>(get_integer(gl, GL_RENDER_MODE));
   b.list_base = get_name(gl, GL_LIST_BASE);
 }
 

@@ -4,20 +4,15 @@
 
 #include <algorithm>
 
+#include "glark/core/objects/get_integer.h"
 #include "glark/core/state/arrays/attribute_slots.h"
 
 namespace glark::core {
 namespace {
 
-GLint get(const gl::Dispatch& gl, GLenum name) {
-  GLint value = 0;
-  gl.GetIntegerv(name, &value);
-  return value;
-}
-
 std::vector<std::string> extensions_of(const gl::Dispatch& gl) {
   std::vector<std::string> names;
-  const GLint count = get(gl, GL_NUM_EXTENSIONS);
+  const GLint count = get_integer(gl, GL_NUM_EXTENSIONS);
   for (GLint i = 0; i < count; ++i) {
     if (const auto* text = reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
         text != nullptr) {
@@ -55,7 +50,8 @@ bool read_version(const gl::Dispatch& gl, Capabilities& capabilities) {
     capabilities.refinable = capabilities.version >= 32;
     return true;
   }
-  const bool core = capabilities.version >= 32 && (get(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
+  const bool core =
+      capabilities.version >= 32 && (get_integer(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
   capabilities.api = core ? Capabilities::Api::core : Capabilities::Api::compatibility;
   capabilities.refinable = capabilities.version >= 43;
   return true;
@@ -63,17 +59,18 @@ bool read_version(const gl::Dispatch& gl, Capabilities& capabilities) {
 
 void read_limits(const gl::Dispatch& gl, Capabilities& capabilities) {
   const bool es = capabilities.api == Capabilities::Api::es;
-  capabilities.attribute_stack =
-      capabilities.is_compatibility() ? static_cast<std::size_t>(std::max(0, get(gl, GL_MAX_ATTRIB_STACK_DEPTH))) : 0;
+  capabilities.attribute_stack = capabilities.is_compatibility()
+                                     ? static_cast<std::size_t>(std::max(0, get_integer(gl, GL_MAX_ATTRIB_STACK_DEPTH)))
+                                     : 0;
   capabilities.quads_follow_convention =
-      !capabilities.is_compatibility() || get(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
-  capabilities.max_texture_units = get(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-  capabilities.max_vertex_attributes = std::min<GLint>(get(gl, GL_MAX_VERTEX_ATTRIBS), generic_slots);
+      !capabilities.is_compatibility() || get_integer(gl, GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION) != GL_FALSE;
+  capabilities.max_texture_units = get_integer(gl, GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+  capabilities.max_vertex_attributes = std::min<GLint>(get_integer(gl, GL_MAX_VERTEX_ATTRIBS), generic_slots);
   if (capabilities.version >= (es ? 31 : 44)) {
-    capabilities.max_vertex_attribute_stride = get(gl, GL_MAX_VERTEX_ATTRIB_STRIDE);
+    capabilities.max_vertex_attribute_stride = get_integer(gl, GL_MAX_VERTEX_ATTRIB_STRIDE);
   }
-  capabilities.max_vertex_storage_blocks = get(gl, GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
-  capabilities.max_feedback_components = get(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
+  capabilities.max_vertex_storage_blocks = get_integer(gl, GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
+  capabilities.max_feedback_components = get_integer(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 // A program that repeats a mistake with other values must not fill the log.
 constexpr std::size_t most_logged = 64;
 
-const char* name_of(GLenum error) {
+const char* name_of_error(GLenum error) {
   switch (error) {
     case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
     case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
@@ -38,7 +38,7 @@ void log_once(const std::string& text) {
 
 void complain(Context& c, GLenum error, const char* function, const std::string& why) {
   c.raise(error);
-  const std::string text = fmt::format("{}: {}: {}", function, name_of(error), why);
+  const std::string text = fmt::format("{}: {}: {}", function, name_of_error(error), why);
   log_once(text);
   // Between glBegin and glEnd, GL accepts no message. A context that cannot refine may not have debug output.
   if (c.capabilities().refinable && !c.state().immediate().open()) {

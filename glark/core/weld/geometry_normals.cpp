@@ -15,10 +15,10 @@ constexpr char normals_source[] =
 #include "glark/core/weld/geometry_normals.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {"record_offset",   "corner_words",   "triangle_bound", "count_on_gpu",
-                                         "position_offset", "position_words", "normal_offset",  "slot_count",
-                                         "key_count",       "key_offset",     "ends_of_edge",   "corners_of_triangle",
-                                         "least_cosine"};
+constexpr const char* normal_uniforms[] = {"record_offset",   "corner_words",   "triangle_bound", "count_on_gpu",
+                                           "position_offset", "position_words", "normal_offset",  "slot_count",
+                                           "key_count",       "key_offset",     "ends_of_edge",   "corners_of_triangle",
+                                           "least_cosine"};
 constexpr std::size_t least_cosine = 12;
 
 }  // namespace
@@ -30,7 +30,7 @@ bool GeometryNormals::build() {
                                  .source = normals_source,
                                  .es = language_ == capture::Language::es,
                                  .defines = {{"GLARK_PASS", pass}, {"GLARK_GROUP", core::ComputePass::group_size}}};
-    built = compilation_.build(passes_.at(pass), text, uniform_names) && built;
+    built = compilation_.build(passes_.at(pass), text, normal_uniforms) && built;
   }
   return built;
 }

@@ -13,7 +13,7 @@ constexpr char weld_source[] =
 #include "glark/core/weld/weld.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {
+constexpr const char* weld_uniforms[] = {
     "record_offset",     "corner_words",  "triangle_bound",      "count_on_gpu",  "position_offset",
     "position_words",    "normal_offset", "control_offset",      "turn_offset",   "border_offset",
     "coordinate_offset", "tag_offset",    "slot_count",          "key_count",     "extent_offset",
@@ -87,7 +87,7 @@ bool WeldStage::build(Ability ability, Pass pass) {
                                            {"GLARK_GROUP", core::ComputePass::group_size},
                                            {"GLARK_DISPLACED", ability == Ability::displaced ? 1U : 0U},
                                            {"GLARK_CREASED", ability == Ability::creased ? 1U : 0U}}};
-  return compilation_.build(this->pass(ability, pass), text, uniform_names);
+  return compilation_.build(this->pass(ability, pass), text, weld_uniforms);
 }
 
 // Tries them all, so that it is known how many must wait.

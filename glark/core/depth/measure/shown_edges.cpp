@@ -9,11 +9,11 @@
 namespace glark::depth {
 namespace {
 
-constexpr const char* uniform_names[] = {"record_offset", "corner_words", "triangle_bound", "turn_offset",
-                                         "shown_stamp",   "pool_level",   "culled_side",    "half_size"};
+constexpr const char* shown_uniforms[] = {"record_offset", "corner_words", "triangle_bound", "turn_offset",
+                                          "shown_stamp",   "pool_level",   "culled_side",    "half_size"};
 constexpr std::size_t culled_side_uniform = 6;
-constexpr std::size_t half_size = 7;
-constexpr std::int64_t bytes_a_triangle = 3 * 4;
+constexpr std::size_t shown_half_size = 7;
+constexpr std::int64_t edge_bytes_a_triangle = 3 * 4;
 constexpr GLint last_stamp = (1 << 22) - 1;  // a word has 10 bits for the steps
 
 // The measures that the pass depends on.
@@ -32,12 +32,13 @@ int culled_side(const core::Bindings& bindings) {
 
 bool ShownEdges::has_room(std::uint32_t triangles, const Measures& measures) const {
   const auto found = passes_.find(what_shows(measures));
-  return found != passes_.end() && found->second.built() && std::int64_t{triangles} * bytes_a_triangle <= marks_.size();
+  return found != passes_.end() && found->second.built() &&
+         std::int64_t{triangles} * edge_bytes_a_triangle <= marks_.size();
 }
 
 bool ShownEdges::reserve(std::uint32_t triangles, const Measures& measures) {
   const Measures shown = what_shows(measures);
-  if (!compilation_.build(passes_[shown], measuring_pass(language_, 2, shown), uniform_names)) {
+  if (!compilation_.build(passes_[shown], measuring_pass(language_, 2, shown), shown_uniforms)) {
     return false;
   }
   if (has_room(triangles, measures)) {
@@ -67,7 +68,7 @@ GLint ShownEdges::mark(const ShownRequest& request, const core::Bindings& bindin
                           static_cast<GLint>(request.pool_level)};
   pass.set_integers(gl_, values);
   gl_.Uniform1f(pass.location(culled_side_uniform), static_cast<float>(culled_side(bindings)));
-  gl_.Uniform2f(pass.location(half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
+  gl_.Uniform2f(pass.location(shown_half_size), 0.5F * bindings.viewport[0], 0.5F * bindings.viewport[1]);
   core::ComputePass::dispatch(gl_, request.triangles.count);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   return stamp_;
@@ -75,7 +76,7 @@ GLint ShownEdges::mark(const ShownRequest& request, const core::Bindings& bindin
 
 // The pass is in use.
 void ShownEdges::clear(const core::ComputePass& pass) {
-  const auto triangles = static_cast<std::uint32_t>(marks_.size() / bytes_a_triangle);
+  const auto triangles = static_cast<std::uint32_t>(marks_.size() / edge_bytes_a_triangle);
   const GLint values[] = {0, 0, static_cast<GLint>(triangles), 0, 0};
   pass.set_integers(gl_, values);
   core::ComputePass::dispatch(gl_, triangles);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/state/arrays/vertex_arrays.h"
 
+#include "glark/core/objects/get_integer.h"
+
 namespace glark::core {
 namespace {
 
@@ -38,25 +40,19 @@ ConventionalQueries queries_of(int slot) {
   }
 }
 
-GLint get(const gl::Dispatch& gl, GLenum name) {
-  GLint value = 0;
-  gl.GetIntegerv(name, &value);
-  return value;
-}
-
 AttributeSource read_conventional(const gl::Dispatch& gl, int slot) {
   const ConventionalQueries queries = queries_of(slot);
   const bool texture = slot >= texture_coordinate_slot;
-  const auto active = static_cast<GLenum>(texture ? get(gl, GL_CLIENT_ACTIVE_TEXTURE) : 0);
+  const auto active = static_cast<GLenum>(texture ? get_integer(gl, GL_CLIENT_ACTIVE_TEXTURE) : 0);
   if (texture) {
     gl.ClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(slot - texture_coordinate_slot));
   }
   AttributeSource source;
   source.enabled = gl.IsEnabled(queries.array) != GL_FALSE;
-  source.size = queries.size != 0 ? get(gl, queries.size) : 0;
-  source.type = static_cast<GLenum>(get(gl, queries.type));
-  source.stride = get(gl, queries.stride);
-  source.buffer = static_cast<GLuint>(get(gl, queries.buffer));
+  source.size = queries.size != 0 ? get_integer(gl, queries.size) : 0;
+  source.type = static_cast<GLenum>(get_integer(gl, queries.type));
+  source.stride = get_integer(gl, queries.stride);
+  source.buffer = static_cast<GLuint>(get_integer(gl, queries.buffer));
   void* pointer = nullptr;
   gl.GetPointerv(queries.pointer, &pointer);
   source.offset = reinterpret_cast<GLintptr>(pointer);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace glark::depth::testing {
+namespace glark::test {
 
 // The number of calls of `new` since the program began.
 int allocations();
 
-}  // namespace glark::depth::testing
+}  // namespace glark::test
