@@ -32,7 +32,7 @@ struct Row {
 };
 
 // clang-format off
-constexpr std::array rows{
+constexpr std::array compared_rows{
     Row{"refine", [](const Options& o) { return quoted(o.smooth ? "smooth" : core::traits_of(o.refinement).word); }},
     Row{"level", [](const Options& o) { return std::to_string(o.level); }},
     Row{"max-level", [](const Options& o) { return std::to_string(o.max_level); }},
@@ -55,7 +55,7 @@ void add(std::string& lines, std::string_view key, const std::optional<T>& value
 
 std::vector<ChangedSetting> changed_settings(const Options& before, const Options& after) {
   std::vector<ChangedSetting> changed;
-  for (const Row& row : rows)
+  for (const Row& row : compared_rows)
     if (row.text(before) != row.text(after)) changed.push_back({row.key, row.text(after)});
   return changed;
 }

@@ -39,7 +39,7 @@ std::string toml_key(std::string_view name) {
   return text + '"';
 }
 
-std::vector<std::string> lines_of(std::string_view text) {
+std::vector<std::string> edited_lines(std::string_view text) {
   std::vector<std::string> lines;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
@@ -49,7 +49,7 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-bool is_header(std::string_view line) { return trimmed(line).starts_with('['); }
+bool is_table_header(std::string_view line) { return trimmed(line).starts_with('['); }
 
 // Returns whether the line is the header of this table, written in one of the usual ways.
 bool is_header_of(std::string_view line, std::string_view program) {
@@ -67,7 +67,7 @@ bool sets(std::string_view line, std::string_view key) {
 
 void set_in_table(std::vector<std::string>& lines, std::size_t header, const ChangedSetting& setting) {
   const auto first = lines.begin() + static_cast<std::ptrdiff_t>(header) + 1;
-  const auto end = std::find_if(first, lines.end(), [](const std::string& line) { return is_header(line); });
+  const auto end = std::find_if(first, lines.end(), [](const std::string& line) { return is_table_header(line); });
   const auto found = std::find_if(first, end, [&](const std::string& line) { return sets(line, setting.key); });
   const std::string text = fmt::format("{} = {}", setting.key, setting.value);
   if (found != end)
@@ -134,7 +134,7 @@ std::string replace(const std::string& named, const std::string& text) {
 
 std::string with_settings(std::string_view text, std::string_view program, std::span<const ChangedSetting> changed,
                           std::span<const core::DrawRule> rules) {
-  std::vector<std::string> lines = lines_of(text);
+  std::vector<std::string> lines = edited_lines(text);
   const std::string table = "program." + toml_key(program);
   if (!changed.empty()) {
     auto header = std::find_if(lines.begin(), lines.end(),
