@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A coarse mesh gives the topology of a surface, a refinement shader its shape. A slab of 136 triangles with four holes
-// becomes a smooth body: each refined vertex moves onto the zero of a function. Then the body twists. Transform feedback
-// reads the drawn triangles back: they form a closed surface, and Euler's formula finds the four holes.
+// becomes a smooth body: each refined vertex moves onto the zero of a function. Then the body twists. Transform
+// feedback reads the drawn triangles back: they form a closed surface, and Euler's formula finds the four holes.
 //
 //   genus_4 [OUT.png [--press e] [--seconds 1]]
 #define GL_GLEXT_PROTOTYPES

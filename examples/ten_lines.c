@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The smallest program of the extension: a bowl of eight triangles, upside down, that becomes round. The lines of draw()
-// are all of it. The rest of the program makes an off-screen context and writes a picture. C99.
+// The smallest program of the extension: a bowl of eight triangles, upside down, that becomes round. The lines of
+// draw() are all of it. The rest of the program makes an off-screen context and writes a picture. C99.
 //
 //   ten_lines OUT.png [DEPTH [wireframe]]     DEPTH 0 leaves it coarse
 #include <GL/gl.h>

@@ -27,7 +27,8 @@ struct Lesson {
   int width = 640, height = 480;  // unless --size says otherwise
 };
 
-// The whole of main(). Without arguments, it opens a window. With --png FILE, or FILE alone, it writes a picture and needs no display.
+// The whole of main(). Without arguments, it opens a window. With --png FILE, or FILE alone, it writes a picture and
+// needs no display.
 //   --size 640x480     of the window or the picture
 //   --press KEYS       presses these keys first
 //   --seconds T        the time that draw() gets for the picture; 0 if not given
@@ -40,7 +41,8 @@ void say(const std::string& line);
 // As printf does.
 [[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
 
-// Runs `draw` without drawing, and returns how many triangles it would draw. Refined triangles count, coarse ones do not.
+// Runs `draw` without drawing, and returns how many triangles it would draw. Refined triangles count, coarse ones do
+// not.
 unsigned count_triangles(const std::function<void()>& draw);
 
 }  // namespace lesson

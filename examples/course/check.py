@@ -28,7 +28,8 @@ import threading
 try:
     from PIL import Image, ImageChops
 except ImportError:
-    print("check: the package python3-pil is missing: scripts/install_packages --course", file=sys.stderr)
+    print(f"check: {sys.executable} has no package python3-pil: scripts/install_packages --course installs it "
+          "for /usr/bin/python3", file=sys.stderr)
     sys.exit(2)
 
 COURSE = pathlib.Path(__file__).resolve().parent
@@ -95,7 +96,7 @@ def picture_of(path: pathlib.Path) -> Image.Image:
 
 
 def visible_difference(one: pathlib.Path, other: pathlib.Path) -> float:
-    """The share of pixels that differ visibly. Halved pictures are compared: the steps of slanted lines do not count."""
+    """The share of pixels that differ visibly. Compares halved pictures: the steps of slanted lines do not count."""
     pictures = [picture_of(path) for path in (one, other)]
     if pictures[0].size != pictures[1].size:
         return 1.0
@@ -114,7 +115,9 @@ def difference_of_files(made: pathlib.Path, expected: pathlib.Path) -> str:
             share = visible_difference(made, expected)
         except Unable as error:
             return str(error)
-        return f"{100 * share:.1f} % of the pixels of {shown_path(made)} differ from {shown_path(expected)}" if share > MOST_VISIBLE else ""
+        if share <= MOST_VISIBLE:
+            return ""
+        return f"{100 * share:.1f} % of the pixels of {shown_path(made)} differ from {shown_path(expected)}"
     return "" if made.read_bytes() == expected.read_bytes() else f"{expected.name} differs"
 
 
@@ -253,7 +256,8 @@ class Lesson:
                 problems += [f"{where}: {problem}" for problem in found]
         unused = {file.name for file in (self.folder / "expected").glob("*")} - made
         pictures = re.findall(r"!\[[^\]]*\]\((expected/[^)]+)\)", "\n".join(self.page))
-        problems += [f"README.md shows {name}, which is missing" for name in pictures if not (self.folder / name).is_file()]
+        problems += [f"README.md shows {name}, which is missing" for name in pictures
+                     if not (self.folder / name).is_file()]
         return problems + [f"expected/{name}: no command of the page makes it" for name in sorted(unused)]
 
     def snippet(self, file: str, name: str) -> list:
@@ -271,7 +275,8 @@ class Lesson:
             match = re.match(SNIPPET, before)
             try:
                 if match and self.snippet(*match.groups()) != self.page[begin:end]:
-                    problems.append(f"README.md:{begin}: the snippet {match.group(2)} is not what {match.group(1)} has; "
+                    file, name = match.groups()
+                    problems.append(f"README.md:{begin}: the snippet {name} is not what {file} has; "
                                     "--update rewrites it")
             except Unable as error:
                 problems.append(f"README.md:{begin - 1}: {error}")
@@ -280,12 +285,23 @@ class Lesson:
     def check_names(self) -> list:
         """The commands that are not run, in blocks without a language, are those of this lesson."""
         number, problems = self.folder.name[:2], []
-        rules = ((r"\blesson_(\d\d)\b", number), (r"\bcheck\.py (\d\d)\b", number), (r"build/demo/course/(\w+)", self.folder.name))
+        rules = ((r"\blesson_(\d\d)\b", number), (r"\bcheck\.py (\d\d)\b", number),
+                 (r"build/demo/course/(\w+)", self.folder.name))
         for begin, end, language, _ in blocks_of(self.page):
             for pattern, wanted in rules if not language else ():
                 problems += [f"README.md:{i + 1}: {found} is another lesson" for i in range(begin, end)
                              for found in re.findall(pattern, self.page[i]) if found != wanted]
         return problems
+
+    def check_lists(self) -> list:
+        """A number and a full stop at the beginning of a line in a list make another list."""
+        blocks = blocks_of(self.page)
+        return [f"README.md:{i + 1}: '{line.split()[0]}' at the beginning of a line begins a list"
+                for i, line in enumerate(self.page) if re.match(r" +\d+\.( |$)", line)
+                and not any(begin <= i < end for begin, end, _, _ in blocks)]
+
+    def check_page(self) -> list:
+        return self.check_names() + self.check_lists() + self.check_snippets() + self.check_commands()
 
     def newer_than_program(self, name: str) -> str:
         """A source of a program that was changed after the program was built, or an empty text."""
@@ -388,8 +404,7 @@ def main() -> int:
         lesson = Lesson(folder, find_build(folder.name, arguments.build))
         if arguments.update:
             lesson.update()
-        problems = (lesson.check_names() + lesson.check_snippets() + lesson.check_commands() if exercise is None
-                    else lesson.check_exercise(exercise))
+        problems = lesson.check_page() if exercise is None else lesson.check_exercise(exercise)
     except (OSError, UnicodeError) as error:
         problems = [str(error)]
     for problem in problems:

@@ -52,8 +52,7 @@ class Checker(unittest.TestCase):
         return check.Lesson(self.folder, self.build)
 
     def problems(self, page=PAGE):
-        lesson = self.lesson(page)
-        return lesson.check_names() + lesson.check_snippets() + lesson.check_commands()
+        return self.lesson(page).check_page()
 
     def test_accepts_a_lesson_as_its_page_says(self):
         self.assertEqual([], self.problems())
@@ -62,9 +61,15 @@ class Checker(unittest.TestCase):
         self.assertIn("snippet", self.problems(PAGE.replace("one();", "two();"))[0])
 
     def test_finds_a_command_of_another_lesson(self):
-        for line in ("scripts/build demo lesson_02", "examples/course/check.py 02 --exercise 1", "cd build/demo/course/02_b"):
+        for line in ("scripts/build demo lesson_02", "examples/course/check.py 02 --exercise 1",
+                     "cd build/demo/course/02_b"):
             self.assertIn("another lesson", self.problems(PAGE + "```\n" + line + "\n```\n")[0])
-        self.assertEqual([], self.problems(PAGE + "```\nscripts/build demo lesson_01\ncd build/demo/course/01_a\n```\n"))
+        page = PAGE + "```\nscripts/build demo lesson_01\ncd build/demo/course/01_a\n```\n"
+        self.assertEqual([], self.problems(page))
+
+    def test_finds_a_number_that_begins_a_list(self):
+        self.assertIn("'3.' at the beginning", self.problems(PAGE + "- as in lesson\n  3. A tag\n")[0])
+        self.assertEqual([], self.problems(PAGE + "3. A tag\n```\n  3. A tag\n```\n"))
 
     def test_finds_a_missing_snippet(self):
         self.assertIn("snippet", self.problems(PAGE.replace("a.cpp draw", "a.cpp count"))[0])
@@ -141,7 +146,8 @@ class Checker(unittest.TestCase):
 
     def test_an_endless_loop_ends(self):
         page = PAGE.replace("./a expected/a.txt\n4 triangles\n$ ", "")
-        for program, text in (("sleep 100", "exercise_1 did not end within 0.5 seconds"), ("yes", "prints without end")):
+        for program, text in (("sleep 100", "exercise_1 did not end within 0.5 seconds"),
+                              ("yes", "prints without end")):
             self.program("exercise_1", program)
             begin = time.monotonic()
             with unittest.mock.patch.object(check, "SECONDS", 0.5 if program != "yes" else 60):
@@ -154,13 +160,15 @@ class Checker(unittest.TestCase):
         self.assertIn("    20\n    ... and 80 more lines\n", problem)
 
     def test_finds_a_snippet_of_a_missing_file(self):
-        self.assertIn("README.md:1: the snippet draw: b.cpp cannot be read", self.problems(PAGE.replace("a.cpp", "b.cpp")))
+        problems = self.problems(PAGE.replace("a.cpp", "b.cpp"))
+        self.assertIn("README.md:1: the snippet draw: b.cpp cannot be read", problems)
 
     def test_finds_commands_that_cannot_be_run(self):
         (self.folder / "b.cpp").write_text("")
         for command, text in (('./a "b', "a quotation mark is missing"), ("", "there is no command"),
                               ("rm b", "there is no program rm"), ("./c", "there is no program ./c"),
-                              ("./b", "scripts/build demo lesson_01"), ("../../bin/glark info", "scripts/build demo lesson_01")):
+                              ("./b", "scripts/build demo lesson_01"),
+                              ("../../bin/glark info", "scripts/build demo lesson_01")):
             problem = self.problems(PAGE + f"```console\n$ {command}\n```\n")[0]
             self.assertIn(f"README.md:12: {command}: ", problem)
             self.assertIn(text, problem)
@@ -185,7 +193,8 @@ class Checker(unittest.TestCase):
 
     def test_adds_a_size_unless_there_is_one(self):
         self.program("a", "echo $*")
-        for command, size in (("./a --png b.png", "--size 320x240"), ("./a --png b.png --size 8x8", "--size 8x8"), ("./a", "")):
+        for command, size in (("./a --png b.png", "--size 320x240"), ("./a --png b.png --size 8x8", "--size 8x8"),
+                              ("./a", "")):
             printed = self.lesson().run(command, self.folder.parent)[0]
             self.assertEqual(" ".join(filter(None, [command[4:], size if size not in command else ""])), printed[0])
 
@@ -272,7 +281,8 @@ class Arguments(unittest.TestCase):
 
 class Python(unittest.TestCase):
     def run_check(self, **variables):
-        return subprocess.run([check.__file__, "--help"], env={**os.environ, **variables}, capture_output=True, text=True)
+        environment = {**os.environ, **variables}
+        return subprocess.run([check.__file__, "--help"], env=environment, capture_output=True, text=True)
 
     def test_uses_the_python_of_the_packages(self):
         with tempfile.TemporaryDirectory() as place:

@@ -34,7 +34,8 @@ def press_keys(program: str) -> int:
         window = wait_for("a window", lambda: xdotool("search", "--name", TITLE).partition("\n")[0])
         wait_for("the first frame", lambda: "depth 0: 1 triangles" in xdotool("getwindowname", window))
         xdotool("windowfocus", "--sync", window)
-        for key, title in (("d", "depth 1: 4 triangles"), ("d", "depth 2: 16 triangles"), ("s", "depth 1: 4 triangles")):
+        for key, title in (("d", "depth 1: 4 triangles"), ("d", "depth 2: 16 triangles"),
+                           ("s", "depth 1: 4 triangles")):
             xdotool("key", key)
             wait_for(title, lambda: title in xdotool("getwindowname", window))
         xdotool("key", "q")
@@ -45,4 +46,5 @@ def press_keys(program: str) -> int:
 
 if sys.argv[1] == "--here":
     sys.exit(press_keys(sys.argv[2]))
-sys.exit(subprocess.run([sys.executable, WITH_DISPLAY, "--", sys.executable, __file__, "--here", sys.argv[1]]).returncode)
+again = [sys.executable, __file__, "--here", sys.argv[1]]
+sys.exit(subprocess.run([sys.executable, WITH_DISPLAY, "--", *again]).returncode)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Makes the course a site and a book: course.py OUTPUT [--site] [--pdf].
 
-The pages of examples/course are copied to OUTPUT/pages, with the pages of docs/ that they link to. Sources become pages,
-too. mkdocs makes OUTPUT/site of the copies, WeasyPrint OUTPUT/course.pdf. Both need no network.
+The pages of examples/course are copied to OUTPUT/pages, with the pages of docs/ that they link to. Sources become
+pages, too. mkdocs makes OUTPUT/site of the copies, WeasyPrint OUTPUT/course.pdf. Both need no network.
 """
 import argparse
 import os
@@ -135,7 +135,7 @@ def make_site(output: pathlib.Path) -> None:
 PRINT = """
 @page { size: A4; margin: 22mm 20mm; @bottom-center { content: counter(page); font: 9pt sans-serif; color: #666; } }
 @page :first { @bottom-center { content: none; } }
-body { font: 10.5pt/1.45 "DejaVu Serif", serif; color: #1c1c1c; }
+body { font: 10pt/1.4 "DejaVu Serif", serif; color: #1c1c1c; }
 h1, h2, th { font-family: "DejaVu Sans", sans-serif; }
 h1 { font-size: 21pt; color: #1f3d6d; margin: 0 0 8mm; }
 h2 { font-size: 13pt; color: #1f3d6d; margin: 7mm 0 2mm; break-after: avoid; }
@@ -148,12 +148,15 @@ section { break-before: page; }
 a { color: #1f3d6d; text-decoration: none; }
 code { font: 8.6pt "DejaVu Sans Mono", monospace; }
 pre { background: #f4f5f7; border-left: 2pt solid #9db3d4; padding: 2mm 3mm; white-space: pre-wrap; }
+pre code { font-size: 7.2pt; }
 table { border-collapse: collapse; margin: 3mm 0; break-inside: avoid; }
 td, th { border: .4pt solid #c4c8ce; padding: 1.2mm 2mm; vertical-align: top; text-align: left; font-size: 9.5pt; }
 th { background: #edf1f7; }
-img { max-width: 60mm; }
+img { max-width: 50mm; }
 .pictures { table-layout: fixed; width: 100%; }
-.pictures img { width: 100%; max-width: 78mm; }
+.pictures img { width: 100%; max-width: 60mm; }
+.exercise { break-after: avoid; }
+.picture { break-before: avoid; }
 """
 
 
@@ -168,6 +171,8 @@ def section_of(page: pathlib.Path, sections: dict) -> str:
     html = markdown.markdown(page_text(page, rewrite), extensions=["tables", "fenced_code", "codehilite"],
                              extension_configs={"codehilite": {"guess_lang": False}})
     html = re.sub(r"<table>(?=(?:(?!</table>).)*<img)", '<table class="pictures">', html, flags=re.DOTALL)
+    html = re.sub(r"<p>(?=<strong>\d+\.</strong>)", '<p class="exercise">', html)  # stays with its command
+    html = re.sub(r"<p>(?=<img)", '<p class="picture">', html)
     html = re.sub(r"<p>The solutions: .*?</p>", "", html)  # students solve first
     html = re.sub(r'href="#[^"]*"', lambda m: m.group(0) if m.group(0)[7:-1] in sections.values() else "", html)
     return f'<section id="{sections[page]}">{html}</section>'

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Solution 2: interior (n - 3)^2, and from n - 3 inner segments to the 2^a of an edge: 2^a + n - 3 triangles, for each edge.
+// Solution 2: interior (n - 3)^2, and from n - 3 inner segments to the 2^a of an edge: 2^a + n - 3 triangles, for each
+// edge.
 #include "examples/common/lesson.h"
 
 #include <GL/gl.h>
@@ -51,5 +52,5 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 2", .keys = {}, .begin = begin, .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 2, solution 2", .keys = {}, .begin = begin, .draw = draw});
 }

@@ -39,5 +39,5 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 2", .keys = {}, .begin = begin, .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 2, solution 3", .keys = {}, .begin = begin, .draw = draw});
 }

@@ -33,5 +33,5 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 3", .keys = {}, .begin = hill::begin, .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 3, exercise 2", .keys = {}, .begin = hill::begin, .draw = draw});
 }

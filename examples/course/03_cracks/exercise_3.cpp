@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Exercise 3: the T-vertex is at z = 0.3, not in the middle of the edge. Which tags close this crack? If none do, change the triangles.
+// Exercise 3: the T-vertex is at z = 0.3, not in the middle of the edge. Which tags close this crack? If none do,
+// change the triangles.
 #include "examples/course/03_cracks/hill.h"
 
 namespace {
@@ -31,5 +32,5 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 3", .keys = {}, .begin = hill::begin, .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 3, exercise 3", .keys = {}, .begin = hill::begin, .draw = draw});
 }

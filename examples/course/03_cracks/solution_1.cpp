@@ -32,5 +32,5 @@ void draw(double) { lesson::say("%s", hill::draw(mesh)); }
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 3", .keys = {}, .begin = hill::begin, .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 3, solution 1", .keys = {}, .begin = hill::begin, .draw = draw});
 }

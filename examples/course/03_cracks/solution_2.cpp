@@ -37,5 +37,5 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 3", .keys = {}, .begin = hill::begin, .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 3, solution 2", .keys = {}, .begin = hill::begin, .draw = draw});
 }

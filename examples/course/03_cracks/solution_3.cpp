@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Solution 3: no tag puts a vertex at z = 0.3. The left side needs this vertex, too, and then both sides have the same edges.
+// Solution 3: no tag puts a vertex at z = 0.3. The left side needs this vertex, too, and then both sides have the same
+// edges.
 #include "examples/course/03_cracks/hill.h"
 
 namespace {
@@ -34,5 +35,5 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 3", .keys = {}, .begin = hill::begin, .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 3, solution 3", .keys = {}, .begin = hill::begin, .draw = draw});
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Lesson 4: where depth tags come from. Four ways to choose them for a coarse terrain: all alike, by distance, by the bend
-// of the surface within a budget, or measured on the graphics card.
+// Lesson 4: where depth tags come from. Four ways to choose them for a coarse terrain: all alike, by distance, by the
+// bend of the surface within a budget, or measured on the graphics card.
 #include "examples/common/lesson.h"
 
 #include <GL/gl.h>

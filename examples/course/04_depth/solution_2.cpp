@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Solution 2: lower all tags by the same amount until the triangles fit the budget. keep_budget does so with fewer draws.
+// Solution 2: lower all tags by the same amount until the triangles fit the budget. keep_budget does so with fewer
+// draws.
 #include "examples/common/lesson.h"
 
 #include <GL/gl.h>
@@ -72,5 +73,5 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 4", .keys = {}, .begin = begin, .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 4, solution 2", .keys = {}, .begin = begin, .draw = draw});
 }

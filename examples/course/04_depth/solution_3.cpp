@@ -44,5 +44,5 @@ void draw(double) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return lesson::run(argc, argv, {.title = "Lesson 4", .keys = {}, .begin = begin, .draw = draw});
+  return lesson::run(argc, argv, {.title = "Lesson 4, solution 3", .keys = {}, .begin = begin, .draw = draw});
 }

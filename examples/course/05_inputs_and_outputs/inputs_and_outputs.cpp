@@ -85,8 +85,8 @@ int main(int argc, char** argv) {
                      {.title = "Lesson 5, outputs (left) and inputs (right)",
                       .keys = {{'d', "one level deeper", [] { depth = depth < deepest ? depth + 1 : depth; }},
                                {'s', "one level shallower", [] { depth = depth > 0 ? depth - 1 : depth; }},
-                               {'w', "waves on or off", [] { wave = wave == 0 ? 0.12F : 0; }},
-                               {'e', "edges on or off", [] { edges = !edges; }}},
+                               {'v', "waves on or off", [] { wave = wave == 0 ? 0.12F : 0; }},
+                               {'w', "wireframe", [] { edges = !edges; }}},
                       .begin = begin,
                       .draw = draw});
 }

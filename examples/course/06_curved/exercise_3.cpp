@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Exercise 3 of lesson 6: hard edges by angle. A cut stone is rounded everywhere. Faces that meet at more than 60 degrees
-// should keep a hard edge.
+// Exercise 3 of lesson 6: hard edges by angle. A cut stone is rounded everywhere. Faces that meet at more than 60
+// degrees should keep a hard edge.
 #include <GL/gl.h>
 
 #include <GL/glark.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Exercise 1 of lesson 9: measure. The two balls far away get as many triangles as the ball in front. Let the extension measure:
-// no segment of an edge should be longer than 8 pixels.
+// Exercise 1 of lesson 9: measure. The two balls far away get as many triangles as the ball in front. Let the extension
+// measure: no segment of an edge should be longer than 8 pixels.
 #include <GL/gl.h>
 
 #include <GL/glark.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Lesson 10, project 1: a character of blocks, subdivided while it is drawn. In every frame, glark-qas computes one step
-// of Loop's scheme for the coarse mesh; a refinement shader fits quadratic patches to the result.
+// Lesson 10, project 1: a character of blocks, subdivided while it is drawn. In every frame, glark-qas computes one
+// step of Loop's scheme for the coarse mesh; a refinement shader fits quadratic patches to the result.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Exercise 1 of lesson 10: a letter to bake. The blocks of a letter become one soft shape. Its front and its back should
-// be flat with hard edges, as if cut out with a form; its outline stays round.
+// Exercise 1 of lesson 10: a letter to bake. The blocks of a letter become one soft shape. Its front and its back
+// should be flat with hard edges, as if cut out with a form; its outline stays round.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
