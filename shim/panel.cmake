@@ -40,6 +40,7 @@ function(glark_add_panel target)
     input/x11_input.cpp
     input/x11_keymap.cpp
     input/xcb_functions.cpp
+    panel/assertions.cpp
     panel/draw_list_view.cpp
     panel/draw_switch.cpp
     panel/egl_context.cpp
@@ -53,4 +54,5 @@ function(glark_add_panel target)
   target_compile_definitions(${target} PRIVATE GLARK_PANEL=1)
   target_include_directories(${target} SYSTEM PRIVATE ${GLARK_IMGUI_FOLDER} ${GLARK_XCB_FOLDER} ${GLARK_WAYLAND_FOLDER})
   target_link_libraries(${target} PRIVATE ${GLARK_IMGUI_LIBRARIES})
+  target_link_options(${target} PRIVATE LINKER:--wrap=__assert_fail)  # panel/assertions.h
 endfunction()

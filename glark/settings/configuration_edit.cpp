@@ -93,7 +93,7 @@ bool means(const std::string& text, const std::string& before, const std::string
   std::size_t problems = 0;
   meaning_of(before, program, old_problems);
   const std::optional<core::ContextOptions> read = meaning_of(text, program, problems);
-  if (problems > old_problems) return false;
+  if (problems > old_problems || (is_toml(before) && !is_toml(text))) return false;
   Settings expected;
   expected.context = *read;
   for (const ChangedSetting& setting : changed) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "shim/linker/dynamic_linker.h"
+#include "shim/report/options.h"
 
 namespace glark::shim {
 namespace {
@@ -21,11 +22,18 @@ struct EglDisplay {
   void* native = nullptr;
 };
 
+struct EglSurface {
+  std::uintptr_t native = 0;
+  std::uint64_t number = 0;
+};
+
 struct Windows {
   std::mutex mutex;
   std::map<void*, EglDisplay> displays;
-  std::map<std::pair<void*, void*>, std::uintptr_t> surfaces;  // by display and surface
+  std::map<std::pair<void*, void*>, EglSurface> surfaces;  // by display and surface
+  std::uint64_t surfaces_made = 0;
   std::map<unsigned long, unsigned long> glx_windows;          // by drawable
+  std::map<void*, unsigned long> glx_visuals;                  // by context
 };
 
 // Never destroyed, because programs draw from their exit handlers.
@@ -69,17 +77,18 @@ NativeWindow window_of_egl(const Surface& surface) {
   Windows& all = windows();
   const std::lock_guard lock(all.mutex);
   const auto display = all.displays.find(surface.display);
-  const auto native = all.surfaces.find({surface.display, surface.drawable});
+  const auto found = all.surfaces.find({surface.display, surface.drawable});
   NativeWindow window;
-  if (display == all.displays.end() || native == all.surfaces.end() || native->second == 0) return window;
+  if (display == all.displays.end() || found == all.surfaces.end() || found->second.native == 0) return window;
+  window.number = found->second.number;
   if (display->second.platform == platform_wayland) {
     window.system = NativeWindow::System::wayland;
     window.wayland_display = display->second.native;
-    window.wayland_surface = wayland_surface_of(native->second);
+    window.wayland_surface = wayland_surface_of(found->second.native);
     if (window.wayland_display == nullptr) window.system = NativeWindow::System::none;  // EGL's own connection
   } else if (display->second.platform == platform_x11 || display->second.platform == platform_xcb) {
     window.system = NativeWindow::System::x11;
-    window.x11_window = static_cast<std::uint32_t>(native->second);
+    window.x11_window = static_cast<std::uint32_t>(found->second.native);
   }
   return window;
 }
@@ -100,7 +109,7 @@ NativeWindow window_of_glx(const Surface& surface) {
 }  // namespace
 
 void note_egl_display(unsigned platform, void* native, void* display) {
-  if (display == nullptr) return;
+  if (display == nullptr || !wants_keys()) return;
   const unsigned guessed = is_wayland(native) ? platform_wayland : platform_x11;
   Windows& all = windows();
   const std::lock_guard lock(all.mutex);
@@ -108,18 +117,37 @@ void note_egl_display(unsigned platform, void* native, void* display) {
 }
 
 void note_egl_window(void* display, void* native, bool indirect, void* surface) {
-  if (surface == nullptr) return;
+  if (surface == nullptr || !wants_keys()) return;
   Windows& all = windows();
   const std::lock_guard lock(all.mutex);
   const auto found = all.displays.find(display);
   const unsigned platform = found != all.displays.end() ? found->second.platform : 0;
-  all.surfaces[{display, surface}] = direct(platform, native, indirect);
+  all.surfaces[{display, surface}] = {direct(platform, native, indirect), ++all.surfaces_made};
 }
 
 void note_glx_window(unsigned long window, unsigned long drawable) {
+  if (!wants_keys()) return;
   Windows& all = windows();
   const std::lock_guard lock(all.mutex);
   all.glx_windows[drawable] = window;
+}
+
+void note_glx_visual(void* context, const void* visual) {
+  if (context == nullptr || !wants_keys()) return;
+  struct VisualInfo {  // the beginning of XVisualInfo (X11/Xutil.h)
+    void* visual;
+    unsigned long id;
+  };
+  Windows& all = windows();
+  const std::lock_guard lock(all.mutex);
+  all.glx_visuals[context] = visual != nullptr ? static_cast<const VisualInfo*>(visual)->id : 0;
+}
+
+unsigned long glx_visual_of(void* context) {
+  Windows& all = windows();
+  const std::lock_guard lock(all.mutex);
+  const auto found = all.glx_visuals.find(context);
+  return found != all.glx_visuals.end() ? found->second : 0;
 }
 
 NativeWindow native_window_of(Provider provider, const Surface& surface) {

@@ -12,8 +12,10 @@ namespace {
 
 const char* text(const GLubyte* name) { return reinterpret_cast<const char*>(name); }
 
-void* glx_created(void* context, void* share) {
+// `visual`: null for a context that is made for a configuration.
+void* glx_created(void* context, void* share, const void* visual = nullptr) {
   context_created(Provider::glx, context, share);
+  note_glx_visual(context, visual);
   return context;
 }
 
@@ -40,7 +42,7 @@ GLARK_EXPORT GlxProc glXGetProcAddressARB(const GLubyte* name) {
 }
 
 GLARK_EXPORT void* glXCreateContext(void* display, void* visual, void* share, int direct) {
-  return glx_created(GLARK_REAL(glXCreateContext)(display, visual, share, direct), share);
+  return glx_created(GLARK_REAL(glXCreateContext)(display, visual, share, direct), share, visual);
 }
 
 GLARK_EXPORT void* glXCreateNewContext(void* display, void* config, int type, void* share, int direct) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "glark/settings/settings.h"
+#include "shim/report/options.h"
 
 namespace glark::shim {
 namespace {
@@ -37,7 +38,7 @@ std::vector<std::string> command_for(const std::string& file, Size size) {
 }
 
 bool is_in_path(std::string_view program) {
-  std::string_view folders = settings::find_variable(environ, "PATH").value_or("/usr/bin:/bin");
+  std::string_view folders = settings::find_variable(first_environment(), "PATH").value_or("/usr/bin:/bin");
   while (!folders.empty()) {
     const std::size_t colon = folders.find(':');
     if (access(fmt::format("{}/{}", folders.substr(0, colon), program).c_str(), X_OK) == 0) return true;
@@ -49,8 +50,8 @@ bool is_in_path(std::string_view program) {
 // glark itself must not be preloaded into ffmpeg.
 std::vector<char*> environment_of_ffmpeg() {
   std::vector<char*> variables;
-  for (char** entry = environ; *entry != nullptr; ++entry)
-    if (!std::string_view(*entry).starts_with("LD_PRELOAD=")) variables.push_back(*entry);
+  for (const char* const* entry = first_environment(); *entry != nullptr; ++entry)
+    if (!std::string_view(*entry).starts_with("LD_PRELOAD=")) variables.push_back(const_cast<char*>(*entry));
   variables.push_back(nullptr);
   return variables;
 }

@@ -43,7 +43,7 @@ class WaylandInput final : public InputSource {
 
   bool open();
   void poll(std::vector<InputEvent>& events) override;
-  void share(const InputShare&) override {}
+  void share(const InputShare& share) override;
   bool gone() const override { return false; }  // a key of another surface counts, too
 
  private:
@@ -66,6 +66,7 @@ class WaylandInput final : public InputSource {
   wl_proxy* seat_ = nullptr;
   wl_proxy* keyboard_ = nullptr;
   wl_proxy* pointer_ = nullptr;
+  bool has_pointer_ = false;   // the seat
   bool pointer_here_ = false;
   bool shift_ = false;
   float x_ = 0;
@@ -174,9 +175,18 @@ void WaylandInput::use_seat(std::uint32_t capabilities) {
     keyboard_ = make(seat_, WL_SEAT_GET_KEYBOARD, wayland_.keyboard_interface);
     if (keyboard_ != nullptr) wayland_.wl_proxy_add_listener_(keyboard_, functions_of(keyboard_listener), this);
   }
-  if ((capabilities & WL_SEAT_CAPABILITY_POINTER) != 0 && pointer_ == nullptr) {
+  has_pointer_ = (capabilities & WL_SEAT_CAPABILITY_POINTER) != 0;
+}
+
+// While the panel is closed we have no pointer: its events would pile up if the window shows no frames.
+void WaylandInput::share(const InputShare& share) {
+  if (share.pointer && has_pointer_ && pointer_ == nullptr) {
     pointer_ = make(seat_, WL_SEAT_GET_POINTER, wayland_.pointer_interface);
     if (pointer_ != nullptr) wayland_.wl_proxy_add_listener_(pointer_, functions_of(pointer_listener), this);
+    wayland_.wl_display_flush_(display_);
+  } else if (!share.pointer && pointer_ != nullptr) {
+    wayland_.wl_proxy_destroy_(std::exchange(pointer_, nullptr));
+    pointer_here_ = false;
   }
 }
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "shim/live/live_settings.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -64,7 +62,7 @@ void toggle_refinement() {
 }
 
 void read_settings_again() {
-  settings::Parsed parsed = settings::parse(environ, program_names());
+  settings::Parsed parsed = settings::parse(first_environment(), program_names());
   Live& all = live();
   const std::lock_guard lock(all.mutex);
   tell_new_problems(all, parsed.problems);

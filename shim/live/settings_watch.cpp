@@ -72,7 +72,7 @@ FileVersion version_of(const std::string& file) {
   return {status.st_dev, status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 
-FileVersion configuration_version() { return version_of(settings::find_configuration(environ)); }
+FileVersion configuration_version() { return version_of(settings::find_configuration(first_environment())); }
 
 struct Watch {
   std::mutex mutex;
@@ -82,7 +82,7 @@ struct Watch {
 
 Watch& watch() {
   static Watch& instance = *[] {
-    if (options().overlay || options().toggle_key != nullptr) install_hang_up();
+    if (wants_keys()) install_hang_up();
     return new Watch;
   }();
   return instance;

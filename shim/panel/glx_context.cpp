@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include "shim/contexts/native_windows.h"
 #include "shim/linker/dynamic_linker.h"
 #include "shim/names/real_functions.h"
 #include "shim/panel/panel_context.h"
@@ -11,23 +12,26 @@ namespace {
 constexpr int glx_fbconfig_id = 0x8013;
 constexpr int glx_rgba_type = 0x8014;
 constexpr int glx_screen = 0x800C;
+constexpr int glx_visual_id = 0x800B;
 
 struct GlxFunctions {
   int (*query_context)(void*, void*, int, int*);
-  void** (*choose_config)(void*, int, const int*, int*);
+  void** (*configs)(void*, int, int*);
+  int (*get_config)(void*, void*, int, int*);
   int (*is_direct)(void*, void*);
   GlxDrawable (*current_read_drawable)();
   int (*free)(void*);
 
   bool complete() const {
-    return query_context != nullptr && choose_config != nullptr && is_direct != nullptr &&
+    return query_context != nullptr && configs != nullptr && get_config != nullptr && is_direct != nullptr &&
            current_read_drawable != nullptr && free != nullptr;
   }
 };
 
 GlxFunctions find_functions() {
   return {find_function<decltype(GlxFunctions::query_context)>("glXQueryContext"),
-          find_function<decltype(GlxFunctions::choose_config)>("glXChooseFBConfig"),
+          find_function<decltype(GlxFunctions::configs)>("glXGetFBConfigs"),
+          find_function<decltype(GlxFunctions::get_config)>("glXGetFBConfigAttrib"),
           find_function<decltype(GlxFunctions::is_direct)>("glXIsDirect"),
           find_function<decltype(GlxFunctions::current_read_drawable)>("glXGetCurrentReadDrawable"),
           reinterpret_cast<decltype(GlxFunctions::free)>(symbol_of_loaded("libX11.so", "XFree"))};
@@ -54,21 +58,34 @@ class GlxPanelContext final : public PanelContext {
   GlxDrawable read_ = 0;
 };
 
-// The configuration of the program's context fits the window for sure.
-void* create_like(const GlxFunctions& glx, void* display, void* program) {
-  int id = 0;
+int value_of(const GlxFunctions& glx, void* display, void* config, int name) {
+  int value = 0;
+  glx.get_config(display, config, name, &value);
+  return value;
+}
+
+// The configuration of the program's context fits the window for sure. Mesa names none for a context that was made for a
+// visual; then it is the one that has this visual.
+void* find_config(const GlxFunctions& glx, void* display, void* program) {
+  const auto visual = static_cast<int>(glx_visual_of(program));
+  const int name = visual != 0 ? glx_visual_id : glx_fbconfig_id;
+  int wanted = visual;
   int screen = 0;
-  glx.query_context(display, program, glx_fbconfig_id, &id);
-  glx.query_context(display, program, glx_screen, &screen);
-  const int wanted[] = {glx_fbconfig_id, id, 0};
   int count = 0;
-  void** const configs = id != 0 ? glx.choose_config(display, screen, wanted, &count) : nullptr;
-  if (configs == nullptr) return nullptr;
-  void* own = nullptr;
-  if (count > 0)
-    own = GLARK_REAL(glXCreateNewContext)(display, configs[0], glx_rgba_type, nullptr, glx.is_direct(display, program));
-  glx.free(configs);
-  return own;
+  if (visual == 0) glx.query_context(display, program, glx_fbconfig_id, &wanted);
+  glx.query_context(display, program, glx_screen, &screen);
+  void** const configs = glx.configs(display, screen, &count);
+  void* found = nullptr;
+  for (int i = 0; i < count && found == nullptr; ++i)
+    if (value_of(glx, display, configs[i], name) == wanted) found = configs[i];
+  if (configs != nullptr) glx.free(configs);
+  return found;
+}
+
+void* create_like(const GlxFunctions& glx, void* display, void* program) {
+  void* const config = find_config(glx, display, program);
+  if (config == nullptr) return nullptr;
+  return GLARK_REAL(glXCreateNewContext)(display, config, glx_rgba_type, nullptr, glx.is_direct(display, program));
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ namespace {
 struct OverlayWindow {
   Provider provider = Provider::glx;
   Surface surface;
+  std::uint64_t number = 0;  // of its NativeWindow
   std::unique_ptr<InputSource> input;  // null: there are no keys in this window
 };
 
@@ -43,11 +44,6 @@ Overlay& overlay() {
   return instance;
 }
 
-bool wanted() {
-  static const bool answer = options().context.transparent && (options().overlay || options().toggle_key != nullptr);
-  return answer;
-}
-
 std::unique_ptr<InputSource> open_input(const NativeWindow& window) {
   const WantedKeys keys{options().overlay ? options().overlay_key : nullptr, options().toggle_key};
   if (window.system == NativeWindow::System::x11)
@@ -58,10 +54,19 @@ std::unique_ptr<InputSource> open_input(const NativeWindow& window) {
   return nullptr;
 }
 
+void close_panel(Overlay& all) {
+  if (all.shown_in->input != nullptr) all.shown_in->input->share({});
+  all.shown_in = nullptr;
+  all.panel.closed();
+}
+
 // The name of a window may be used again for another one.
-void forget_gone(Overlay& all) {
+void forget_gone(Overlay& all, const NativeWindow& current) {
+  const Surface surface = current_surface();
   std::erase_if(all.windows, [&](const std::unique_ptr<OverlayWindow>& window) {
-    const bool gone = window->input != nullptr && window->input->gone();
+    const bool renamed = window->provider == current_provider() && window->surface == surface &&
+                         window->number != current.number;
+    const bool gone = renamed || (window->input != nullptr && window->input->gone());
     if (gone && all.shown_in == window.get()) {
       all.shown_in = nullptr;
       all.panel.closed();
@@ -70,27 +75,20 @@ void forget_gone(Overlay& all) {
   });
 }
 
-OverlayWindow* find_window(Overlay& all) {
+OverlayWindow* find_window(Overlay& all, const NativeWindow& native) {
   const Surface surface = current_surface();
   for (const std::unique_ptr<OverlayWindow>& window : all.windows)
-    if (window->provider == current_provider() && window->surface.display == surface.display &&
-        window->surface.drawable == surface.drawable)
-      return window.get();
+    if (window->provider == current_provider() && window->surface == surface) return window.get();
   if (all.windows.size() >= most_windows) return nullptr;
   auto window = std::make_unique<OverlayWindow>();
   window->provider = current_provider();
   window->surface = surface;
-  window->input = open_input(native_window_of(current_provider(), surface));
+  window->number = native.number;
+  window->input = open_input(native);
   if (window->input == nullptr)
     core::log(core::LogLevel::warning, "this window gives no keys: the panel and --toggle-key do not work in it");
   all.windows.push_back(std::move(window));
   return all.windows.back().get();
-}
-
-void close_panel(Overlay& all) {
-  if (all.shown_in->input != nullptr) all.shown_in->input->share({});
-  all.shown_in = nullptr;
-  all.panel.closed();
 }
 
 void follow_key(Overlay& all, OverlayWindow& window, const InputEvent& event) {
@@ -117,8 +115,9 @@ void follow_events(Overlay& all, OverlayWindow& window) {
 }
 
 void run_frame(Overlay& all, core::Context& context) {
-  forget_gone(all);
-  OverlayWindow* const window = find_window(all);
+  const NativeWindow native = native_window_of(current_provider(), current_surface());
+  forget_gone(all, native);
+  OverlayWindow* const window = find_window(all, native);
   if (window == nullptr || window->input == nullptr) return;
   follow_events(all, *window);
   if (all.shown_in != window) return;
@@ -131,7 +130,7 @@ void run_frame(Overlay& all, core::Context& context) {
 }  // namespace
 
 void overlay_frame(core::Context& context) {
-  if (!wanted() || current_is_offscreen()) return;
+  if (!wants_keys() || current_is_offscreen()) return;
   Overlay& all = overlay();
   const std::lock_guard lock(all.mutex);
   if (all.failed) return;
@@ -140,6 +139,7 @@ void overlay_frame(core::Context& context) {
   } catch (const std::exception& error) {
     all.failed = true;
     core::log(core::LogLevel::error, std::string("the panel is closed: ") + error.what());
+    if (all.shown_in != nullptr) close_panel(all);
   }
 }
 

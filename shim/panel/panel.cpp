@@ -3,10 +3,9 @@
 #include "shim/panel/panel.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "glark/core/report/log.h"
@@ -14,6 +13,7 @@
 #include "glark/settings/configuration_edit.h"
 #include "shim/contexts/thread.h"
 #include "shim/live/live_settings.h"
+#include "shim/panel/assertions.h"
 #include "shim/panel/draw_switch.h"
 #include "shim/report/options.h"
 
@@ -34,77 +34,96 @@ class ImGuiScope {
   ImGuiContext* before_;
 };
 
+// During its lifetime, our context is current, if the window system allows it.
+class InOurContext {
+ public:
+  InOurContext(PanelContext* context, const Surface& surface)
+      : context_(context != nullptr && context->enter(surface) ? context : nullptr) {}
+  ~InOurContext() {
+    if (context_ != nullptr) context_->leave();
+  }
+  InOurContext(const InOurContext&) = delete;
+  InOurContext& operator=(const InOurContext&) = delete;
+  explicit operator bool() const { return context_ != nullptr; }
+
+ private:
+  PanelContext* context_;
+};
+
 void complain(std::string_view reason) {
   core::log(core::LogLevel::warning, fmt::format("the panel cannot be shown in this window: {}", reason));
 }
 
 }  // namespace
 
-Panel::~Panel() {
-  if (imgui_ != nullptr) ImGui::DestroyContext(imgui_);
-}
-
+// Dear ImGui's texture, colours and keys, once.
 void Panel::start_imgui() {
-  ImGuiContext* const before = ImGui::GetCurrentContext();
   imgui_ = ImGui::CreateContext();
-  ImGui::SetCurrentContext(imgui_);
+  const ImGuiScope scope(imgui_);
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // no file in the program's folder
   io.LogFilename = nullptr;
-  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  PanelInput::start();
   ImGui::StyleColorsDark();
   ImGui::GetStyle().WindowRounding = 4;
   ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.92F;
-  ImGui::SetCurrentContext(before);
   model_.title = fmt::format("glark: {}", program_names().empty() ? "program" : program_names().back());
-  model_.file = settings::writable_configuration(environ);
+  model_.file = settings::writable_configuration(first_environment());
 }
 
-// Makes our context current, anew if the program has another context in this window.
-bool Panel::prepare(const Surface& surface) {
-  if (imgui_ == nullptr) start_imgui();
-  const bool fresh = program_context_ != current_number();
-  if (fresh) {
-    renderer_ = nullptr;
-    context_ = make_panel_context(current_provider(), current_native(), surface);
-    program_context_ = current_number();
+// What draws for the program's current context; null: nothing can.
+Panel::Drawer* Panel::drawer_for(const Surface& surface) {
+  const auto found = drawers_.find(current_number());
+  if (found != drawers_.end()) return found->second.renderer != nullptr ? &found->second : nullptr;
+  if (drawers_.size() >= most_drawers) return nullptr;
+  Drawer& drawer = drawers_[current_number()];
+  drawer.context = make_panel_context(current_provider(), current_native(), surface);
+  const InOurContext current(drawer.context.get(), surface);
+  if (!current) {
+    complain("the window system gives no second context for it");
+    return nullptr;
   }
-  if (context_ == nullptr || !context_->enter(surface)) {
-    if (fresh) complain("the window system gives no second context for it");
-    return false;
-  }
-  if (!fresh) return true;
-  const ImGuiScope scope(imgui_);
   auto renderer = std::make_unique<PanelRenderer>(dispatch_of(current_provider()));
-  if (renderer->start()) {
-    renderer_ = std::move(renderer);
-    return true;
+  if (!renderer->start()) {
+    complain("OpenGL refuses its shaders");
+    return nullptr;
   }
-  complain("OpenGL refuses its shaders");
-  context_->leave();
-  context_ = nullptr;
-  return false;
+  drawer.renderer = std::move(renderer);
+  return &drawer;
 }
 
 bool Panel::draw(core::Context& context, const Surface& surface) {
+  PanelAnswer answer;
+  bool drawn = false;
   size_ = current_size();
   if (size_.width <= 0 || size_.height <= 0) return true;
   if (!before_) before_ = live_options();
   fill_model(context);
   take_pick();
-  if (!prepare(surface)) return false;
+  if (!survives_assertions([&] { drawn = draw_imgui(surface, answer); }))
+    throw std::runtime_error("an assertion of Dear ImGui failed: " + failed_assertion());
+  if (!drawn) return false;
+  follow(answer);
+  return !wants_close_;
+}
+
+bool Panel::draw_imgui(const Surface& surface, PanelAnswer& answer) {
+  if (imgui_ == nullptr) start_imgui();
   const ImGuiScope scope(imgui_);
+  const Drawer* const drawer = drawer_for(surface);
+  if (drawer == nullptr) return false;
+  const InOurContext current(drawer->context.get(), surface);
+  if (!current) return false;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = ImVec2(static_cast<float>(size_.width), static_cast<float>(size_.height));
-  io.DeltaTime = std::clamp(static_cast<float>(model_.figures.ms) / 1000, 0.001F, 1.0F);
+  io.DeltaTime = model_.figures.ms > 1 ? std::min(static_cast<float>(model_.figures.ms) / 1000, 1.0F) : 0.001F;
   input_.feed();
   ImGui::NewFrame();
-  const PanelAnswer answer = show_panel(model_);
+  answer = show_panel(model_);
   ImGui::Render();
-  renderer_->draw(*ImGui::GetDrawData(), size_);
-  context_->leave();
-  follow(answer, size_);
-  return !wants_close_;
+  drawer->renderer->draw(*ImGui::GetDrawData(), size_);
+  return true;
 }
 
 void Panel::fill_model(const core::Context& context) {
@@ -131,24 +150,19 @@ void Panel::change(const core::ContextOptions& wanted) {
   change_live([&](core::ContextOptions& options) { options = wanted; });
 }
 
-void Panel::follow(const PanelAnswer& answer, Size size) {
+void Panel::follow(const PanelAnswer& answer) {
   area_ = answer.area;
   wants_close_ = answer.wants_close;
   core::LiveView& view = model_.options.live;
-  bool changed = answer.options_changed || !view.counts_classes;
+  const core::LiveView before = view;
   view.counts_classes = true;
-  const std::array window{static_cast<unsigned>(size.width), static_cast<unsigned>(size.height)};
-  changed = changed || view.window != window;
-  view.window = window;
-  const bool clicked = model_.picking && ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse;
-  if (clicked) {
-    const ImVec2 at = ImGui::GetIO().MousePos;
-    view.pixel = {static_cast<int>(at.x), size.height - 1 - static_cast<int>(at.y)};
+  view.window = {static_cast<unsigned>(size_.width), static_cast<unsigned>(size_.height)};
+  if (answer.picked) {
+    view.pixel = answer.picked;
     frames_to_pick_ = 1;
-    changed = true;
   }
-  model_.picking = (model_.picking && !clicked) != answer.wants_pick;
-  if (changed) change(model_.options);
+  model_.picking = (model_.picking && !answer.picked) != answer.wants_pick;
+  if (answer.options_changed || view != before) change(model_.options);
   if (answer.wants_write) write();
 }
 

@@ -6,10 +6,10 @@
 
 #include <imgui.h>
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "glark/core/context.h"
 #include "shim/contexts/contexts.h"
@@ -23,13 +23,8 @@ namespace glark::shim {
 
 class Panel {
  public:
-  Panel() = default;
-  ~Panel();
-  Panel(const Panel&) = delete;
-  Panel& operator=(const Panel&) = delete;
-
-  // Draws the panel over the frame of the current context, which shows `surface`. False: it cannot be drawn here, and
-  // is closed.
+  // Draws the panel over the frame of the current context, which shows `surface`. False: it cannot be drawn here, or the
+  // user closes it. Throws std::exception if it cannot be drawn any more.
   bool draw(core::Context& context, const Surface& surface);
   // The panel is closed: draws are no longer watched.
   void closed();
@@ -39,18 +34,24 @@ class Panel {
   InputShare share(bool keyboard) const;
 
  private:
-  bool prepare(const Surface& surface);
+  // Our context beside one of the program's. Nobody tells us when the program closes the display, so it is kept.
+  struct Drawer {
+    std::unique_ptr<PanelContext> context;
+    std::unique_ptr<PanelRenderer> renderer;  // null: the panel cannot be drawn there
+  };
+  static constexpr std::size_t most_drawers = 32;
+
   void start_imgui();
+  Drawer* drawer_for(const Surface& surface);
+  bool draw_imgui(const Surface& surface, PanelAnswer& answer);
   void fill_model(const core::Context& context);
   void take_pick();
-  void follow(const PanelAnswer& answer, Size size);
+  void follow(const PanelAnswer& answer);
   void write();
   void change(const core::ContextOptions& wanted);
 
-  ImGuiContext* imgui_ = nullptr;
-  std::uint64_t program_context_ = 0;  // number of the context that ours was made for
-  std::unique_ptr<PanelContext> context_;
-  std::unique_ptr<PanelRenderer> renderer_;
+  ImGuiContext* imgui_ = nullptr;            // never destroyed, as the panel
+  std::map<std::uint64_t, Drawer> drawers_;  // by the number of the program's context
   PanelInput input_;
   PanelModel model_;
   Area area_;

@@ -19,6 +19,7 @@ static_assert(keys.size() == static_cast<std::size_t>(PanelKey::escape) + 1);
 
 #if IMGUI_VERSION_NUM >= 18700
 
+void map_keys() {}
 void move_pointer(float x, float y) { ImGui::GetIO().AddMousePosEvent(x, y); }
 void move_button(unsigned button, bool down) { ImGui::GetIO().AddMouseButtonEvent(static_cast<int>(button), down); }
 void move_wheel(float notches) { ImGui::GetIO().AddMouseWheelEvent(0, notches); }
@@ -26,16 +27,14 @@ void move_key(unsigned key, bool down) { ImGui::GetIO().AddKeyEvent(keys[key], d
 
 #else
 
+// The position in KeysDown is chosen by us. Without the Space key, navigation by keys is an assertion.
+void map_keys() {
+  for (std::size_t key = 0; key < keys.size(); ++key) ImGui::GetIO().KeyMap[keys[key]] = static_cast<int>(key);
+}
 void move_pointer(float x, float y) { ImGui::GetIO().MousePos = ImVec2(x, y); }
 void move_button(unsigned button, bool down) { ImGui::GetIO().MouseDown[button] = down; }
 void move_wheel(float notches) { ImGui::GetIO().MouseWheel += notches; }
-
-// The position in KeysDown is chosen by us; navigation by keys has its own inputs.
-void move_key(unsigned key, bool down) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.KeyMap[keys[key]] = static_cast<int>(key);
-  io.KeysDown[key] = down;
-}
+void move_key(unsigned key, bool down) { ImGui::GetIO().KeysDown[key] = down; }
 
 #endif
 
@@ -60,6 +59,11 @@ bool is_press(const InputEvent& event) {
 }
 
 }  // namespace
+
+void PanelInput::start() {
+  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  map_keys();
+}
 
 void PanelInput::feed() {
   bool pressed = false;

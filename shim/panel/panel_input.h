@@ -11,6 +11,8 @@ namespace glark::shim {
 // Hands events to Dear ImGui. A press and its release in one frame reach it in two frames, so that neither is lost.
 class PanelInput {
  public:
+  // Makes ImGui's current context follow keys. Once, before the first frame.
+  static void start();
   void add(const InputEvent& event) { waiting_.push_back(event); }
   // Before ImGui::NewFrame().
   void feed();

@@ -131,7 +131,8 @@ PanelAnswer show_panel(PanelModel& model) {
   ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize(ImVec2(390, 0), ImGuiCond_FirstUseEver);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowSizeConstraints(ImVec2(std::min(200.0F, window.x), 40), ImVec2(window.x, window.y - 10));
+  const ImVec2 least(std::min(200.0F, window.x), 40);
+  ImGui::SetNextWindowSizeConstraints(least, ImVec2(window.x, std::max(window.y - 10, least.y)));
   if (ImGui::Begin((model.title + "###glark").c_str(), &open)) {
     ImGui::PushItemWidth(190);
     answer.options_changed = show_settings(model.options);
@@ -150,6 +151,9 @@ PanelAnswer show_panel(PanelModel& model) {
                  std::max(static_cast<int>(size.y), 1)};
   answer.wants_close = !open;
   ImGui::End();
+  const ImGuiIO& io = ImGui::GetIO();
+  if (model.picking && ImGui::IsMouseClicked(0) && !io.WantCaptureMouse)
+    answer.picked = {static_cast<int>(io.MousePos.x), static_cast<int>(window.y - 1 - io.MousePos.y)};
   return answer;
 }
 

@@ -4,6 +4,7 @@
 // What the panel shows, and what the user does in it. Calls Dear ImGui only.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,7 +33,8 @@ struct PanelAnswer {
   bool wants_pick = false;
   bool wants_write = false;
   bool wants_close = false;
-  Area area;  // of the panel in the window, in pixels
+  Area area;                                      // of the panel in the window, in pixels
+  std::optional<std::array<int, 2>> picked = {};  // a pixel, from the lower left corner of the window
 };
 
 // Between ImGui::NewFrame() and ImGui::Render().

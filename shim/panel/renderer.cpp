@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 
-
 namespace glark::shim {
 namespace {
 
@@ -90,9 +89,15 @@ void PanelRenderer::set_state(const ImDrawData& data, Size size) const {
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
   gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
   for (const GLuint attribute : {0U, 1U, 2U}) gl_.EnableVertexAttribArray(attribute);
-  gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), at_offset(offsetof(ImDrawVert, pos)));
-  gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), at_offset(offsetof(ImDrawVert, uv)));
-  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(ImDrawVert), at_offset(offsetof(ImDrawVert, col)));
+}
+
+// Lists with more vertices than an index can name begin at several of them.
+void PanelRenderer::set_first_vertex(unsigned vertex) const {
+  constexpr GLsizei stride = sizeof(ImDrawVert);
+  const std::size_t first = vertex * sizeof(ImDrawVert);
+  gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, at_offset(first + offsetof(ImDrawVert, pos)));
+  gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, at_offset(first + offsetof(ImDrawVert, uv)));
+  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, at_offset(first + offsetof(ImDrawVert, col)));
 }
 
 void PanelRenderer::draw_list(const ImDrawList& list, const ImDrawData& data, Size size) const {
@@ -106,6 +111,7 @@ void PanelRenderer::draw_list(const ImDrawList& list, const ImDrawData& data, Si
     const auto height = static_cast<GLint>(command.ClipRect.w * scale) - top;
     if (width <= 0 || height <= 0 || command.UserCallback != nullptr) continue;
     gl_.Scissor(std::max(left, 0), size.height - top - height, width, height);
+    set_first_vertex(command.VtxOffset);
     gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
                      sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
                      at_offset(command.IdxOffset * sizeof(ImDrawIdx)));

@@ -20,6 +20,7 @@ class PanelRenderer {
 
  private:
   void set_state(const ImDrawData& data, Size size) const;
+  void set_first_vertex(unsigned vertex) const;
   void draw_list(const ImDrawList& list, const ImDrawData& data, Size size) const;
 
   const gl::Dispatch& gl_;

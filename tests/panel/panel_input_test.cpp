@@ -18,6 +18,7 @@ class PanelInputs : public testing::Test {
     ImGui::CreateContext();
     ImGui::GetIO().DisplaySize = ImVec2(100, 100);
     ImGui::GetIO().DeltaTime = 0.01F;
+    PanelInput::start();
     unsigned char* pixels = nullptr;
     int width = 0;
     int height = 0;

@@ -3,6 +3,7 @@
 #include "glark/tool/completion.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -28,10 +29,14 @@ std::string output_of(const std::string& command) {
 
 // What bash offers for the last of these words.
 std::string completed(const std::string& words) {
-  const std::string file = testing::TempDir() + "glark_completion.bash";
+  const std::string file = testing::TempDir() + "glark_completion_" + std::to_string(getpid());
   std::ofstream(file) << bash_completion(commands, topics);
-  return output_of("bash -c 'source " + file + "; COMP_WORDS=(" + words +
-                   "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _glark; printf \"%s \" \"${COMPREPLY[@]}\"'");
+  const std::string output =
+      output_of("bash -c 'source " + file + "; COMP_WORDS=(" + words +
+                "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _glark; "
+                "((${#COMPREPLY[@]} == 0)) || printf \"%s \" \"${COMPREPLY[@]}\"'");
+  std::remove(file.c_str());
+  return output;
 }
 
 }  // namespace
