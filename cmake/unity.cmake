@@ -18,3 +18,16 @@ function(glark_compile_by_folder target)
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
+
+# glark_compile_together(TARGET COUNT): the same for programs whose files lie in many folders, COUNT files at a time.
+# glark_compile_apart(sources...): but not these, whose names without linkage other files have, too.
+function(glark_compile_together target count)
+  if(GLARK_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
+    # A fixture without linkage is in one unit all the same.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
+endfunction()
+function(glark_compile_apart)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()

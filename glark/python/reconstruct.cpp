@@ -28,7 +28,8 @@ void bind_reconstruct(py::module_& module) {
       .def_readonly("node_side", &Reconstructed::node_side)
       .def_readonly("noise", &Reconstructed::noise, "root mean square distance of the samples from the nodes' planes")
       .def_readonly("left_out", &Reconstructed::left_out, "the number of parts that were left out")
-      .def_readonly("area_left_out", &Reconstructed::area_left_out, "their share of the area of all parts, 0 to 1");
+      .def_readonly("area_left_out", &Reconstructed::area_left_out, "their share of the area of all parts, 0 to 1")
+      .def_readonly("outliers", &Reconstructed::outliers, "the number of points on no surface, which were left out");
   const reconstruct::ReconstructOptions defaults;
   module.def(
       "reconstruct",

@@ -32,6 +32,7 @@ py::dict counts_of(const Strips& strips, unsigned level) {
   result["turned"] = counts.turned;
   result["strips"] = counts.strips;
   result["indices"] = counts.indices;
+  result["loose_points"] = counts.loose_points;
   return result;
 }
 

@@ -63,6 +63,7 @@ struct Reconstructed {
   float noise = 0;      // root mean square distance of the samples from the nodes' mean planes, in the positions' unit
   std::uint32_t left_out = 0;  // the number of parts that were left out
   float area_left_out = 0;     // their share of the area of all parts, 0 to 1
+  std::uint32_t outliers = 0;  // the number of samples that lie on no surface, which were left out
 };
 
 // Errors: vstree::Error, as from vstree::Tree.

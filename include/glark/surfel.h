@@ -15,7 +15,8 @@
 // from the side that the normals point to. Strips contain degenerate triangles, which join their parts.
 //
 // All clouds are accepted: empty ones, few points, points on a line, duplicates. Only the first of several points at
-// one position is drawn. Points without neighbours within reach have no triangles. Zero normals are ignored. If all
+// one position is drawn. Points without neighbours within reach have no triangles. Parts that are so noisy that they
+// show no surface have no triangles either: their points are drawn as points. Zero normals are ignored. If all
 // normals are missing, planes are fitted to the positions. Then strips have no common orientation, and back faces are
 // not culled.
 //
@@ -94,6 +95,7 @@ struct Counts {
   std::size_t turned = 0;        // edges that were flipped, see Options::turn_edges
   std::size_t strips = 0;        // leaves that have triangles
   std::size_t indices = 0;       // the indices of all strips
+  std::size_t loose_points = 0;  // points in parts without a surface; they have no triangles and are drawn as points
 };
 
 struct View {
@@ -112,8 +114,9 @@ struct View {
 struct Frame {
   std::vector<std::int32_t> counts;  // for glMultiDrawElements(GL_TRIANGLE_STRIP, ...)
   std::vector<const void*> offsets;  // in bytes from the beginning of indices()
-  std::vector<std::uint32_t>
-      points;  // for glDrawElements(GL_POINTS, ...): representatives of nodes that are too small for strips
+  // For glDrawElements(GL_POINTS, ...): representatives of nodes that are too small for strips, and the points of parts
+  // without a surface.
+  std::vector<std::uint32_t> points;
   unsigned level = 0;
   std::size_t indices = 0, strips = 0;                          // drawn indices and strips
   std::size_t visited = 0, out_of_frustum = 0, back_faces = 0;  // numbers of nodes

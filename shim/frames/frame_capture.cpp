@@ -22,6 +22,7 @@
 #include "shim/contexts/contexts.h"
 #include "shim/frames/read_frame.h"
 #include "shim/report/options.h"
+#include "shim/report/statistics.h"
 
 namespace glark::shim {
 namespace {
@@ -41,6 +42,17 @@ void write_png(core::Context& context, const settings::CaptureRequest& request) 
   if (stbi_write_png(request.file.c_str(), size.width, size.height, 3, colors.data(), 0) == 0)
     complain(fmt::format("{}; name a file in a folder that exists and can be written with GLARK_CAPTURE",
                          errno != 0 ? std::strerror(errno) : "writing failed"));
+}
+
+// The user of a program that ended early learns why there is no picture.
+__attribute__((destructor)) void report_missing_frames() {
+  if (!has_made_context()) return;
+  const unsigned long ended = current_frame() - 1;
+  for (const settings::CaptureRequest& request : options().captures)
+    if (request.frame > ended)
+      core::log(core::LogLevel::warning,
+                fmt::format("frame {} was not written to {}: the program ended after frame {}; choose an earlier one",
+                            request.frame, request.file, ended));
 }
 
 }  // namespace

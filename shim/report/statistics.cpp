@@ -265,9 +265,11 @@ FrameFigures last_frame() {
 
 unsigned long current_frame() { return frames.load(std::memory_order_relaxed) + 1; }
 
+bool has_made_context() { return times().process == getpid(); }
+
 void write_statistics() {
   Times& all = times();
-  if (all.process != getpid() || options().statistics_file.empty()) return;
+  if (!has_made_context() || options().statistics_file.empty()) return;
   try {
     const std::lock_guard lock(all.mutex);
     write_file(file_of_process(options().statistics_file), report(all).dump(2));

@@ -33,6 +33,9 @@ struct FrameFigures {
 };
 FrameFigures last_frame();  // zeros before the first frame ends
 
+// Returns whether this process has created a context. A forked child starts without one.
+bool has_made_context();
+
 void write_statistics();
 
 }  // namespace glark::shim

@@ -21,6 +21,8 @@ struct Settings {
 std::vector<Table> partition_tables(const Settings& settings);
 std::vector<Table> simplification_tables(const Settings& settings);
 std::vector<Table> reconstruction_tables(const Settings& settings);
+std::vector<Table> generated_cloud_tables(const Settings& settings);
+std::vector<Table> generated_mesh_tables(const Settings& settings);
 std::vector<Table> surfel_tables(const Settings& settings);
 
 }  // namespace glark::bench

@@ -28,6 +28,7 @@ PLATFORMS = {"egl": ("gl-compat", "gl-core", "gles"), "glx": ("gl-compat", "gl-c
 STEPS = ("faults", "conformance", "clients", "piglit")
 CASES_A_PROCESS = "40"
 CASE_SECONDS = "300"
+ANGLE = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "glark/angle"
 SOCKET = pathlib.Path("/tmp/.virgl_test")  # Mesa 22 loses the connection at any other path
 # Client -> options of tests/clients/run_client.py, program. "@" stands for the folder of our clients.
 CLIENTS = {
@@ -52,6 +53,8 @@ class Driver:
     package: str = ""        # which has it
     server: str = ""         # a program that runs beside
     passes_through: bool = False
+    clients: tuple = tuple(CLIENTS)
+    told: str = "client_immediate"  # the program that the log is about, if nothing is refined
 
 
 def gallium(name: str) -> dict:
@@ -63,6 +66,9 @@ DRIVERS = [
     Driver("zink", "zink", gallium("zink"), needs="/usr/share/vulkan/icd.d/lvp_icd*.json", package="mesa-vulkan-drivers"),
     Driver("virpipe", "virgl", gallium("virpipe"), needs="virgl_test_server", package="virgl-server", server="virgl_test_server"),
     Driver("softpipe", "softpipe", gallium("softpipe"), passes_through=True),
+    Driver("angle", "ANGLE", {"LD_LIBRARY_PATH": str(ANGLE), "ANGLE_DEFAULT_PLATFORM": "swiftshader"}, platforms=("egl",),
+           needs=str(ANGLE / "libEGL.so.1"), package="@sparticuz/chromium of npm", passes_through=True, clients=("gles2",),
+           told="client_gles2"),
 ]
 
 
@@ -126,7 +132,8 @@ class Judge:
 
     def clients(self) -> None:
         verdicts = {}
-        for name, (options, program) in CLIENTS.items():
+        for name in self.driver_.clients:
+            options, program = CLIENTS[name]
             for mode, short in MODES.items():
                 if mode == "curved" and name not in WITHOUT_SURFACE:
                     continue
@@ -146,7 +153,7 @@ class Judge:
         """Runs a program refined. A driver that lacks features passes through, and one line of the log says so."""
         with tempfile.TemporaryDirectory() as folder:
             settings = [f"LD_PRELOAD={self.library()}", "GLARK_ENABLE=1", "GLARK_WAIT=1", "GLARK_CONFIG=/dev/null"]
-            done = self.run([ROOT / "scripts/parts/with_display", "--", "env", *settings, self.build_ / "bin/client_immediate", "3", f"{folder}/picture.ppm"])
+            done = self.run([ROOT / "scripts/parts/with_display", "--", "env", *settings, self.build_ / "bin" / self.driver_.told, "3", f"{folder}/picture.ppm"])
         lines = [line for line in done.stderr.split("\n") if line.startswith("glark:")]
         return "" if done.returncode == 0 and len(lines) == 1 else f"status {done.returncode}, {len(lines)} lines: {done.stderr[:100]}"
 

@@ -15,7 +15,7 @@ GOOD = ("Pass", "NotSupported", "QualityWarning", "Unimplemented")
 
 
 def version_of(text: str) -> str:
-    return re.sub(r".*(Mesa [0-9.]+).*", r"\1", text)
+    return re.sub(r".*((?:Mesa|ANGLE) [0-9.]+).*", r"\1", text)
 
 
 class Row:

@@ -55,6 +55,10 @@ class Table(unittest.TestCase):
         (self.folder / "faults.txt").write_text("cannot run: the package p is not installed\n")
         self.assertIn("| zink | cannot run: the package p is not installed |", table.lines_of([self.row()])[2])
 
+    def test_version(self) -> None:
+        self.assertEqual(table.version_of("OpenGL ES 3.1 (ANGLE 2.1.27278 git hash: 0d61)"), "ANGLE 2.1.27278")
+        self.assertEqual(table.version_of("4.6 (Compatibility Profile) Mesa 22.3.6"), "Mesa 22.3.6")
+
     def test_piglit(self) -> None:
         (self.folder / "piglit.txt").write_text("| mode | same |\n| off | 10 | 10 | 100.00 |\n| outputs-2 | 9 | 10 | 90.00 |\n")
         self.assertEqual(table.piglit_text(self.row()), "off 10 of 10, outputs-2 9 of 10")

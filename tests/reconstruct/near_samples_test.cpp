@@ -24,7 +24,7 @@ class Near : public testing::Test {
   Float4 point() { return Float4{number(), number(), number(), 0}; }
 
   const Shape shape_ = sphere(20000);
-  const Octree octree_ = sort_samples(shape_.points(), {}, Workers(1));
+  const Octree octree_ = octree_of(shape_.points(), sort_by_cells(shape_.points(), Workers(1)), {}, Workers(1));
 
  private:
   std::mt19937 random_{5};

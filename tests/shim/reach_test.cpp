@@ -206,6 +206,14 @@ TEST(FrameCapture, AFileThatCannotBeWrittenIsAMessageAndNoFailure) {
       << outcome.output;
 }
 
+TEST(FrameCapture, AFrameThatNeverCameIsTold) {
+  const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_CAPTURE=2:/nowhere/b.png");
+  EXPECT_EQ(outcome.output, std::string(drawn) +
+                                "glark: frame 2 was not written to /nowhere/b.png: the program ended after frame 1; "
+                                "choose an earlier one\n");
+  EXPECT_EQ(run_preloaded("/bin/echo hello", "GLARK_CAPTURE=2:/nowhere/b.png").output, "hello\n");
+}
+
 TEST(Settings, ABadValueIsAMessageAndNoFailure) {
   const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_LEVEL=deep");
   EXPECT_EQ(outcome.output, std::string("glark: GLARK_LEVEL is \"deep\"; an integer from 0 to 11 is needed\n") + drawn);

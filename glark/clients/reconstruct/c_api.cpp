@@ -77,5 +77,6 @@ glark_indices glark_reconstruct_triangles(const glark_reconstruct_mesh* mesh) {
 glark_reconstruct_counts glark_reconstruct_mesh_counts(const glark_reconstruct_mesh* mesh) {
   if (mesh == nullptr) return {};
   const Reconstructed& made = mesh->mesh;
-  return {made.base_vertices, made.base_triangles, made.levels, made.node_side, made.noise, made.left_out};
+  return {made.base_vertices, made.base_triangles, made.levels,        made.node_side,
+          made.noise,         made.left_out,       made.area_left_out, made.outliers};
 }

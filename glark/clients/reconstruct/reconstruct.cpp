@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "glark/clients/common/points/point_set.h"
+#include "glark/clients/reconstruct/density/even_samples.h"
 #include "glark/clients/reconstruct/mesh/refinement.h"
 
 namespace glark::reconstruct {
@@ -62,7 +63,9 @@ Reconstructed reconstruct(const PointSet& given, const ReconstructOptions& optio
     points.normals = estimated;
   }
   Reconstructed result;
-  const Octree octree = sort_samples(points, options, workers);
+  EvenSamples even(points, workers);
+  result.outliers = even.outliers();
+  const Octree octree = octree_of(even.points(), even.take_sorted(), options, workers);
   if (octree.levels.empty()) return result;
   const TransitionLayer layer = transition_layer(octree, options, workers);
   BaseMesh base = base_mesh(contour(layer, octree.finest().level, workers), layer, octree, options, workers);

@@ -122,8 +122,8 @@ glark_code glark_surfel_strips_counts(const glark_surfel_strips* strips, unsigne
   return guarded(error, [&] {
     glark_surfel_counts& result = needed(counts, "counts");
     const surfel::Counts found = needed(strips, "strips").strips.counts(level);
-    result = {found.outer,        found.redundant, found.dual,   found.valid,
-              found.out_of_reach, found.turned,    found.strips, found.indices};
+    result = {found.outer,  found.redundant, found.dual,    found.valid,       found.out_of_reach,
+              found.turned, found.strips,    found.indices, found.loose_points};
   });
 }
 

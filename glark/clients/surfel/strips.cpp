@@ -56,6 +56,8 @@ Counts Strips::counts(unsigned level) const {
     counts.strips += patch.strip.count > 0 ? 1 : 0;
     counts.indices += patch.strip.count;
   }
+  for (const Leaf& leaf : state_->levels[level].tree.leaves)
+    counts.loose_points += leaf.has_surface ? 0 : leaf.unique_count;
   return counts;
 }
 
@@ -87,7 +89,12 @@ void Strips::select(const View& view, Frame& frame) const {
     if (!(camera.projected_diameter(middle, radius) * spacing <= 2 * radius * view.level_pixels)) break;
     frame.level = level;
   }
-  select_nodes(state_->levels[frame.level].nodes, view, camera, frame);
+  const Level& level = state_->levels[frame.level];
+  const auto add_points = [&](std::uint32_t node, std::vector<std::uint32_t>& points) {
+    for (const Surfel& surfel : level.tree.unique_surfels(level.tree.leaves[level.tree.nodes[node].leaf]))
+      points.push_back(level.cloud_index(surfel.index));
+  };
+  select_nodes(level.nodes, view, camera, add_points, frame);
 }
 
 }  // namespace glark::surfel

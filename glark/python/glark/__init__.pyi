@@ -35,6 +35,7 @@ class Reconstructed:
     noise: float
     left_out: int
     area_left_out: float
+    outliers: int
 
 def read(file: str, *, skip_invalid: bool = False) -> Geometry: ...
 def write(file: str, positions: ArrayLike, normals: Optional[ArrayLike] = None, colours: Optional[ArrayLike] = None,

@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "glark/clients/geometry/measure/area.h"
 #include "glark/clients/geometry/measure/left_out.h"
 #include "glark/clients/geometry/measure/triangle_normals.h"
 #include "glark/tool/scan/commands.h"
@@ -25,8 +26,10 @@ struct Reconstruct {
   Files files;
   std::string reference;
   reconstruct::ReconstructOptions options;
-  std::size_t most_triangles = 0;  // 0: no limit
+  std::size_t most_triangles = 0;  // 0: `triangles_a_point` for each point of the file
 };
+
+constexpr std::size_t triangles_a_point = 2;  // about as many as a mesh has whose vertices are the points
 
 struct Seconds {
   double normals = 0;
@@ -78,6 +81,7 @@ Report report_of(const reconstruct::Reconstructed& result) {
   report["noise"] = result.noise;
   report["parts_left_out"] = result.left_out;
   report["area_left_out_percent"] = 100 * static_cast<double>(result.area_left_out);
+  report["outliers"] = result.outliers;
   return report;
 }
 
@@ -101,13 +105,17 @@ std::size_t warn_of_left_out(const geometry::Geometry& points, const geometry::G
         "{}: parts with less than {:.3g} % of the area are left out: {}, with {:.2g} % of the area together; "
         "--least-part 0 keeps them",
         file, 100 * least_part, parts, numbers["area_left_out_percent"].get<double>()));
+  const auto outliers = numbers["outliers"].get<std::size_t>();
+  if (outliers > 0)
+    warn(fmt::format("{}: {} of {} points lie on no surface, as their neighbours show; they are left out as outliers",
+                     file, outliers, points.point_count()));
   const auto distance = numbers["node_side"].get<double>();  // noise that the mesh smooths is at most a tenth of it
   const std::size_t count = points_left_out(points, mesh, distance);
-  if (count > 0)
+  if (count > outliers)
     warn(
-        fmt::format("{}: {} of {} points are left out, which are more than {:.3g} from the mesh; --measure shows how "
+        fmt::format("{}: {} of {} points are left out, which are more than {:.3g} from the mesh{}; --measure shows how "
                     "far, a smaller --node-samples or --least-part keeps more",
-                    file, count, points.point_count(), distance));
+                    file, count, points.point_count(), distance, outliers > 0 ? ", outliers among them" : ""));
   return count;
 }
 
@@ -121,15 +129,29 @@ geometry::Geometry mesh_of(reconstruct::Reconstructed result, const std::array<d
   return mesh;
 }
 
+// Clusters are quick and near to the surface, but join the two sides of parts that are thinner than they are. Then area is
+// lost, and edges are collapsed instead. With an error limit, `automatic` collapses wherever the build can.
+geometry::Geometry with_fewer_triangles(const geometry::Geometry& mesh, std::size_t most, unsigned threads) {
+  constexpr double least_area = 0.999;
+  geometry::Geometry fewer = simplified(mesh, {.target = most, .threads = threads}).geometry;
+  if (geometry::area_of(fewer) >= least_area * geometry::area_of(mesh)) return fewer;
+  const vstree::SimplifyOptions options{
+      .target = most, .threads = threads, .method = vstree::Method::automatic, .max_error = 1};
+  return simplified(mesh, options).geometry;
+}
+
 // Simplifies the mesh if it has more triangles than the command allows.
-geometry::Geometry limited(geometry::Geometry mesh, const Reconstruct& command, Seconds& seconds) {
-  if (command.most_triangles == 0 || mesh.triangle_count() <= command.most_triangles) return mesh;
+geometry::Geometry limited(geometry::Geometry mesh, const geometry::Geometry& points, const Reconstruct& command,
+                           Seconds& seconds) {
+  const std::size_t most =
+      command.most_triangles > 0 ? command.most_triangles : triangles_a_point * points.point_count();
+  if (mesh.triangle_count() <= most) return mesh;
   Progress progress("simplifying");
   progress.show(-1);
-  geometry::Geometry fewer =
-      simplified(mesh, {.target = command.most_triangles, .threads = command.options.threads}).geometry;
+  geometry::Geometry fewer = with_fewer_triangles(mesh, most, command.options.threads);
   seconds.simplification = progress.seconds();
   if (!fewer.triangles.empty()) return fewer;
+  if (command.most_triangles == 0) return mesh;
   throw geometry::Error(command.files.input +
                         ": so few triangles have no volume, and the result is empty; nothing is written; allow more by "
                         "--triangles");
@@ -146,7 +168,7 @@ void run(const Reconstruct& command) {
   geometry::Geometry whole = mesh_of(std::move(result), points.origin);
   numbers["points_left_out"] =
       warn_of_left_out(points, whole, numbers, command.files.input, command.options.least_part);
-  const geometry::Geometry mesh = limited(std::move(whole), command, seconds);
+  const geometry::Geometry mesh = limited(std::move(whole), points, command, seconds);
   store(mesh, command.files);
   Report report;
   report["input"] = contents_of(points);
@@ -200,7 +222,9 @@ void add_reconstruct(CLI::App& app) {
       ->check(CLI::Range(0, 1000));
   command
       ->add_option("--triangles", reconstruction->most_triangles,
-                   "The most triangles of the mesh; more are simplified. Default: no limit")
+                   fmt::format("The most triangles of the mesh; more are simplified. Default: {} for each point; a "
+                               "very large number keeps all",
+                               triangles_a_point))
       ->transform(whole_above_zero());
   describe_threads(*command, options.threads);
   command->callback([reconstruction] { run(*reconstruction); });

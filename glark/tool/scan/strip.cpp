@@ -66,13 +66,18 @@ void strip(const Strip& command) {
   double seconds = 0;
   const surfel::Counts counts = add_strips(command, geometry, seconds);
   if (geometry.strips.empty())
-    throw geometry::Error(command.files.input +
-                          ": its points have no neighbours on a surface, so there are no strips and nothing is "
-                          "written; allow longer edges by --reach, or show the points by glark view --mode splat");
+    throw geometry::Error(
+        command.files.input +
+        ": its points have no neighbours on a surface, or are too noisy for one, so there are no strips and nothing is "
+        "written; allow longer edges by --reach, or show the points by glark view --mode splat");
+  if (counts.loose_points > 0)
+    warn(fmt::format("{}: {} of {} points lie in parts that are too noisy for a surface; they stay points",
+                     command.files.input, counts.loose_points, geometry.point_count()));
   store(geometry, command.files);
   Report report;
   report["output"] = contents_of(geometry);
   report["strips"] = counts.strips;
+  report["loose_points"] = counts.loose_points;
   report["indices"] = counts.indices;
   if (!geometry.triangles.empty())
     report["indices_per_triangle"] =

@@ -42,6 +42,8 @@ typedef struct glark_reconstruct_counts {
   unsigned levels;                        /* of refinement */
   float node_side, noise;                 /* in the positions' unit */
   uint32_t left_out;                      /* parts */
+  float area_left_out;                    /* of these parts, 0 to 1 */
+  uint32_t outliers;                      /* points on no surface, which were left out */
 } glark_reconstruct_counts;
 
 GLARK_EXPORT glark_reconstruct_counts glark_reconstruct_mesh_counts(const glark_reconstruct_mesh* mesh);

@@ -57,6 +57,7 @@ typedef struct glark_surfel_counts {
   size_t turned;
   size_t strips;
   size_t indices;
+  size_t loose_points;
 } glark_surfel_counts;
 
 typedef struct glark_surfel_view {

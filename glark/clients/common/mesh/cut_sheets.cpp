@@ -148,4 +148,26 @@ std::vector<std::uint32_t> cut_sheets(std::vector<std::uint32_t>& triangles, std
   return Cut(triangles, points, irregular).run();
 }
 
+void move_apart(std::span<Float4> points, std::span<const std::uint32_t> triangles,
+                std::span<const std::uint32_t> originals, float share) {
+  std::vector<bool> is_shared(points.size());
+  bool any = false;
+  for (std::size_t i = 0; i < originals.size(); ++i) {
+    if (originals[i] == i) continue;
+    is_shared[i] = is_shared[originals[i]] = any = true;
+  }
+  if (!any) return;
+  std::vector<Float4> sums(points.size());
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    const std::uint32_t* const v = &triangles[t];
+    if (!is_shared[v[0]] && !is_shared[v[1]] && !is_shared[v[2]]) continue;
+    Float4 middle = without_fourth(points[v[0]] + points[v[1]] + points[v[2]]) / 3;
+    middle[3] = 1;
+    for (int i = 0; i < 3; ++i) sums[v[i]] += middle;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_shared[i] && sums[i][3] > 0) points[i] += (without_fourth(sums[i] / sums[i][3]) - points[i]) * share;
+  }
+}
+
 }  // namespace glark::common

@@ -19,4 +19,10 @@ namespace glark::common {
 std::vector<std::uint32_t> cut_sheets(std::vector<std::uint32_t>& triangles, std::span<const Float4> points,
                                       std::span<const std::uint8_t> irregular);
 
+// Moves each vertex that has copies, and each copy, towards the middle of its own triangles, by a share of the way. So
+// no two sheets have an edge at the same place.
+// points: one for each vertex, copies included. originals: the result of cut_sheets() for these triangles.
+void move_apart(std::span<Float4> points, std::span<const std::uint32_t> triangles,
+                std::span<const std::uint32_t> originals, float share);
+
 }  // namespace glark::common

@@ -63,22 +63,11 @@ void separate_sheets(BaseMesh& mesh) {
   const std::vector<std::uint32_t> copies =
       cut_sheets(mesh.triangles, mesh.points, irregular_vertices(mesh.triangles, mesh.points.size()));
   if (copies.size() == count) return;
-  std::vector<bool> shared(copies.size());
   for (std::size_t i = count; i < copies.size(); ++i) {
-    shared[i] = shared[copies[i]] = true;
     mesh.points.push_back(Float4(mesh.points[copies[i]]));
     if (!mesh.normals.empty()) mesh.normals.push_back(Float4(mesh.normals[copies[i]]));
   }
-  std::vector<Float4> sums(copies.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    const std::uint32_t* const v = &mesh.triangles[t];
-    Float4 middle = (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]]) / 3;
-    middle[3] = 1;
-    for (int i = 0; i < 3; ++i) sums[v[i]] += middle;
-  }
-  for (std::size_t i = 0; i < copies.size(); ++i) {
-    if (shared[i] && sums[i][3] > 0) mesh.points[i] += (without_fourth(sums[i] / sums[i][3]) - mesh.points[i]) * apart;
-  }
+  move_apart(mesh.points, mesh.triangles, copies, apart);
 }
 
 bool peel(BaseMesh& mesh) {

@@ -72,6 +72,36 @@ Level level_of(std::vector<std::uint64_t> keys, std::vector<std::uint32_t> begin
   return result;
 }
 
+std::vector<Record> records_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries,
+                               const Workers& workers) {
+  std::vector<Record> records(entries.size());
+  workers.each(entries.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t index = entries[i].index;
+      records[i].position = cube.inside(&points.positions[3 * index]);
+      if (!points.colours.empty()) records[i].position[3] = pack_colour(&points.colours[3 * index]);
+      records[i].normal = unit_normal(&points.normals[3 * index]);
+    }
+  });
+  return records;
+}
+
+}  // namespace
+
+CellIndex cell_of(Float4 point, unsigned level) {
+  const Float4 scaled = point * static_cast<float>(1U << level);
+  const auto last = static_cast<std::int32_t>(1U << level) - 1;
+  const auto of = [&](float x) { return std::clamp(static_cast<std::int32_t>(x), 0, last); };
+  return {of(scaled[0]), of(scaled[1]), of(scaled[2])};
+}
+
+SortedSamples sort_by_cells(const PointSet& points, const Workers& workers) {
+  SortedSamples result;
+  result.cube = bounding_cube(points.positions, workers);
+  result.entries = sorted_entries(points, result.cube, workers);
+  return result;
+}
+
 Level finest_level(const std::vector<Entry>& entries, unsigned level) {
   const unsigned shift = 3 * (cell_levels - level);
   std::vector<std::uint64_t> keys;
@@ -98,38 +128,15 @@ Level coarser(const Level& fine) {
   return level_of(std::move(keys), std::move(begins), fine.level - 1);
 }
 
-std::vector<Record> records_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries,
-                               const Workers& workers) {
-  std::vector<Record> records(entries.size());
-  workers.each(entries.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t index = entries[i].index;
-      records[i].position = cube.inside(&points.positions[3 * index]);
-      if (!points.colours.empty()) records[i].position[3] = pack_colour(&points.colours[3 * index]);
-      records[i].normal = unit_normal(&points.normals[3 * index]);
-    }
-  });
-  return records;
-}
-
-}  // namespace
-
-CellIndex cell_of(Float4 point, unsigned level) {
-  const Float4 scaled = point * static_cast<float>(1U << level);
-  const auto last = static_cast<std::int32_t>(1U << level) - 1;
-  const auto of = [&](float x) { return std::clamp(static_cast<std::int32_t>(x), 0, last); };
-  return {of(scaled[0]), of(scaled[1]), of(scaled[2])};
-}
-
-Octree sort_samples(const PointSet& points, const ReconstructOptions& options, const Workers& workers) {
+Octree octree_of(const PointSet& points, SortedSamples sorted, const ReconstructOptions& options,
+                 const Workers& workers) {
   Octree octree;
-  const Cube tight = bounding_cube(points.positions, workers);
-  std::vector<Entry> entries = sorted_entries(points, tight, workers);
+  const Cube tight = sorted.cube;
+  std::vector<Entry> entries = std::move(sorted.entries);
   if (entries.empty()) return octree;
   const Occupancy occupancy = occupancy_of(entries);
   double side = side_for(occupancy, static_cast<double>(options.node_samples));
-  const auto measured_at = static_cast<unsigned>(-std::log2(side_for(occupancy, 2 * least_samples)));
-  const double noise = std::max(noise_of(points, tight, entries, std::min(measured_at, cell_levels)),
+  const double noise = std::max(noise_of(points, tight, entries, level_for_noise(occupancy)),
                                 static_cast<double>(options.threshold * tight.diagonal));
   side = std::max(side, sides_to_noise * noise);
   unsigned level = 0;

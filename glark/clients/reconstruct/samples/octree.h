@@ -46,6 +46,25 @@ struct Octree {
   const Level& finest() const { return levels[0]; }
 };
 
-Octree sort_samples(const PointSet& points, const ReconstructOptions& options, const Workers& workers);
+// A sample in the order of the octree's cells.
+struct Entry {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+// The samples that have a normal, by the cells of the bounding cube.
+struct SortedSamples {
+  Cube cube;
+  std::vector<Entry> entries;
+};
+
+SortedSamples sort_by_cells(const PointSet& points, const Workers& workers);
+
+// The cells of a level that have samples. The entries are sorted.
+Level finest_level(const std::vector<Entry>& entries, unsigned level);
+Level coarser(const Level& fine);
+
+Octree octree_of(const PointSet& points, SortedSamples sorted, const ReconstructOptions& options,
+                 const Workers& workers);
 
 }  // namespace glark::reconstruct

@@ -61,6 +61,10 @@ double side_for(const Occupancy& occupancy, double aim) {
   return std::exp2(-(level + part));
 }
 
+unsigned level_for_noise(const Occupancy& occupancy) {
+  return std::min(static_cast<unsigned>(-std::log2(side_for(occupancy, 2 * least_samples))), cell_levels);
+}
+
 double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level) {
   const unsigned shift = 3 * (cell_levels - level);
   const std::size_t stride = std::max<std::size_t>(1, entries.size() / most_looked_at);

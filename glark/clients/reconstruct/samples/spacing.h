@@ -14,12 +14,6 @@ namespace glark::reconstruct {
 // The fewest samples of a cell that show its noise.
 inline constexpr std::size_t least_samples = 8;
 
-// A sample in the order of the octree's cells.
-struct Entry {
-  std::uint64_t key;
-  std::uint32_t index;
-};
-
 // For each level, the number of cells that have samples. On the last level, this is the number of places with samples.
 struct Occupancy {
   std::array<std::size_t, cell_levels + 1> cells{};
@@ -35,5 +29,8 @@ double side_for(const Occupancy& occupancy, double aim);
 // Returns the median noise of the samples of a cell, within the unit cube, over the cells of the level with at least
 // `least_samples`.
 double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level);
+
+// The level whose cells have about twice as many samples.
+unsigned level_for_noise(const Occupancy& occupancy);
 
 }  // namespace glark::reconstruct

@@ -15,7 +15,8 @@ float radius_of(const Node& node) { return length(to_vector(node.high) - to_vect
 
 }  // namespace
 
-void select_nodes(std::span<const Node> nodes, const View& view, const Camera& camera, Frame& frame) {
+void select_nodes(std::span<const Node> nodes, const View& view, const Camera& camera, const AddPoints& add_points,
+                  Frame& frame) {
   struct Visit {
     std::uint32_t node;
     unsigned planes;
@@ -38,6 +39,8 @@ void select_nodes(std::span<const Node> nodes, const View& view, const Camera& c
     } else if (node.left != none) {
       stack.push_back({node.right, visit.planes});
       stack.push_back({node.left, visit.planes});
+    } else if (node.count == 0) {
+      add_points(visit.node, frame.points);
     } else {
       frame.counts.push_back(static_cast<std::int32_t>(node.count));
       frame.offsets.push_back(reinterpret_cast<const void*>(std::uintptr_t{node.first} * sizeof(std::uint32_t)));

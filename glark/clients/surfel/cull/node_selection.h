@@ -8,13 +8,18 @@
 
 #include <glark/surfel.h>
 
+#include <functional>
 #include <span>
 
 #include "glark/clients/surfel/cull/camera.h"
 
 namespace glark::surfel {
 
-// Appends the selected nodes to the frame.
-void select_nodes(std::span<const Node> nodes, const View& view, const Camera& camera, Frame& frame);
+// Appends the points of a node to the list.
+using AddPoints = std::function<void(std::uint32_t node, std::vector<std::uint32_t>& points)>;
+
+// Appends the selected nodes to the frame. A leaf that has a box but no strip has no surface: its points are drawn.
+void select_nodes(std::span<const Node> nodes, const View& view, const Camera& camera, const AddPoints& add_points,
+                  Frame& frame);
 
 }  // namespace glark::surfel

@@ -49,6 +49,12 @@ void update_leaf_node(const Level& level, const LevelOptions& options, std::uint
   node.cone_apex = to_array(bounds.cone_apex * options.unit);
   node.first = patch.strip.first;
   node.count = patch.strip.count;
+  if (level.tree.leaves[leaf].has_surface) return;
+  const Box& box = level.tree.nodes[level.tree.leaves[leaf].node].box;
+  if (box.empty()) return;
+  node.low = to_array(box.low * options.unit);
+  node.high = to_array(box.high * options.unit);
+  node.cone_sine = no_cone;
 }
 
 void update_inner_node(const Node& left, const Node& right, Node& node) {

@@ -36,6 +36,8 @@ struct Leaf {
   float inflation_radius = 0;      // the distance within which the leaf takes in points of its neighbours
   Vector normal;                   // the normal of the leaf's plane, unit length
   Vector centre;
+  bool has_surface =
+      true;  // false: the points are drawn as points; the leaf and its neighbours do not triangulate them
 };
 
 struct TreeNode {

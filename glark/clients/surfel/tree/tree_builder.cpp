@@ -15,6 +15,13 @@ namespace {
 constexpr std::size_t parallel_grain = 8192;  // smaller subtrees are built by a single thread
 constexpr std::size_t fewest_to_flatten =
     16;  // thick leaves with fewer points are not split: their shape is only noise
+// Noise falls into small leaves, of which many stay thick or are crumbs of a few points. Their triangulations would cost much
+// and show nothing. In scans of surfaces, nearly all groups of leaf_points points have less noise and larger leaves. Smaller
+// groups may be a thin part of a surface.
+constexpr double most_noise = 0.3;          // as a share of the points
+constexpr std::size_t fewest_in_leaf = 24;  // on average
+constexpr std::size_t fewest_without_surface = 48;
+constexpr std::size_t most_in_crumb = 8;
 
 // A tree with node and leaf numbers of its own. Its first node is its root.
 struct Subtree {
@@ -51,9 +58,7 @@ class TreeBuilder {
   std::uint32_t build(Subtree& subtree, std::size_t begin, std::size_t end) const {
     Box box;
     for (std::size_t i = begin; i < end; ++i) box.add(surfels_[i].position);
-    if (end - begin <= options_.leaf_points || box.low == box.high) {
-      return build_height_fields(subtree, begin, end);
-    }
+    if (end - begin <= options_.leaf_points || box.low == box.high) return build_leaves(subtree, begin, end);
     const std::size_t leaves = (end - begin + options_.leaf_points - 1) / options_.leaf_points;
     const std::size_t middle = split(begin, end, box, begin + (end - begin) * (leaves / 2) / leaves);
     return add_inner_node(
@@ -104,9 +109,25 @@ class TreeBuilder {
     return low > begin && (high == end || middle - low <= high - middle) ? low : high;
   }
 
+  // Appends height fields, or one leaf without a surface if the surfels are noise.
+  std::uint32_t build_leaves(Subtree& subtree, std::size_t begin, std::size_t end) const {
+    const std::size_t nodes = subtree.nodes.size(), leaves = subtree.leaves.size();
+    std::size_t noise = 0;
+    const std::uint32_t root = build_height_fields(subtree, begin, end, noise);
+    const std::size_t count = end - begin;
+    const bool is_noise = static_cast<double>(noise) > most_noise * static_cast<double>(count) &&
+                          count < fewest_in_leaf * (subtree.leaves.size() - leaves);
+    if (!is_noise || count < fewest_without_surface) return root;
+    subtree.nodes.resize(nodes);
+    subtree.leaves.resize(leaves);
+    const std::uint32_t leaf = add_leaf(subtree, begin, end);
+    subtree.leaves.back().has_surface = false;
+    return leaf;
+  }
+
   // Splits the surfels until each part is a height field. Folds are split by normals. This separates the two sides of a
-  // thin sheet.
-  std::uint32_t build_height_fields(Subtree& subtree, std::size_t begin, std::size_t end) const {
+  // thin sheet. Adds the number of surfels in parts that stay thick, or become crumbs, to `noise`.
+  std::uint32_t build_height_fields(Subtree& subtree, std::size_t begin, std::size_t end, std::size_t& noise) const {
     const std::span<Surfel> surfels = surfels_.subspan(begin, end - begin);
     const Plane plane = fit_plane(surfels);
     const Shape shape = classify_shape(surfels, plane, options_.height_field);
@@ -118,10 +139,13 @@ class TreeBuilder {
       for (const Surfel& surfel : surfels) box.add(surfel.position);
       if (!(box.low == box.high)) middle = split(begin, end, box, begin + (end - begin) / 2);
     }
-    if (middle == begin || middle == end) return add_leaf(subtree, begin, end);
+    if (middle == begin || middle == end) {
+      if (shape == Shape::thick || end - begin <= most_in_crumb) noise += end - begin;
+      return add_leaf(subtree, begin, end);
+    }
     return add_inner_node(
-        subtree, end - begin, [&](Subtree& to) { return build_height_fields(to, begin, middle); },
-        [&](Subtree& to) { return build_height_fields(to, middle, end); });
+        subtree, end - begin, [&](Subtree& to) { return build_height_fields(to, begin, middle, noise); },
+        [&](Subtree& to) { return build_height_fields(to, middle, end, noise); });
   }
 
   std::uint32_t add_leaf(Subtree& subtree, std::size_t begin, std::size_t end) const {

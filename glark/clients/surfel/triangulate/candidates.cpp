@@ -15,6 +15,13 @@ void make_candidates(Level& level, std::span<const std::uint32_t> leaves, const 
       [&](std::span<const std::uint32_t> some, Batch<Candidate>& batch) {
         LeafTriangulator triangulator(level.tree, options.reach, options.flip_edges);
         for (const std::uint32_t leaf : some) {
+          if (!level.tree.leaves[leaf].has_surface) {
+            level.patches[leaf].counts = {};
+            level.patches[leaf].shared_count = 0;
+            level.patches[leaf].points_moved = true;
+            batch.counts.push_back(0);
+            continue;
+          }
           const LeafTriangulator::Result& result = triangulator.triangulate(leaf);
           batch.items.insert(batch.items.end(), result.candidates.begin(), result.candidates.end());
           batch.counts.push_back(static_cast<std::uint32_t>(result.candidates.size()));

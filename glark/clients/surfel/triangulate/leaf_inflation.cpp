@@ -20,7 +20,7 @@ void find_neighbours(const StrippingTree& tree, std::uint32_t number, std::vecto
   const Leaf& leaf = tree.leaves[number];
   const Box& box = tree.nodes[leaf.node].box;
   found.clear();
-  if (leaf.unique_count == 0) return;
+  if (leaf.unique_count == 0 || !leaf.has_surface) return;
   std::array<std::uint32_t, 128> stack;
   std::vector<std::uint32_t> overflow;  // only used in deep trees of very uneven clouds
   std::size_t height = 0;
@@ -42,7 +42,7 @@ void find_neighbours(const StrippingTree& tree, std::uint32_t number, std::vecto
     if (node.leaf == none) {
       push(node.right);
       push(node.left);
-    } else if (node.leaf != number) {
+    } else if (node.leaf != number && tree.leaves[node.leaf].has_surface) {
       found.push_back(node.leaf);
     }
   }

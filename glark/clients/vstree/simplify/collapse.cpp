@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "glark/clients/vstree/simplify/touching_sheets.h"
 #include "glark/clients/vstree/validation.h"
 #if GLARK_HAS_MESHOPTIMIZER
 #include <meshoptimizer.h>
@@ -150,6 +151,7 @@ Simplified collapse(const Surface& surface, const SimplifyOptions& options) {
   Simplified result = with_used_points(surface, std::move(triangles));
   result.method = Method::collapse;
   result.error = error * to_diagonal;
+  part_touching_sheets(surface, result);
   return result;
 }
 

@@ -17,6 +17,8 @@
 namespace glark::vstree {
 namespace {
 
+constexpr float apart = 0.02F;  // how far vertices of touching sheets move, relative to the middle of their triangles
+
 // Returns means of the triangles' normals, weighted by area. They do not have unit length.
 std::vector<float> vertex_normals(const Surface& surface) {
   std::vector<float> normals(surface.points.positions.size());
@@ -57,9 +59,9 @@ void write_attributes(const Surface& surface, const Clusters& clusters, const Re
     };
     std::vector<Nearest> nearest(clusters.count);
     for (std::uint32_t i = 0; i < clusters.of.size(); ++i) {
-      const Float4 apart = surface.point(i) - representatives.points[clusters.of[i]];
+      const Float4 way = surface.point(i) - representatives.points[clusters.of[i]];
       Nearest& best = nearest[clusters.of[i]];
-      if (dot(apart, apart) < best.square) best = {dot(apart, apart), i};
+      if (dot(way, way) < best.square) best = {dot(way, way), i};
     }
     for (const std::uint32_t cluster : cluster_of) {
       const float* const texcoord = &from.texcoords[2 * std::size_t{nearest[cluster].sample}];
@@ -89,22 +91,30 @@ Simplified cluster_vertices(const Surface& surface, const SimplifyOptions& optio
   Simplified result;
   std::vector<std::uint32_t> cluster_of(clusters.count);  // for each vertex of the result
   for (std::uint32_t i = 0; i < clusters.count; ++i) cluster_of[i] = i;
+  std::vector<Float4> points = stand.points;  // of the vertices
   if (!triangles.empty()) {
     if (clusters.triangles.empty()) clusters.set_triangles(spanning(triangles, clusters.of, workers));
     result.triangles = std::move(clusters.triangles);
-    if (options.cut) cluster_of = cut_sheets(result.triangles, stand.points, clusters.irregular);
+    if (options.cut) {
+      cluster_of = cut_sheets(result.triangles, points, clusters.irregular);
+      for (std::size_t i = points.size(); i < cluster_of.size(); ++i) points.push_back(Float4(points[cluster_of[i]]));
+      move_apart(points, result.triangles, cluster_of, apart);
+    }
     const std::vector<std::uint32_t> kept = compact(result.triangles, cluster_of.size());
-    std::vector<std::uint32_t> compacted(kept.size());
-    for (std::size_t i = 0; i < kept.size(); ++i) compacted[i] = cluster_of[kept[i]];
-    cluster_of = std::move(compacted);
+    for (std::size_t i = 0; i < kept.size(); ++i) {  // kept[i] is not below i
+      cluster_of[i] = cluster_of[kept[i]];
+      points[i] = points[kept[i]];
+    }
+    cluster_of.resize(kept.size());
+    points.resize(kept.size());
   }
   std::vector<std::uint32_t> vertex_of(clusters.count, none);
   for (std::uint32_t i = static_cast<std::uint32_t>(cluster_of.size()); i-- > 0;) vertex_of[cluster_of[i]] = i;
   result.representatives.reserve(clusters.of.size());
   for (const std::uint32_t cluster : clusters.of) result.representatives.push_back(vertex_of[cluster]);
   result.positions.reserve(3 * cluster_of.size());
-  for (const std::uint32_t cluster : cluster_of) {
-    const Float4 point = surface.cube.low + stand.points[cluster] * surface.cube.side;
+  for (const Float4& inside : points) {
+    const Float4 point = surface.cube.low + inside * surface.cube.side;
     result.positions.insert(result.positions.end(), {point[0], point[1], point[2]});
   }
   write_attributes(surface, clusters, stand, cluster_of, result);
