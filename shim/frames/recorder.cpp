@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <mutex>
 #include <string>
 
@@ -17,12 +18,18 @@
 namespace glark::shim {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+// At most 60 pictures a second, because the program waits for the encoder.
+constexpr auto shortest_interval = std::chrono::milliseconds(16);
+
 // The film shows the window that ends a frame first.
 struct Recording {
   std::mutex mutex;
   bool tried = false;
   pid_t process = 0;
   void* drawable = nullptr;
+  Clock::time_point last_picture;
   Encoder encoder;
 };
 
@@ -60,8 +67,10 @@ void record_frame(core::Context& context) {
   if (size.width <= 0 || size.height <= 0) return;
   if (!film.tried) start(film, size);
   if (!film.encoder.running() || film.process != getpid() || film.drawable != current_surface().drawable) return;
-  if (!film.encoder.add(read_frame(context, size), size))
-    complain("ffmpeg has ended; its messages are above");
+  const Clock::time_point now = Clock::now();
+  if (now - film.last_picture < shortest_interval) return;
+  film.last_picture = now;
+  if (!film.encoder.add(read_frame(context, size), size)) complain("ffmpeg has ended; its messages are above");
 }
 
 }  // namespace glark::shim

@@ -148,6 +148,24 @@ def check_keys_and_files(program: Program) -> None:
     program.wait_frames()
 
 
+def check_film(arguments, folder: pathlib.Path, environment: dict) -> None:
+    """--split leaves the left half as it is, and --record makes a film that lasts as long as the program."""
+    film, folder = folder / "film.mp4", folder / "recorded"
+    folder.mkdir()
+    program = Program(arguments, folder, ["--refine", "pn", "--wait", "--split", "--record", film], environment)
+    try:
+        program.wait_frames(20)
+        begin = time.monotonic()
+        program.wait_frames(20)
+        took = time.monotonic() - begin
+    finally:
+        program.stop()
+    probe = ["ffprobe", "-v", "error", "-show_entries", "stream=width,height,duration", "-of", "csv=p=0", film]
+    width, height, duration = subprocess.run(probe, check=True, capture_output=True, text=True).stdout.split(",")
+    check((width, height) == ("720", "720"), f"the film has {width} x {height} pixels")
+    check(float(duration) >= took, f"the film lasts {duration} s, the program {took} s")
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--client", required=True)
@@ -173,6 +191,9 @@ def main() -> int:
             program = Program(arguments, folder, options, environment)
             check_panel(program, folder, arguments.system)
             check_keys_and_files(program)
+            if arguments.system == "glx" and shutil.which("ffmpeg"):
+                program.stop()
+                check_film(arguments, folder, environment)
         except Failed as problem:
             messages = program.messages.read_text() if program else ""
             print(f"drive_panel: {arguments.system}: {problem}\n{messages}", file=sys.stderr)
