@@ -104,8 +104,8 @@ void Context::program_changed(Program& program, GLuint name) { stages_->programs
 
 void Context::update_refining() {
   refining_ = capabilities_.refinable &&
-              ((options_.transparent && !options_.live.paused) || (ark_.enabled && ark_.pool_level >= 0) || state_.lists().cutting() ||
-               (stages_ != nullptr && stages_->feedback().watches_draws()));
+              ((options_.transparent && !options_.live.paused) || (ark_.enabled && ark_.pool_level >= 0) ||
+               state_.lists().cutting() || (stages_ != nullptr && stages_->feedback().watches_draws()));
 }
 
 }  // namespace glark::core

@@ -77,7 +77,8 @@ void set_in_table(std::vector<std::string>& lines, std::size_t header, const Cha
 }
 
 // Applies the text and returns how the program would be refined.
-std::optional<core::ContextOptions> meaning_of(const std::string& text, const std::string& program, std::size_t& problems) {
+std::optional<core::ContextOptions> meaning_of(const std::string& text, const std::string& program,
+                                               std::size_t& problems) {
   Settings settings;
   apply_defaults(settings);
   std::vector<std::string> sentences;
@@ -137,8 +138,8 @@ std::string with_settings(std::string_view text, std::string_view program, std::
   std::vector<std::string> lines = edited_lines(text);
   const std::string table = "program." + toml_key(program);
   if (!changed.empty()) {
-    auto header = std::find_if(lines.begin(), lines.end(),
-                               [&](const std::string& line) { return is_header_of(line, program); });
+    auto header =
+        std::find_if(lines.begin(), lines.end(), [&](const std::string& line) { return is_header_of(line, program); });
     if (header == lines.end()) {
       if (!lines.empty()) lines.emplace_back();
       header = lines.insert(lines.end(), fmt::format("[{}]", table));

@@ -45,8 +45,7 @@ bool read_no_weld(Settings& s, std::string_view text) {
 constexpr char level_needed[] = "an integer from 0 to 11";
 constexpr char switch_needed[] = "0 or 1";
 constexpr char file_needed[] = "the name of a file";
-constexpr char key_needed[] =
-    "F1 to F12, Pause, Insert, ScrollLock, Home, PageUp, PageDown, End, Menu, or none,";
+constexpr char key_needed[] = "F1 to F12, Pause, Insert, ScrollLock, Home, PageUp, PageDown, End, Menu, or none,";
 constexpr char attribute_needed[] = "the name of a vertex attribute or its location";
 
 constexpr char depth[] = "How fine";

@@ -45,7 +45,8 @@ std::string_view without_comma(std::string_view text) {
 
 void add_option(const settings::Setting& setting, Page& page) {
   page.gap();
-  page.head(setting.value.empty() ? fmt::format("--{}", setting.key) : fmt::format("--{} {}", setting.key, setting.value));
+  page.head(setting.value.empty() ? fmt::format("--{}", setting.key)
+                                  : fmt::format("--{} {}", setting.key, setting.value));
   page.line("does", fmt::format("{}.{}{}", setting.help, setting.details.empty() ? "" : " ", setting.details));
   page.line("value", setting.kind == settings::Kind::toggle ? "" : without_comma(setting.needed));
   page.line("default", settings::shown_default(setting));

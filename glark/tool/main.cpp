@@ -136,7 +136,8 @@ void describe(Commands& commands) {
       app.add_subcommand("pattern", "Draw the pattern of three edge depths as SVG: glark pattern A B C [-o FILE.svg]");
   glark::tool::describe_pattern(*commands.pattern, commands.drawing);
   commands.help = app.add_subcommand("help", "Explain an option, or why a draw stays unrefined: glark help [TOPIC]");
-  commands.help->add_option("topic", commands.topic, "An option without --, a reason of the statistics, a key of a rule");
+  commands.help->add_option("topic", commands.topic,
+                            "An option without --, a reason of the statistics, a key of a rule");
   commands.settings = app.add_subcommand("settings", "Print the table of settings")->group("");
   commands.settings->add_option("--as", commands.page)
       ->required()

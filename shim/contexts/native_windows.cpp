@@ -32,8 +32,8 @@ struct Windows {
   std::map<void*, EglDisplay> displays;
   std::map<std::pair<void*, void*>, EglSurface> surfaces;  // by display and surface
   std::uint64_t surfaces_made = 0;
-  std::map<unsigned long, unsigned long> glx_windows;          // by drawable
-  std::map<void*, unsigned long> glx_visuals;                  // by context
+  std::map<unsigned long, unsigned long> glx_windows;  // by drawable
+  std::map<void*, unsigned long> glx_visuals;          // by context
 };
 
 // Never destroyed, because programs draw from their exit handlers.

@@ -63,7 +63,8 @@ GLARK_EXPORT void* eglCreatePlatformWindowSurface(void* display, void* config, v
 
 GLARK_EXPORT void* eglCreatePlatformWindowSurfaceEXT(void* display, void* config, void* native,
                                                      const EglInt* attributes) {
-  return made(display, native, true, GLARK_REAL(eglCreatePlatformWindowSurfaceEXT)(display, config, native, attributes));
+  return made(display, native, true,
+              GLARK_REAL(eglCreatePlatformWindowSurfaceEXT)(display, config, native, attributes));
 }
 
 GLARK_EXPORT void* eglCreateContext(void* display, void* config, void* share, const EglInt* attributes) {

@@ -13,7 +13,22 @@
 namespace glark::shim {
 
 // Keys that move about in the panel.
-enum class PanelKey { tab, left, right, up, down, page_up, page_down, home, end, remove, backspace, space, enter, escape };
+enum class PanelKey {
+  tab,
+  left,
+  right,
+  up,
+  down,
+  page_up,
+  page_down,
+  home,
+  end,
+  remove,
+  backspace,
+  space,
+  enter,
+  escape
+};
 
 // In the order in which they came. Positions are in pixels from the window's upper left corner.
 struct InputEvent {
@@ -36,7 +51,7 @@ struct InputEvent {
 };
 
 struct WantedKeys {
-  const settings::Key* panel = nullptr;   // null: none
+  const settings::Key* panel = nullptr;  // null: none
   const settings::Key* toggle = nullptr;
 };
 

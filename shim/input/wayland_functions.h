@@ -8,18 +8,11 @@
 
 namespace glark::shim {
 
-#define GLARK_WAYLAND_FUNCTIONS(use)   \
-  use(wl_display_create_queue)         \
-  use(wl_display_dispatch_queue_pending) \
-  use(wl_display_flush)                \
-  use(wl_display_roundtrip_queue)      \
-  use(wl_proxy_add_listener)           \
-  use(wl_proxy_create_wrapper)         \
-  use(wl_proxy_destroy)                \
-  use(wl_proxy_marshal_array_constructor) \
-  use(wl_proxy_marshal_array_constructor_versioned) \
-  use(wl_proxy_set_queue)              \
-  use(wl_proxy_wrapper_destroy)
+#define GLARK_WAYLAND_FUNCTIONS(use)                                                                                \
+  use(wl_display_create_queue) use(wl_display_dispatch_queue_pending) use(wl_display_flush)                         \
+      use(wl_display_roundtrip_queue) use(wl_proxy_add_listener) use(wl_proxy_create_wrapper) use(wl_proxy_destroy) \
+          use(wl_proxy_marshal_array_constructor) use(wl_proxy_marshal_array_constructor_versioned)                 \
+              use(wl_proxy_set_queue) use(wl_proxy_wrapper_destroy)
 
 // Each function has its name and an underscore.
 struct WaylandFunctions {

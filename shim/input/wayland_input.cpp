@@ -66,7 +66,7 @@ class WaylandInput final : public InputSource {
   wl_proxy* seat_ = nullptr;
   wl_proxy* keyboard_ = nullptr;
   wl_proxy* pointer_ = nullptr;
-  bool has_pointer_ = false;   // the seat
+  bool has_pointer_ = false;  // the seat
   bool pointer_here_ = false;
   bool shift_ = false;
   float x_ = 0;
@@ -117,8 +117,7 @@ const wl_pointer_listener WaylandInput::pointer_listener = [] {
     WaylandInput& input = self(data);
     input.x_ = static_cast<float>(wl_fixed_to_double(x));
     input.y_ = static_cast<float>(wl_fixed_to_double(y));
-    if (input.pointer_here_)
-      input.events_.push_back({.kind = InputEvent::Kind::move, .x = input.x_, .y = input.y_});
+    if (input.pointer_here_) input.events_.push_back({.kind = InputEvent::Kind::move, .x = input.x_, .y = input.y_});
   };
   listener.button = [](void* data, wl_pointer*, std::uint32_t, std::uint32_t, std::uint32_t button,
                        std::uint32_t state) {
@@ -164,9 +163,8 @@ void WaylandInput::bind_seat(wl_registry* registry, std::uint32_t name) {
   arguments[0].u = name;
   arguments[1].s = wayland_.seat_interface->name;
   arguments[2].u = 1;
-  seat_ = wayland_.wl_proxy_marshal_array_constructor_versioned_(reinterpret_cast<wl_proxy*>(registry),
-                                                                 WL_REGISTRY_BIND, arguments.data(),
-                                                                 wayland_.seat_interface, 1);
+  seat_ = wayland_.wl_proxy_marshal_array_constructor_versioned_(
+      reinterpret_cast<wl_proxy*>(registry), WL_REGISTRY_BIND, arguments.data(), wayland_.seat_interface, 1);
   if (seat_ != nullptr) wayland_.wl_proxy_add_listener_(seat_, functions_of(seat_listener), this);
 }
 

@@ -59,8 +59,8 @@ class X11Input final : public InputSource {
   xcb_window_t window_;
   WantedKeys keys_;
   X11Keymap keymap_;
-  xcb_window_t cover_ = 0;     // invisible, over the panel
-  std::optional<Area> area_;   // of the cover; empty: it is not mapped
+  xcb_window_t cover_ = 0;    // invisible, over the panel
+  std::optional<Area> area_;  // of the cover; empty: it is not mapped
   bool keyboard_wanted_ = false;
   bool keyboard_ours_ = false;
   unsigned buttons_ = 0;  // that are down, by bits

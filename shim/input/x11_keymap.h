@@ -16,7 +16,7 @@ class X11Keymap {
  public:
   X11Keymap(const XcbFunctions& xcb, xcb_connection_t* connection);
 
-  xcb_keycode_t code_of(std::uint32_t keysym) const;  // 0: no key has it
+  xcb_keycode_t code_of(std::uint32_t keysym) const;              // 0: no key has it
   std::uint32_t keysym_of(xcb_keycode_t code, bool shift) const;  // 0: none
 
  private:

@@ -136,9 +136,8 @@ std::vector<std::string> loaded_gl_libraries() {
 }
 
 std::vector<std::string> loaded_libraries(std::string_view library) {
-  Collected found{[](std::string_view path, std::string_view name) { return file_of(path).starts_with(name); },
-                  library,
-                  {}};
+  Collected found{
+      [](std::string_view path, std::string_view name) { return file_of(path).starts_with(name); }, library, {}};
   dl_iterate_phdr(collect_library, &found);
   return found.paths;
 }

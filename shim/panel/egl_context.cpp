@@ -78,8 +78,8 @@ void* create_like(const EglFunctions& egl, void* native, const Surface& surface)
   egl.bind_api(static_cast<unsigned>(api));
   const EglInt es[] = {egl_client_version, 2, egl_none};
   const EglInt desktop[] = {egl_none};
-  void* const own = GLARK_REAL(eglCreateContext)(surface.display, config, nullptr,
-                                                 api == egl_opengl_es_api ? es : desktop);
+  void* const own =
+      GLARK_REAL(eglCreateContext)(surface.display, config, nullptr, api == egl_opengl_es_api ? es : desktop);
   egl.bind_api(before);
   return own;
 }

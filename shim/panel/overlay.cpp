@@ -22,7 +22,7 @@ namespace {
 struct OverlayWindow {
   Provider provider = Provider::glx;
   Surface surface;
-  std::uint64_t number = 0;  // of its NativeWindow
+  std::uint64_t number = 0;            // of its NativeWindow
   std::unique_ptr<InputSource> input;  // null: there are no keys in this window
 };
 
@@ -64,8 +64,8 @@ void close_panel(Overlay& all) {
 void forget_gone(Overlay& all, const NativeWindow& current) {
   const Surface surface = current_surface();
   std::erase_if(all.windows, [&](const std::unique_ptr<OverlayWindow>& window) {
-    const bool renamed = window->provider == current_provider() && window->surface == surface &&
-                         window->number != current.number;
+    const bool renamed =
+        window->provider == current_provider() && window->surface == surface && window->number != current.number;
     const bool gone = renamed || (window->input != nullptr && window->input->gone());
     if (gone && all.shown_in == window.get()) {
       all.shown_in = nullptr;

@@ -11,10 +11,10 @@ namespace glark::shim {
 namespace {
 
 // In the order of PanelKey.
-constexpr std::array keys{ImGuiKey_Tab,    ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_UpArrow,
-                          ImGuiKey_DownArrow, ImGuiKey_PageUp, ImGuiKey_PageDown,   ImGuiKey_Home,
-                          ImGuiKey_End,    ImGuiKey_Delete,    ImGuiKey_Backspace,  ImGuiKey_Space,
-                          ImGuiKey_Enter,  ImGuiKey_Escape};
+constexpr std::array keys{ImGuiKey_Tab,       ImGuiKey_LeftArrow, ImGuiKey_RightArrow, ImGuiKey_UpArrow,
+                          ImGuiKey_DownArrow, ImGuiKey_PageUp,    ImGuiKey_PageDown,   ImGuiKey_Home,
+                          ImGuiKey_End,       ImGuiKey_Delete,    ImGuiKey_Backspace,  ImGuiKey_Space,
+                          ImGuiKey_Enter,     ImGuiKey_Escape};
 static_assert(keys.size() == static_cast<std::size_t>(PanelKey::escape) + 1);
 
 #if IMGUI_VERSION_NUM >= 18700

@@ -42,9 +42,12 @@ void write_line(core::LogLevel level, std::string_view message) {
     errno = saved;
     return;
   }
-  const std::array pieces{piece(color_of(level)), piece(prefixes[static_cast<std::size_t>(level)]),
-                          piece(colored.load(std::memory_order_relaxed) ? settings::style::plain : ""), piece(" "),
-                          piece(message), piece("\n")};
+  const std::array pieces{piece(color_of(level)),
+                          piece(prefixes[static_cast<std::size_t>(level)]),
+                          piece(colored.load(std::memory_order_relaxed) ? settings::style::plain : ""),
+                          piece(" "),
+                          piece(message),
+                          piece("\n")};
   static_cast<void>(!writev(STDERR_FILENO, pieces.data(), pieces.size()));
   errno = saved;
 }

@@ -56,8 +56,9 @@ const settings::Settings& options() {
     for (const std::string& problem : parsed.problems) core::log(core::LogLevel::warning, problem);
 #if !GLARK_PANEL
     if (parsed.settings.overlay || parsed.settings.toggle_key != nullptr)
-      core::log(core::LogLevel::warning, "this build of glark has no panel and follows no keys; docs/how-to/panel.md says "
-                                         "what it needs");
+      core::log(core::LogLevel::warning,
+                "this build of glark has no panel and follows no keys; docs/how-to/panel.md says "
+                "what it needs");
 #endif
     if (!parsed.settings.dump_folder.empty()) install_shader_dump(parsed.settings.dump_folder);
     return new settings::Settings(std::move(parsed.settings));

@@ -24,9 +24,10 @@ TEST(Assertions, CallsWithoutOnePassThrough) {
   int calls = 0;
   EXPECT_TRUE(survives_assertions([&] { ++calls; }));
   EXPECT_THROW(survives_assertions([&] {
-    ++calls;
-    throw std::runtime_error("passes");
-  }), std::runtime_error);
+                 ++calls;
+                 throw std::runtime_error("passes");
+               }),
+               std::runtime_error);
   EXPECT_EQ(calls, 2);
 }
 

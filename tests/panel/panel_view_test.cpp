@@ -96,7 +96,8 @@ TEST_F(PanelView, FitsIntoTinyWindows) {
 
 // Options that the user cannot choose otherwise stay within their limits, whatever is clicked and typed.
 TEST_F(PanelView, AnyKeysAndClicksLeaveValidOptions) {
-  for (const core::Cause cause : {core::Cause::rule, core::Cause::screen_quad}) model_.classes.push_back(class_with(cause));
+  for (const core::Cause cause : {core::Cause::rule, core::Cause::screen_quad})
+    model_.classes.push_back(class_with(cause));
   for (int i = 0; i < 200; ++i) model_.classes.push_back(class_with(std::nullopt));
   std::mt19937 random(7);
   const auto below = [&](unsigned count) { return static_cast<unsigned>(random() % count); };

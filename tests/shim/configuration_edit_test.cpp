@@ -86,7 +86,8 @@ TEST(ConfigurationEdit, AnEmptyFileGetsATable) {
 }
 
 TEST(ConfigurationEdit, OtherLinesStay) {
-  const std::string text = "# mine\nlevel = 1\n[program.prog]  # fast\ncrease = 30\n level = 2 # old\n[program.other]\nlevel = 5\n";
+  const std::string text =
+      "# mine\nlevel = 1\n[program.prog]  # fast\ncrease = 30\n level = 2 # old\n[program.other]\nlevel = 5\n";
   const std::string edited = with_settings(text, "prog", level_3, {});
   EXPECT_EQ(edited, "# mine\nlevel = 1\n[program.prog]  # fast\ncrease = 30\nlevel = 3\n[program.other]\nlevel = 5\n");
   EXPECT_EQ(read(edited, "prog").level, 3U);

@@ -7,9 +7,8 @@
 namespace glark::core {
 
 WatchedClass& FrameWatch::find(const DrawClassKey& key, bool kept) {
-  const auto found = std::find_if(current_.begin(), current_.end(), [&](const WatchedClass& known) {
-    return known.kept == kept && known.key == key;
-  });
+  const auto found = std::find_if(current_.begin(), current_.end(),
+                                  [&](const WatchedClass& known) { return known.kept == kept && known.key == key; });
   if (found != current_.end()) {
     return *found;
   }

@@ -26,9 +26,7 @@ void enable_test(const gl::Dispatch& gl, bool on) {
 
 }  // namespace
 
-Box left_of(const Box& box, GLint middle) {
-  return {box[0], box[1], std::clamp(middle - box[0], 0, box[2]), box[3]};
-}
+Box left_of(const Box& box, GLint middle) { return {box[0], box[1], std::clamp(middle - box[0], 0, box[2]), box[3]}; }
 
 Box right_of(const Box& box, GLint middle) {
   const GLint first = std::clamp(middle, box[0], box[0] + box[2]);
@@ -57,9 +55,9 @@ HalfWindow::~HalfWindow() {
 bool HalfWindow::splits(const Environment& environment) {
   const LiveView& view = environment.options.live;
   const std::array<float, 2>& viewport = environment.bindings().viewport;
-  return view.split && (environment.state.framebuffers().bound_name() == 0 ||
-                        (viewport[0] == static_cast<float>(view.window[0]) &&
-                         viewport[1] == static_cast<float>(view.window[1])));
+  return view.split &&
+         (environment.state.framebuffers().bound_name() == 0 ||
+          (viewport[0] == static_cast<float>(view.window[0]) && viewport[1] == static_cast<float>(view.window[1])));
 }
 
 void HalfWindow::select(const Box& box) const {

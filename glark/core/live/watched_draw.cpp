@@ -9,9 +9,9 @@ namespace {
 bool may_change_pixel(const Environment& environment) {
   const LiveView& view = environment.options.live;
   const std::array<float, 2>& viewport = environment.bindings().viewport;
-  return view.pixel && (environment.state.framebuffers().bound_name() == 0 ||
-                        (viewport[0] == static_cast<float>(view.window[0]) &&
-                         viewport[1] == static_cast<float>(view.window[1])));
+  return view.pixel &&
+         (environment.state.framebuffers().bound_name() == 0 ||
+          (viewport[0] == static_cast<float>(view.window[0]) && viewport[1] == static_cast<float>(view.window[1])));
 }
 
 }  // namespace

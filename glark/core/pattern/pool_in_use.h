@@ -28,8 +28,8 @@ class PoolInUse {
   // Builds the pool that the state asks for, unless it is there. False without memory: then it is not tried again.
   bool ensure() {
     const unsigned level = wanted_level();
-    const bool fits = pool_.built() && pool_.max_level() >= level &&
-                      pool_.nested() == core::geomorphs(env_.options, env_.ark);
+    const bool fits =
+        pool_.built() && pool_.max_level() >= level && pool_.nested() == core::geomorphs(env_.options, env_.ark);
     if (!fits && level != failed_level_) {
       core::ErrorScope errors(env_.errors);
       if (build(level)) {

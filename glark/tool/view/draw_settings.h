@@ -18,9 +18,9 @@ inline constexpr int deepest_level = 4;
 struct Look {
   float light_right = 16.7F;
   float light_above = 25.6F;
-  float ambient = 0.2F;  // of white light from everywhere, 0 to 1
+  float ambient = 0.2F;    // of white light from everywhere, 0 to 1
   float specular = 0.15F;  // 0 to 1
-  float shininess = 30;   // 1 to 128
+  float shininess = 30;    // 1 to 128
 };
 
 struct DrawSettings {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/tool/view/film.h"
 
-#include <fmt/format.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -28,8 +28,8 @@ std::string filter_for(const std::string& file) {
 }  // namespace
 
 Film::Film(const std::string& file) : file_(file) {
-  std::vector<std::string> words{"ffmpeg",   "-loglevel", "error", "-y", "-f",     "image2pipe",     "-framerate", "30",
-                                 "-c:v",     "ppm",       "-i",    "-",  "-vf",    filter_for(file), file};
+  std::vector<std::string> words{"ffmpeg", "-loglevel", "error", "-y", "-f",  "image2pipe",     "-framerate", "30",
+                                 "-c:v",   "ppm",       "-i",    "-",  "-vf", filter_for(file), file};
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -43,7 +43,8 @@ Film::Film(const std::string& file) : file_(file) {
   close(ends[0]);
   if (error != 0) {
     close(ends[1]);
-    throw std::runtime_error(fmt::format("{}: the program ffmpeg cannot be run: {}; install it", file, std::strerror(error)));
+    throw std::runtime_error(
+        fmt::format("{}: the program ffmpeg cannot be run: {}; install it", file, std::strerror(error)));
   }
   signal(SIGPIPE, SIG_IGN);  // ffmpeg tells itself why it ends
   pipe_ = fdopen(ends[1], "wb");

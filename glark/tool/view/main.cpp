@@ -43,7 +43,9 @@ void describe(CLI::App& command, View& view) {
       .add_option("--measure", view.reference,
                   "Colour the points by their distance from the surface of this file: blue is 0, red is far")
       ->type_name("REFERENCE");
-  command.add_option("--turntable", view.film, "Write a film of one turn and exit, by the program ffmpeg; needs no display")
+  command
+      .add_option("--turntable", view.film,
+                  "Write a film of one turn and exit, by the program ffmpeg; needs no display")
       ->type_name("OUT.mp4|OUT.gif");
   command.add_option("--frames", view.frames, "Pictures of the film, 30 a second; default 120")
       ->check(CLI::Range(1, 100000));
