@@ -44,10 +44,7 @@ void Context::start() {
     return;
   }
   note_context(version, capabilities_.refinable);
-  if (capabilities_.api == Capabilities::Api::es && options_.wireframe) {  // it has no glPolygonMode
-    log(LogLevel::warning, "OpenGL ES draws no wireframes: refined triangles are filled in context " + version);
-    options_.wireframe = false;
-  }
+  drop_wireframe_of_es();
   if (!capabilities_.refinable) {
     log(LogLevel::warning, "context " + version + " is below OpenGL 4.3 and OpenGL ES 3.2: its draws stay as they are");
     return;
@@ -60,6 +57,27 @@ void Context::start() {
   ark_.tag_attribute = attributes - 1;
   ark_.discontinuity_attribute = attributes - 2;
   ark_.scalar_tag_attribute = attributes - 3;
+}
+
+// OpenGL ES has no glPolygonMode.
+void Context::drop_wireframe_of_es() {
+  if (capabilities_.api == Capabilities::Api::es && options_.wireframe) {
+    log(LogLevel::warning,
+        "OpenGL ES draws no wireframes: refined triangles are filled in context " + capabilities_.version_text);
+    options_.wireframe = false;
+  }
+}
+
+void Context::change_options(ContextOptions wanted) {
+  wanted.transparent = options_.transparent;
+  wanted.roles = std::move(options_.roles);
+  wanted.left_shaders = std::move(options_.left_shaders);
+  wanted.read_counts = options_.read_counts;
+  constexpr auto tension = static_cast<std::size_t>(Refinement::scalar_tagged_pn);
+  wanted.shape_numbers[tension] = options_.shape_numbers[tension];  // a constant of the derived programs
+  options_ = std::move(wanted);
+  drop_wireframe_of_es();
+  update_refining();
 }
 
 void Context::release() {
@@ -86,8 +104,8 @@ void Context::program_changed(Program& program, GLuint name) { stages_->programs
 
 void Context::update_refining() {
   refining_ = capabilities_.refinable &&
-              (options_.transparent || (ark_.enabled && ark_.pool_level >= 0) || state_.lists().cutting() ||
-               (stages_ != nullptr && stages_->feedback().watches_draws()));
+              ((options_.transparent && !options_.live.paused) || (ark_.enabled && ark_.pool_level >= 0) ||
+               state_.lists().cutting() || (stages_ != nullptr && stages_->feedback().watches_draws()));
 }
 
 }  // namespace glark::core

@@ -43,6 +43,9 @@ class Context final : private ProgramWatcher {
 
   // Deletes our GL objects; only while the context is current. The destructor alone leaves them to the driver.
   void release();
+  // Between two frames, while the context is current. `transparent`, the roles of attributes, the tension, the shaders
+  // that are left alone and `read_counts` stay as they were when the context was created.
+  void change_options(ContextOptions wanted);
   // At the end of a frame: before buffers are swapped, or when the context is current again after another one has shown
   // its pictures.
   void frame_finished();
@@ -84,6 +87,7 @@ class Context final : private ProgramWatcher {
  private:
   Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group, const ContextOptions& wanted);
   void start();
+  void drop_wireframe_of_es();
   void program_changed(Program& program, GLuint name) override;
 
   const gl::Dispatch& gl_;

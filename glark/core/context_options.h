@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "glark/core/draw_rule.h"
+#include "glark/core/live/live_view.h"
 #include "glark/core/refinement.h"
 
 namespace glark::core {
@@ -45,7 +46,7 @@ struct EdgeMeasure {
   bool operator==(const EdgeMeasure&) const = default;
 };
 
-// The host's options for a context. Set once, when the context is created.
+// The host's options for a context. Context::change_options() changes them between two frames.
 struct ContextOptions {
   bool transparent = false;  // refine a program that does not know of the extension
   unsigned level = 2;        // uniform level of transparent refinement
@@ -68,6 +69,7 @@ struct ContextOptions {
   bool wait =
       true;  // compile what a draw needs at once; else a few programs in each frame, and draw unrefined until then
   bool read_counts = false;  // once a frame, reads back the counts that only the GPU knows, for the statistics
+  LiveView live = {};
 };
 
 }  // namespace glark::core

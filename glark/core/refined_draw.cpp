@@ -12,8 +12,14 @@ namespace glark::core {
 namespace {
 
 KeyFacts key_facts(const DrawPlan& plan, const pattern::PoolInUse& pool) {
-  return {plan.capture, plan.depth, plan.polygons.has_value(), plan.weld.on, plan.weld.crease < weld::no_crease,
-          pool.number()};
+  return {plan.capture, plan.depth, plan.polygons.has_value(), plan.weld.on, plan.weld.crease, pool.number()};
+}
+
+// The plan of the same draw with its coarse triangles.
+DrawPlan coarse(DrawPlan plan) {
+  plan.depth.level = 0;
+  plan.depth.coarse = plan.depth.adaptive;
+  return plan;
 }
 
 void count_fallback(const DrawPlan& plan) {
@@ -55,6 +61,8 @@ void RefinedDraw::run(const DrawCall& call) {
   const KeyFacts facts = key_facts(plan, parts_.pool);
   KeptDraw kept = parts_.kept.find(call, facts);
   parts_.views.follow(plan, kept);
+  const HalfWindow half(env_, HalfWindow::splits(env_));
+  draw_left_half(half, call, quiet);
   if (draw_kept_vertices(plan, kept)) {
     return;
   }
@@ -64,7 +72,11 @@ void RefinedDraw::run(const DrawCall& call) {
     return;
   }
   const bool welded = !kept.filled && parts_.passes.weld(plan, triangles);
-  refine(plan, triangles, kept, welded);
+  {
+    Watched watched;
+    watch(watched, plan, std::nullopt, triangles.count);
+    refine(plan, triangles, kept, welded);
+  }
   count_refined(plan);
   count_class(plan, std::nullopt, triangles.count);
   parts_.capture.count_drawn(triangles, plan.depth.adaptive ? 0 : plan.depth.level);
@@ -74,10 +86,15 @@ void RefinedDraw::leave(const DrawCall& call, Cause cause) {
   env_.state.refresh();
   parts_.meshes.judge(call, {}, cause);
   pass(cause);
+  Watched watched;
+  watch(watched, {}, cause, call.triangles);
+  call.issue();
 }
 
 void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet) {
   pass_planned(plan, cause, call.triangles);
+  Watched watched;
+  watch(watched, plan, cause, call.triangles);
   quiet.interrupt();
   call.issue();
   quiet.hush();
@@ -108,6 +125,10 @@ void RefinedDraw::count_class(const DrawPlan& plan, std::optional<Cause> cause, 
   if (!env_.options.read_counts) {
     return;
   }
+  classes_.count(class_of(plan, cause), triangles);
+}
+
+DrawClassKey RefinedDraw::class_of(const DrawPlan& plan, std::optional<Cause> cause) const {
   DrawClassKey key{.state = read_draw_state(env_, plan.program)};
   key.verdict.cause = cause;
   key.verdict.fallback = plan.fallback;
@@ -116,7 +137,31 @@ void RefinedDraw::count_class(const DrawPlan& plan, std::optional<Cause> cause, 
     key.verdict.measured = plan.depth.measured;
     key.verdict.level = plan.depth.adaptive ? 0 : plan.depth.level;
   }
-  classes_.count(key, triangles);
+  return key;
+}
+
+void RefinedDraw::watch(Watched& watched, const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles,
+                        bool kept) {
+  if (env_.options.live.watches_draws()) {
+    watched.emplace(env_, watch_, WatchedDraw::Draw{class_of(plan, cause), kept, triangles});
+  }
+}
+
+// The refined draw then fills the right half.
+void RefinedDraw::draw_left_half(const HalfWindow& half, const DrawCall& call, const Quiet& quiet) const {
+  if (!half.on()) {
+    return;
+  }
+  half.select_left();
+  quiet.interrupt();
+  call.issue();
+  quiet.hush();
+  half.select_right();
+}
+
+void RefinedDraw::frame_finished() {
+  classes_.frame_finished();
+  watch_.frame_finished();
 }
 
 capture::CoarseTriangles RefinedDraw::capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept,
@@ -145,10 +190,14 @@ bool RefinedDraw::draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept)
   if (vertices == nullptr) {
     return false;
   }
-  parts_.submission.draw_vertices(*vertices);
+  const std::uint32_t triangles = kept.entry->triangles.count;
+  {
+    Watched watched;
+    watch(watched, plan, std::nullopt, triangles, true);
+    parts_.submission.draw_vertices(*vertices);
+  }
   ++statistics().captures_reused;
   ++statistics().draws_of_kept_vertices;
-  const std::uint32_t triangles = kept.entry->triangles.count;
   statistics().coarse_triangles += triangles;
   statistics().refined_triangles += static_cast<std::uint64_t>(vertices->index_count) / 3;
   count_refined(plan);
@@ -212,8 +261,14 @@ std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials) {
   const std::uint64_t room = parts_.immediate.begin(mode, materials, cause);
   if (cause) {
     pass_planned({}, *cause, 0);
+    watch(open_, {}, cause, 0);
   }
   return room;
+}
+
+void RefinedDraw::end_unrefined(std::uint64_t triangles) {
+  open_.reset();
+  parts_.meshes.loose_ended(triangles);
 }
 
 void RefinedDraw::end_immediate(std::uint64_t triangles) {
@@ -231,7 +286,17 @@ void RefinedDraw::end_immediate(std::uint64_t triangles) {
     count_refined(captured.plan);
     count_class(captured.plan, std::nullopt, captured.triangles.count);
   }
-  refine(captured.plan, captured.triangles, {}, welded);
+  const HalfWindow half(env_, !captured.cause && HalfWindow::splits(env_));
+  if (half.on()) {
+    half.select_left();
+    refine(coarse(captured.plan), captured.triangles, {}, welded);
+    half.select_right();
+  }
+  {
+    Watched watched;
+    watch(watched, captured.plan, captured.cause, captured.triangles.count);
+    refine(captured.plan, captured.triangles, {}, welded);
+  }
   statistics().coarse_triangles += captured.triangles.count;
 }
 

@@ -15,6 +15,9 @@
 #include "glark/core/feedback/refined_feedback.h"
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
+#include "glark/core/live/frame_watch.h"
+#include "glark/core/live/half_window.h"
+#include "glark/core/live/watched_draw.h"
 #include "glark/core/meshes/mesh_watch.h"
 #include "glark/core/passes/kept_views.h"
 #include "glark/core/passes/triangle_passes.h"
@@ -51,12 +54,19 @@ class RefinedDraw {
   std::uint64_t begin_immediate(GLenum mode, MaterialSet materials);
   void end_immediate(std::uint64_t triangles);
   // glEnd of a draw that began unrefined.
-  void end_unrefined(std::uint64_t triangles) { parts_.meshes.loose_ended(triangles); }
-  // Notes a draw that the caller makes unrefined.
+  void end_unrefined(std::uint64_t triangles);
+  // Issues the draw unrefined.
   void leave(const DrawCall& call, Cause cause);
-  void frame_finished() { classes_.frame_finished(); }
+  void frame_finished();
+  const FrameWatch& watch() const { return watch_; }
 
  private:
+  // Counts, tints and asks as the user wishes who watches the draws; empty if nobody does.
+  using Watched = std::optional<WatchedDraw>;
+  void watch(Watched& watched, const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles,
+             bool kept = false);
+  DrawClassKey class_of(const DrawPlan& plan, std::optional<Cause> cause) const;
+  void draw_left_half(const HalfWindow& half, const DrawCall& call, const Quiet& quiet) const;
   void pass(Cause cause);
   void draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet);
   void pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t triangles);
@@ -70,6 +80,8 @@ class RefinedDraw {
   Parts parts_;
   PassedDraws passed_;
   DrawClasses classes_;
+  FrameWatch watch_;
+  Watched open_;  // glBegin..glEnd that stays unrefined
 };
 
 }  // namespace glark::core

@@ -4,6 +4,7 @@
 // The stages of one context that can refine. refined_draw.cpp runs them.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "glark/core/capture/draw_capture.h"
@@ -35,6 +36,8 @@ class Stages {
   DrawPrograms& programs() { return programs_; }
   Planner& planner() { return planner_; }
   pattern::PoolInUse& pool() { return pool_; }
+
+  std::int64_t kept_bytes() const { return kept_.bytes(); }  // on the GPU, of draws that repeat
 
   void frame_finished();
   // The application reads pixels. In a program that neither swaps buffers nor waits for GL, that ends a frame.

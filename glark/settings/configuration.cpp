@@ -64,7 +64,6 @@ class Reader {
   void complain(const Part& part, const toml::node& node, const std::string& what) {
     complain(part.first_line + node.source().begin.line, node.source().begin.column, what);
   }
-  bool refuse_deep_keys(std::string_view text);
   void parse_lines(std::vector<std::string_view> lines, std::size_t first_line);
   void apply_table(const Part& part, const toml::table& table, bool all_programs);
   void apply_value(const Part& part, const Setting& setting, const toml::node& node);
@@ -126,20 +125,21 @@ std::string keys_of_rules() {
   return names;
 }
 
-bool Reader::refuse_deep_keys(std::string_view text) {
+// Returns the first line with too many dots, counted from 1; 0: there is none.
+std::size_t line_of_deep_key(std::string_view text) {
   std::size_t line = 1;
   for (const std::string_view content : lines_of(text)) {
-    if (std::count(content.begin(), content.end(), '.') > most_dots) {
-      complain(line, 1, fmt::format("the line has more than {} dots; the file is not used", most_dots));
-      return true;
-    }
+    if (std::count(content.begin(), content.end(), '.') > most_dots) return line;
     ++line;
   }
-  return false;
+  return 0;
 }
 
 void Reader::parse(std::string_view text) {
-  if (refuse_deep_keys(text)) return;
+  if (const std::size_t line = line_of_deep_key(text); line > 0) {
+    complain(line, 1, fmt::format("the line has more than {} dots; the file is not used", most_dots));
+    return;
+  }
   if (toml::parse_result whole = toml::parse(text, file_)) {
     parts_.push_back({std::move(whole).table(), 0});
     return;
@@ -259,5 +259,7 @@ void apply_configuration(std::string_view text, const std::string& file, std::sp
     problems.push_back(fmt::format("{}: cannot be read: {}", file, error.what()));
   }
 }
+
+bool is_toml(std::string_view text) { return line_of_deep_key(text) == 0 && toml::parse(text); }
 
 }  // namespace glark::settings

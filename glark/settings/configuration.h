@@ -23,6 +23,9 @@ inline constexpr std::size_t longest_configuration = 256 * 1024;
 void apply_configuration(std::string_view text, const std::string& file, std::span<const std::string> names,
                          Settings& settings, std::vector<std::string>& problems);
 
+// Returns whether the text is TOML. The tables without errors of other texts are applied, too.
+bool is_toml(std::string_view text);
+
 // Returns the file that this environment names or has in its XDG folders; empty if there is none.
 std::string find_configuration(const char* const* environment);
 

@@ -16,6 +16,7 @@
 #include "glark/core/context_options.h"
 #include "glark/core/refinement.h"
 #include "glark/core/report/log.h"
+#include "glark/settings/keys.h"
 
 namespace glark::settings {
 
@@ -37,6 +38,10 @@ struct Settings {
   std::vector<CaptureRequest> captures;
   std::string statistics_file;            // empty: none
   std::string dump_folder;                // for the sources of shaders; empty: none
+  std::string record_file;                // a film; empty: none
+  bool overlay = false;                   // a panel may be opened over the program's frames
+  const Key* overlay_key = nullptr;       // opens and closes it
+  const Key* toggle_key = nullptr;        // switches refinement off and on; null: no key does
   bool everything = false;                // refine every draw and shader
   bool leave_alone = false;               // refine nothing in this program
   std::set<std::string_view> given = {};  // keys that the user set, from the table
@@ -71,6 +76,7 @@ std::optional<bool> parse_polygons(std::string_view text);            // true: a
 std::optional<bool> parse_normals(std::string_view text);             // true: from geometry
 std::optional<core::LogLevel> parse_log_level(std::string_view text);
 std::optional<bool> parse_switch(std::string_view text);
+std::optional<const Key*> parse_key(std::string_view text);  // null for "none"
 // A comma separates requests only if a frame number follows it.
 std::optional<std::vector<CaptureRequest>> parse_captures(std::string_view text);
 

@@ -45,6 +45,7 @@ bool read_no_weld(Settings& s, std::string_view text) {
 constexpr char level_needed[] = "an integer from 0 to 11";
 constexpr char switch_needed[] = "0 or 1";
 constexpr char file_needed[] = "the name of a file";
+constexpr char key_needed[] = "F1 to F12, Pause, Insert, ScrollLock, Home, PageUp, PageDown, End, Menu, or none,";
 constexpr char attribute_needed[] = "the name of a vertex attribute or its location";
 
 constexpr char depth[] = "How fine";
@@ -53,6 +54,7 @@ constexpr char cost[] = "Cost";
 constexpr char draws[] = "Which draws stay unrefined";
 constexpr char attributes[] = "Vertex attributes";
 constexpr char output[] = "Pictures, statistics and messages";
+constexpr char live[] = "While the program runs";
 constexpr char files[] = "Configuration file";
 
 // The words of all refinements and their descriptions, made at compile time from their rows.
@@ -240,6 +242,11 @@ constexpr std::array other_settings{
     Setting{output, "capture", "GLARK_CAPTURE", Kind::captures, "FRAME:FILE.png", "FRAME:FILE.png, with frames counted from 1,", "", "none",
             "Write frame FRAME, counted from 1, as an image; may be repeated", "The variable takes several, separated by commas.",
             [](Settings& s, std::string_view text) { return assign(parse_captures(text), s.captures); }},
+    Setting{output, "record", "GLARK_RECORD", Kind::output_file, "FILE.mp4", file_needed, "", "none",
+            "Record the window as a film, by the program ffmpeg",
+            "The film has 30 frames a second, as they were shown. Its kind follows the ending of the file's name. "
+            "A program with several windows gets a film of the one that is shown first.",
+            [](Settings& s, std::string_view text) { return assign(parse_file(text), s.record_file); }},
     Setting{output, "stats", "GLARK_STATS", Kind::output_file, "FILE.json", file_needed, "", "none",
             "Write statistics: draws by class of state and by what was decided about them, causes, and frames",
             "%p in the name stands for the number of the process. docs/reference/formats.md explains the keys.",
@@ -252,6 +259,21 @@ constexpr std::array other_settings{
     Setting{output, "log", "GLARK_LOG", Kind::value, "LEVEL", "error, warning, info or debug", "warning", "",
             "Print messages up to this level: error, warning, info or debug", "",
             [](Settings& s, std::string_view text) { return assign(parse_log_level(text), s.log_level); }},
+
+    Setting{live, "overlay", "GLARK_OVERLAY", Kind::toggle, "", switch_needed, "0", "off",
+            "Open a panel over the program's frames when --overlay-key is pressed",
+            "The panel changes settings, shows what was decided about the draws, and writes the configuration file.",
+            [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.overlay); }},
+    Setting{live, "overlay-key", "GLARK_OVERLAY_KEY", Kind::value, "KEY", key_needed, "F10", "",
+            "Open and close the panel with this key; with Shift, arrow keys and Space work in it",
+            "The program does not get the key. On Wayland it does.",
+            [](Settings& s, std::string_view text) { return assign(parse_key(text), s.overlay_key); }},
+    Setting{live, "toggle-key", "GLARK_TOGGLE_KEY", Kind::value, "KEY", key_needed, "none", "",
+            "Switch refinement off and on with this key, with or without the panel", "",
+            [](Settings& s, std::string_view text) { return assign(parse_key(text), s.toggle_key); }},
+    Setting{live, "split", "GLARK_SPLIT", Kind::toggle, "", switch_needed, "0", "off",
+            "Refine the right half of the window only", "",
+            [](Settings& s, std::string_view text) { return assign(parse_switch(text), s.context.live.split); }},
 
     // Read before every other setting, so the reader has nothing to do.
     Setting{files, "config", variable::config, Kind::input_file, "FILE", file_needed, "", "glark/glark.toml in the XDG folders",

@@ -141,6 +141,11 @@ std::optional<bool> parse_switch(std::string_view text) {
   return std::nullopt;
 }
 
+std::optional<const Key*> parse_key(std::string_view text) {
+  const Key* const key = find_key(text);
+  return key != nullptr || text == "none" ? std::optional(key) : std::nullopt;
+}
+
 std::optional<std::vector<CaptureRequest>> parse_captures(std::string_view text) {
   std::vector<CaptureRequest> requests;
   while (!text.empty()) {

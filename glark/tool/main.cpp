@@ -5,17 +5,23 @@
 // glark doctor [OPTIONS] [--seconds N] [--] PROGRAM [ARGUMENTS]: runs it for a while and says what was refined and why.
 // glark info: describes the OpenGL of this machine.
 // glark pattern A B C: draws a pattern.
+// glark help [TOPIC]: explains an option or a reason.
 // The commands for files are separate programs.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
+#include <unistd.h>
 
 #include <cstdio>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "glark/settings/terminal.h"
+#include "glark/tool/completion.h"
 #include "glark/tool/doctor/doctor.h"
 #include "glark/tool/exec.h"
+#include "glark/tool/help_topics.h"
 #include "glark/tool/info/info.h"
 #include "glark/tool/pattern/command.h"
 #include "glark/tool/run.h"
@@ -101,10 +107,12 @@ struct Commands {
   CLI::App* doctor = nullptr;
   CLI::App* info = nullptr;
   CLI::App* pattern = nullptr;
+  CLI::App* help = nullptr;
   CLI::App* settings = nullptr;
   glark::tool::RunOptions options;
   double seconds = 10;  // of the doctor
   glark::tool::PatternOptions drawing;
+  std::string topic;
   std::string page;
 };
 
@@ -127,17 +135,52 @@ void describe(Commands& commands) {
   commands.pattern =
       app.add_subcommand("pattern", "Draw the pattern of three edge depths as SVG: glark pattern A B C [-o FILE.svg]");
   glark::tool::describe_pattern(*commands.pattern, commands.drawing);
+  commands.help = app.add_subcommand("help", "Explain an option, or why a draw stays unrefined: glark help [TOPIC]");
+  commands.help->add_option("topic", commands.topic,
+                            "An option without --, a reason of the statistics, a key of a rule");
   commands.settings = app.add_subcommand("settings", "Print the table of settings")->group("");
   commands.settings->add_option("--as", commands.page)
       ->required()
-      ->check(CLI::IsMember({"markdown", "man", "rules", "causes"}));
+      ->check(CLI::IsMember({"markdown", "man", "rules", "causes", "bash", "zsh"}));
   for (const glark::tool::OtherCommand& command : glark::tool::other_commands())
     if (glark::tool::find_program(command.program)) app.add_subcommand(command.name, command.help);
 }
 
-int print_settings(const std::string& page) {
+// Without a topic: the commands, and what else there is.
+int help(const CLI::App& app, const std::string& topic) {
+  using namespace glark::tool;
+  if (topic.empty()) {
+    fmt::print("{}\nTopics of glark help:\n", app.help());
+    for (const std::string& name : help_topics()) fmt::print("  {}\n", name);
+    return 0;
+  }
+  for (const CLI::App* command : app.get_subcommands([&](const CLI::App* each) { return each->get_name() == topic; })) {
+    fmt::print("{}", command->help());
+    return 0;
+  }
+  if (const auto text = help_on(topic, glark::settings::has_colors(STDOUT_FILENO))) {
+    fmt::print("{}", *text);
+    return 0;
+  }
+  const std::string nearest = nearest_topic(topic);
+  say(fmt::format("there is no topic {}; {}", topic,
+                  nearest.empty() ? "glark help lists all" : fmt::format("is {} meant?", nearest)));
+  return exit_usage;
+}
+
+std::string completion(const CLI::App& app, bool zsh) {
+  using namespace glark::tool;
+  std::vector<CommandLine> commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App* each) { return !each->get_group().empty(); }))
+    commands.push_back({command->get_name(), command->get_description()});
+  return zsh ? zsh_completion(commands, help_topics()) : bash_completion(commands, help_topics());
+}
+
+int print_settings(const CLI::App& app, const std::string& page) {
   using namespace glark::tool;
   const std::string text = page == "man"      ? settings_as_manual()
+                           : page == "bash"   ? completion(app, false)
+                           : page == "zsh"    ? completion(app, true)
                            : page == "rules"  ? rules_as_markdown()
                            : page == "causes" ? causes_as_markdown()
                                               : settings_as_markdown();
@@ -165,7 +208,8 @@ int main(int argc, char** argv) {
   }
   if (commands.info->parsed()) return glark::tool::info();
   if (commands.pattern->parsed()) return glark::tool::draw_pattern(commands.drawing);
-  if (commands.settings->parsed()) return print_settings(commands.page);
+  if (commands.settings->parsed()) return print_settings(commands.app, commands.page);
+  if (commands.help->parsed()) return help(commands.app, commands.topic);
   if (!commands.run->parsed() && !commands.doctor->parsed())
     return complain("no command is given", commands.app, words);
   if (program.empty())

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "glark/settings/terminal.h"
 #include "glark/tool/start/notices.h"
 #include "glark/tool/start/preload.h"
 
@@ -143,7 +144,11 @@ bool set_environment(const RunOptions& options) {
 
 }  // namespace
 
-void say(const std::string& message) { std::fprintf(stderr, "glark: %s\n", message.c_str()); }
+void say(const std::string& message) {
+  const bool colors = settings::has_colors(STDERR_FILENO);
+  fmt::print(stderr, "{}glark:{} {}\n", colors ? settings::style::yellow : "", colors ? settings::style::plain : "",
+             message);
+}
 
 bool prepare_run(const RunOptions& options, const std::vector<std::string>& command) {
   if (!set_environment(options)) return false;

@@ -17,6 +17,7 @@
 #include "glark/core/report/log.h"
 #include "shim/contexts/surface_size.h"
 #include "shim/contexts/thread.h"
+#include "shim/live/live_settings.h"
 #include "shim/report/options.h"
 #include "shim/report/statistics.h"
 
@@ -34,6 +35,8 @@ struct Record {
   bool ends_frames = false;     // it has ended a frame itself
   std::uint64_t own_frame = 0;  // Registry::frames_shown after that
   std::uint64_t frames_of_others = 0;  // Registry::frames_shown when its last frame ended
+  std::uint64_t settings = 0;          // the live_generation() that its options have
+  std::uint64_t number = 0;            // counts the contexts of the process, from 1
 };
 
 struct Registry {
@@ -84,7 +87,7 @@ std::unique_ptr<Record> take_if_unused(Registry& all, Record& record) {
 
 std::unique_ptr<core::Context> make_context(const Record& record) {
   try {
-    return core::Context::create(dispatch_of(record.provider), record.share, options().context);
+    return core::Context::create(dispatch_of(record.provider), record.share, live_options());
   } catch (const std::exception& error) {
     core::log(core::LogLevel::error, std::string("no refinement in this context: ") + error.what());
   } catch (...) {
@@ -104,6 +107,13 @@ void leave_current() {
   unused = take_if_unused(all, record);
 }
 
+// Between two frames, the context takes over changed settings.
+void follow_settings(Record& record) {
+  const std::uint64_t generation = live_generation();
+  if (record.context != nullptr && std::exchange(record.settings, generation) != generation)
+    record.context->change_options(live_options());
+}
+
 // Widgets are drawn into textures by contexts of their own, and another context shows these textures. The frame of such
 // a context has ended if it becomes current after another context has shown one. A context that ends its frames itself
 // is no such context. But Blender swaps the buffers of each new context once.
@@ -113,6 +123,7 @@ void end_frame_of_widget(Record& record) {
   const bool shows_itself = record.ends_frames && shown - record.own_frame < long_ago;
   if (std::exchange(record.frames_of_others, shown) != shown && !shows_itself && record.context != nullptr)
     record.context->frame_finished();
+  follow_settings(record);
 }
 
 void enter(Provider provider, void* native) {
@@ -124,7 +135,10 @@ void enter(Provider provider, void* native) {
   }
   Record& record = *current.record;
   if (!std::exchange(record.tried, true)) {
+    static std::atomic<std::uint64_t> contexts{0};
     context_made();
+    record.number = ++contexts;
+    record.settings = live_generation();
     record.context = make_context(record);
   }
   thread().context = record.context.get();
@@ -194,11 +208,13 @@ void current_ends_frame() {
   if (current.record == nullptr) return;
   current.record->ends_frames = true;
   if (!current_is_offscreen()) registry().frames_shown.fetch_add(1, std::memory_order_relaxed);
+  follow_settings(*current.record);
   current.record->own_frame = registry().frames_shown.load(std::memory_order_relaxed);
 }
 
 Provider current_provider() { return current.record == nullptr ? Provider::glx : current.record->provider; }
 void* current_native() { return current.record == nullptr ? nullptr : current.record->native; }
+std::uint64_t current_number() { return current.record == nullptr ? 0 : current.record->number; }
 Surface current_surface() { return current.surface; }
 
 Size current_size() {

@@ -4,6 +4,8 @@
 // Knows which contexts exist, which contexts share objects, and which context is current in the calling thread.
 #pragma once
 
+#include <cstdint>
+
 #include "shim/contexts/surface.h"
 
 namespace glark::shim {
@@ -24,6 +26,7 @@ void current_ends_frame();
 // These describe the current context of the calling thread. Without a context they are null or zero.
 Provider current_provider();
 void* current_native();
+std::uint64_t current_number();  // counts the contexts of the process, from 1; no number is given twice
 Surface current_surface();
 Size current_size();
 // True without a window: a frame then ends at glFinish or glFlush.

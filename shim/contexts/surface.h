@@ -12,6 +12,7 @@ struct Surface {
   void* drawable = nullptr;  // an XID, an EGLSurface; null for OSMesa and for a context without a surface
   int width = 0;             // OSMesa only
   int height = 0;
+  bool operator==(const Surface&) const = default;
 };
 
 struct Size {

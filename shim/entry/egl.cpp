@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include "shim/contexts/contexts.h"
+#include "shim/contexts/native_windows.h"
 #include "shim/contexts/thread.h"
 #include "shim/frames/frame.h"
 #include "shim/linker/dynamic_linker.h"
@@ -21,6 +22,16 @@ bool is_gl(void* display, void* context) {
   return type != egl_openvg_api;
 }
 
+void* opened(unsigned platform, void* native, void* display) {
+  note_egl_display(platform, native, display);
+  return display;
+}
+
+void* made(void* display, void* native, bool indirect, void* surface) {
+  note_egl_window(display, native, indirect, surface);
+  return surface;
+}
+
 void end_frame_of(void* surface) {
   if (current_native() != nullptr && current_surface().drawable == surface) frame_ended();
 }
@@ -29,6 +40,31 @@ void end_frame_of(void* surface) {
 
 GLARK_EXPORT EglProc eglGetProcAddress(const char* name) {
   return reinterpret_cast<EglProc>(wrapper_or(name, reinterpret_cast<void*>(GLARK_REAL(eglGetProcAddress)(name))));
+}
+
+GLARK_EXPORT void* eglGetDisplay(void* native) { return opened(0, native, GLARK_REAL(eglGetDisplay)(native)); }
+
+GLARK_EXPORT void* eglGetPlatformDisplay(unsigned platform, void* native, const std::intptr_t* attributes) {
+  return opened(platform, native, GLARK_REAL(eglGetPlatformDisplay)(platform, native, attributes));
+}
+
+GLARK_EXPORT void* eglGetPlatformDisplayEXT(unsigned platform, void* native, const EglInt* attributes) {
+  return opened(platform, native, GLARK_REAL(eglGetPlatformDisplayEXT)(platform, native, attributes));
+}
+
+GLARK_EXPORT void* eglCreateWindowSurface(void* display, void* config, void* native, const EglInt* attributes) {
+  return made(display, native, false, GLARK_REAL(eglCreateWindowSurface)(display, config, native, attributes));
+}
+
+GLARK_EXPORT void* eglCreatePlatformWindowSurface(void* display, void* config, void* native,
+                                                  const std::intptr_t* attributes) {
+  return made(display, native, true, GLARK_REAL(eglCreatePlatformWindowSurface)(display, config, native, attributes));
+}
+
+GLARK_EXPORT void* eglCreatePlatformWindowSurfaceEXT(void* display, void* config, void* native,
+                                                     const EglInt* attributes) {
+  return made(display, native, true,
+              GLARK_REAL(eglCreatePlatformWindowSurfaceEXT)(display, config, native, attributes));
 }
 
 GLARK_EXPORT void* eglCreateContext(void* display, void* config, void* share, const EglInt* attributes) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include "shim/contexts/contexts.h"
+#include "shim/contexts/native_windows.h"
 #include "shim/contexts/thread.h"
 #include "shim/frames/frame.h"
 #include "shim/names/real_functions.h"
@@ -11,8 +12,10 @@ namespace {
 
 const char* text(const GLubyte* name) { return reinterpret_cast<const char*>(name); }
 
-void* glx_created(void* context, void* share) {
+// `visual`: null for a context that is made for a configuration.
+void* glx_created(void* context, void* share, const void* visual = nullptr) {
   context_created(Provider::glx, context, share);
+  note_glx_visual(context, visual);
   return context;
 }
 
@@ -39,7 +42,7 @@ GLARK_EXPORT GlxProc glXGetProcAddressARB(const GLubyte* name) {
 }
 
 GLARK_EXPORT void* glXCreateContext(void* display, void* visual, void* share, int direct) {
-  return glx_created(GLARK_REAL(glXCreateContext)(display, visual, share, direct), share);
+  return glx_created(GLARK_REAL(glXCreateContext)(display, visual, share, direct), share, visual);
 }
 
 GLARK_EXPORT void* glXCreateNewContext(void* display, void* config, int type, void* share, int direct) {
@@ -84,6 +87,12 @@ GLARK_EXPORT int glXMakeContextCurrent(void* display, GlxDrawable draw, GlxDrawa
 GLARK_EXPORT int glXMakeCurrentReadSGI(void* display, GlxDrawable draw, GlxDrawable read, void* context) {
   make_current_begins(Provider::glx, context);
   return switched(GLARK_REAL(glXMakeCurrentReadSGI)(display, draw, read, context), display, draw, context);
+}
+
+GLARK_EXPORT GlxDrawable glXCreateWindow(void* display, void* config, GlxDrawable window, const int* attributes) {
+  const GlxDrawable drawable = GLARK_REAL(glXCreateWindow)(display, config, window, attributes);
+  note_glx_window(window, drawable);
+  return drawable;
 }
 
 GLARK_EXPORT void glXSwapBuffers(void* display, GlxDrawable drawable) {

@@ -116,16 +116,41 @@ bool is_gl_library(std::string_view path) {
   return false;
 }
 
-int collect_gl_library(dl_phdr_info* object, std::size_t, void* paths) {
-  if (is_gl_library(object->dlpi_name)) static_cast<std::vector<std::string>*>(paths)->emplace_back(object->dlpi_name);
+struct Collected {
+  bool (*wanted)(std::string_view path, std::string_view library);
+  std::string_view library;
+  std::vector<std::string> paths;
+};
+
+int collect_library(dl_phdr_info* object, std::size_t, void* collected) {
+  auto& found = *static_cast<Collected*>(collected);
+  if (found.wanted(object->dlpi_name, found.library)) found.paths.emplace_back(object->dlpi_name);
   return 0;
 }
 
 // Only the names of loaded libraries are returned, so that no lookup fails and disturbs dlerror().
 std::vector<std::string> loaded_gl_libraries() {
-  std::vector<std::string> paths;
-  dl_iterate_phdr(collect_gl_library, &paths);
-  return paths;
+  Collected found{[](std::string_view path, std::string_view) { return is_gl_library(path); }, {}, {}};
+  dl_iterate_phdr(collect_library, &found);
+  return found.paths;
+}
+
+std::vector<std::string> loaded_libraries(std::string_view library) {
+  Collected found{
+      [](std::string_view path, std::string_view name) { return file_of(path).starts_with(name); }, library, {}};
+  dl_iterate_phdr(collect_library, &found);
+  return found.paths;
+}
+
+void* symbol_of_libraries(const std::vector<std::string>& paths, const char* name) {
+  for (const std::string& path : paths) {
+    void* library = real_linker().dlopen(path.c_str(), RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+    if (library == nullptr) continue;
+    void* symbol = real_linker().dlsym(library, name);
+    dlclose(library);
+    if (symbol != nullptr) return symbol;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -151,15 +176,10 @@ void* next_symbol(const char* name) {
   return symbol;
 }
 
-void* symbol_of_loaded_gl(const char* name) {
-  for (const std::string& path : loaded_gl_libraries()) {
-    void* library = real_linker().dlopen(path.c_str(), RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
-    if (library == nullptr) continue;
-    void* symbol = real_linker().dlsym(library, name);
-    dlclose(library);
-    if (symbol != nullptr) return symbol;
-  }
-  return nullptr;
+void* symbol_of_loaded_gl(const char* name) { return symbol_of_libraries(loaded_gl_libraries(), name); }
+
+void* symbol_of_loaded(std::string_view library, const char* name) {
+  return symbol_of_libraries(loaded_libraries(library), name);
 }
 
 void* find_symbol(const char* name) {

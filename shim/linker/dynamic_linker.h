@@ -28,6 +28,9 @@ void* next_symbol(const char* name);
 // that dlopen(RTLD_LOCAL) has hidden from RTLD_NEXT. They stay loaded from then on.
 void* symbol_of_loaded_gl(const char* name);
 
+// The same for one library whose file name begins with `library`, for example "libxcb.so".
+void* symbol_of_loaded(std::string_view library, const char* name);
+
 // Tries next_symbol, then symbol_of_loaded_gl.
 void* find_symbol(const char* name);
 template <class Function>

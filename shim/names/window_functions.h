@@ -25,6 +25,7 @@ void glXCopyContext(void* display, void* source, void* destination, unsigned lon
 int glXMakeCurrent(void* display, GlxDrawable drawable, void* context);
 int glXMakeContextCurrent(void* display, GlxDrawable draw, GlxDrawable read, void* context);
 int glXMakeCurrentReadSGI(void* display, GlxDrawable draw, GlxDrawable read, void* context);
+GlxDrawable glXCreateWindow(void* display, void* config, GlxDrawable window, const int* attributes);
 void glXSwapBuffers(void* display, GlxDrawable drawable);
 std::int64_t glXSwapBuffersMscOML(void* display, GlxDrawable drawable, std::int64_t target, std::int64_t divisor,
                                   std::int64_t remainder);
@@ -34,6 +35,12 @@ using EglBoolean = unsigned;
 using EglInt = std::int32_t;
 using EglProc = void (*)();
 EglProc eglGetProcAddress(const char* name);
+void* eglGetDisplay(void* native);
+void* eglGetPlatformDisplay(unsigned platform, void* native, const std::intptr_t* attributes);
+void* eglGetPlatformDisplayEXT(unsigned platform, void* native, const EglInt* attributes);
+void* eglCreateWindowSurface(void* display, void* config, void* native, const EglInt* attributes);
+void* eglCreatePlatformWindowSurface(void* display, void* config, void* native, const std::intptr_t* attributes);
+void* eglCreatePlatformWindowSurfaceEXT(void* display, void* config, void* native, const EglInt* attributes);
 void* eglCreateContext(void* display, void* config, void* share, const EglInt* attributes);
 EglBoolean eglDestroyContext(void* display, void* context);
 EglBoolean eglMakeCurrent(void* display, void* draw, void* read, void* context);

@@ -27,12 +27,39 @@ std::vector<std::string> names_of_this_program() {
 
 }  // namespace
 
+const std::vector<std::string>& program_names() {
+  static const std::vector<std::string>& instance = *new std::vector<std::string>(names_of_this_program());
+  return instance;
+}
+
+// Reads `environ`, because programs may define a getenv of their own.
+const char* const* first_environment() {
+  static const std::vector<const char*>& instance = *[] {
+    auto* const pointers = new std::vector<const char*>;
+    for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry)
+      pointers->push_back((new std::string(*entry))->c_str());
+    pointers->push_back(nullptr);
+    return pointers;
+  }();
+  return instance.data();
+}
+
+bool wants_keys() {
+  static const bool answer = options().context.transparent && (options().overlay || options().toggle_key != nullptr);
+  return answer;
+}
+
 const settings::Settings& options() {
   static const settings::Settings& instance = *[] {
-    // Reads `environ`, because programs may define a getenv of their own.
-    settings::Parsed parsed = settings::parse(environ, names_of_this_program());
+    settings::Parsed parsed = settings::parse(first_environment(), program_names());
     install_log(parsed.settings.log_level);
     for (const std::string& problem : parsed.problems) core::log(core::LogLevel::warning, problem);
+#if !GLARK_PANEL
+    if (parsed.settings.overlay || parsed.settings.toggle_key != nullptr)
+      core::log(core::LogLevel::warning,
+                "this build of glark has no panel and follows no keys; docs/how-to/panel.md says "
+                "what it needs");
+#endif
     if (!parsed.settings.dump_folder.empty()) install_shader_dump(parsed.settings.dump_folder);
     return new settings::Settings(std::move(parsed.settings));
   }();

@@ -249,6 +249,20 @@ void frame_counted() {
   if (write) write_statistics();
 }
 
+FrameFigures last_frame() {
+  Times& all = times();
+  const std::lock_guard lock(all.mutex);
+  if (all.last_frames.empty()) return {};
+  const FrameRecord& frame = all.last_frames.back();
+  return {frame.number,
+          frame.ms,
+          frame.counts.seen,
+          frame.counts.refined,
+          frame.counts.coarse_triangles,
+          frame.counts.refined_triangles,
+          frame.counts.passed_through};
+}
+
 unsigned long current_frame() { return frames.load(std::memory_order_relaxed) + 1; }
 
 bool has_made_context() { return times().process == getpid(); }

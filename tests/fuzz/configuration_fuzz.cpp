@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Any text as a configuration file: no crash, no hang, and every setting keeps a valid value.
+// Any text as a configuration file: no crash, no hang, and every setting keeps a valid value. A change that is made
+// twice is the same as made once.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "glark/settings/configuration.h"
+#include "glark/settings/configuration_edit.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace glark;
@@ -18,5 +22,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (result.context.level > core::max_supported_level || result.context.max_level > core::max_supported_level) abort();
   for (const std::string& problem : problems)
     if (!problem.starts_with("glark.toml:")) abort();
+  const std::vector<settings::ChangedSetting> changed{{"level", "3"}};
+  const std::string edited = settings::with_settings(text, "a", changed, {});
+  if (settings::with_settings(edited, "a", changed, {}) != edited) abort();
   return 0;
 }

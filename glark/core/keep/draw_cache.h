@@ -76,6 +76,8 @@ class DrawCache {
   // Forgets all entries, and returns the names of their buffers, for deletion by the caller or another context.
   std::vector<GLuint> take_buffers();
 
+  std::int64_t bytes() const { return kept_bytes_ + vertex_bytes_; }  // of its buffers
+
  private:
   using Entries = std::list<Entry>;
   Entries::iterator find(std::uint64_t hash, std::span<const std::uint64_t> words);

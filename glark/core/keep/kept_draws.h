@@ -26,7 +26,7 @@ struct KeyFacts {
   const depth::DepthPlan& depth;
   bool split = false;  // polygons, at their centroids
   bool welded = false;
-  bool creased = false;    // curved triangles stay near their coarse ones
+  float crease = 0;        // of welded triangles, in degrees
   std::uint64_t pool = 0;  // number of the pattern pool
 };
 
@@ -64,6 +64,7 @@ class KeptDraws {
   }
   void drop_vertices(DrawCache::Entry& entry) { cache_.drop_vertices(env_.gl, entry); }
 
+  std::int64_t bytes() const { return cache_.bytes(); }
   void frame_finished() { cache_.frame_finished(env_.gl); }
   void release() { cache_.release(env_.gl); }
   std::vector<GLuint> take_buffers() { return cache_.take_buffers(); }  // the caller has them deleted

@@ -27,12 +27,17 @@ class PoolInUse {
   }
   // Builds the pool that the state asks for, unless it is there. False without memory: then it is not tried again.
   bool ensure() {
-    const bool fits = pool_.built() && pool_.nested() == core::geomorphs(env_.options, env_.ark);
-    if (!fits && !failed_) {
+    const unsigned level = wanted_level();
+    const bool fits =
+        pool_.built() && pool_.max_level() >= level && pool_.nested() == core::geomorphs(env_.options, env_.ark);
+    if (!fits && level != failed_level_) {
       core::ErrorScope errors(env_.errors);
-      failed_ = !build(pool_.built() ? pool_.max_level() : std::max(env_.options.max_level, env_.options.level));
+      if (build(level)) {
+        return true;
+      }
+      failed_level_ = level;
     }
-    return fits || !failed_;
+    return fits;
   }
 
   const GpuPool& pool() const { return pool_; }
@@ -40,10 +45,17 @@ class PoolInUse {
   void release() { pool_.release(env_.gl); }
 
  private:
+  // The level of transparent refinement may change between two frames. glARKinit says the level for its calls.
+  unsigned wanted_level() const {
+    const unsigned built = pool_.built() ? pool_.max_level() : 0;
+    const bool asks = env_.options.transparent || !pool_.built();
+    return asks ? std::max({env_.options.max_level, env_.options.level, built}) : built;
+  }
+
   const core::Environment& env_;
   GpuPool pool_;
   std::uint64_t number_ = 0;
-  bool failed_ = false;
+  unsigned failed_level_ = core::max_supported_level + 1;  // there was no memory for it
 };
 
 }  // namespace glark::pattern

@@ -20,7 +20,6 @@ void refine(Context& context, const DrawCall& call) {
 void leave(Context& context, const DrawCall& call, Cause cause) {
   context.stages()->draw().leave(call, cause);
   context.update_refining();
-  call.issue();
 }
 
 void hand_back_feedback(Context& context) {

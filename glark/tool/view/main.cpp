@@ -7,10 +7,14 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <memory>
+#include <vector>
 
+#include "glark/clients/geometry/measure/distance.h"
 #include "glark/clients/geometry/write/output_file.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/validators.h"
+#include "glark/tool/view/film.h"
 #include "glark/tool/view/offscreen.h"
 #include "glark/tool/view/window.h"
 
@@ -23,13 +27,28 @@ constexpr int largest_side = 16384;
 
 struct View {
   Files files;
+  std::string other;      // a second model; empty: none
+  std::string reference;  // distances from it are shown; empty: none
   std::string picture;
+  std::string film;
+  int frames = 120;
   ViewOptions options;
 };
 
 void describe(CLI::App& command, View& view) {
   describe_input(command, view.files);
   ViewOptions& options = view.options;
+  command.add_option("OTHER", view.other, "A second model, which is shown beside the first one by the same camera");
+  command
+      .add_option("--measure", view.reference,
+                  "Colour the points by their distance from the surface of this file: blue is 0, red is far")
+      ->type_name("REFERENCE");
+  command
+      .add_option("--turntable", view.film,
+                  "Write a film of one turn and exit, by the program ffmpeg; needs no display")
+      ->type_name("OUT.mp4|OUT.gif");
+  command.add_option("--frames", view.frames, "Pictures of the film, 30 a second; default 120")
+      ->check(CLI::Range(1, 100000));
   command.add_option("--offscreen", view.picture, "Write a picture and exit; needs no display")->type_name("OUT.png");
   command
       .add_option("--mode", options.mode,
@@ -54,8 +73,14 @@ void describe(CLI::App& command, View& view) {
       ->transform(one_of<bool>({{"y", false}, {"z", true}}))
       ->type_name("AXIS");
   command.add_option("--zoom", options.zoom, "Zoom; default 1, which shows everything")->check(between(0.01, 1000.0));
-  command.add_option("--level", options.level, "Level of refinement, 0 to 4; default 2")->check(CLI::Range(0, 4));
-  command.add_flag("!--no-cull", options.cull, "Also draw strips that are out of view or face away");
+  command.add_option("--level", options.settings.level, "Level of refinement, 0 to 4; default 2")
+      ->check(CLI::Range(0, deepest_level));
+  command
+      .add_option("--edge-pixels", options.settings.edge_pixels,
+                  "Refine edges into segments of at most so many pixels, instead of --level")
+      ->check(between(0.5, 10000.0));
+  command.add_flag("--lines", options.settings.lines, "Draw refined triangles as lines");
+  command.add_flag("!--no-cull", options.settings.cull, "Also draw strips that are out of view or face away");
 }
 
 Report report_of(const Statistics& drawn) {
@@ -70,18 +95,75 @@ Report report_of(const Statistics& drawn) {
   return report;
 }
 
-void draw_offscreen(const View& view, geometry::Geometry geometry) {
-  const ViewOptions& options = view.options;
-  const Offscreen context(options.width, options.height);
-  Scene scene(std::move(geometry));
-  scene.cull = options.cull;
-  scene.refinement_level = options.level;
-  const Statistics drawn = scene.draw(camera_for(scene, options), options.mode.value_or(scene.default_mode()),
-                                      options.width, options.height);
+// The models in a context without a window.
+class Pictures {
+ public:
+  Pictures(const ViewOptions& options, std::vector<Model> models)
+      : options_(options), settings_(options.settings), context_(options.width, options.height) {
+    for (Model& model : models) {
+      scenes_.push_back(std::make_unique<Scene>(std::move(model.geometry)));
+      if (!model.distances.empty()) scenes_.back()->colour_by(model.distances, greatest_shown(model.distances));
+    }
+    settings_.mode = options.mode.value_or(scenes_.front()->default_mode());
+    camera = camera_for(*scenes_.front(), options);
+  }
+
+  // Returns what was drawn of the first model.
+  Statistics draw() {
+    clear_window();
+    Statistics first;
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+      const Part part = part_of(i, scenes_.size(), options_.width, options_.height);
+      const Statistics drawn = scenes_[i]->draw(camera, settings_, part);
+      if (i == 0) first = drawn;
+    }
+    return first;
+  }
+
+  Camera camera;
+
+ private:
+  const ViewOptions& options_;
+  DrawSettings settings_;
+  Offscreen context_;
+  std::vector<std::unique_ptr<Scene>> scenes_;
+};
+
+void draw_offscreen(const View& view, std::vector<Model> models) {
+  Pictures pictures(view.options, std::move(models));
+  const Statistics drawn = pictures.draw();
   if (drawn.indices == 0 && drawn.points == 0)
     warn(view.files.input + ": nothing is drawn, for its points make no triangles; use --mode splat");
-  write_screenshot(view.picture, options.width, options.height);
+  write_screenshot(view.picture, view.options.width, view.options.height);
   print(report_of(drawn), view.files.json);
+}
+
+void film_turntable(const View& view, std::vector<Model> models) {
+  Pictures pictures(view.options, std::move(models));
+  Film film(view.film);
+  const float first = pictures.camera.yaw;
+  Statistics drawn;
+  for (int i = 0; i < view.frames; ++i) {
+    pictures.camera.yaw = first + 360.0F * static_cast<float>(i) / static_cast<float>(view.frames);
+    drawn = pictures.draw();
+    film.add_picture(view.options.width, view.options.height);
+  }
+  film.finish();
+  print(report_of(drawn), view.files.json);
+}
+
+std::vector<Model> load_models(const View& view) {
+  std::vector<Model> models;
+  models.push_back({load(view.files.input, view.files), {}});
+  if (!view.other.empty()) models.push_back({load(view.other, view.files), {}});
+  if (view.reference.empty()) return models;
+  const geometry::Geometry reference = load(view.reference, view.files);
+  for (Model& model : models) {
+    if (reference.point_count() == 0 || model.geometry.point_count() == 0)
+      throw std::runtime_error("--measure: " + view.reference + " or the model has no points");
+    model.distances = geometry::distances_of_points(model.geometry, reference);
+  }
+  return models;
 }
 
 bool is_png(const std::string& file) {
@@ -96,11 +178,14 @@ void run(const View& view) {
       throw std::runtime_error(view.picture + ": pictures are written as PNG; call it OUT.png");
     const geometry::OutputFile trial(view.picture);
   }
-  geometry::Geometry geometry = load(view.files.input, view.files);
-  if (view.picture.empty())
-    show_window("glark " + view.files.input, std::move(geometry), view.options);
+  if (!view.film.empty()) const geometry::OutputFile trial(view.film);
+  std::vector<Model> models = load_models(view);
+  if (!view.film.empty())
+    film_turntable(view, std::move(models));
+  else if (!view.picture.empty())
+    draw_offscreen(view, std::move(models));
   else
-    draw_offscreen(view, std::move(geometry));
+    show_window("glark " + view.files.input, std::move(models), view.options);
 }
 
 int complain(const std::string& problem, int status) {

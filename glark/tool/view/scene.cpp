@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "glark/tool/view/gl.h"
@@ -16,7 +18,6 @@ namespace {
 
 constexpr float splat_overlap = 2.4F;
 constexpr std::size_t most_points_to_strip_unasked = 1000000;
-constexpr int deepest_level = 4;
 
 const void* offset(std::size_t bytes) { return std::bit_cast<const void*>(bytes); }
 
@@ -81,18 +82,29 @@ void Scene::upload() {
   put(0, geometry_.positions);
   put(normals_at, geometry_.normals);
   put(colours_at, geometry_.colours);
-  gl.EnableClientState(GL_VERTEX_ARRAY);
-  gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
-  if (has_lighting_) {
-    gl.EnableClientState(GL_NORMAL_ARRAY);
-    gl.NormalPointer(GL_FLOAT, 0, offset(normals_at));
-  }
-  if (!geometry_.colours.empty()) {
-    gl.EnableClientState(GL_COLOR_ARRAY);
-    gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, offset(colours_at));
-  }
   if (!geometry_.triangles.empty())
     triangles_buffer_ = make_buffer(GL_ELEMENT_ARRAY_BUFFER, std::span<const std::uint32_t>(geometry_.triangles));
+}
+
+// Client arrays belong to the context, so each model binds its own.
+void Scene::bind() const {
+  const std::size_t normals_at = geometry_.positions.size() * sizeof(float);
+  const std::size_t colours_at = normals_at + geometry_.normals.size() * sizeof(float);
+  const auto enable = [](GLenum array, bool on) { on ? gl.EnableClientState(array) : gl.DisableClientState(array); };
+  gl.BindBuffer(GL_ARRAY_BUFFER, points_buffer_);
+  enable(GL_VERTEX_ARRAY, true);
+  enable(GL_NORMAL_ARRAY, has_lighting_);
+  enable(GL_COLOR_ARRAY, !geometry_.colours.empty());
+  gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
+  if (has_lighting_) gl.NormalPointer(GL_FLOAT, 0, offset(normals_at));
+  if (!geometry_.colours.empty()) gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, offset(colours_at));
+}
+
+void Scene::colour_by(std::span<const float> distances, float greatest) {
+  geometry_.colours = colours_by_distance(distances, greatest);
+  gl.DeleteBuffers(1, &points_buffer_);
+  gl.DeleteBuffers(1, &triangles_buffer_);
+  upload();
 }
 
 void Scene::make_strips() {
@@ -101,24 +113,32 @@ void Scene::make_strips() {
   strips_buffer_ = make_buffer(GL_ELEMENT_ARRAY_BUFFER, strips_->indices());
 }
 
-void Scene::set_up(const Camera& camera, int width, int height) const {
-  gl.Viewport(0, 0, width, height);
-  gl.ClearColor(0.16F, 0.17F, 0.19F, 1);
-  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+void Scene::set_light(const Look& look) const {
+  const float right = glm::radians(look.light_right);
+  const float above = glm::radians(look.light_above);
+  const GLfloat direction[4] = {std::sin(right) * std::cos(above), std::sin(above), std::cos(right) * std::cos(above),
+                                0};
+  const GLfloat shine[4] = {look.specular, look.specular, look.specular, 1};
+  const GLfloat ambient[4] = {look.ambient, look.ambient, look.ambient, 1};
+  gl.Lightfv(GL_LIGHT0, GL_POSITION, direction);
+  gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
+  gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, shine);
+  gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, look.shininess);
+  gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+}
+
+void Scene::set_up(const Camera& camera, const Look& look, const Part& part) const {
+  bind();
+  gl.Viewport(part.x, 0, part.width, part.height);
   gl.Enable(GL_DEPTH_TEST);
   gl.MatrixMode(GL_PROJECTION);
-  gl.LoadMatrixf(glm::value_ptr(camera.projection(width, height)));
+  gl.LoadMatrixf(glm::value_ptr(camera.projection(part.width, part.height)));
   gl.MatrixMode(GL_MODELVIEW);
   gl.LoadIdentity();
-  const GLfloat direction[4] = {0.3F, 0.5F, 1, 0};  // from behind the viewer's shoulder
-  const GLfloat shine[4] = {0.15F, 0.15F, 0.15F, 1};
-  gl.Lightfv(GL_LIGHT0, GL_POSITION, direction);
+  set_light(look);
   gl.LoadMatrixf(glm::value_ptr(camera.view()));
   gl.Color3f(0.78F, 0.76F, 0.72F);
   gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
-  gl.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, shine);
-  gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, 30);
-  gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
   for (const GLenum capability : {GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_NORMALIZE})
     if (has_lighting_)
       gl.Enable(capability);
@@ -141,15 +161,17 @@ void Scene::draw_triangles() const {
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(geometry_.triangles.size()), GL_UNSIGNED_INT, nullptr);
 }
 
-Statistics Scene::draw_strips(const Camera& camera, int width, int height) {
+Statistics Scene::draw_strips(const Camera& camera, const DrawSettings& settings, const Part& part) {
   make_strips();
+  bind();
   surfel::View view;
-  const glm::mat4 clip_from_object = camera.projection(width, height) * camera.view();
+  const Camera& culled_from = settings.culled_from.value_or(camera);
+  const glm::mat4 clip_from_object = culled_from.projection(part.width, part.height) * culled_from.view();
   std::copy_n(glm::value_ptr(clip_from_object), view.clip_from_object.size(), view.clip_from_object.begin());
-  view.width = static_cast<unsigned>(width);
-  view.height = static_cast<unsigned>(height);
-  view.cull_frustum = cull;
-  view.cull_back_faces = cull && has_lighting_;
+  view.width = static_cast<unsigned>(part.width);
+  view.height = static_cast<unsigned>(part.height);
+  view.cull_frustum = settings.cull;
+  view.cull_back_faces = settings.cull && has_lighting_;
   strips_->select(view, frame_);
   const GLfloat none[3] = {1, 0, 0};
   gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, none);
@@ -162,28 +184,33 @@ Statistics Scene::draw_strips(const Camera& camera, int width, int height) {
       1, frame_.indices, frame_.points.size(), frame_.strips, frame_.visited, frame_.out_of_frustum, frame_.back_faces};
 }
 
-Statistics Scene::draw(const Camera& camera, Mode mode, int width, int height) {
-  set_up(camera, width, height);
-  if (mode == Mode::splat) {
-    draw_splats(camera, height);
+// Refines what is drawn until GL_ARK is off again.
+void Scene::refine(const DrawSettings& settings) const {
+  gl.ARKinit(deepest_level);
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, settings.edge_pixels > 0 ? GL_MEASURED_DEPTH_ARK : GL_UNIFORM_DEPTH_ARK);
+  gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, std::clamp(settings.level, 0, deepest_level));
+  gl.ARKParameterfARK(GL_EDGE_PIXELS_ARK, settings.edge_pixels);
+  gl.ARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? GL_CURVED_PN_ARK : GL_LINEAR_OUTPUTS_ARK);
+  gl.Enable(GL_ARK);
+}
+
+Statistics Scene::draw(const Camera& camera, const DrawSettings& settings, const Part& part) {
+  set_up(camera, settings.look, part);
+  if (settings.mode == Mode::splat) {
+    draw_splats(camera, part.height);
     return {1, 0, geometry_.point_count(), 0, 0, 0, 0};
   }
-  if (mode == Mode::refined) {
-    const int level = std::min(refinement_level, deepest_level);
-    gl.ARKinit(deepest_level);
-    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
-    gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
-    gl.ARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? GL_CURVED_PN_ARK : GL_LINEAR_OUTPUTS_ARK);
-    gl.Enable(GL_ARK);
-  }
-  gl.PolygonMode(GL_FRONT_AND_BACK, mode == Mode::wireframe ? GL_LINE : GL_FILL);
+  const bool refined = settings.mode == Mode::refined;
+  if (refined) refine(settings);
+  const bool lines = settings.mode == Mode::wireframe || (refined && settings.lines);
+  gl.PolygonMode(GL_FRONT_AND_BACK, lines ? GL_LINE : GL_FILL);
   Statistics statistics{1, geometry_.triangles.size(), 0, 0, 0, 0, 0};
-  if (geometry_.triangles.empty() || mode == Mode::strip)
-    statistics = draw_strips(camera, width, height);
+  if (geometry_.triangles.empty() || settings.mode == Mode::strip)
+    statistics = draw_strips(camera, settings, part);
   else
     draw_triangles();
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  if (mode == Mode::refined) gl.Disable(GL_ARK);
+  if (refined) gl.Disable(GL_ARK);
   return statistics;
 }
 

@@ -9,14 +9,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "glark/clients/geometry/geometry.h"
-#include "glark/tool/view/camera.h"
+#include "glark/tool/view/draw_settings.h"
 
 namespace glark::tool {
-
-enum class Mode { splat, strip, mesh, wireframe, refined };
 
 struct Statistics {
   std::size_t draws = 0;
@@ -38,20 +37,24 @@ class Scene {
 
   Mode default_mode() const;
   Camera default_camera() const;
-  Statistics draw(const Camera& camera, Mode mode, int width, int height);
-
-  bool cull = true;
-  int refinement_level = 2;
+  // Clears nothing.
+  Statistics draw(const Camera& camera, const DrawSettings& settings, const Part& part);
+  // Colours the points by their distances, blue at 0 to red at `greatest`; in the unit of the positions.
+  void colour_by(std::span<const float> distances, float greatest);
+  std::size_t point_count() const { return geometry_.point_count(); }
 
  private:
   void add_missing_normals();
   void colour_by_height();
   void upload();
   void make_strips();
-  void set_up(const Camera& camera, int width, int height) const;
+  void bind() const;
+  void set_up(const Camera& camera, const Look& look, const Part& part) const;
+  void set_light(const Look& look) const;
+  void refine(const DrawSettings& settings) const;
   void draw_splats(const Camera& camera, int height) const;
   void draw_triangles() const;
-  Statistics draw_strips(const Camera& camera, int width, int height);
+  Statistics draw_strips(const Camera& camera, const DrawSettings& settings, const Part& part);
 
   geometry::Geometry geometry_;
   glm::vec3 low_{}, high_{};

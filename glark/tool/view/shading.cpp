@@ -46,6 +46,21 @@ std::vector<std::uint8_t> colours_by_height(std::span<const float> positions, fl
   return colours;
 }
 
+std::vector<std::uint8_t> colours_by_distance(std::span<const float> distances, float greatest) {
+  constexpr std::array<std::array<float, 3>, 4> stops{{{50, 80, 200}, {60, 190, 110}, {240, 220, 70}, {220, 50, 40}}};
+  std::vector<std::uint8_t> colours;
+  colours.reserve(distances.size() * 4);
+  for (const float distance : distances) {
+    const float share = greatest > 0 ? std::min(distance / greatest, 1.0F) * (stops.size() - 1) : 0;
+    const std::size_t from = std::min(static_cast<std::size_t>(share), stops.size() - 2);
+    const float rest = share - static_cast<float>(from);
+    for (std::size_t k = 0; k < 3; ++k)
+      colours.push_back(static_cast<std::uint8_t>(stops[from][k] + rest * (stops[from + 1][k] - stops[from][k])));
+    colours.push_back(255);
+  }
+  return colours;
+}
+
 float estimated_spacing(std::span<const float> positions, const glm::vec3& low, const glm::vec3& high) {
   const glm::vec3 size = high - low;
   const float longest = std::max({size.x, size.y, size.z});

@@ -19,6 +19,10 @@ std::vector<float> normals_of_triangles(const geometry::Geometry& geometry);
 // Returns red green blue alpha for each point: blue at the bottom, then green, sand at the top.
 std::vector<std::uint8_t> colours_by_height(std::span<const float> positions, float low, float high);
 
+// Returns red green blue alpha for each point: blue where the distance is 0, then green and yellow, red from `greatest`
+// on.
+std::vector<std::uint8_t> colours_by_distance(std::span<const float> distances, float greatest);
+
 // Estimates the distance of neighbouring points, from the number of cubes of a grid that have points.
 float estimated_spacing(std::span<const float> positions, const glm::vec3& low, const glm::vec3& high);
 

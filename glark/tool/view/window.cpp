@@ -7,43 +7,39 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "glark/tool/view/gl.h"
 #include "glark/tool/view/offscreen.h"
+#include "glark/tool/view/view_panel.h"
 
 namespace glark::tool {
 namespace {
 
-constexpr char help[] =
-    "left button turns, right button shifts, wheel zooms\n"
-    "1 splats, 2 strips, 3 mesh, 4 wireframe, 5 refined, + and - its level\n"
-    "C culling, U turns the model upright, R first view, S screenshot, Q quits\n";
-
 class Viewer {
  public:
-  Viewer(GLFWwindow* window, std::string title, geometry::Geometry geometry, const ViewOptions& options)
-      : window_(window),
-        title_(std::move(title)),
-        options_(options),
-        scene_(std::move(geometry)),
-        camera_(camera_for(scene_, options)),
-        mode_(options.mode.value_or(scene_.default_mode())) {
-    scene_.cull = options.cull;
-    scene_.refinement_level = options.level;
+  Viewer(GLFWwindow* window, std::string title, std::vector<Model> models, const ViewOptions& options)
+      : window_(window), title_(std::move(title)), options_(options) {
+    for (Model& model : models) add(model);
+    state_.settings = options.settings;
+    state_.settings.mode = options.mode.value_or(scenes_.front()->default_mode());
+    state_.camera = camera_for(*scenes_.front(), options);
     glfwSetWindowUserPointer(window, this);
     glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) { self(of).moved(x, y); });
-    glfwSetScrollCallback(window, [](GLFWwindow* of, double, double y) {
-      self(of).camera_.zoom *= std::pow(1.1F, static_cast<float>(y));
-    });
+    glfwSetScrollCallback(window, [](GLFWwindow* of, double, double y) { self(of).scrolled(y); });
     glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int) {
       if (action != GLFW_RELEASE) self(of).pressed(key);
     });
+    panel_.emplace(window);
   }
 
   void run() {
@@ -52,26 +48,47 @@ class Viewer {
       int height = 0;
       glfwGetFramebufferSize(window_, &width, &height);
       if (width > 0 && height > 0) frame(width, height);
-      glfwWaitEvents();
+      wait();
     }
   }
 
  private:
   static Viewer& self(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
 
+  void add(Model& model) {
+    scenes_.push_back(std::make_unique<Scene>(std::move(model.geometry)));
+    if (model.distances.empty()) return;
+    state_.greatest_distance = greatest_shown(model.distances);
+    scenes_.back()->colour_by(model.distances, state_.greatest_distance);
+  }
+
+  // Controls need two more frames after an event: to see it, and to show what it changes.
+  void wait() {
+    if (state_.turntable || frames_after_event_ > 0) {
+      --frames_after_event_;
+      glfwPollEvents();
+    } else {
+      glfwWaitEvents();
+      frames_after_event_ = 2;
+    }
+  }
+
   void frame(int width, int height) {
-    const Statistics drawn = scene_.draw(camera_, mode_, width, height);
-    if (wants_screenshot_) take_screenshot(width, height);
+    if (state_.turntable) state_.camera.yaw = std::remainder(state_.camera.yaw + 1, 360.0F);
+    if (std::exchange(state_.wants_first_view, false)) state_.camera = camera_for(*scenes_.front(), options_);
+    clear_window();
+    Statistics drawn;
+    for (std::size_t i = 0; i < scenes_.size(); ++i)
+      drawn = sum(drawn, scenes_[i]->draw(state_.camera, state_.settings, part_of(i, scenes_.size(), width, height)));
+    if (std::exchange(state_.wants_screenshot, false)) take_screenshot(width, height);
+    panel_->draw(state_, drawn);
     glfwSwapBuffers(window_);
-    std::string title = fmt::format("{} - {} indices, {} points", title_, drawn.indices, drawn.points);
-    if (drawn.strips > 0)
-      title += fmt::format(", {} strips; of {} nodes {} out of view, {} turned away", drawn.strips, drawn.nodes_visited,
-                           drawn.nodes_out_of_frustum, drawn.nodes_back_facing);
-    glfwSetWindowTitle(window_, title.c_str());
+    const std::string title = fmt::format("{} - {} indices, {} points", title_, drawn.indices, drawn.points);
+    if (title != shown_title_) glfwSetWindowTitle(window_, title.c_str());
+    shown_title_ = title;
   }
 
   void take_screenshot(int width, int height) {
-    wants_screenshot_ = false;
     std::string file;
     do {
       file = fmt::format("glark-{}.png", ++screenshots_);
@@ -89,36 +106,67 @@ class Viewer {
     const auto down = static_cast<float>(y - y_);
     x_ = x;
     y_ = y;
+    if (panel_ && panel_->takes_pointer()) return;
     int width = 0;
     int height = 0;
     glfwGetWindowSize(window_, &width, &height);
-    if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) camera_.turn(right, down);
-    if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) camera_.shift(right, down, height);
+    if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) state_.camera.turn(right, down);
+    if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) state_.camera.shift(right, down, height);
+  }
+
+  void scrolled(double notches) {
+    if (!panel_->takes_pointer()) state_.camera.zoom *= std::pow(1.1F, static_cast<float>(notches));
   }
 
   void pressed(int key) {
+    if (panel_->takes_keys()) return;
     constexpr std::array modes{Mode::splat, Mode::strip, Mode::mesh, Mode::wireframe, Mode::refined};
+    DrawSettings& settings = state_.settings;
     if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + static_cast<int>(modes.size()))
-      mode_ = modes[static_cast<std::size_t>(key - GLFW_KEY_1)];
-    if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD)
-      scene_.refinement_level = std::min(scene_.refinement_level + 1, 4);
-    if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT)
-      scene_.refinement_level = std::max(scene_.refinement_level - 1, 0);
-    if (key == GLFW_KEY_C) scene_.cull = !scene_.cull;
-    if (key == GLFW_KEY_U) camera_.z_is_up = !camera_.z_is_up;
-    if (key == GLFW_KEY_R) camera_ = camera_for(scene_, options_);
-    if (key == GLFW_KEY_S) wants_screenshot_ = true;
-    if (key == GLFW_KEY_Q || key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_, GLFW_TRUE);
+      settings.mode = modes[static_cast<std::size_t>(key - GLFW_KEY_1)];
+    switch (key) {
+      case GLFW_KEY_EQUAL:
+      case GLFW_KEY_KP_ADD: settings.level = std::min(settings.level + 1, deepest_level); break;
+      case GLFW_KEY_MINUS:
+      case GLFW_KEY_KP_SUBTRACT: settings.level = std::max(settings.level - 1, 0); break;
+      case GLFW_KEY_W: settings.lines = !settings.lines; break;
+      case GLFW_KEY_C: settings.cull = !settings.cull; break;
+      case GLFW_KEY_F: freeze(); break;
+      case GLFW_KEY_U: state_.camera.z_is_up = !state_.camera.z_is_up; break;
+      case GLFW_KEY_T: state_.turntable = !state_.turntable; break;
+      case GLFW_KEY_R: state_.wants_first_view = true; break;
+      case GLFW_KEY_S: state_.wants_screenshot = true; break;
+      case GLFW_KEY_P: state_.panel = !state_.panel; break;
+      case GLFW_KEY_H: state_.help = !state_.help; break;
+      case GLFW_KEY_Q:
+      case GLFW_KEY_ESCAPE: glfwSetWindowShouldClose(window_, GLFW_TRUE); break;
+      default: break;
+    }
+  }
+
+  void freeze() {
+    std::optional<Camera>& frozen = state_.settings.culled_from;
+    frozen = frozen ? std::nullopt : std::optional(state_.camera);
+  }
+
+  static Statistics sum(const Statistics& a, const Statistics& b) {
+    return {a.draws + b.draws,
+            a.indices + b.indices,
+            a.points + b.points,
+            a.strips + b.strips,
+            a.nodes_visited + b.nodes_visited,
+            a.nodes_out_of_frustum + b.nodes_out_of_frustum,
+            a.nodes_back_facing + b.nodes_back_facing};
   }
 
   GLFWwindow* window_;
-  std::string title_;
+  std::string title_, shown_title_;
   ViewOptions options_;
-  Scene scene_;
-  Camera camera_;
-  Mode mode_;
+  std::vector<std::unique_ptr<Scene>> scenes_;
+  ViewState state_;
+  std::optional<ViewPanel> panel_;
   double x_ = 0, y_ = 0;
-  bool wants_screenshot_ = false;
+  int frames_after_event_ = 2;
   int screenshots_ = 0;
 };
 
@@ -143,7 +191,24 @@ Camera camera_for(const Scene& scene, const ViewOptions& options) {
   return camera;
 }
 
-void show_window(const std::string& title, geometry::Geometry geometry, const ViewOptions& options) {
+Part part_of(std::size_t index, std::size_t count, int width, int height) {
+  const int part = std::max(width / static_cast<int>(count), 1);
+  return {part * static_cast<int>(index), part, height};
+}
+
+void clear_window() {
+  gl.ClearColor(0.16F, 0.17F, 0.19F, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+float greatest_shown(std::vector<float> distances) {
+  if (distances.empty()) return 0;
+  const auto at = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 98 / 100);
+  std::nth_element(distances.begin(), at, distances.end());
+  return *at;
+}
+
+void show_window(const std::string& title, std::vector<Model> models, const ViewOptions& options) {
   const Library library;
   glfwWindowHint(GLFW_SAMPLES, 4);
   GLFWwindow* window = glfwCreateWindow(options.width, options.height, title.c_str(), nullptr, nullptr);
@@ -152,8 +217,8 @@ void show_window(const std::string& title, geometry::Geometry geometry, const Vi
   glfwMakeContextCurrent(window);
   load_gl(glfwGetProcAddress);
   glfwSwapInterval(1);
-  std::printf("%s", help);
-  Viewer(window, title, std::move(geometry), options).run();
+  std::printf("%s", help_of_keys());
+  Viewer(window, title, std::move(models), options).run();
 }
 
 }  // namespace glark::tool

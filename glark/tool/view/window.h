@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "glark/clients/geometry/geometry.h"
 #include "glark/tool/view/scene.h"
@@ -18,13 +19,23 @@ struct ViewOptions {
   std::optional<bool> z_is_up;
   int width = 1024;
   int height = 768;
-  int level = 2;  // the level of refinement
-  bool cull = true;
+  DrawSettings settings;
+};
+
+// A model of a file, before there is a context.
+struct Model {
+  geometry::Geometry geometry;
+  std::vector<float> distances;  // of the points from a reference, or empty
 };
 
 Camera camera_for(const Scene& scene, const ViewOptions& options);
+// The part of the window for model `index` of `count`, side by side.
+Part part_of(std::size_t index, std::size_t count, int width, int height);
+void clear_window();
+// The greatest distance of the colours: that of 98 % of the points.
+float greatest_shown(std::vector<float> distances);
 
 // Returns when the window is closed. Throws std::runtime_error if there is no display.
-void show_window(const std::string& title, geometry::Geometry geometry, const ViewOptions& options);
+void show_window(const std::string& title, std::vector<Model> models, const ViewOptions& options);
 
 }  // namespace glark::tool

@@ -14,8 +14,8 @@ static inline void make_sphere(float positions[3 * sphere_corners], unsigned sho
   const double pi = 3.14159265358979;
   for (int r = 0; r <= sphere_rings; ++r) {
     for (int s = 0; s <= sphere_sectors; ++s) {
-      const double polar = pi * r / sphere_rings;
-      const double turn = 2 * pi * s / sphere_sectors;
+      const double polar = pi * r / (double)sphere_rings;
+      const double turn = 2 * pi * s / (double)sphere_sectors;
       float* p = positions + 3 * (r * (sphere_sectors + 1) + s);
       p[0] = (float)(sin(polar) * cos(turn));
       p[1] = (float)cos(polar);

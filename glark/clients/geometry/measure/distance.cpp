@@ -233,6 +233,16 @@ OneWay one_way(const Samples& from, bool has_triangles, std::size_t points, cons
 
 double Distance::rms() const { return std::sqrt((there.rms * there.rms + back.rms * back.rms) / 2); }
 
+std::vector<float> distances_of_points(const Geometry& points, const Geometry& surface) {
+  std::array<double, 3> shift{};  // from the surface's origin to that of the points
+  for (std::size_t axis = 0; axis < 3; ++axis) shift[axis] = points.origin[axis] - surface.origin[axis];
+  const Surface wanted(surface, {});
+  std::vector<float> distances(points.point_count());
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    distances[i] = static_cast<float>(wanted.nearest_to(point_at(points, shift, i)).distance);
+  return distances;
+}
+
 Distance distance_between(const Geometry& result, const Geometry& reference,
                           const std::function<void(double fraction)>& progress) {
   std::array<double, 3> shift{};  // from the reference's origin to the result's

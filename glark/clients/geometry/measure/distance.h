@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "glark/clients/geometry/geometry.h"
 
@@ -27,6 +28,9 @@ struct Distance {
   double hausdorff() const { return there.greatest > back.greatest ? there.greatest : back.greatest; }
   double rms() const;  // over both ways
 };
+
+// Returns the distance of each point to the surface, in the unit of the positions. Neither geometry is empty.
+std::vector<float> distances_of_points(const Geometry& points, const Geometry& surface);
 
 Distance distance_between(const Geometry& result, const Geometry& reference,
                           const std::function<void(double fraction)>& progress);

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// How the viewer draws its models.
+#pragma once
+
+#include <optional>
+
+#include "glark/tool/view/camera.h"
+
+namespace glark::tool {
+
+enum class Mode { splat, strip, mesh, wireframe, refined };
+
+inline constexpr int deepest_level = 4;
+
+// The light stays with the viewer. Angles are in degrees: to the right and above the line of sight.
+struct Look {
+  float light_right = 16.7F;
+  float light_above = 25.6F;
+  float ambient = 0.2F;    // of white light from everywhere, 0 to 1
+  float specular = 0.15F;  // 0 to 1
+  float shininess = 30;    // 1 to 128
+};
+
+struct DrawSettings {
+  Mode mode = Mode::mesh;
+  bool cull = true;
+  bool lines = false;     // refined triangles are drawn as lines
+  int level = 2;          // of refinement, 0 to deepest_level
+  float edge_pixels = 0;  // 0: `level`; else edges get segments of at most so many pixels
+  Look look;
+  std::optional<Camera> culled_from;  // strips are culled for this camera; empty: for the one that draws
+};
+
+// The part of the window that shows a model, in pixels.
+struct Part {
+  int x = 0;
+  int width = 1;
+  int height = 1;
+};
+
+}  // namespace glark::tool

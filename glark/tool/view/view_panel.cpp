@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/tool/view/view_panel.h"
+
+#if GLARK_VIEW_PANEL
+
+#include <imgui.h>
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include <array>
+
+namespace glark::tool {
+namespace {
+
+constexpr std::array mode_names{"splats", "strips", "mesh", "wireframe", "refined"};  // in the order of Mode
+
+void show_refinement(DrawSettings& settings) {
+  ImGui::SliderInt("level", &settings.level, 0, deepest_level);
+  ImGui::SliderFloat("edge pixels", &settings.edge_pixels, 0, 64, settings.edge_pixels > 0 ? "%.1f" : "off");
+  if (settings.edge_pixels < 0.5F) settings.edge_pixels = 0;
+  ImGui::Checkbox("triangles as lines", &settings.lines);
+}
+
+void show_culling(ViewState& state) {
+  ImGui::Checkbox("cull strips", &state.settings.cull);
+  bool frozen = state.settings.culled_from.has_value();
+  if (ImGui::Checkbox("freeze culling here", &frozen)) {
+    state.settings.culled_from.reset();
+    if (frozen) state.settings.culled_from = state.camera;
+  }
+}
+
+void show_look(Look& look) {
+  ImGui::SliderFloat("light right", &look.light_right, -180, 180, "%.0f degrees");
+  ImGui::SliderFloat("light above", &look.light_above, -90, 90, "%.0f degrees");
+  ImGui::SliderFloat("ambient", &look.ambient, 0, 1);
+  ImGui::SliderFloat("specular", &look.specular, 0, 1);
+  ImGui::SliderFloat("shininess", &look.shininess, 1, 128, "%.0f");
+  if (ImGui::Button("first look")) look = {};
+}
+
+void show_figures(const ViewState& state, const Statistics& drawn) {
+  ImGui::Text("%zu indices, %zu points", drawn.indices, drawn.points);
+  if (drawn.strips > 0) {
+    ImGui::Text("%zu strips", drawn.strips);
+    ImGui::Text("of %zu nodes %zu out of view, %zu turned away", drawn.nodes_visited, drawn.nodes_out_of_frustum,
+                drawn.nodes_back_facing);
+  }
+  if (state.greatest_distance > 0)
+    ImGui::TextWrapped("Colours: blue at the reference, red %g or more away from it", state.greatest_distance);
+}
+
+void show_controls(ViewState& state, const Statistics& drawn) {
+  int mode = static_cast<int>(state.settings.mode);
+  if (ImGui::Combo("mode", &mode, mode_names.data(), static_cast<int>(mode_names.size())))
+    state.settings.mode = static_cast<Mode>(mode);
+  if (state.settings.mode == Mode::refined) show_refinement(state.settings);
+  show_culling(state);
+  if (ImGui::CollapsingHeader("Material and light")) show_look(state.settings.look);
+  ImGui::Checkbox("turntable", &state.turntable);
+  ImGui::SameLine();
+  ImGui::Checkbox("z is up", &state.camera.z_is_up);
+  state.wants_first_view = ImGui::Button("first view") || state.wants_first_view;
+  ImGui::SameLine();
+  state.wants_screenshot = ImGui::Button("screenshot") || state.wants_screenshot;
+  ImGui::SameLine();
+  if (ImGui::Button("keys")) state.help = !state.help;
+  show_figures(state, drawn);
+}
+
+}  // namespace
+
+ViewPanel::ViewPanel(GLFWwindow* window) {
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;  // no file in the user's folder
+  ImGui::StyleColorsDark();
+  ImGui_ImplGlfw_InitForOpenGL(window, true);
+  ImGui_ImplOpenGL3_Init("#version 130");
+}
+
+ViewPanel::~ViewPanel() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+bool ViewPanel::takes_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
+bool ViewPanel::takes_keys() const { return ImGui::GetIO().WantCaptureKeyboard; }
+
+void ViewPanel::draw(ViewState& state, const Statistics& drawn) {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+  if (state.panel) {
+    ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(ImVec2(310, 0), ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("glark view", &state.panel)) {
+      ImGui::PushItemWidth(170);
+      show_controls(state, drawn);
+      ImGui::PopItemWidth();
+    }
+    ImGui::End();
+  }
+  if (state.help) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_FirstUseEver, ImVec2(0.5F, 0.5F));
+    if (ImGui::Begin("Keys", &state.help, ImGuiWindowFlags_AlwaysAutoResize)) ImGui::TextUnformatted(help_of_keys());
+    ImGui::End();
+  }
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace glark::tool
+
+#else
+
+namespace glark::tool {
+
+ViewPanel::ViewPanel(GLFWwindow*) {}
+ViewPanel::~ViewPanel() = default;
+bool ViewPanel::takes_pointer() const { return false; }
+bool ViewPanel::takes_keys() const { return false; }
+void ViewPanel::draw(ViewState&, const Statistics&) {}
+
+}  // namespace glark::tool
+
+#endif
+
+namespace glark::tool {
+
+const char* help_of_keys() {
+  return "left button turns, right button shifts, wheel zooms\n"
+         "1 splats, 2 strips, 3 mesh, 4 wireframe, 5 refined\n"
+         "+ and - its level, W its triangles as lines\n"
+         "C culling, F freezes it, U turns the model upright\n"
+         "T turntable, R first view, S screenshot\n"
+         "P panel, H these keys, Q quits\n";
+}
+
+}  // namespace glark::tool
