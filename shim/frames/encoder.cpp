@@ -25,33 +25,36 @@ constexpr int longest_wait = 20000;  // milliseconds
 // The shell leaves ffmpeg behind and ends. The socket is its descriptor 3.
 constexpr char script[] = R"("$@" <&3 3<&- >/dev/null &)";
 
-// Pictures carry their sizes, and come with the time of the clock. A window that is resized is fitted into the film.
+// Pictures carry their sizes, and come with the time of the clock. No picture is repeated: a slow program would become slower.
+// A window that is resized is fitted into the film.
 std::vector<std::string> command_for(const std::string& file, Size size) {
   const int width = (size.width + 1) / 2 * 2;  // as most encoders need
   const int height = (size.height + 1) / 2 * 2;
-  return {"/bin/sh",
-          "-c",
-          script,
-          "sh",
-          "ffmpeg",
-          "-nostdin",
-          "-loglevel",
-          "error",
-          "-y",
-          "-use_wallclock_as_timestamps",
-          "1",
-          "-f",
-          "image2pipe",
-          "-framerate",
-          "1000",
-          "-c:v",
-          "ppm",
-          "-i",
-          "pipe:0",
-          "-vf",
-          fmt::format("scale={0}:{1}:force_original_aspect_ratio=decrease,pad={0}:{1}:-1:-1,fps=30,format=yuv420p",
-                      width, height),
-          file};
+  return {
+      "/bin/sh",
+      "-c",
+      script,
+      "sh",
+      "ffmpeg",
+      "-nostdin",
+      "-loglevel",
+      "error",
+      "-y",
+      "-use_wallclock_as_timestamps",
+      "1",
+      "-f",
+      "image2pipe",
+      "-framerate",
+      "1000",
+      "-c:v",
+      "ppm",
+      "-i",
+      "pipe:0",
+      "-vf",
+      fmt::format("scale={0}:{1}:force_original_aspect_ratio=decrease,pad={0}:{1}:-1:-1,format=yuv420p", width, height),
+      "-fps_mode",
+      "vfr",
+      file};
 }
 
 bool is_in_path(std::string_view program) {

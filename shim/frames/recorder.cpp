@@ -20,8 +20,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// At most 60 pictures a second, because the program waits for the encoder.
-constexpr auto shortest_interval = std::chrono::milliseconds(16);
+// At most 30 pictures a second, because the program waits for the encoder.
+constexpr auto shortest_interval = std::chrono::milliseconds(33);
 
 // The film shows the window that ends a frame first.
 struct Recording {

@@ -98,9 +98,8 @@ int main(int argc, char** argv) {
   quality->add_option("SCAN", file)->required();
   quality->add_option("SMALL", model, "The sampling")->required();
   quality->add_option("--step", step, "Measure each N-th point");
-  quality->callback([&] {
-    fmt::print("RMS distance: {:.6f} % of the diagonal\n", 100 * bench::distance_of(file, model, step));
-  });
+  quality->callback(
+      [&] { fmt::print("RMS distance: {:.6f} % of the diagonal\n", 100 * bench::distance_of(file, model, step)); });
 
   Sampling run;
   std::string edit = "bend";

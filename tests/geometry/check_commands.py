@@ -236,7 +236,7 @@ class Commands(unittest.TestCase):
         script = f"""
             "{GLARK}" view sphere.ply --mode strip --width 200 --height 150 & program=$!
             window=$(xdotool search --sync --onlyvisible --name "glark sphere" | head -1)
-            until xdotool getwindowname "$window" | grep -q "turned away"; do sleep 0.1; done
+            until xdotool getwindowname "$window" | grep -q "indices"; do sleep 0.1; done
             xdotool windowfocus --sync "$window"
             for key in 5 plus u c s q; do xdotool key --window "$window" "$key"; sleep 0.5; done
             wait $program"""

@@ -208,9 +208,10 @@ TEST(FrameCapture, AFileThatCannotBeWrittenIsAMessageAndNoFailure) {
 
 TEST(FrameCapture, AFrameThatNeverCameIsTold) {
   const Outcome outcome = run_preloaded(program("shim_linked"), "GLARK_CAPTURE=2:/nowhere/b.png");
-  EXPECT_EQ(outcome.output,
-            "glark: frame 2 was not written to /nowhere/b.png: the program ended after frame 1; choose an earlier one\n" +
-                std::string(drawn));
+  EXPECT_EQ(
+      outcome.output,
+      "glark: frame 2 was not written to /nowhere/b.png: the program ended after frame 1; choose an earlier one\n" +
+          std::string(drawn));
   EXPECT_EQ(run_preloaded("/bin/echo hello", "GLARK_CAPTURE=2:/nowhere/b.png").output, "hello\n");
 }
 

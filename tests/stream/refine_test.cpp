@@ -30,11 +30,9 @@ class Refining : public TemporaryFolder {
     options.target = 500;
     options.memory = std::size_t{40} << 20;
     options.allow_in_core = false;
-    const SampleReport report =
-        sample(file_source(path("large.ply")), options, path(""),
-               [&](const Schema& schema) { return create_points(path("small.ply"), schema); });
-    write_cells(path("small.ply.cells"),
-                {std::filesystem::file_size(path("large.ply")), report.points, report.cells});
+    const SampleReport report = sample(file_source(path("large.ply")), options, path(""),
+                                       [&](const Schema& schema) { return create_points(path("small.ply"), schema); });
+    write_cells(path("small.ply.cells"), {std::filesystem::file_size(path("large.ply")), report.points, report.cells});
   }
 
   // Lifts the sampling by 10 and paints it: the property "paint" is the height before.
@@ -50,8 +48,8 @@ class Refining : public TemporaryFolder {
   }
 
   RefineFiles files() const {
-    return {path("large.ply"), path("small.ply.cells"), path("small.ply"), path("edited.ply"), path("finer.ply"),
-            path("finer.edited.ply")};
+    return {path("large.ply"),  path("small.ply.cells"), path("small.ply"),
+            path("edited.ply"), path("finer.ply"),       path("finer.edited.ply")};
   }
   static Region cap() {  // of the lifted sphere
     Region region;

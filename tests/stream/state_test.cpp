@@ -31,7 +31,9 @@ TEST_F(Work, AStateIsKeptForTheSameWork) {
 
 TEST_F(Work, WithoutResumeAStateIsDropped) {
   int number = 0;
-  { WorkFolder(path("work"), "a", false).save("number", [](StateWriter& state) { state.put(42); }); }
+  {
+    WorkFolder(path("work"), "a", false).save("number", [](StateWriter& state) { state.put(42); });
+  }
   EXPECT_FALSE(load_number(WorkFolder(path("work"), "a", false), number));
 }
 

@@ -49,10 +49,10 @@ FileState SourceFile::state() const {
 void SourceFile::require_unchanged(const FileState& before) const {
   const FileState now = state();
   if (now == before) return;
-  fail_to_read(name_,
-       fmt::format("the file changed while it was read: it had {} bytes, now {}; start again when nothing writes "
-                   "to it",
-                   before.size, now.size));
+  fail_to_read(
+      name_, fmt::format("the file changed while it was read: it had {} bytes, now {}; start again when nothing writes "
+                         "to it",
+                         before.size, now.size));
 }
 
 void SourceFile::read(std::uint64_t offset, std::span<char> to) const {
@@ -61,11 +61,12 @@ void SourceFile::read(std::uint64_t offset, std::span<char> to) const {
     if (got < 0 && errno == EINTR) continue;
     if (got < 0)
       fail_to_read(name_, fmt::format("reading at byte {} failed: {}; check the disk or copy the file", offset + done,
-                              std::strerror(errno)));
+                                      std::strerror(errno)));
     if (got == 0)
-      fail_to_read(name_, fmt::format("the file ends at byte {}, in the middle of its points; it is cut off or was changed, "
-                              "get it again",
-                              offset + done));
+      fail_to_read(name_,
+                   fmt::format("the file ends at byte {}, in the middle of its points; it is cut off or was changed, "
+                               "get it again",
+                               offset + done));
     done += static_cast<std::size_t>(got);
   }
 }

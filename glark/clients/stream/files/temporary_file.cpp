@@ -35,8 +35,7 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& folder) : folder_(fold
 }
 
 TemporaryFile::TemporaryFile(const std::filesystem::path& folder, const char* name)
-    : folder_(folder.string()),
-      descriptor_(open((folder / name).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600)) {
+    : folder_(folder.string()), descriptor_(open((folder / name).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600)) {
   if (descriptor_ < 0) fail_in(folder_, "cannot be made");
 }
 

@@ -5,7 +5,7 @@
 // numbers of a point lie. So one reader and one rewriter serve all of these formats.
 #pragma once
 
-#include <glark/stream.h>
+#include <glark/point_stream.h>
 
 #include <array>
 #include <string>

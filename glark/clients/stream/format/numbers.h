@@ -4,7 +4,7 @@
 // Columns of numbers in records: a column is one field of many records.
 #pragma once
 
-#include <glark/stream.h>
+#include <glark/point_stream.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -93,8 +93,8 @@ EditedSamples edit_of(const RegionPoints& added, const Sampling& sampling, const
 
 // Copies a sampling to a file, and adds new samples. value(i, channel) is the value of a new sample.
 template <class Value>
-void write_with(const std::filesystem::path& from, const std::filesystem::path& to, const std::vector<double>& positions,
-                const std::vector<float>& normals, const Value& value) {
+void write_with(const std::filesystem::path& from, const std::filesystem::path& to,
+                const std::vector<double>& positions, const std::vector<float>& normals, const Value& value) {
   const std::unique_ptr<PointReader> reader = open_points(from);
   const Schema& schema = reader->schema();
   const std::unique_ptr<PointWriter> writer = create_points(to, schema);
@@ -107,7 +107,8 @@ void write_with(const std::filesystem::path& from, const std::filesystem::path& 
   for (std::size_t i = 0; i < positions.size() / 3; ++i)
     for (const Channel& channel : schema.channels)
       channels.push_back(channel.name == "index" ? static_cast<double>(count + i) : value(i, channel));
-  writer->write({count, positions, schema.normals ? std::span<const float>(normals) : std::span<const float>{}, channels});
+  writer->write(
+      {count, positions, schema.normals ? std::span<const float>(normals) : std::span<const float>{}, channels});
   writer->finish();
 }
 
@@ -135,17 +136,13 @@ RefineReport refine(const RefineFiles& files, const Region& region, const Refine
                             scan.size(), index.bytes));
   const Sampling sampling = read_sampling(files.from, files.to, workers);
   const std::vector<bool> is_inside = samples_in(region, sampling, files.to.string());
-  const RegionPoints points =
-      read_region(files.large, index, sampling, is_inside, options.memory, workers);
+  const RegionPoints points = read_region(files.large, index, sampling, is_inside, options.memory, workers);
   if (points.positions.empty())
     throw Error(Element::file, 0,
                 files.large.string() + ": has no points in the region; the sampling may be that of another scan");
   const std::string name = files.large.string();
-  const Source source{name,
-                      [&](const ReadOptions& reading) {
-                        return std::make_unique<MemoryReader>(points, name, reading);
-                      },
-                      {}};
+  const Source source{
+      name, [&](const ReadOptions& reading) { return std::make_unique<MemoryReader>(points, name, reading); }, {}};
   SampleOptions sampling_options;
   sampling_options.target = options.target;
   sampling_options.error = options.error;

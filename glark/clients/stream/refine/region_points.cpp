@@ -89,7 +89,12 @@ class RegionReader {
  public:
   RegionReader(const Sampling& sampling, const SampleIndex& tree, const std::vector<bool>& is_inside,
                std::vector<SampledCell> cells, std::size_t memory)
-      : sampling_(sampling), tree_(tree), is_inside_(is_inside), cells_(std::move(cells)), box_(box_of(cells_)), memory_(memory) {}
+      : sampling_(sampling),
+        tree_(tree),
+        is_inside_(is_inside),
+        cells_(std::move(cells)),
+        box_(box_of(cells_)),
+        memory_(memory) {}
 
   RegionPoints run(BlockSource& source, const std::vector<Range>& ranges) {
     RegionPoints all;
@@ -140,8 +145,8 @@ class RegionReader {
     all.positions.insert(all.positions.end(), piece.positions.begin(), piece.positions.end());
     all.normals.insert(all.normals.end(), piece.normals.begin(), piece.normals.end());
     all.channels.insert(all.channels.end(), piece.channels.begin(), piece.channels.end());
-    const std::size_t bytes = sizeof(double) * (all.positions.size() + all.channels.size()) +
-                              sizeof(float) * all.normals.size();
+    const std::size_t bytes =
+        sizeof(double) * (all.positions.size() + all.channels.size()) + sizeof(float) * all.normals.size();
     if (2 * bytes > memory_)
       throw Error(Element::file, 0,
                   fmt::format("{}: the points of the region take more than half of the memory, {} bytes; choose a "
@@ -167,9 +172,9 @@ std::vector<bool> samples_in(const Region& region, const Sampling& sampling, con
   for (std::size_t k = 0; k < sampling.channels.size(); ++k)
     if (sampling.channels[k].name == region.channel) channel = k;
   if (region.kind == Region::Kind::channel && channel == none)
-    throw Error(Element::option, 0,
-                fmt::format("{}: its points have no new property \"{}\"; export the selection as one", file,
-                            region.channel));
+    throw Error(
+        Element::option, 0,
+        fmt::format("{}: its points have no new property \"{}\"; export the selection as one", file, region.channel));
   std::vector<bool> is_inside(samples.size());
   for (std::size_t i = 0; i < is_inside.size(); ++i) {
     double square = 0;
@@ -181,7 +186,8 @@ std::vector<bool> samples_in(const Region& region, const Sampling& sampling, con
     }
     if (region.kind == Region::Kind::box) is_inside[i] = in_box;
     if (region.kind == Region::Kind::sphere) is_inside[i] = square <= region.radius * region.radius;
-    if (region.kind == Region::Kind::channel) is_inside[i] = samples.values[sampling.channels.size() * i + channel] != 0;
+    if (region.kind == Region::Kind::channel)
+      is_inside[i] = samples.values[sampling.channels.size() * i + channel] != 0;
   }
   if (std::find(is_inside.begin(), is_inside.end(), true) == is_inside.end())
     throw Error(Element::option, 0, file + ": no sample lies in the region; glark info shows the bounding box");

@@ -44,8 +44,8 @@ class NearSamples {
   std::vector<float> squares_;
   common::Vector3f centre_;
   float reach_ = 0;
-  float farthest_ = 0;  // the distance of the last one of the `count` nearest samples from the centre
-  float covered_ = -1;  // all samples within this distance from the centre are gathered
+  float farthest_ = 0;           // the distance of the last one of the `count` nearest samples from the centre
+  float covered_ = -1;           // all samples within this distance from the centre are gathered
   common::Vector3f last_point_;  // the one of the last find(), and the distance of its farthest neighbour
   float last_farthest_ = 0;
   std::array<float, most> x_{}, y_{}, z_{};  // the positions before, for loops over all

@@ -4,7 +4,7 @@
 // The writers behind create_points(), and what they share.
 #pragma once
 
-#include <glark/stream.h>
+#include <glark/point_stream.h>
 
 #include <memory>
 

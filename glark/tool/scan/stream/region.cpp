@@ -14,8 +14,8 @@ namespace glark::tool {
 namespace {
 
 [[noreturn]] void fail(const std::string& text, const std::string& problem) {
-  throw std::runtime_error(fmt::format(
-      "--refine {}: {}; write box:X,Y,Z,X,Y,Z, sphere:X,Y,Z,R or channel:NAME", text, problem));
+  throw std::runtime_error(
+      fmt::format("--refine {}: {}; write box:X,Y,Z,X,Y,Z, sphere:X,Y,Z,R or channel:NAME", text, problem));
 }
 
 std::vector<double> numbers_of(const std::string& text, const std::string& list, std::size_t count) {

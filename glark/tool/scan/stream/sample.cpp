@@ -31,8 +31,7 @@ struct Sample {
 void write_index(const std::filesystem::path& large, const std::filesystem::path& output,
                  const stream::SampleReport& report) {
   if (!std::filesystem::is_regular_file(large) || !std::filesystem::is_regular_file(output)) return;
-  stream::write_cells(output.string() + ".cells",
-                      {std::filesystem::file_size(large), report.points, report.cells});
+  stream::write_cells(output.string() + ".cells", {std::filesystem::file_size(large), report.points, report.cells});
 }
 
 void refine(const Sample& command) {

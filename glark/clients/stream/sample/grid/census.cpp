@@ -82,8 +82,8 @@ void save(const Census& census, StateWriter& state) {
 }
 
 bool load(StateReader& state, Census& census) {
-  return state.get(census.lattice) && state.get(census.points) && state.get(census.left_out) &&
-         state.get(census.low) && state.get(census.high) && state.get_all(census.cubes);
+  return state.get(census.lattice) && state.get(census.points) && state.get(census.left_out) && state.get(census.low) &&
+         state.get(census.high) && state.get_all(census.cubes);
 }
 
 // Positions from all over the source; from its beginning if it cannot seek.

@@ -8,7 +8,7 @@ namespace glark::stream {
 namespace {
 
 constexpr unsigned most_bits = 10;                            // a key of a micro-cluster has 3 * 10 bits
-constexpr double parts_a_sample = 2.5, clusters_a_part = 4;  // as in vstree::simplify(), and micro-clusters of a part
+constexpr double parts_a_sample = 2.5, clusters_a_part = 4;   // as in vstree::simplify(), and micro-clusters of a part
 constexpr std::size_t program_bytes = std::size_t{24} << 20;  // the program itself and its buffers
 constexpr double bytes_a_node = 420;                          // of a tree under construction, for each micro-cluster
 constexpr double bytes_unfinished = 180;  // of a micro-cluster in a table, with the growth of the table

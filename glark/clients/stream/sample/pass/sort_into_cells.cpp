@@ -146,7 +146,7 @@ class CellSorter {
     std::vector<StoredPoint>& buffer = buffers_[cell];
     if (written_[cell] + buffer.size() > plan_.cells[cell].count) fail_as_changed(input_.source.name());
     file_->write((begins_[cell] + written_[cell]) * sizeof(StoredPoint),
-                {reinterpret_cast<const char*>(buffer.data()), buffer.size() * sizeof(StoredPoint)});
+                 {reinterpret_cast<const char*>(buffer.data()), buffer.size() * sizeof(StoredPoint)});
     written_[cell] += buffer.size();
     buffer.clear();
   }
@@ -159,7 +159,7 @@ class CellSorter {
     for (std::uint64_t done = 0; done < plan_.cells[cell].count; done += points.size()) {
       points.resize(static_cast<std::size_t>(std::min<std::uint64_t>(read_size, plan_.cells[cell].count - done)));
       file_->read((begins_[cell] + done) * sizeof(StoredPoint),
-                 {reinterpret_cast<char*>(points.data()), points.size() * sizeof(StoredPoint)});
+                  {reinterpret_cast<char*>(points.data()), points.size() * sizeof(StoredPoint)});
       for (const StoredPoint& stored : points) {
         LocalPoint point;
         frame.place({stored.from_centre[0], stored.from_centre[1], stored.from_centre[2]}, point);
@@ -180,7 +180,7 @@ class CellSorter {
   std::vector<std::uint64_t> begins_, written_;  // of each cell, in points
   std::vector<std::vector<StoredPoint>> buffers_;
   std::size_t buffer_size_ = 0;
-  std::size_t next_cell_ = 0;  // whose tree is to be built
+  std::size_t next_cell_ = 0;         // whose tree is to be built
   std::vector<std::uint32_t> cells_;  // of the points of the batch
   std::vector<StoredPoint> batch_;
 };

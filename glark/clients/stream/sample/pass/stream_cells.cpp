@@ -141,7 +141,7 @@ class CellStream {
   PointKind kind_;
   std::vector<LocalPoint> batch_;
   std::vector<std::unique_ptr<MicroTable>> tables_;  // of the unfinished cells
-  std::vector<std::uint64_t> missing_;  // points of each cell that are still to come
+  std::vector<std::uint64_t> missing_;               // points of each cell that are still to come
   std::size_t finished_ = 0, batches_ = 0;
 };
 
