@@ -8,6 +8,7 @@
 #include <pty.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <string>
 
 namespace glark::shim {
@@ -38,21 +39,36 @@ std::string printed(core::LogLevel wanted, bool at_terminal) {
 
 bool tells(const std::string& text, const char* word) { return text.find(word) != std::string::npos; }
 
-TEST(Log, ProgressIsForTerminals) {
+class Log : public testing::Test {
+ protected:
+  void SetUp() override {
+    setenv("NO_COLOR", "1", 1);
+    setenv("TERM", "xterm", 1);
+  }
+};
+
+TEST_F(Log, ProgressIsForTerminals) {
   EXPECT_TRUE(tells(printed(core::LogLevel::warning, true), "glark: compiling"));
   EXPECT_FALSE(tells(printed(core::LogLevel::warning, true), "details"));
   EXPECT_FALSE(tells(printed(core::LogLevel::warning, false), "compiling"));
 }
 
-TEST(Log, ProgressIsInformation) {
+TEST_F(Log, ProgressIsInformation) {
   EXPECT_TRUE(tells(printed(core::LogLevel::info, false), "glark: compiling"));
   EXPECT_TRUE(tells(printed(core::LogLevel::info, false), "glark: details"));
 }
 
-TEST(Log, SilentRunsStaySilent) {
+TEST_F(Log, SilentRunsStaySilent) {
   const std::string text = printed(core::LogLevel::error, true);
   EXPECT_FALSE(tells(text, "compiling"));
   EXPECT_TRUE(tells(text, "glark: error: end"));
+}
+
+TEST_F(Log, ColorsAreForTerminalsThatWantThem) {
+  EXPECT_FALSE(tells(printed(core::LogLevel::info, true), "\033["));
+  unsetenv("NO_COLOR");
+  EXPECT_TRUE(tells(printed(core::LogLevel::info, true), "\033["));
+  EXPECT_FALSE(tells(printed(core::LogLevel::info, false), "\033["));
 }
 
 }  // namespace
