@@ -8,8 +8,10 @@
 
 extern "C" {
 // assert() calls the first; the linker leads it to the second, and the third is that of the C library.
+// NOLINTBEGIN(readability-identifier-naming): the linker's names
 [[noreturn]] void __wrap___assert_fail(const char* expression, const char* file, unsigned line, const char* function);
 [[noreturn]] void __real___assert_fail(const char* expression, const char* file, unsigned line, const char* function);
+// NOLINTEND(readability-identifier-naming)
 }
 
 namespace {

@@ -20,7 +20,8 @@ AllPoints sheet(std::size_t side) {
   AllPoints all;
   const double step = 4.0 / static_cast<double>(side);
   for (std::size_t i = 0; i < side * side * 5 / 2; ++i) {
-    const double x = (static_cast<double>(i / side) + 0.5) * step, y = (static_cast<double>(i % side) + 0.5) * step;
+    const std::size_t row = i / side, column = i % side;
+    const double x = (static_cast<double>(row) + 0.5) * step, y = (static_cast<double>(column) + 0.5) * step;
     const double slope = 0.05 * std::cos(x);
     const double length = std::hypot(slope, 1);
     all.positions.insert(all.positions.end(), {x, y, 0.05 * std::sin(x)});
@@ -58,7 +59,8 @@ class Edited : public Transferring {
     double sum = 0;
     for (std::size_t i = 0; i < wanted.positions.size(); ++i)
       sum += (out.positions[i] - wanted.positions[i]) * (out.positions[i] - wanted.positions[i]);
-    return std::sqrt(sum / static_cast<double>(wanted.positions.size() / 3));
+    const std::size_t points = wanted.positions.size() / 3;
+    return std::sqrt(sum / static_cast<double>(points));
   }
 };
 

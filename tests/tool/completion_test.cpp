@@ -31,9 +31,9 @@ std::string output_of(const std::string& command) {
 std::string completed(const std::string& words) {
   const std::string file = testing::TempDir() + "glark_completion_" + std::to_string(getpid());
   std::ofstream(file) << bash_completion(commands, topics);
-  const std::string output = output_of("bash -c 'source " + file + "; COMP_WORDS=(" + words +
-                                       "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _glark; "
-                                       "((${#COMPREPLY[@]} == 0)) || printf \"%s \" \"${COMPREPLY[@]}\"'");
+  std::string output = output_of("bash -c 'source " + file + "; COMP_WORDS=(" + words +
+                                 "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _glark; "
+                                 "((${#COMPREPLY[@]} == 0)) || printf \"%s \" \"${COMPREPLY[@]}\"'");
   std::remove(file.c_str());
   return output;
 }

@@ -47,7 +47,7 @@ struct Places {
     std::vector<Edge> edges, result;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
       const std::uint32_t a = triangles[i], b = triangles[common::next_corner(i)];
-      if (a != b && (irregular[a] & irregular[b]) != 0) edges.push_back(std::minmax(a, b));
+      if (a != b && (irregular[a] & irregular[b]) != 0) edges.emplace_back(std::minmax(a, b));
     }
     std::sort(edges.begin(), edges.end());
     for (std::size_t i = 2; i < edges.size(); ++i) {
