@@ -40,19 +40,19 @@ function(glark_add_panel target)
     input/x11_input.cpp
     input/x11_keymap.cpp
     input/xcb_functions.cpp
-    panel/assertions.cpp
-    panel/draw_list_view.cpp
-    panel/draw_switch.cpp
+    panel/view/assertions.cpp
+    panel/view/draw_list_view.cpp
+    panel/view/draw_switch.cpp
     panel/egl_context.cpp
     panel/glx_context.cpp
     panel/overlay.cpp
     panel/panel.cpp
-    panel/panel_input.cpp
-    panel/panel_view.cpp
-    panel/renderer.cpp)
+    panel/view/panel_input.cpp
+    panel/view/panel_view.cpp
+    panel/view/renderer.cpp)
   set_target_properties(${target} PROPERTIES GLARK_HAS_PANEL ON)
   target_compile_definitions(${target} PRIVATE GLARK_PANEL=1)
   target_include_directories(${target} SYSTEM PRIVATE ${GLARK_IMGUI_FOLDER} ${GLARK_XCB_FOLDER} ${GLARK_WAYLAND_FOLDER})
   target_link_libraries(${target} PRIVATE ${GLARK_IMGUI_LIBRARIES})
-  target_link_options(${target} PRIVATE LINKER:--wrap=__assert_fail)  # panel/assertions.h
+  target_link_options(${target} PRIVATE LINKER:--wrap=__assert_fail)  # panel/view/assertions.h
 endfunction()

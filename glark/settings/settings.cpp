@@ -9,7 +9,7 @@
 
 #include "glark/settings/configuration.h"
 #include "glark/settings/idle_settings.h"
-#include "glark/settings/nearest_name.h"
+#include "glark/settings/names/nearest_name.h"
 #include "glark/settings/table.h"
 
 namespace glark::settings {

@@ -16,7 +16,7 @@
 #include "glark/core/context_options.h"
 #include "glark/core/refinement.h"
 #include "glark/core/report/log.h"
-#include "glark/settings/keys.h"
+#include "glark/settings/names/keys.h"
 
 namespace glark::settings {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "glark/settings/nearest_name.h"
+#include "glark/settings/names/nearest_name.h"
 
 namespace glark::settings {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "glark/core/report/cause.h"
 #include "glark/core/report/refinement_fallback.h"
-#include "glark/settings/nearest_name.h"
+#include "glark/settings/names/nearest_name.h"
 #include "glark/settings/rules.h"
 #include "glark/settings/table.h"
 #include "glark/settings/terminal.h"

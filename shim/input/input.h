@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "glark/settings/keys.h"
+#include "glark/settings/names/keys.h"
 
 namespace glark::shim {
 

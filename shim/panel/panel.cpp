@@ -10,11 +10,11 @@
 
 #include "glark/core/report/log.h"
 #include "glark/core/stages.h"
-#include "glark/settings/configuration_edit.h"
+#include "glark/settings/edit/configuration_edit.h"
 #include "shim/contexts/thread.h"
 #include "shim/live/live_settings.h"
-#include "shim/panel/assertions.h"
-#include "shim/panel/draw_switch.h"
+#include "shim/panel/view/assertions.h"
+#include "shim/panel/view/draw_switch.h"
 #include "shim/report/options.h"
 
 namespace glark::shim {

@@ -15,9 +15,9 @@
 #include "shim/contexts/contexts.h"
 #include "shim/input/input.h"
 #include "shim/panel/panel_context.h"
-#include "shim/panel/panel_input.h"
-#include "shim/panel/panel_view.h"
-#include "shim/panel/renderer.h"
+#include "shim/panel/view/panel_input.h"
+#include "shim/panel/view/panel_view.h"
+#include "shim/panel/view/renderer.h"
 
 namespace glark::shim {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "glark/settings/configuration.h"
-#include "glark/settings/configuration_edit.h"
+#include "glark/settings/edit/configuration_edit.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace glark;

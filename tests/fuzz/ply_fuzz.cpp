@@ -4,7 +4,7 @@
 // Any bytes as a PLY file: geometry whose triangles have points, or an Error.
 #include <cstdlib>
 
-#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/parse/input.h"
 #include "glark/clients/geometry/read/ply_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

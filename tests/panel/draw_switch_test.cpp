@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/panel/draw_switch.h"
+#include "shim/panel/view/draw_switch.h"
 
 #include <gtest/gtest.h>
 

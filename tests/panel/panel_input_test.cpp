@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/panel/panel_input.h"
+#include "shim/panel/view/panel_input.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "glark/settings/keys.h"
+#include "glark/settings/names/keys.h"
 
 namespace glark::shim {
 namespace {

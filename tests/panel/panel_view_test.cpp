@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 //
 // The panel under the same keys and clicks that a user has. Dear ImGui checks its callers with assertions.
-#include "shim/panel/panel_view.h"
+#include "shim/panel/view/panel_view.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 
 #include <random>
 
-#include "shim/panel/assertions.h"
-#include "shim/panel/panel_input.h"
+#include "shim/panel/view/assertions.h"
+#include "shim/panel/view/panel_input.h"
 
 namespace glark::shim {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/settings/keys.h"
+#include "glark/settings/names/keys.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "glark/settings/nearest_name.h"
+#include "glark/settings/names/nearest_name.h"
 #include "glark/settings/table.h"
 
 namespace glark::settings {

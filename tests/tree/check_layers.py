@@ -78,7 +78,7 @@ class Tree(unittest.TestCase):
     def test_rules_that_must_stay(self):
         for name, included in [("conformance/cases/a.cpp", "include/glark/pn.h"), ("examples/a.cpp", "glark/core/report/log.h"),
                                ("glark/clients/qas/a.cpp", "glark/core/report/log.h"), ("glark/tool/run.cpp", "glark/core/report/log.h"),
-                               ("glark/tool/scan/info.cpp", "glark/tool/view/camera.h"), ("tests/clients/a.c", "glark/gl/types.h"),
+                               ("glark/tool/scan/info.cpp", "glark/tool/view/draw/camera.h"), ("tests/clients/a.c", "glark/gl/types.h"),
                                ("glark/gl/types.h", "glark/core/report/log.h"), ("shim/entry/glx.cpp", "GL/osmesa.h")]:
             self.assertNotEqual("", check_layers.complaint_about(self.layers, name, included), (name, included))
 

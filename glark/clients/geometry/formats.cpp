@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "glark/clients/geometry/parse/input.h"
 #include "glark/clients/geometry/read/assimp_reader.h"
-#include "glark/clients/geometry/read/input.h"
 #include "glark/clients/geometry/read/pcd_reader.h"
 #include "glark/clients/geometry/read/ply_reader.h"
 #include "glark/clients/geometry/read/text_points.h"

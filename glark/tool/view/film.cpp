@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "glark/tool/view/gl.h"
+#include "glark/tool/view/draw/gl.h"
 
 namespace glark::tool {
 namespace {

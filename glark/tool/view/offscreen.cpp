@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "glark/clients/geometry/write/output_file.h"
-#include "glark/tool/view/gl.h"
+#include "glark/tool/view/draw/gl.h"
 // After glad, which stands for <GL/gl.h> but does not define APIENTRY.
 #ifndef APIENTRY
 #define APIENTRY GLAPIENTRY

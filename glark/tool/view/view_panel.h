@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "glark/tool/view/scene.h"
+#include "glark/tool/view/draw/scene.h"
 
 struct GLFWwindow;
 

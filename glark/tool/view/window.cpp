@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "glark/tool/view/gl.h"
+#include "glark/tool/view/draw/gl.h"
 #include "glark/tool/view/offscreen.h"
 #include "glark/tool/view/view_panel.h"
 

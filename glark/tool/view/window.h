@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "glark/clients/geometry/geometry.h"
-#include "glark/tool/view/scene.h"
+#include "glark/tool/view/draw/scene.h"
 
 namespace glark::tool {
 

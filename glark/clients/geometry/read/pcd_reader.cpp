@@ -11,7 +11,7 @@
 #include <map>
 #include <optional>
 
-#include "glark/clients/geometry/read/ply_values.h"
+#include "glark/clients/geometry/parse/ply_values.h"
 #include "glark/clients/geometry/read/point_builder.h"
 
 namespace glark::geometry {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "glark/clients/geometry/geometry.h"
-#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/parse/input.h"
 
 namespace glark::geometry {
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "glark/clients/geometry/read/ply_header.h"
-#include "glark/clients/geometry/read/ply_values.h"
+#include "glark/clients/geometry/parse/ply_header.h"
+#include "glark/clients/geometry/parse/ply_values.h"
 #include "glark/clients/geometry/read/point_builder.h"
 
 namespace glark::geometry {

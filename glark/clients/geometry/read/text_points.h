@@ -6,8 +6,8 @@
 #pragma once
 
 #include "glark/clients/geometry/geometry.h"
-#include "glark/clients/geometry/read/input.h"
-#include "glark/clients/geometry/read/text_row.h"
+#include "glark/clients/geometry/parse/input.h"
+#include "glark/clients/geometry/parse/text_row.h"
 
 namespace glark::geometry {
 

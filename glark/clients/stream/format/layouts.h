@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "glark/clients/geometry/read/ply_header.h"
+#include "glark/clients/geometry/parse/ply_header.h"
 #include "glark/clients/stream/files/source_file.h"
 #include "glark/clients/stream/format/layout.h"
 

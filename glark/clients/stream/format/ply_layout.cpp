@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "glark/clients/geometry/geometry.h"
-#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/parse/input.h"
 #include "glark/clients/stream/format/layouts.h"
 
 namespace glark::stream {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "glark/clients/geometry/read/ply_values.h"
+#include "glark/clients/geometry/parse/ply_values.h"
 #include "glark/clients/stream/format/layouts.h"
 #include "glark/clients/stream/read/stream_reader.h"
 

@@ -6,9 +6,9 @@
 
 #include <memory>
 
-#include "glark/clients/geometry/read/input.h"
-#include "glark/clients/geometry/read/ply_header.h"
-#include "glark/clients/geometry/read/text_row.h"
+#include "glark/clients/geometry/parse/input.h"
+#include "glark/clients/geometry/parse/ply_header.h"
+#include "glark/clients/geometry/parse/text_row.h"
 #include "glark/clients/stream/files/source_file.h"
 #include "glark/clients/stream/format/layout.h"
 

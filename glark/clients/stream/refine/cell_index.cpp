@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "glark/clients/geometry/geometry.h"
-#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/parse/input.h"
 #include "glark/clients/geometry/write/output_file.h"
 #include "glark/clients/stream/refine/index_text.h"
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/panel/panel_view.h"
+#include "shim/panel/view/panel_view.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "shim/panel/draw_list_view.h"
+#include "shim/panel/view/draw_list_view.h"
 
 namespace glark::shim {
 namespace {

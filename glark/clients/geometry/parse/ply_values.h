@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "glark/clients/geometry/read/input.h"
-#include "glark/clients/geometry/read/ply_header.h"
+#include "glark/clients/geometry/parse/input.h"
+#include "glark/clients/geometry/parse/ply_header.h"
 
 namespace glark::geometry::ply {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/settings/configuration_edit.h"
+#include "glark/settings/edit/configuration_edit.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

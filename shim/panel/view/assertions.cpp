@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/panel/assertions.h"
+#include "shim/panel/view/assertions.h"
 
 #include <fmt/format.h>
 

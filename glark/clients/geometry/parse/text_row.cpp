@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/geometry/read/text_row.h"
+#include "glark/clients/geometry/parse/text_row.h"
 
 #include <fmt/format.h>
 

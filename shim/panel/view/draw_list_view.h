@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "shim/panel/panel_view.h"
+#include "shim/panel/view/panel_view.h"
 
 namespace glark::shim {
 

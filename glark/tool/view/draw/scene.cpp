@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/tool/view/scene.h"
+#include "glark/tool/view/draw/scene.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,8 +10,8 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
-#include "glark/tool/view/gl.h"
-#include "glark/tool/view/shading.h"
+#include "glark/tool/view/draw/gl.h"
+#include "glark/tool/view/draw/shading.h"
 
 namespace glark::tool {
 namespace {

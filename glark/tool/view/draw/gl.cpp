@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/tool/view/gl.h"
+#include "glark/tool/view/draw/gl.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/tool/view/shading.h"
+#include "glark/tool/view/draw/shading.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/panel/draw_list_view.h"
+#include "shim/panel/view/draw_list_view.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "glark/core/state/programs/program.h"
-#include "shim/panel/draw_switch.h"
+#include "shim/panel/view/draw_switch.h"
 
 namespace glark::shim {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/geometry/read/ply_values.h"
+#include "glark/clients/geometry/parse/ply_values.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "glark/tool/view/camera.h"
+#include "glark/tool/view/draw/camera.h"
 
 namespace glark::tool {
 

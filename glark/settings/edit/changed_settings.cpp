@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/settings/changed_settings.h"
+#include "glark/settings/edit/changed_settings.h"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "glark/clients/geometry/geometry.h"
-#include "glark/tool/view/draw_settings.h"
+#include "glark/tool/view/draw/draw_settings.h"
 
 namespace glark::tool {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "glark/settings/changed_settings.h"
+#include "glark/settings/edit/changed_settings.h"
 
 namespace glark::settings {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/panel/renderer.h"
+#include "shim/panel/view/renderer.h"
 
 #include <algorithm>
 #include <cstddef>

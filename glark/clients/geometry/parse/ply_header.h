@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/parse/input.h"
 
 namespace glark::geometry::ply {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "shim/panel/panel_input.h"
+#include "shim/panel/view/panel_input.h"
 
 #include <imgui.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/geometry/read/input.h"
+#include "glark/clients/geometry/parse/input.h"
 
 #include <fmt/format.h>
 

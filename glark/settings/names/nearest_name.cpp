@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/settings/nearest_name.h"
+#include "glark/settings/names/nearest_name.h"
 
 #include <algorithm>
 #include <cctype>
