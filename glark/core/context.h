@@ -59,7 +59,7 @@ class Context final : private ProgramWatcher {
   ShareGroup& share() const { return *share_; }
   GlState& state() { return state_; }
   const GlState& state() const { return state_; }
-  // Notes writes of buffers, and calls that go straight to GL.
+  // Record writes to buffers and textures, and state changes.
   BufferWrites writes() { return {state_.arrays(), state_.stamps(), share_->buffers}; }
   TextureWrites textures() { return {gl_, state_, share_->textures}; }
   StateChanges changes() { return StateChanges(state_); }

@@ -29,8 +29,8 @@ namespace py = pybind11;
 template <class T>
 using OptionalArray = std::optional<Array<T>>;
 
-// The numbers of an array of rows with `columns` numbers, or of a flat array if `columns` is 1. Throws ArgumentError for
-// another shape.
+// The numbers of an array of the shape (n, `columns`), or (n,) if `columns` is 1. Throws ArgumentError for any other
+// shape.
 template <class T>
 std::span<const T> rows(const Array<T>& given, py::ssize_t columns, const char* name) {
   const auto& array = given.checked(name);

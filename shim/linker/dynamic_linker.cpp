@@ -96,7 +96,7 @@ DynamicLinker find_linker() {
   DynamicLinker linker;
   linker.dlvsym = reinterpret_cast<decltype(linker.dlvsym)>(address_of_dlvsym());
   if (linker.dlvsym == nullptr) return linker;
-  // The versions of glibc 2.34, and of older glibc: on x86-64, AArch64 and i386.
+  // Symbol versions: glibc 2.34, then older glibc on x86-64, AArch64 and i386.
   const auto find = [&](const char* name) {
     void* function = nullptr;
     for (const char* version : {"GLIBC_2.34", "GLIBC_2.2.5", "GLIBC_2.17", "GLIBC_2.1", "GLIBC_2.0"})

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The panel under the same keys and clicks that a user has. Dear ImGui checks its callers with assertions.
+// Sends the panel a user's keys and clicks. Dear ImGui checks its callers with assertions.
 #include "shim/panel/view/panel_view.h"
 
 #include <gtest/gtest.h>

@@ -27,7 +27,7 @@ std::string output_of(const std::string& command) {
   return text;
 }
 
-// What bash offers for the last of these words.
+// Returns bash's completions of the last word.
 std::string completed(const std::string& words) {
   const std::string file = testing::TempDir() + "glark_completion_" + std::to_string(getpid());
   std::ofstream(file) << bash_completion(commands, topics);

@@ -80,7 +80,7 @@ void check_current_group(Test& t) {
   t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), 2, "another group does not restore it");
 }
 
-// There is no query in between: draws alone show the state.
+// Does not query the tag in between: only draws show it.
 void check_current_group_draws(Test& t) {
   refine_immediate_triangles(t);
   upload(one_triangle(), false);

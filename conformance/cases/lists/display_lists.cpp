@@ -180,7 +180,7 @@ void check_immediate(Test& t, const Immediate& immediate) {
   expect_unchanged(t, take_snapshot(t), expected, "while the list is compiled");
   gl.EndList();
   t.expect_no_error("the list");
-  // After the state is set back by hand, the list must not change it.
+  // Restores the state by hand. The list must not change it.
   gl.ARKinit(5);
   gl.Enable(GL_ARK);
   gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 4);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Based on: Boubekeur 2007, ch. 8.3; A. Vlachos, J. Peters, C. Boyd, J. L. Mitchell, Curved PN Triangles, I3D 2001. We
-// classify the sides of a crease by its edges: section 11.R.7a of the extension.
+// tell a triangle's side of a crease by edges: section 11.R.7a of the extension.
 #include <algorithm>
 
 #include "glark/clients/common/vector.h"

@@ -16,7 +16,7 @@ namespace glark::surfel {
 Level build_level(std::vector<Surfel> surfels, std::vector<std::uint32_t> cloud_indices, const LevelOptions& options,
                   const common::Workers& workers, std::vector<std::uint32_t>& indices);
 
-// Returns the surfels of the next coarser level, about a quarter. cloud_indices: receives their indices in the cloud.
+// Returns about a quarter of the surfels, for the next coarser level. cloud_indices: gets their indices in the cloud.
 std::vector<Surfel> coarser_surfels(const Level& level, std::vector<std::uint32_t>& cloud_indices);
 
 // Returns whether updates have left too many leaves, so that the level should be built again.

@@ -13,7 +13,7 @@ namespace glark::vstree {
 
 using namespace common;  // Float4, records and workers
 
-// A quadratic error function relative to an origin, which the user stores. The error at x is x^T A x + 2 b x + c.
+// A quadratic error function about an origin that the caller keeps. The error at x is x^T A x + 2 b x + c.
 struct Quadric {
   Float4 rows[3] = {};  // the rows of A; the fourth column is b
   float constant = 0;

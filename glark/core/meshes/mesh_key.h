@@ -21,8 +21,8 @@ struct MeshKey {
 // Vertices of glBegin and everything else that has no source: one group in each context.
 inline constexpr MeshKey loose_mesh{};
 
-// Positions in a buffer or in client memory. Draws that differ by whole vertices of one buffer have the same key. A
-// buffer that was deleted and made again under the same name has another generation.
+// Positions in a buffer or in client memory. Offsets in one buffer that differ by whole vertices give the same key. A
+// buffer that was deleted and made again with the same name has a new generation.
 constexpr MeshKey mesh_of(const AttributeSource& source, GLsizei packed) {
   const auto stride = static_cast<std::uint64_t>(source.stride != 0 ? source.stride : packed);
   const auto first = static_cast<std::uint64_t>(source.offset) + source.relative_offset;

@@ -11,7 +11,7 @@
 namespace glark::core {
 
 // The frames in which a mesh is watched (Cause::mesh_waits) are used to compile its passes. While some are missing, the
-// mesh goes on waiting, in all passes over it. `triangles`: of the draw, or a bound.
+// mesh keeps waiting, in all passes over it. `triangles`: of the draw, or a bound.
 void compile_ahead(MeshWatch& meshes, TrianglePasses& passes, const DrawCall& call, const DrawPlan& plan,
                    std::uint64_t triangles);
 

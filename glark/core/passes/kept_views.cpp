@@ -23,7 +23,7 @@ constexpr unsigned draws_to_pause = 14;
 
 }  // namespace
 
-// ES has no function that reads all kinds of numbers exactly.
+// ES lacks glGetUniformdv, which reads all types exactly.
 const KeptViews::Positions& KeptViews::positions_of(const DrawPlan& plan) {
   const auto found = positions_.find(plan.corners);
   if (found != positions_.end()) {

@@ -205,7 +205,7 @@ std::optional<Cause> Planner::choose_wanted(DrawPlan& plan) const {
     return std::nullopt;
   }
   const DrawRule* rule = find_rule(env_.options.rules, read_draw_state(env_, plan.program));
-  // Smooth refinement needs to know that a pass does not curve its mesh.
+  // `smooth`: a flat pass needs a cause, so that its mesh stays flat.
   if (rule != nullptr && (!rule->refinement || (smooth() && !traits_of(*rule->refinement).curves_positions))) {
     return Cause::rule;
   }

@@ -57,8 +57,8 @@ struct DeriveRequest {
   int context_glsl_version = 450;           // highest version of the context: 450, 320 (ES), ...
   capture::Layout layout;                   // where the coarse record holds each input
   core::Refinement refinement = core::Refinement::linear_inputs;
-  // For a refinement that takes tags: the fields of the layout with the discontinuities of the normals and with the
-  // scalar tags, vec3 or vec4. -1: vertices carry no tags, and the constant tags apply.
+  // For a refinement that takes tags: the layout's fields for normal discontinuities and for scalar tags, vec3 or vec4.
+  // -1: vertices carry no tags, and the constant tags apply.
   int discontinuity_field = -1;
   int scalar_tag_field = -1;
   core::ScalarTags scalar_tags;

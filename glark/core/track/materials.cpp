@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of glMaterial. Between glBegin and glEnd, each vertex of the fixed function has its own material. A vertex program
+// Hooks of glMaterial. Between glBegin and glEnd, each fixed-function vertex has its own material. A vertex program
 // sees the material from before glBegin.
 #include <algorithm>
 #include <cstring>

@@ -197,7 +197,7 @@ void ColorMask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboo
   }
 }
 
-// Draw buffer 0 stands for all of them: a prepared depth has no colours at all.
+// Only draw buffer 0 is tracked: a depth pre-pass masks all draw buffers.
 void ColorMaski(Context& c, GLuint buffer, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
   c.gl().ColorMaski(buffer, red, green, blue, alpha);
   if (track::executes(c) && buffer == 0) {

@@ -178,7 +178,7 @@ bool is_mean_of_crease(float out_of_face, float in_face) {
   return size > 0.0 && 1.0 - 2.0 * square / size > crease_cosine;
 }
 
-// A surface that goes on smoothly beyond a boundary makes the normals of the boundary lean out of this face, by half of
+// A surface that continues smoothly beyond a boundary makes the normals of the boundary lean out of this face, by half of
 // the angle of both faces. Without that, a wall ends here, and another draw may have its lid: the edge must stay on it.
 // Exact normals of a cone lean a little, too, with the square of the angle between its corners.
 bool ends_at(float out_of_face, float in_face, float turn) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What a user has changed while a program runs, as lines of a configuration file.
+// A user's changes while a program runs, as lines of a configuration file.
 #pragma once
 
 #include <string>

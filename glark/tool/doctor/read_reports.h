@@ -10,7 +10,7 @@
 
 namespace glark::tool {
 
-// Reads the statistics file of a process. Without a name if the text is no such file.
+// Reads the statistics file of a process. The name is empty if the text is not one.
 ProcessReport read_report(std::string_view text);
 
 // Reads all statistics files of the folder, those with most draws first.

@@ -45,7 +45,7 @@ bool has_normals(const geometry::Geometry& points) {
   return !points.normals.empty();
 }
 
-// Gives normals to points that have none: from their triangles, or else estimated from the points around.
+// Gives normals to points that have none: from their triangles, or else estimated from nearby points.
 void add_normals(geometry::Geometry& points, const std::string& file, Seconds& seconds) {
   if (!points.normals.empty()) return;
   if (!points.triangles.empty()) {

@@ -27,8 +27,8 @@ void draw_one_by_one(GLenum mode) {
   }
 }
 
-// The edges of a body come apart if each of its polygons is a draw of its own: the normals of a panel look like those of a
-// ball's facet.
+// Polygons drawn one by one stay flat. A panel's normals may look like a ball's, so curving each panel by itself would
+// open its edges.
 TEST(LonePolygons, StayAsTheyAre) {
   ASSERT_TRUE(as_under_glark_run);
   const OsmesaContext context{Profile::compatibility};

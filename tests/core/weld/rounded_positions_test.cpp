@@ -14,7 +14,7 @@ namespace {
 
 constexpr float crease = 80;
 
-// How a program computes sines. `exact`: in doubles, and positions of one place are equal.
+// How a program computes sines. `exact`: in doubles; equal places get equal positions.
 enum class Sines { doubles, floats, exact };
 
 struct Written {

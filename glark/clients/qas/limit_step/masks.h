@@ -43,7 +43,7 @@ inline TangentMask tangent_mask(std::uint32_t ring_size, bool corner) {
   if (last == 1) return {last, corner, theta, 1};  // eigenvalue 1/4
   if (last == 2) return {last, corner, theta, 0};  // 3/8
   const double eigenvalue = 3.0 / 8 + std::cos(theta) / 4;
-  // The sum over the inner vertices. Their weight in the vertex's column is 3/8.
+  // The sum of 3/8 sin(i theta): a new inner vertex takes 3/8 of the old vertex.
   const double inner = 3.0 / 8 / std::tan(theta / 2);
   const double end =
       (inner + (eigenvalue - 0.75) * std::sin(theta)) / (8 * (eigenvalue - 0.75) * (eigenvalue - 0.5) - 1);

@@ -98,7 +98,7 @@ bool NearSamples::choose(const Vector3f& point) {
 }
 
 // The kernel is Hermite's polynomial of the distance relative to that of the farthest neighbour.
-// Source: Boubekeur 2007, ch. 4.4.1, with max in the place of arg max.
+// Source: Boubekeur 2007, ch. 4.4.1, with max instead of arg max.
 std::span<const Neighbour> NearSamples::find(const Vector3f& point, bool is_singular) {
   if (!choose(point)) {
     gather(point);

@@ -173,7 +173,7 @@ class Output {
     std::array<double, 3> low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   };
 
-  // The header of LAS has the box of the points.
+  // A LAS header stores the bounding box.
   void add_to_box(std::span<const char> records, std::size_t count) {
     if (!layout_.has_box()) return;
     PointArrays points;

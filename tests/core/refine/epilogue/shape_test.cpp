@@ -12,7 +12,7 @@ namespace {
 struct Version {
   Api api;
   const char* line;
-  bool modern;  // in and out in the place of attribute and varying
+  bool modern;  // in and out instead of attribute and varying
 };
 
 constexpr Version versions[] = {

@@ -60,7 +60,7 @@ ClusterTree cluster_tree(std::span<MicroCluster> clusters, const TreeOptions& op
 
 // The error of a shape as one cluster. `place`: any number that tells equal shapes apart.
 float cluster_error(const Shape& shape, bool by_error, std::uint64_t place);
-// Fills all of a node but its size and its children.
+// Fills a node, except its size and its children.
 ClusterNode node_of(const Shape& shape, float error);
 
 }  // namespace glark::stream
