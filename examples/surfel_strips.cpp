@@ -12,14 +12,15 @@
 #include <GL/glext.h>
 #include <glark/surfel.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <GL/glark.h>
 
+#include "examples/common/knot.h"
 #include "examples/common/lesson.h"
 #include "examples/common/look.h"
 #include "examples/common/program.h"
@@ -28,49 +29,9 @@ namespace {
 
 constexpr unsigned deepest = 2;
 
-struct Points {
-  std::vector<float> positions, normals;  // x y z
-};
-
-// A knot of 6000 points, evenly spread and unordered.
-Points make_knot() {
-  constexpr int count = 6000;
-  constexpr float turn = 6.2831853F, thickness = 0.32F;
-  Points points;
-  for (int i = 0; i < count; ++i) {
-    const float along = turn * std::fmod(float(i) * 0.7548777F, 1.0F),
-                around = turn * std::fmod(float(i) * 0.5698403F, 1.0F);
-    const auto curve = [](float t, float* at) {
-      const float r = 1 + 0.35F * std::cos(3 * t);
-      at[0] = r * std::cos(2 * t), at[1] = r * std::sin(2 * t), at[2] = 0.45F * std::sin(3 * t);
-    };
-    float middle[3], ahead[3], tangent[3];
-    curve(along, middle);
-    curve(along + 0.01F, ahead);
-    float size = 0;
-    for (int k = 0; k < 3; ++k) tangent[k] = ahead[k] - middle[k];
-    for (const float t : tangent) size += t * t;
-    for (float& t : tangent) t /= std::sqrt(size);
-    // Two directions across the curve: one as far as possible from the z axis, and one orthogonal to it.
-    float across[3] = {std::cos(2 * along), std::sin(2 * along), 0}, other[3];
-    const float overlap = across[0] * tangent[0] + across[1] * tangent[1];
-    for (int k = 0; k < 3; ++k) across[k] -= overlap * tangent[k];
-    const float length = std::sqrt(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]);
-    for (float& a : across) a /= length;
-    for (int k = 0; k < 3; ++k)
-      other[k] = tangent[(k + 1) % 3] * across[(k + 2) % 3] - tangent[(k + 2) % 3] * across[(k + 1) % 3];
-    for (int k = 0; k < 3; ++k) {
-      const float normal = std::cos(around) * across[k] + std::sin(around) * other[k];
-      points.normals.push_back(normal);
-      points.positions.push_back(middle[k] + thickness * normal);
-    }
-  }
-  return points;
-}
-
 // Moves points near the tip of the x axis outwards, the nearest points farthest, and rotates their normals. Returns the
 // moved points.
-std::vector<std::uint32_t> bulge(Points& points, float by) {
+std::vector<std::uint32_t> bulge(lesson::Points& points, float by) {
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < points.positions.size() / 3; ++i) {
     float* const p = &points.positions[3UL * i];
@@ -103,10 +64,6 @@ glark::surfel::View look(int column) {
           .height = static_cast<unsigned>(viewport[3])};
 }
 
-void draw(const glark::surfel::Frame& frame) {
-  glMultiDrawElements(GL_TRIANGLE_STRIP, frame.counts.data(), GL_UNSIGNED_INT, frame.offsets.data(), frame.draws());
-}
-
 // Draws the strips one by one, so that each has its colour.
 void draw_coloured(const glark::surfel::Frame& frame) {
   for (std::size_t i = 0; i < frame.counts.size(); ++i) {
@@ -116,7 +73,7 @@ void draw_coloured(const glark::surfel::Frame& frame) {
   }
 }
 
-Points points = make_knot();
+lesson::Points points = lesson::make_knot(6000);
 std::optional<glark::surfel::Strips> strips;
 
 // Runs once: the strips. Their indices go to a buffer. The points stay in their arrays and in their order.
@@ -135,7 +92,7 @@ void begin() {
 
 // Runs when points move: only their strips are updated. Large programs upload only the ranges that update() returns.
 void move(float by) {
-  points = make_knot();
+  points = lesson::make_knot(6000);
   const std::vector<std::uint32_t> moved = bulge(points, by);
   strips->update({points.positions, points.normals}, moved);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(strips->indices().size_bytes()),
@@ -157,7 +114,7 @@ void draw_views(double seconds) {
   look(2);
   glColor3f(0.9F, 0.6F, 0.3F);
   glEnable(GL_ARK);
-  draw(frame);
+  glMultiDrawElements(GL_TRIANGLE_STRIP, frame.counts.data(), GL_UNSIGNED_INT, frame.offsets.data(), frame.draws());
   lesson::say("%zu of %zu strips in %d draws of one call", frame.strips, strips->counts().strips, frame.draws());
 }
 

@@ -133,12 +133,12 @@ def make_site(output: pathlib.Path) -> None:
 
 
 PRINT = """
-@page { size: A4; margin: 22mm 20mm; @bottom-center { content: counter(page); font: 9pt sans-serif; color: #666; } }
+@page { size: A4; margin: 18mm 20mm; @bottom-center { content: counter(page); font: 9pt sans-serif; color: #666; } }
 @page :first { @bottom-center { content: none; } }
 body { font: 10pt/1.4 "DejaVu Serif", serif; color: #1c1c1c; }
 h1, h2, th { font-family: "DejaVu Sans", sans-serif; }
 h1 { font-size: 21pt; color: #1f3d6d; margin: 0 0 8mm; }
-h2 { font-size: 13pt; color: #1f3d6d; margin: 7mm 0 2mm; break-after: avoid; }
+h2 { font-size: 13pt; color: #1f3d6d; margin: 5mm 0 2mm; break-after: avoid; }
 section { break-before: page; }
 .cover { break-before: auto; text-align: center; padding-top: 60mm; }
 .cover h1 { font-size: 34pt; margin-bottom: 4mm; }
@@ -152,7 +152,7 @@ pre code { font-size: 7.2pt; }
 table { border-collapse: collapse; margin: 3mm 0; break-inside: avoid; }
 td, th { border: .4pt solid #c4c8ce; padding: 1.2mm 2mm; vertical-align: top; text-align: left; font-size: 9.5pt; }
 th { background: #edf1f7; }
-img { max-width: 50mm; }
+img { max-width: 44mm; }
 .pictures { table-layout: fixed; width: 100%; }
 .pictures img { width: 100%; max-width: 60mm; }
 .exercise { break-after: avoid; }

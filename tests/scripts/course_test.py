@@ -35,10 +35,11 @@ class Pages(unittest.TestCase):
         for page in course.chapters()[1:]:
             self.assertIn(f"]({page.relative_to(course.COURSE)})", first)
 
-    def test_solutions_are_pages(self):
+    def test_programs_and_solutions_are_pages(self):
         staged = course.staged_files()
-        for solution in (ROOT / course.COURSE).glob("*/solution_*.cpp"):
-            self.assertIn(solution.relative_to(ROOT), staged)
+        for source in (ROOT / course.COURSE).glob("*/*.cpp"):
+            if not source.name.startswith("exercise_"):
+                self.assertIn(source.relative_to(ROOT), staged)
 
 
 @unittest.skipUnless(shutil.which("mkdocs"), "mkdocs is missing")

@@ -58,6 +58,12 @@ class Sources(unittest.TestCase):
     def test_length(self):
         self.assertEqual([], violations(length_rule))
 
+    def test_examples_have_150_lines_at_most(self):
+        for name in tracked_files():
+            if name.startswith("examples/") and name.endswith((".c", ".cpp")):
+                with self.subTest(file=name):
+                    self.assertLessEqual(text_of(name).count("\n"), 150)
+
     def test_no_machine_paths(self):
         self.assertEqual([], violations(machine_path_rule))
 

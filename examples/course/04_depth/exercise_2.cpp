@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Exercise 2: a budget. Draw at most 2000 triangles, and at least 1500, without keep_budget.
+// Exercise 2: a budget. Draw at most 2000 triangles, and at least 1500. Lower all tags alike.
 #include "examples/common/lesson.h"
 
 #include <GL/gl.h>
