@@ -9,6 +9,18 @@
 #include "glark/core/stages.h"
 
 namespace glark::core {
+namespace {
+
+// OpenGL ES has no glPolygonMode.
+void drop_wireframe_of_es(const Capabilities& capabilities, ContextOptions& options) {
+  if (capabilities.api == Capabilities::Api::es && options.wireframe) {
+    log(LogLevel::warning,
+        "OpenGL ES draws no wireframes: refined triangles are filled in context " + capabilities.version_text);
+    options.wireframe = false;
+  }
+}
+
+}  // namespace
 
 std::shared_ptr<ShareGroup> make_share_group() { return std::make_shared<ShareGroup>(); }
 
@@ -44,7 +56,7 @@ void Context::start() {
     return;
   }
   note_context(version, capabilities_.refinable);
-  drop_wireframe_of_es();
+  drop_wireframe_of_es(capabilities_, options_);
   if (!capabilities_.refinable) {
     log(LogLevel::warning, "context " + version + " is below OpenGL 4.3 and OpenGL ES 3.2: its draws stay as they are");
     return;
@@ -59,15 +71,6 @@ void Context::start() {
   ark_.scalar_tag_attribute = attributes - 3;
 }
 
-// OpenGL ES has no glPolygonMode.
-void Context::drop_wireframe_of_es() {
-  if (capabilities_.api == Capabilities::Api::es && options_.wireframe) {
-    log(LogLevel::warning,
-        "OpenGL ES draws no wireframes: refined triangles are filled in context " + capabilities_.version_text);
-    options_.wireframe = false;
-  }
-}
-
 void Context::change_options(ContextOptions wanted) {
   wanted.transparent = options_.transparent;
   wanted.roles = std::move(options_.roles);
@@ -76,7 +79,7 @@ void Context::change_options(ContextOptions wanted) {
   constexpr auto tension = static_cast<std::size_t>(Refinement::scalar_tagged_pn);
   wanted.shape_numbers[tension] = options_.shape_numbers[tension];  // a constant of the derived programs
   options_ = std::move(wanted);
-  drop_wireframe_of_es();
+  drop_wireframe_of_es(capabilities_, options_);
   update_refining();
 }
 

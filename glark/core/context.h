@@ -24,13 +24,7 @@
 
 namespace glark::core {
 
-class Context;
 class Stages;
-
-namespace track {
-// The current capture of glBegin..glEnd is full: draws it and begins another one.
-void immediate_full(Context& context);
-}  // namespace track
 
 class Context final : private ProgramWatcher {
  public:
@@ -66,8 +60,6 @@ class Context final : private ProgramWatcher {
   // Saves GL_ARK.
   AttributeStack& attribute_stack() { return attribute_stack_; }
   PendingError& pending_error() { return pending_error_; }
-  // Records an error of ours for glGetError.
-  void raise(GLenum error) { pending_error_.raise(error); }
   // Null: the context cannot refine.
   Stages* stages() const { return stages_.get(); }
 
@@ -75,19 +67,10 @@ class Context final : private ProgramWatcher {
   bool refining() const { return refining_; }
   // Recomputes `refining` after a change of the state that it depends on.
   void update_refining();
-  // Called before a vertex of `components` components between glBegin and glEnd.
-  void count_vertex(unsigned components) {
-    ImmediateMode& immediate = state_.immediate();
-    if (immediate.full()) {
-      track::immediate_full(*this);
-    }
-    immediate.count(components);
-  }
 
  private:
   Context(const gl::Dispatch& dispatch, std::shared_ptr<ShareGroup> group, const ContextOptions& wanted);
   void start();
-  void drop_wireframe_of_es();
   void program_changed(Program& program, GLuint name) override;
 
   const gl::Dispatch& gl_;

@@ -36,6 +36,14 @@ void count_refined(const DrawPlan& plan) {
 
 }  // namespace
 
+RefinedDraw::RefinedDraw(const Environment& environment, const Parts& parts)
+    : env_(environment),
+      parts_(parts),
+      views_(environment, parts.kept),
+      evaluation_(environment, {parts.pool, parts.capture.stage(), parts.kept, parts.programs.in_use()}),
+      immediate_(environment, parts.planner, parts.meshes, parts.passes, parts.capture),
+      submission_(environment, {parts.pool, parts.programs, parts.capture.stage(), parts.feedback_in_use}) {}
+
 void RefinedDraw::run(const DrawCall& call) {
   ++statistics().draws_seen;
   const Quiet quiet = env_.state.quiet();
@@ -58,9 +66,13 @@ void RefinedDraw::run(const DrawCall& call) {
     draw_as_asked(call, plan, *cause, quiet);
     return;
   }
+  draw_refined(call, plan, quiet);
+}
+
+void RefinedDraw::draw_refined(const DrawCall& call, const DrawPlan& plan, const Quiet& quiet) {
   const KeyFacts facts = key_facts(plan, parts_.pool);
   KeptDraw kept = parts_.kept.find(call, facts);
-  parts_.views.follow(plan, kept);
+  views_.follow(plan, kept);
   const HalfWindow half(env_, HalfWindow::splits(env_));
   draw_left_half(half, call, quiet);
   if (draw_kept_vertices(plan, kept)) {
@@ -68,7 +80,7 @@ void RefinedDraw::run(const DrawCall& call) {
   }
   const capture::CoarseTriangles triangles = capture(call, facts, kept, quiet);
   if (triangles.count == 0) {
-    parts_.submission.restore_after_capture();
+    submission_.restore_after_capture();
     return;
   }
   const bool welded = !kept.filled && parts_.passes.weld(plan, triangles);
@@ -164,6 +176,11 @@ void RefinedDraw::frame_finished() {
   watch_.frame_finished();
 }
 
+void RefinedDraw::release() {
+  evaluation_.release();
+  submission_.release();
+}
+
 capture::CoarseTriangles RefinedDraw::capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept,
                                               const Quiet& quiet) {
   if (kept.filled) {
@@ -186,7 +203,7 @@ capture::CoarseTriangles RefinedDraw::capture(const DrawCall& call, const KeyFac
 
 // False: no refined vertices are kept.
 bool RefinedDraw::draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept) {
-  const RefinedVertices* const vertices = parts_.evaluation.find(plan, kept);
+  const RefinedVertices* const vertices = evaluation_.find(plan, kept);
   if (vertices == nullptr) {
     return false;
   }
@@ -194,7 +211,7 @@ bool RefinedDraw::draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept)
   {
     Watched watched;
     watch(watched, plan, std::nullopt, triangles, true);
-    parts_.submission.draw_vertices(*vertices);
+    submission_.draw_vertices(*vertices);
   }
   ++statistics().captures_reused;
   ++statistics().draws_of_kept_vertices;
@@ -213,7 +230,7 @@ void RefinedDraw::refine(const DrawPlan& plan, const capture::CoarseTriangles& c
     plan.derived->drawn = true;
     first_draw.emplace(env_.compilation, Compilation::Step::Kind::first_draw);
   }
-  parts_.submission.begin(plan, plan.depth.adaptive || captured.count_on_gpu);
+  submission_.begin(plan, plan.depth.adaptive || captured.count_on_gpu);
   submit::RefinedTriangles refined;
   const Records records = sorted ? Records{captured} : parts_.passes.split(plan, captured);
   refined.triangles = records.triangles;
@@ -223,7 +240,7 @@ void RefinedDraw::refine(const DrawPlan& plan, const capture::CoarseTriangles& c
     refined.numbers = parts_.passes.sorter().numbers();
   }
   refined.storage_changed = welded || (!sorted && (plan.depth.adaptive || plan.polygons));
-  parts_.submission.draw(plan, refined);
+  submission_.draw(plan, refined);
 }
 
 depth::BinnedInstances RefinedDraw::sort(const DrawPlan& plan, const Records& records, const KeptDraw& kept) {
@@ -249,7 +266,7 @@ depth::BinnedInstances RefinedDraw::sort(const DrawPlan& plan, const Records& re
     parts_.kept.keep_instances(*kept.entry, sorted, sorter.extent(request, sorted), records.triangles);
   } else if (KeptViews::wants(plan, kept)) {
     ErrorScope errors(env_.errors);
-    parts_.views.keep(kept, sorted, sorter.extent(request, sorted));
+    views_.keep(kept, sorted, sorter.extent(request, sorted));
   }
   return sorted;
 }
@@ -258,7 +275,7 @@ std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials) {
   ++statistics().draws_seen;
   const Quiet quiet = env_.state.quiet();
   std::optional<Cause> cause;
-  const std::uint64_t room = parts_.immediate.begin(mode, materials, cause);
+  const std::uint64_t room = immediate_.begin(mode, materials, cause);
   if (cause) {
     pass_planned({}, *cause, 0);
     watch(open_, {}, cause, 0);
@@ -273,10 +290,10 @@ void RefinedDraw::end_unrefined(std::uint64_t triangles) {
 
 void RefinedDraw::end_immediate(std::uint64_t triangles) {
   const Quiet quiet(env_.gl, env_.bindings().debug_output);  // while our feedback is bound, bindings are not read again
-  ImmediateCapture::Captured captured = parts_.immediate.end(triangles);
+  ImmediateCapture::Captured captured = immediate_.end(triangles);
   ++statistics().captures_made;
   if (captured.triangles.count == 0) {
-    parts_.submission.restore_after_capture();
+    submission_.restore_after_capture();
     return;
   }
   const bool welded = parts_.passes.weld(captured.plan, captured.triangles);

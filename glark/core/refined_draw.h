@@ -4,7 +4,7 @@
 // A draw call from end to end. Each step is a stage in a folder of its own:
 //   plan/ -> keep/ -> capture/ -> weld/ -> polygons/ -> depth/ -> submit/
 // A draw that cannot be refined leaves after plan/. A kept draw goes straight to submit/, perhaps with
-// the refined vertices of evaluate/.
+// the refined vertices of evaluate/. RefinedDraw owns the stages that nobody else asks.
 #pragma once
 
 #include <cstdint>
@@ -38,15 +38,13 @@ class RefinedDraw {
     Planner& planner;
     capture::DrawCapture& capture;
     KeptDraws& kept;
-    KeptViews& views;
-    evaluate::Evaluation& evaluation;
+    DrawPrograms& programs;
     TrianglePasses& passes;
-    submit::Submission& submission;
+    FeedbackInUse& feedback_in_use;
     RefinedFeedback& feedback;
-    ImmediateCapture& immediate;
     MeshWatch& meshes;
   };
-  RefinedDraw(const Environment& environment, const Parts& parts) : env_(environment), parts_(parts) {}
+  RefinedDraw(const Environment& environment, const Parts& parts);
 
   // Draws refined or unrefined, and counts the draw.
   void run(const DrawCall& call);
@@ -58,6 +56,8 @@ class RefinedDraw {
   // Issues the draw unrefined.
   void leave(const DrawCall& call, Cause cause);
   void frame_finished();
+  // Deletes all GL objects; only while the context is current.
+  void release();
   const FrameWatch& watch() const { return watch_; }
 
  private:
@@ -71,6 +71,7 @@ class RefinedDraw {
   void draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet);
   void pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t triangles);
   void count_class(const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles);
+  void draw_refined(const DrawCall& call, const DrawPlan& plan, const Quiet& quiet);
   capture::CoarseTriangles capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept, const Quiet& quiet);
   bool draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept);
   void refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept, bool welded);
@@ -78,6 +79,10 @@ class RefinedDraw {
 
   const Environment& env_;
   Parts parts_;
+  KeptViews views_;
+  evaluate::Evaluation evaluation_;
+  ImmediateCapture immediate_;
+  submit::Submission submission_;
   PassedDraws passed_;
   DrawClasses classes_;
   FrameWatch watch_;

@@ -11,15 +11,10 @@ Stages::Stages(const Environment& environment)
       programs_(env_, capture_.stage()),
       passes_(env_, pool_, capture_),
       kept_(env_),
-      views_(env_, kept_),
-      evaluation_(env_, {pool_, capture_.stage(), kept_, programs_.in_use()}),
       meshes_(env_),
       planner_(env_, {pool_, capture_, programs_, passes_.weld_stage(), feedback_in_use_, meshes_}),
       feedback_(env_, feedback_in_use_, planner_, programs_.in_use()),
-      immediate_(env_, planner_, meshes_, passes_, capture_),
-      submission_(env_, {pool_, programs_, capture_.stage(), feedback_in_use_}),
-      draw_(env_, {pool_, planner_, capture_, kept_, views_, evaluation_, passes_, submission_, feedback_, immediate_,
-                   meshes_}) {}
+      draw_(env_, {pool_, planner_, capture_, kept_, programs_, passes_, feedback_in_use_, feedback_, meshes_}) {}
 
 // Adds the counts that only the GPU knows to the statistics.
 void Stages::read_counts() {
@@ -56,10 +51,9 @@ void Stages::release() {
   read_counts();
   programs_.release();
   kept_.release();
-  evaluation_.release();
+  draw_.release();
   capture_.release();
   passes_.release();
-  submission_.release();
   env_.compilation.release();
   env_.state.programs().pipelines().release();
   pool_.release();

@@ -8,19 +8,15 @@
 #include <vector>
 
 #include "glark/core/capture/draw_capture.h"
-#include "glark/core/evaluate/evaluation.h"
 #include "glark/core/feedback/refined_feedback.h"
-#include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
 #include "glark/core/meshes/mesh_watch.h"
-#include "glark/core/passes/kept_views.h"
 #include "glark/core/passes/triangle_passes.h"
 #include "glark/core/pattern/pool_in_use.h"
 #include "glark/core/plan/planner.h"
 #include "glark/core/programs/draw_programs.h"
 #include "glark/core/refined_draw.h"
 #include "glark/core/state/environment.h"
-#include "glark/core/submit/submission.h"
 
 namespace glark::core {
 
@@ -56,14 +52,10 @@ class Stages {
   DrawPrograms programs_;
   TrianglePasses passes_;
   KeptDraws kept_;
-  KeptViews views_;
-  evaluate::Evaluation evaluation_;
   FeedbackInUse feedback_in_use_;
   MeshWatch meshes_;
   Planner planner_;
   RefinedFeedback feedback_;
-  ImmediateCapture immediate_;
-  submit::Submission submission_;
   RefinedDraw draw_;
   bool ends_frames_ = false;  // frame_finished() was called
 };

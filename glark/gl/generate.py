@@ -275,7 +275,7 @@ def wrapper_body(command, kind):
         first = c.parameters[0][1] if c.parameters else ""
         only = f" && {first} == 0" if first == "index" and c.name.startswith("glVertexAttrib") else ""
         unseen = ["if (here.context != nullptr) here.context->changes().forget_values();"] if kind == "count_unseen" else []
-        return unseen + [f"if (here.context != nullptr{only}) here.context->count_vertex({components(c)});", f"{real};"]
+        return unseen + [f"if (here.context != nullptr{only}) glark::core::track::count_vertex(*here.context, {components(c)});", f"{real};"]
     if kind == "attribute":
         return attribute_body(c, real)
     call, choices = TOUCH_CALLS[kind]
@@ -317,7 +317,7 @@ def attribute_body(command, real):
             copies.append(f"arguments.{member} = {name};")
             again.append(f"static_cast<{kind}>(same.{member})")
     call = ", ".join((["index_"] if indexed else []) + again)
-    count = [f"if ({index} == 0) here.context->count_vertex({components(command)});"] if slot == "generic_slot" else []
+    count = [f"if ({index} == 0) glark::core::track::count_vertex(*here.context, {components(command)});"] if slot == "generic_slot" else []
     return [
         f"if (here.context == nullptr) {{ {real}; return; }}",
         f"struct Arguments {{ {' '.join(members)} }} arguments;",
@@ -358,7 +358,7 @@ def uniform_body(command, real):
 
 
 def wrappers_source(wrapped, kinds):
-    lines = [HEADER, '#include <cstring>\n\n#include "glark/core/context.h"\n#include "glark/gl/hooks.h"\n#include "shim/contexts/adopt.h"\n#include "shim/contexts/thread.h"\n\n'
+    lines = [HEADER, '#include <cstring>\n\n#include "glark/core/context.h"\n#include "glark/core/track/immediate/count_vertex.h"\n#include "glark/gl/hooks.h"\n#include "shim/contexts/adopt.h"\n#include "shim/contexts/thread.h"\n\n'
              "using glark::shim::adopt_current_context;\nusing glark::shim::Thread;\nusing glark::shim::thread;\n"]
     for c in wrapped:
         kind = kinds[c.name]

@@ -57,6 +57,26 @@ py::array_t<float> by_displacement(Tagger& tagger, const Array<float>& texcoords
   return tags_by(tagger, [&](auto& metrics, auto tags) { metrics.by_displacement(coordinates, map, tolerance, tags); });
 }
 
+auto by_distance(Tagger& tagger, const Array<float>& positions, const std::array<float, 3>& point, float nearest,
+                 float farthest, float finest, float coarsest) {
+  const auto points = rows(positions, 3, "positions");
+  return tags_by(tagger, [&](auto& metrics, auto tags) {
+    metrics.by_distance(points, {point, nearest, farthest, finest, coarsest}, tags);
+  });
+}
+
+auto by_edge_length(Tagger& tagger, const Array<float>& positions, float pixels, const std::array<float, 3>& eye,
+                    float pixels_at_one, float nearest) {
+  const auto points = rows(positions, 3, "positions");
+  const depth::View from = view_of(eye, pixels_at_one, nearest);
+  return tags_by(tagger, [&](auto& metrics, auto tags) { metrics.by_edge_length(points, from, pixels, tags); });
+}
+
+auto refined_triangles(const Tagger& tagger, const Array<float>& tags, bool geomorph) {
+  const auto given = rows(tags, 1, "tags");
+  return tagger.read([&](const auto& metrics) { return metrics.refined_triangles(given, rule_of(geomorph)); });
+}
+
 py::tuple keep_budget(const Tagger& tagger, const Array<float>& tags, std::uint64_t triangles, bool geomorph) {
   const auto given = rows(tags, 1, "tags");
   std::vector<float> kept(given.begin(), given.end());
@@ -79,30 +99,13 @@ void bind_depth(py::module_& parent) {
            "vertices: their number. triangles: (triangles, 3). max_level: 0 to 11.")
       .def_property_readonly("vertices", [](const Tagger& tagger) { return tagger.fixed().vertices(); })
       .def_property_readonly("max_level", [](const Tagger& tagger) { return tagger.fixed().max_level(); })
-      .def(
-          "by_distance",
-          [](Tagger& tagger, const Array<float>& positions, const std::array<float, 3>& point, float nearest,
-             float farthest, float finest, float coarsest) {
-            const auto points = rows(positions, 3, "positions");
-            return tags_by(tagger, [&](auto& metrics, auto tags) {
-              metrics.by_distance(points, {point, nearest, farthest, finest, coarsest}, tags);
-            });
-          },
-          py::arg("positions"), py::arg("point"), py::kw_only(), py::arg("nearest") = range.nearest,
-          py::arg("farthest") = range.farthest, py::arg("finest") = range.finest, py::arg("coarsest") = range.coarsest,
-          "Tags fall linearly from finest to coarsest between two distances from a point.")
-      .def(
-          "by_edge_length",
-          [](Tagger& tagger, const Array<float>& positions, float pixels, const std::array<float, 3>& eye,
-             float pixels_at_one, float nearest) {
-            const auto points = rows(positions, 3, "positions");
-            const depth::View from = view_of(eye, pixels_at_one, nearest);
-            return tags_by(tagger,
-                           [&](auto& metrics, auto tags) { metrics.by_edge_length(points, from, pixels, tags); });
-          },
-          py::arg("positions"), py::arg("pixels"), py::arg("eye"), py::arg("pixels_at_one"), py::kw_only(),
-          py::arg("nearest") = 0.01F,
-          "No segment of an edge is longer than `pixels`. pixels_at_one: height / (2 tan(field_of_view / 2)).")
+      .def("by_distance", &by_distance, py::arg("positions"), py::arg("point"), py::kw_only(),
+           py::arg("nearest") = range.nearest, py::arg("farthest") = range.farthest, py::arg("finest") = range.finest,
+           py::arg("coarsest") = range.coarsest,
+           "Tags fall linearly from finest to coarsest between two distances from a point.")
+      .def("by_edge_length", &by_edge_length, py::arg("positions"), py::arg("pixels"), py::arg("eye"),
+           py::arg("pixels_at_one"), py::kw_only(), py::arg("nearest") = 0.01F,
+           "No segment of an edge is longer than `pixels`. pixels_at_one: height / (2 tan(field_of_view / 2)).")
       .def("by_curvature", &by_curvature, py::arg("positions"), py::arg("tolerance"), py::arg("normals") = py::none(),
            "Segments are closer than the tolerance to the arc of the larger principal curvature, in units of the mesh.")
       .def("by_curvature_on_screen", &by_curvature_on_screen, py::arg("positions"), py::arg("pixels"), py::arg("eye"),
@@ -110,14 +113,8 @@ void bind_depth(py::module_& parent) {
            "As by_curvature, with a tolerance in pixels.")
       .def("by_displacement", &by_displacement, py::arg("texcoords"), py::arg("heights"), py::arg("tolerance"),
            "texcoords: (vertices, 2). heights: (height, width), the first row at v = 0.")
-      .def(
-          "refined_triangles",
-          [](const Tagger& tagger, const Array<float>& tags, bool geomorph) {
-            const auto given = rows(tags, 1, "tags");
-            return tagger.read(
-                [&](const auto& metrics) { return metrics.refined_triangles(given, rule_of(geomorph)); });
-          },
-          py::arg("tags"), py::arg("geomorph") = false, "The number of triangles that the extension draws.")
+      .def("refined_triangles", &refined_triangles, py::arg("tags"), py::arg("geomorph") = false,
+           "The number of triangles that the extension draws.")
       .def("keep_budget", &keep_budget, py::arg("tags"), py::arg("triangles"), py::arg("geomorph") = false,
            "Lowers all tags so that at most `triangles` are drawn. Returns the tags, the number, and whether it fits.");
 }

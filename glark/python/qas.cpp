@@ -67,25 +67,26 @@ py::tuple refine(const Loop& loop, unsigned level, unsigned threads) {
   return py::make_tuple(owned(std::move(positions), 3), owned(std::move(normals), 3));
 }
 
+std::unique_ptr<Surface> make_surface(std::size_t vertices, const Array<std::uint32_t>& triangles,
+                                      const OptionalArray<std::uint32_t>& creases, const std::string& scheme,
+                                      unsigned splits, unsigned threads) {
+  const qas::Mesh mesh = mesh_of(vertices, triangles, creases);
+  const qas::Options options{named(scheme, "scheme", schemes), splits, threads};
+  return without_gil([&] { return std::make_unique<Surface>(mesh, options); });
+}
+
+void update_surface(Surface& surface, const Array<float>& positions) {
+  const auto points = rows(positions, 3, "positions");
+  surface.change([&](auto& all) { all.update(points); });
+}
+
 void bind_surface(py::module_& module) {
   py::class_<Surface>(module, "Surface", "A subdivision surface as quadratic patches, updated in real time.")
-      .def(py::init([](std::size_t vertices, const Array<std::uint32_t>& triangles,
-                       const OptionalArray<std::uint32_t>& creases, const std::string& scheme, unsigned splits,
-                       unsigned threads) {
-             const qas::Mesh mesh = mesh_of(vertices, triangles, creases);
-             const qas::Options options{named(scheme, "scheme", schemes), splits, threads};
-             return without_gil([&] { return std::make_unique<Surface>(mesh, options); });
-           }),
-           py::arg("vertices"), py::arg("triangles"), py::arg("creases") = py::none(), py::kw_only(),
-           py::arg("scheme") = "loop", py::arg("splits") = 0, py::arg("threads") = 0,
+      .def(py::init(&make_surface), py::arg("vertices"), py::arg("triangles"), py::arg("creases") = py::none(),
+           py::kw_only(), py::arg("scheme") = "loop", py::arg("splits") = 0, py::arg("threads") = 0,
            "vertices: their number. triangles: (triangles, 3). creases: (creases, 2). scheme: 'loop' or 'butterfly'.")
-      .def(
-          "update",
-          [](Surface& surface, const Array<float>& positions) {
-            const auto points = rows(positions, 3, "positions");
-            surface.change([&](auto& all) { all.update(points); });
-          },
-          py::arg("positions"), "positions: (vertices, 3). Arrays that were taken before show the new values.")
+      .def("update", &update_surface, py::arg("positions"),
+           "positions: (vertices, 3). Arrays that were taken before show the new values.")
       .def_property_readonly(
           "limit_positions",
           [](const py::object& self) { return vectors(self.cast<Surface&>().fixed().limit_positions(), self); },

@@ -12,7 +12,9 @@ inline constexpr bool is_bound<reconstruct::Reconstructed> = true;
 
 using reconstruct::Reconstructed;
 
-void bind_reconstruct(py::module_& module) {
+namespace {
+
+void bind_reconstructed(py::module_& module) {
   py::class_<Reconstructed>(module, "Reconstructed", "A mesh from points.")
       .def_property_readonly("positions",
                              [](const py::object& s) { return view(s.cast<Reconstructed&>().positions, 3, s); })
@@ -30,6 +32,12 @@ void bind_reconstruct(py::module_& module) {
       .def_readonly("left_out", &Reconstructed::left_out, "the number of parts that were left out")
       .def_readonly("area_left_out", &Reconstructed::area_left_out, "their share of the area of all parts, 0 to 1")
       .def_readonly("outliers", &Reconstructed::outliers, "the number of points on no surface, which were left out");
+}
+
+}  // namespace
+
+void bind_reconstruct(py::module_& module) {
+  bind_reconstructed(module);
   const reconstruct::ReconstructOptions defaults;
   module.def(
       "reconstruct",

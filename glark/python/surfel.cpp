@@ -94,6 +94,21 @@ void bind_frame(py::module_& module) {
       .def_readonly("back_faces", &Frame::back_faces);
 }
 
+std::unique_ptr<Strips> make_strips(const Array<float>& positions, const OptionalArray<float>& normals,
+                                    unsigned leaf_points, float delta_a, float delta_d, float inflation, float reach,
+                                    bool turn_edges, unsigned levels, unsigned threads) {
+  const surfel::Cloud cloud = cloud_of(positions, normals);
+  const surfel::Options options{leaf_points, delta_a, delta_d, inflation, reach, turn_edges, levels, threads};
+  return without_gil([&] { return std::make_unique<Strips>(cloud, options); });
+}
+
+auto update_strips(Strips& strips, const Array<float>& positions, const OptionalArray<float>& normals,
+                   const Array<std::uint32_t>& moved) {
+  const surfel::Cloud cloud = cloud_of(positions, normals);
+  const std::span<const std::uint32_t> indices = rows(moved, 1, "moved");
+  return ranges_of(strips.change([&](auto& all) { return all.update(cloud, indices); }));
+}
+
 }  // namespace
 
 void bind_surfel(py::module_& parent) {
@@ -103,15 +118,7 @@ void bind_surfel(py::module_& parent) {
   bind_frame(module);
   const surfel::Options defaults;
   py::class_<Strips>(module, "Strips", "Triangle strips that interpolate points, with a tree for culling.")
-      .def(py::init([](const Array<float>& positions, const OptionalArray<float>& normals, unsigned leaf_points,
-                       float delta_a, float delta_d, float inflation, float reach, bool turn_edges, unsigned levels,
-                       unsigned threads) {
-             const surfel::Cloud cloud = cloud_of(positions, normals);
-             const surfel::Options options{leaf_points, delta_a,    delta_d, inflation,
-                                           reach,       turn_edges, levels,  threads};
-             return without_gil([&] { return std::make_unique<Strips>(cloud, options); });
-           }),
-           py::arg("positions"), py::arg("normals") = py::none(), py::kw_only(),
+      .def(py::init(&make_strips), py::arg("positions"), py::arg("normals") = py::none(), py::kw_only(),
            py::arg("leaf_points") = defaults.leaf_points, py::arg("delta_a") = defaults.delta_a,
            py::arg("delta_d") = defaults.delta_d, py::arg("inflation") = defaults.inflation,
            py::arg("reach") = defaults.reach, py::arg("turn_edges") = defaults.turn_edges, py::arg("levels") = 1,
@@ -137,16 +144,8 @@ void bind_surfel(py::module_& parent) {
            py::arg("cull_frustum") = true, py::arg("cull_back_faces") = true, py::arg("point_pixels") = 1.0F,
            py::arg("level_pixels") = 1.0F,
            "What to draw for a view. clip_from_object: (4, 4), projection @ model-view. width, height: pixels.")
-      .def(
-          "update",
-          [](Strips& strips, const Array<float>& positions, const OptionalArray<float>& normals,
-             const Array<std::uint32_t>& moved) {
-            const surfel::Cloud cloud = cloud_of(positions, normals);
-            const std::span<const std::uint32_t> indices = rows(moved, 1, "moved");
-            return ranges_of(strips.change([&](auto& all) { return all.update(cloud, indices); }));
-          },
-          py::arg("positions"), py::arg("normals"), py::arg("moved"),
-          "Points moved or are new. Returns (ranges, 2): first and count of the indices that changed.");
+      .def("update", &update_strips, py::arg("positions"), py::arg("normals"), py::arg("moved"),
+           "Points moved or are new. Returns (ranges, 2): first and count of the indices that changed.");
 }
 
 }  // namespace glark::python

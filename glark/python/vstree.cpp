@@ -29,22 +29,21 @@ constexpr std::array representatives = {std::pair{"qef", Representative::qef},
 constexpr std::array methods = {std::pair{"cluster", Method::cluster}, std::pair{"collapse", Method::collapse},
                                 std::pair{"automatic", Method::automatic}};
 
+std::unique_ptr<Tree> make_tree(const Array<float>& positions, const OptionalArray<float>& normals, bool surface,
+                                const std::string& metric, float threshold, float delta_a, float delta_d,
+                                std::uint32_t least_samples, std::uint32_t most_leaves, unsigned threads) {
+  const vstree::PointSet points{.positions = rows(positions, 3, "positions"), .normals = rows(normals, 3, "normals")};
+  const vstree::Options options{
+      surface, named(metric, "metric", metrics), threshold, delta_a, delta_d, least_samples, most_leaves, threads};
+  return without_gil([&] { return std::make_unique<Tree>(points, options); });
+}
+
 void bind_tree(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(vstree::Node, begin, end, first_child, frame, error, kind, level, children, joined);
   PYBIND11_NUMPY_DTYPE(vstree::Frame, origin, u, v, normal, low, size, node);
   py::class_<Tree>(module, "Tree", "A volume-surface tree over samples of a surface.")
-      .def(py::init([](const Array<float>& positions, const OptionalArray<float>& normals, bool surface,
-                       const std::string& metric, float threshold, float delta_a, float delta_d,
-                       std::uint32_t least_samples, std::uint32_t most_leaves, unsigned threads) {
-             const vstree::PointSet points{.positions = rows(positions, 3, "positions"),
-                                           .normals = rows(normals, 3, "normals")};
-             const vstree::Options options{
-                 surface, named(metric, "metric", metrics), threshold, delta_a, delta_d, least_samples, most_leaves,
-                 threads};
-             return without_gil([&] { return std::make_unique<Tree>(points, options); });
-           }),
-           py::arg("positions"), py::arg("normals") = py::none(), py::kw_only(), py::arg("surface") = true,
-           py::arg("metric") = "l2", py::arg("threshold") = 1e-4F, py::arg("delta_a") = 0.0F,
+      .def(py::init(&make_tree), py::arg("positions"), py::arg("normals") = py::none(), py::kw_only(),
+           py::arg("surface") = true, py::arg("metric") = "l2", py::arg("threshold") = 1e-4F, py::arg("delta_a") = 0.0F,
            py::arg("delta_d") = 0.25F, py::arg("least_samples") = 1, py::arg("most_leaves") = 0, py::arg("threads") = 0,
            "positions: (points, 3). normals: (points, 3); estimated if they are missing.\n"
            "metric: 'l2', 'l21', 'qef' or 'density'. threshold: a node with this error or less is a leaf; relative to "
@@ -93,14 +92,8 @@ void bind_simplified(py::module_& module) {
       .def_readonly("error", &Simplified::error, "collapse: the estimated error, relative to the diagonal");
 }
 
-}  // namespace
-
-void bind_vstree(py::module_& module) {
-  py::module_ vstree_module =
-      module.def_submodule("vstree", "Volume-surface trees, normals of points, simplification.");
-  bind_tree(vstree_module);
-  bind_simplified(vstree_module);
-  vstree_module.def(
+void bind_estimate_normals(py::module_& module) {
+  module.def(
       "estimate_normals",
       [](const Array<float>& positions, const OptionalArray<float>& normals, unsigned neighbours,
          const std::optional<std::array<float, 3>>& scanner, unsigned threads) {
@@ -118,32 +111,35 @@ void bind_vstree(py::module_& module) {
       "Unit normals, (points, 3). Normals that are given and not zero are kept.\n\n"
       "neighbours: 3 to 256. scanner: the position to which normals point; without it, they agree with their "
       "neighbours.");
-  vstree_module.def(
-      "simplify",
-      [](const Array<float>& positions, const OptionalArray<std::uint32_t>& triangles,
-         const OptionalArray<float>& normals, const OptionalArray<std::uint8_t>& colours,
-         const OptionalArray<float>& texcoords, std::size_t target, const std::string& clustering,
-         const std::string& representative, const std::string& metric, float threshold, float delta_a, float delta_d,
-         bool cut, unsigned threads, const std::string& method, float max_error) {
-        const vstree::Mesh mesh{.points = {.positions = rows(positions, 3, "positions"),
-                                           .normals = rows(normals, 3, "normals"),
-                                           .colours = rows(colours, 3, "colours"),
-                                           .texcoords = rows(texcoords, 2, "texcoords")},
-                                .triangles = rows(triangles, 3, "triangles")};
-        const vstree::SimplifyOptions options{named(clustering, "clustering", clusterings),
-                                              named(representative, "representative", representatives),
-                                              target,
-                                              named(metric, "metric", metrics),
-                                              threshold,
-                                              delta_a,
-                                              delta_d,
-                                              cut,
-                                              threads,
-                                              named(method, "method", methods),
-                                              max_error};
-        return without_gil([&] { return vstree::simplify(mesh, options); });
-      },
-      py::arg("positions"), py::arg("triangles") = py::none(), py::arg("normals") = py::none(),
+}
+
+Simplified simplify(const Array<float>& positions, const OptionalArray<std::uint32_t>& triangles,
+                    const OptionalArray<float>& normals, const OptionalArray<std::uint8_t>& colours,
+                    const OptionalArray<float>& texcoords, std::size_t target, const std::string& clustering,
+                    const std::string& representative, const std::string& metric, float threshold, float delta_a,
+                    float delta_d, bool cut, unsigned threads, const std::string& method, float max_error) {
+  const vstree::Mesh mesh{.points = {.positions = rows(positions, 3, "positions"),
+                                     .normals = rows(normals, 3, "normals"),
+                                     .colours = rows(colours, 3, "colours"),
+                                     .texcoords = rows(texcoords, 2, "texcoords")},
+                          .triangles = rows(triangles, 3, "triangles")};
+  const vstree::SimplifyOptions options{named(clustering, "clustering", clusterings),
+                                        named(representative, "representative", representatives),
+                                        target,
+                                        named(metric, "metric", metrics),
+                                        threshold,
+                                        delta_a,
+                                        delta_d,
+                                        cut,
+                                        threads,
+                                        named(method, "method", methods),
+                                        max_error};
+  return without_gil([&] { return vstree::simplify(mesh, options); });
+}
+
+void bind_simplify(py::module_& module) {
+  module.def(
+      "simplify", &simplify, py::arg("positions"), py::arg("triangles") = py::none(), py::arg("normals") = py::none(),
       py::arg("colours") = py::none(), py::arg("texcoords") = py::none(), py::kw_only(), py::arg("target") = 0,
       py::arg("clustering") = "vstree", py::arg("representative") = "qef", py::arg("metric") = "l2",
       py::arg("threshold") = 1e-4F, py::arg("delta_a") = 0.0F, py::arg("delta_d") = 0.25F, py::arg("cut") = true,
@@ -154,6 +150,16 @@ void bind_vstree(py::module_& module) {
       "method: 'cluster', 'collapse' or 'automatic': collapse below 200000 triangles. max_error: collapse stops before "
       "the\n"
       "estimated error is greater, relative to the diagonal; 0: no limit.");
+}
+
+}  // namespace
+
+void bind_vstree(py::module_& parent) {
+  py::module_ module = parent.def_submodule("vstree", "Volume-surface trees, normals of points, simplification.");
+  bind_tree(module);
+  bind_simplified(module);
+  bind_estimate_normals(module);
+  bind_simplify(module);
 }
 
 }  // namespace glark::python

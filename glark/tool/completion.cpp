@@ -12,6 +12,53 @@ namespace {
 using settings::Kind;
 using settings::Setting;
 
+// A format of fmt: braces are doubled.
+constexpr char bash_script[] = R"(# Completion of glark for bash; `glark settings --as bash` prints it.
+_glark_words() {{ mapfile -t COMPREPLY < <(compgen -W "$1" -- "$current"); }}
+
+_glark_program() {{
+  if declare -F _command_offset >/dev/null; then
+    _command_offset "$1"
+  else
+    mapfile -t COMPREPLY < <(compgen -f -- "$current")
+  fi
+}}
+
+_glark() {{
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} i
+  COMPREPLY=()
+  if ((COMP_CWORD == 1)); then
+    _glark_words '{commands}'
+    return
+  fi
+  case ${{COMP_WORDS[1]}} in
+    run | doctor) ;;
+    help) _glark_words '{topics}'; return ;;
+    *) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
+  esac
+  # The program begins after --, or at the first word that is neither an option nor the value of one.
+  for ((i = 2; i < COMP_CWORD; ++i)); do
+    case ${{COMP_WORDS[i]}} in
+      --) _glark_program $((i + 1)); return ;;
+      {with_value}) ((++i)) ;;
+      -*) ;;
+      *) _glark_program "$i"; return ;;
+    esac
+  done
+  case $previous in
+{values}    {files}) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
+    {folders}) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
+    {with_value}) return ;;
+  esac
+  if [[ $current == -* ]]; then
+    _glark_words '{options} --help'
+  else
+    mapfile -t COMPREPLY < <(compgen -c -- "$current")
+  fi
+}}
+complete -o filenames -F _glark glark
+)";
+
 bool takes_value(const Setting& setting) { return setting.kind != Kind::toggle; }
 bool takes_file(const Setting& setting) {
   return setting.kind == Kind::output_file || setting.kind == Kind::input_file;
@@ -102,52 +149,7 @@ std::string bash_completion(std::span<const CommandLine> commands, std::span<con
   std::vector<std::string> names;
   for (const CommandLine& command : commands) names.push_back(command.name);
   return fmt::format(
-      R"(# Completion of glark for bash; `glark settings --as bash` prints it.
-_glark_words() {{ mapfile -t COMPREPLY < <(compgen -W "$1" -- "$current"); }}
-
-_glark_program() {{
-  if declare -F _command_offset >/dev/null; then
-    _command_offset "$1"
-  else
-    mapfile -t COMPREPLY < <(compgen -f -- "$current")
-  fi
-}}
-
-_glark() {{
-  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} i
-  COMPREPLY=()
-  if ((COMP_CWORD == 1)); then
-    _glark_words '{commands}'
-    return
-  fi
-  case ${{COMP_WORDS[1]}} in
-    run | doctor) ;;
-    help) _glark_words '{topics}'; return ;;
-    *) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
-  esac
-  # The program begins after --, or at the first word that is neither an option nor the value of one.
-  for ((i = 2; i < COMP_CWORD; ++i)); do
-    case ${{COMP_WORDS[i]}} in
-      --) _glark_program $((i + 1)); return ;;
-      {with_value}) ((++i)) ;;
-      -*) ;;
-      *) _glark_program "$i"; return ;;
-    esac
-  done
-  case $previous in
-{values}    {files}) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
-    {folders}) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
-    {with_value}) return ;;
-  esac
-  if [[ $current == -* ]]; then
-    _glark_words '{options} --help'
-  else
-    mapfile -t COMPREPLY < <(compgen -c -- "$current")
-  fi
-}}
-complete -o filenames -F _glark glark
-)",
-      fmt::arg("commands", joined(names, " ")), fmt::arg("topics", joined(topics, " ")),
+      bash_script, fmt::arg("commands", joined(names, " ")), fmt::arg("topics", joined(topics, " ")),
       fmt::arg("with_value", joined(options_that(takes_value), " | ")), fmt::arg("values", bash_values()),
       fmt::arg("files", joined(options_that(takes_file), " | ")),
       fmt::arg("folders", joined(options_that([](const Setting& s) { return s.kind == Kind::output_folder; }), " | ")),

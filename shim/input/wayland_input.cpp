@@ -35,6 +35,19 @@ constexpr std::uint32_t right_shift = 54;
 constexpr std::uint32_t left_button = 0x110;  // the right one follows, then the middle one
 constexpr float notch = 10;                   // of a wheel, in the units of wl_pointer.axis
 
+struct Pointer {
+  wl_proxy* proxy = nullptr;  // null while the panel is closed
+  bool offered = false;       // by the seat
+  bool here = false;          // over the program's surface
+  float x = 0;
+  float y = 0;
+
+  void move(wl_fixed_t to_x, wl_fixed_t to_y) {
+    x = static_cast<float>(wl_fixed_to_double(to_x));
+    y = static_cast<float>(wl_fixed_to_double(to_y));
+  }
+};
+
 class WaylandInput final : public InputSource {
  public:
   WaylandInput(const WaylandFunctions& wayland, wl_display* display, wl_surface* surface, const WantedKeys& keys)
@@ -65,12 +78,8 @@ class WaylandInput final : public InputSource {
   wl_event_queue* queue_ = nullptr;
   wl_proxy* seat_ = nullptr;
   wl_proxy* keyboard_ = nullptr;
-  wl_proxy* pointer_ = nullptr;
-  bool has_pointer_ = false;  // the seat
-  bool pointer_here_ = false;
+  Pointer pointer_;
   bool shift_ = false;
-  float x_ = 0;
-  float y_ = 0;
   std::vector<InputEvent> events_;
 };
 
@@ -104,33 +113,31 @@ const wl_keyboard_listener WaylandInput::keyboard_listener{
 const wl_pointer_listener WaylandInput::pointer_listener = [] {
   wl_pointer_listener listener{};
   listener.enter = [](void* data, wl_pointer*, std::uint32_t, wl_surface* surface, wl_fixed_t x, wl_fixed_t y) {
-    WaylandInput& input = self(data);
-    input.pointer_here_ = input.surface_ == nullptr || surface == input.surface_;
-    input.x_ = static_cast<float>(wl_fixed_to_double(x));
-    input.y_ = static_cast<float>(wl_fixed_to_double(y));
+    const wl_surface* const ours = self(data).surface_;
+    self(data).pointer_.here = ours == nullptr || surface == ours;
+    self(data).pointer_.move(x, y);
   };
   listener.leave = [](void* data, wl_pointer*, std::uint32_t, wl_surface*) {
-    self(data).pointer_here_ = false;
+    self(data).pointer_.here = false;
     self(data).events_.push_back({.kind = InputEvent::Kind::leave});
   };
   listener.motion = [](void* data, wl_pointer*, std::uint32_t, wl_fixed_t x, wl_fixed_t y) {
-    WaylandInput& input = self(data);
-    input.x_ = static_cast<float>(wl_fixed_to_double(x));
-    input.y_ = static_cast<float>(wl_fixed_to_double(y));
-    if (input.pointer_here_) input.events_.push_back({.kind = InputEvent::Kind::move, .x = input.x_, .y = input.y_});
+    Pointer& pointer = self(data).pointer_;
+    pointer.move(x, y);
+    if (pointer.here) self(data).events_.push_back({.kind = InputEvent::Kind::move, .x = pointer.x, .y = pointer.y});
   };
   listener.button = [](void* data, wl_pointer*, std::uint32_t, std::uint32_t, std::uint32_t button,
                        std::uint32_t state) {
-    WaylandInput& input = self(data);
-    if (!input.pointer_here_ || button < left_button || button > left_button + 2) return;
-    input.events_.push_back({.kind = InputEvent::Kind::button,
-                             .down = state == WL_POINTER_BUTTON_STATE_PRESSED,
-                             .x = input.x_,
-                             .y = input.y_,
-                             .number = button - left_button});
+    const Pointer& pointer = self(data).pointer_;
+    if (!pointer.here || button < left_button || button > left_button + 2) return;
+    self(data).events_.push_back({.kind = InputEvent::Kind::button,
+                                  .down = state == WL_POINTER_BUTTON_STATE_PRESSED,
+                                  .x = pointer.x,
+                                  .y = pointer.y,
+                                  .number = button - left_button});
   };
   listener.axis = [](void* data, wl_pointer*, std::uint32_t, std::uint32_t axis, wl_fixed_t value) {
-    if (axis == WL_POINTER_AXIS_VERTICAL_SCROLL && self(data).pointer_here_)
+    if (axis == WL_POINTER_AXIS_VERTICAL_SCROLL && self(data).pointer_.here)
       self(data).events_.push_back(
           {.kind = InputEvent::Kind::wheel, .y = -static_cast<float>(wl_fixed_to_double(value)) / notch});
   };
@@ -173,18 +180,19 @@ void WaylandInput::use_seat(std::uint32_t capabilities) {
     keyboard_ = make(seat_, WL_SEAT_GET_KEYBOARD, wayland_.keyboard_interface);
     if (keyboard_ != nullptr) wayland_.wl_proxy_add_listener_(keyboard_, functions_of(keyboard_listener), this);
   }
-  has_pointer_ = (capabilities & WL_SEAT_CAPABILITY_POINTER) != 0;
+  pointer_.offered = (capabilities & WL_SEAT_CAPABILITY_POINTER) != 0;
 }
 
 // While the panel is closed we have no pointer: its events would pile up if the window shows no frames.
 void WaylandInput::share(const InputShare& share) {
-  if (share.pointer && has_pointer_ && pointer_ == nullptr) {
-    pointer_ = make(seat_, WL_SEAT_GET_POINTER, wayland_.pointer_interface);
-    if (pointer_ != nullptr) wayland_.wl_proxy_add_listener_(pointer_, functions_of(pointer_listener), this);
+  if (share.pointer && pointer_.offered && pointer_.proxy == nullptr) {
+    pointer_.proxy = make(seat_, WL_SEAT_GET_POINTER, wayland_.pointer_interface);
+    if (pointer_.proxy != nullptr)
+      wayland_.wl_proxy_add_listener_(pointer_.proxy, functions_of(pointer_listener), this);
     wayland_.wl_display_flush_(display_);
-  } else if (!share.pointer && pointer_ != nullptr) {
-    wayland_.wl_proxy_destroy_(std::exchange(pointer_, nullptr));
-    pointer_here_ = false;
+  } else if (!share.pointer && pointer_.proxy != nullptr) {
+    wayland_.wl_proxy_destroy_(std::exchange(pointer_.proxy, nullptr));
+    pointer_.here = false;
   }
 }
 

@@ -25,6 +25,12 @@ using Reply = std::unique_ptr<T, Freed>;
 constexpr std::uint8_t grab_key_request = 33;  // the major code in an error
 constexpr std::uint16_t left_pointer = 68;     // its glyph in the font "cursor"; the next glyph is its mask
 
+// An invisible window over the panel.
+struct Cover {
+  xcb_window_t window = 0;
+  std::optional<Area> area;  // empty: the window is not mapped
+};
+
 class X11Input final : public InputSource {
  public:
   X11Input(const XcbFunctions& xcb, xcb_connection_t* connection, xcb_window_t window, const WantedKeys& keys)
@@ -59,8 +65,7 @@ class X11Input final : public InputSource {
   xcb_window_t window_;
   WantedKeys keys_;
   X11Keymap keymap_;
-  xcb_window_t cover_ = 0;    // invisible, over the panel
-  std::optional<Area> area_;  // of the cover; empty: it is not mapped
+  Cover cover_;
   bool keyboard_wanted_ = false;
   bool keyboard_ours_ = false;
   unsigned buttons_ = 0;  // that are down, by bits
@@ -121,13 +126,13 @@ void X11Input::button_moved(const xcb_button_press_event_t& event, bool down, st
     if (down) events.push_back({.kind = InputEvent::Kind::wheel, .y = event.detail == 4 ? 1.0F : -1.0F});
     return;
   }
-  if (event.detail < 1 || event.detail > 3 || !area_) return;
+  if (event.detail < 1 || event.detail > 3 || !cover_.area) return;
   const unsigned number = event.detail == 1 ? 0 : event.detail == 3 ? 1 : 2;
   buttons_ = down ? buttons_ | 1U << number : buttons_ & ~(1U << number);
   events.push_back({.kind = InputEvent::Kind::button,
                     .down = down,
-                    .x = static_cast<float>(event.event_x + area_->x),
-                    .y = static_cast<float>(event.event_y + area_->y),
+                    .x = static_cast<float>(event.event_x + cover_.area->x),
+                    .y = static_cast<float>(event.event_y + cover_.area->y),
                     .number = number});
   if (down) set_keyboard(true);
 }
@@ -154,13 +159,13 @@ void X11Input::poll(std::vector<InputEvent>& events) {
       default: break;
     }
   }
-  if (area_ && !gone()) look_for_pointer(events);
+  if (cover_.area && !gone()) look_for_pointer(events);
 }
 
 void X11Input::look_for_pointer(std::vector<InputEvent>& events) {
   const Reply<xcb_query_pointer_reply_t> pointer(
       xcb_.xcb_query_pointer_reply_(connection_, xcb_.xcb_query_pointer_(connection_, window_), nullptr));
-  const bool here = pointer != nullptr && (pointer->child == cover_ || buttons_ != 0);
+  const bool here = pointer != nullptr && (pointer->child == cover_.window || buttons_ != 0);
   if (here)
     events.push_back({.kind = InputEvent::Kind::move,
                       .x = static_cast<float>(pointer->win_x),
@@ -176,42 +181,42 @@ void X11Input::make_cover() {
   xcb_.xcb_open_font_(connection_, font, sizeof(name) - 1, name);
   xcb_.xcb_create_glyph_cursor_(connection_, cursor, font, font, left_pointer, left_pointer + 1, 0, 0, 0, 0xFFFF,
                                 0xFFFF, 0xFFFF);
-  cover_ = xcb_.xcb_generate_id_(connection_);
+  cover_.window = xcb_.xcb_generate_id_(connection_);
   const std::uint32_t values[] = {XCB_EVENT_MASK_BUTTON_PRESS | XCB_EVENT_MASK_BUTTON_RELEASE |
                                       XCB_EVENT_MASK_LEAVE_WINDOW | XCB_EVENT_MASK_POINTER_MOTION |
                                       XCB_EVENT_MASK_KEY_PRESS | XCB_EVENT_MASK_KEY_RELEASE,
                                   cursor};
-  xcb_.xcb_create_window_(connection_, 0, cover_, window_, 0, 0, 1, 1, 0, XCB_WINDOW_CLASS_INPUT_ONLY,
+  xcb_.xcb_create_window_(connection_, 0, cover_.window, window_, 0, 0, 1, 1, 0, XCB_WINDOW_CLASS_INPUT_ONLY,
                           XCB_COPY_FROM_PARENT, XCB_CW_EVENT_MASK | XCB_CW_CURSOR, values);
 }
 
 void X11Input::set_keyboard(bool ours) {
-  if (keyboard_ours_ == ours || cover_ == 0) return;
+  if (keyboard_ours_ == ours || cover_.window == 0) return;
   keyboard_ours_ = ours;
   if (ours)
-    xcb_.xcb_grab_keyboard_(connection_, 0, cover_, XCB_CURRENT_TIME, XCB_GRAB_MODE_ASYNC, XCB_GRAB_MODE_ASYNC);
+    xcb_.xcb_grab_keyboard_(connection_, 0, cover_.window, XCB_CURRENT_TIME, XCB_GRAB_MODE_ASYNC, XCB_GRAB_MODE_ASYNC);
   else
     xcb_.xcb_ungrab_keyboard_(connection_, XCB_CURRENT_TIME);
 }
 
 void X11Input::share(const InputShare& share) {
-  if (share.pointer && cover_ == 0) make_cover();
-  if (share.pointer && share.pointer != area_) {
+  if (share.pointer && cover_.window == 0) make_cover();
+  if (share.pointer && share.pointer != cover_.area) {
     const Area& wanted = *share.pointer;
     const std::uint32_t values[] = {static_cast<std::uint32_t>(wanted.x), static_cast<std::uint32_t>(wanted.y),
                                     static_cast<std::uint32_t>(wanted.width),
                                     static_cast<std::uint32_t>(wanted.height)};
     xcb_.xcb_configure_window_(
-        connection_, cover_,
+        connection_, cover_.window,
         XCB_CONFIG_WINDOW_X | XCB_CONFIG_WINDOW_Y | XCB_CONFIG_WINDOW_WIDTH | XCB_CONFIG_WINDOW_HEIGHT, values);
   }
-  if (share.pointer && !area_) xcb_.xcb_map_window_(connection_, cover_);
-  if (!share.pointer && area_) {
-    xcb_.xcb_unmap_window_(connection_, cover_);
+  if (share.pointer && !cover_.area) xcb_.xcb_map_window_(connection_, cover_.window);
+  if (!share.pointer && cover_.area) {
+    xcb_.xcb_unmap_window_(connection_, cover_.window);
     buttons_ = 0;
   }
-  area_ = share.pointer;
-  if (share.keyboard != keyboard_wanted_ || !area_) set_keyboard(share.keyboard && area_);
+  cover_.area = share.pointer;
+  if (share.keyboard != keyboard_wanted_ || !cover_.area) set_keyboard(share.keyboard && cover_.area);
   keyboard_wanted_ = share.keyboard;
   xcb_.xcb_flush_(connection_);
 }

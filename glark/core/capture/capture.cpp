@@ -81,7 +81,7 @@ void CaptureStage::bind_target(GLuint buffer, GLintptr offset, std::int64_t size
                                const core::Bindings& bindings) const {
   gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer, offset, static_cast<GLsizeiptr>(size));
   // Restores the generic binding point only: the indexed one belongs to the transform feedback object.
-  gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.feedback_buffer);
+  gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bindings.transform_feedback.buffer);
 }
 
 void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count count, const core::GpuBuffer* own_buffer,
@@ -102,7 +102,7 @@ void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count c
     gl_.Enable(GL_RASTERIZER_DISCARD);
   }
   if (current_.count != Count::known) {
-    current_.query = bindings.primitives_written_query == 0 ? 0 : 1;
+    current_.query = bindings.queries.written == 0 ? 0 : 1;
     gl_.BeginQuery(query_targets[current_.query], queries_[current_.query]);
   }
   gl_.BeginTransformFeedback(primitive);
@@ -114,7 +114,7 @@ void CaptureStage::set_feedback_mode(GLuint program, GLenum mode, const core::Bi
   gl_.UseProgram(program);
   gl_.BeginTransformFeedback(mode);
   gl_.EndTransformFeedback();
-  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback.object);
 }
 
 CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles, const core::Bindings& bindings) {
@@ -135,7 +135,7 @@ CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles,
   if (!bindings.rasterizer_discard) {
     gl_.Disable(GL_RASTERIZER_DISCARD);
   }
-  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback.object);
   if (current_.buffer == ring_.name()) {
     cursor_ += static_cast<GLintptr>(bytes_of(layout, triangles));
   }

@@ -15,12 +15,12 @@ Language language_of(const core::Capabilities& capabilities) {
 }
 
 bool takes_edge_flags(const core::Environment& environment) {
-  return environment.capabilities.is_compatibility() && environment.bindings().polygon_mode != GL_FILL;
+  return environment.capabilities.is_compatibility() && environment.bindings().polygon_modes.either() != GL_FILL;
 }
 
 void add_surplus(core::GlState& state, std::int64_t triangles) {
   const core::Bindings& b = state.bindings();
-  for (const GLuint query : {b.primitives_generated_query, b.primitives_written_query}) {
+  for (const GLuint query : {b.queries.generated, b.queries.written}) {
     if (query != 0) {
       state.query_surplus().add(query, triangles);
     }
@@ -81,12 +81,12 @@ CoarseTriangles DrawCapture::end(const CapturePlan& plan, std::uint64_t triangle
     env_.gl.ProvokingVertex(b.provoking_vertex);
   }
   if (takes_edge_flags(env_)) {
-    env_.gl.PolygonMode(GL_FRONT, b.front_polygon_mode);
-    env_.gl.PolygonMode(GL_BACK, b.back_polygon_mode);
+    env_.gl.PolygonMode(GL_FRONT, b.polygon_modes.front);
+    env_.gl.PolygonMode(GL_BACK, b.polygon_modes.back);
   }
   // The application's queries have counted the capture, too. The count is read back only here, and only if GL alone
   // knows it.
-  if (b.primitives_generated_query != 0 || b.primitives_written_query != 0) {
+  if (b.queries.generated != 0 || b.queries.written != 0) {
     add_surplus(env_.state, static_cast<std::int64_t>(exact ? triangles : stage_.counted(b)));
   }
   return captured;

@@ -14,13 +14,13 @@ class FeedbackAside {
  public:
   FeedbackAside(const gl::Dispatch& gl, CaptureStage& capture, const core::Bindings& bindings)
       : gl_(gl), bindings_(bindings) {
-    if (bindings_.transform_feedback_active) {
+    if (bindings_.transform_feedback.active) {
       gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, capture.feedback());
     }
   }
   ~FeedbackAside() {
-    if (bindings_.transform_feedback_active) {
-      gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings_.transform_feedback);
+    if (bindings_.transform_feedback.active) {
+      gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings_.transform_feedback.object);
     }
   }
   FeedbackAside(const FeedbackAside&) = delete;

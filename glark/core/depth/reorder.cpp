@@ -87,8 +87,9 @@ void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles&
   gl_.BindVertexBuffer(0, triangles.buffer, triangles.offset, layout.corner_words * 4);
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   gl_.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, records_.name());
-  gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER,
-                 bindings.feedback_buffer);  // only the generic binding point: the indexed one belongs to the object
+  gl_.BindBuffer(
+      GL_TRANSFORM_FEEDBACK_BUFFER,
+      bindings.transform_feedback.buffer);  // only the generic binding point: the indexed one belongs to the object
   gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, order.commands);
   if (!bindings.rasterizer_discard) {
     gl_.Enable(GL_RASTERIZER_DISCARD);
@@ -99,7 +100,7 @@ void Reorder::run(const capture::Layout& layout, const capture::CoarseTriangles&
   if (!bindings.rasterizer_discard) {
     gl_.Disable(GL_RASTERIZER_DISCARD);
   }
-  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback.object);
 }
 
 void Reorder::release() {

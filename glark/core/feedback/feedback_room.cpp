@@ -77,7 +77,7 @@ void FeedbackRoom::note() {
       }
     }
   }
-  vertices_[env_.bindings().transform_feedback] = vertices;
+  vertices_[env_.bindings().transform_feedback.object] = vertices;
 }
 
 std::optional<std::uint64_t> FeedbackRoom::vertices(GLuint object) const {

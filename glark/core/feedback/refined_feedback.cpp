@@ -27,7 +27,7 @@ GLenum feedback_mode(const gl::Dispatch& gl, const Program& owner, GLuint derive
 
 void RefinedFeedback::set_program(std::shared_ptr<DerivedProgram> program) {
   in_use_.program = std::move(program);
-  env_.state.set_feedback_ours(in_use_.ours());
+  env_.state.bindings().transform_feedback.ours = in_use_.ours();
 }
 
 bool RefinedFeedback::begin(GLenum mode) {
@@ -57,7 +57,7 @@ void RefinedFeedback::hand_back() {
   }
   env_.state.refresh();
   const Bindings& b = env_.bindings();
-  if (b.transform_feedback_paused || !b.transform_feedback_active) {
+  if (b.transform_feedback.paused || !b.transform_feedback.active) {
     return;
   }
   const Quiet quiet = env_.state.quiet();
@@ -81,11 +81,11 @@ void RefinedFeedback::take_over() {
     return;
   }
   env_.state.refresh();
-  if (env_.bindings().transform_feedback_paused) {
+  if (env_.bindings().transform_feedback.paused) {
     return;
   }
   const GLenum mode = std::exchange(awaited_, GL_NONE);
-  if (!env_.ark.enabled || !env_.bindings().transform_feedback_active) {
+  if (!env_.ark.enabled || !env_.bindings().transform_feedback.active) {
     return;
   }
   // Nothing has been captured: the feedback may begin again, with another program.
@@ -94,7 +94,7 @@ void RefinedFeedback::take_over() {
   if (!begin(mode)) {
     env_.gl.BeginTransformFeedback(mode);
   }
-  env_.state.bindings().transform_feedback_active = true;
+  env_.state.bindings().transform_feedback.active = true;
 }
 
 }  // namespace glark::core

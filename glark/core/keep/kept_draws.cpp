@@ -97,7 +97,7 @@ bool KeptDraws::add_array_input(int slot) {
   }
   const AttributeSource& source = env_.state.arrays().attribute_source(slot);
   if (!source.enabled) {
-    key_.add_value(slot, env_.state.current_values());
+    key_.add_value(slot, env_.state.arrays().current_values());
     return true;
   }
   return source.buffer != 0 ? key_.add_source(slot, source) : add_client_array(slot, source);
@@ -112,7 +112,7 @@ bool KeptDraws::add_segment(const std::vector<int>& inputs, const ListSegment& s
     // Only compatibility contexts have lists: there both slots are the same attribute.
     const bool is_vertex = slot == vertex_slot || slot == 0;
     if (!is_vertex && (segment.effects.own & slot_bit(slot)) == 0) {
-      key_.add_value(slot, env_.state.current_values());
+      key_.add_value(slot, env_.state.arrays().current_values());
     }
   }
   return true;
@@ -170,7 +170,7 @@ KeptDraw KeptDraws::find(const DrawCall& call, const KeyFacts& facts) {
     return {entry, true};
   }
   // Keeping a capture reads its size from a query that the application has open at the moment.
-  if (answer == DrawCache::Answer::fresh || env_.bindings().primitives_written_query != 0) {
+  if (answer == DrawCache::Answer::fresh || env_.bindings().queries.written != 0) {
     return {};
   }
   ErrorScope errors(env_.errors);

@@ -18,7 +18,7 @@ struct FeedbackInUse {
   bool ours() const { return program != nullptr; }
   // The program is the one for tags that vary: all draws are planned that way.
   bool tagged() const { return ours() && program->layout.tagged; }
-  bool captures(const Bindings& b) const { return ours() && !b.transform_feedback_paused; }
+  bool captures(const Bindings& b) const { return ours() && !b.transform_feedback.paused; }
 };
 
 }  // namespace glark::core

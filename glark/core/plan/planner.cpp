@@ -30,7 +30,7 @@ namespace {
 
 double current_tag(const Environment& environment) {
   const GLuint attribute = environment.ark.tag_attribute;
-  const CurrentValue* value = environment.state.current_values().find(static_cast<int>(attribute));
+  const CurrentValue* value = environment.state.arrays().current_values().find(static_cast<int>(attribute));
   if (value != nullptr && value->again == set_tag) {
     GLuint tag = 0;
     std::memcpy(&tag, value->components.data(), sizeof(tag));
@@ -214,7 +214,8 @@ std::optional<Cause> Planner::choose_wanted(DrawPlan& plan) const {
 }
 
 bool Planner::can_measure(const Program& program) const {
-  return core::can_measure(edge_measure(env_.options, env_.ark), program, !env_.state.programs().subroutines().empty());
+  return core::can_measure(edge_measure(env_.options, env_.ark), program,
+                           !env_.state.programs().subroutines().choice().empty());
 }
 
 void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {

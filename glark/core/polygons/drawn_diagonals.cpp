@@ -102,8 +102,8 @@ std::optional<Diagonal> DrawnDiagonals::find(GLenum mode, QuadSource source) {
 
 bool DrawnDiagonals::can_probe() const {
   const core::Bindings& b = env_.bindings();
-  const bool counted = b.primitive_queries != 0 || b.primitives_generated_query != 0;
-  return !counted && !b.transform_feedback_active && !b.rasterizer_discard && !env_.state.lists().compiling();
+  const bool counted = b.queries.active != 0 || b.queries.generated != 0;
+  return !counted && !b.transform_feedback.active && !b.rasterizer_discard && !env_.state.lists().compiling();
 }
 
 std::optional<Diagonal> DrawnDiagonals::probe(GLenum mode, QuadSource source) const {

@@ -9,7 +9,7 @@
 namespace glark::core {
 
 const AssemblyStage& AssemblyStages::find(Program* fragment) {
-  const std::shared_ptr<AssemblyProgram>& application = env_.state.assembly().current();
+  const std::shared_ptr<AssemblyProgram>& application = env_.state.programs().assembly().current();
   const Key key{application.get(), application->current_text_number(), fragment != nullptr ? fragment->name : 0,
                 fixed_function_.read_state(fragment).clip_planes};
   const auto found = stages_.find(key);
@@ -72,7 +72,7 @@ void AssemblyStages::release() {
 }
 
 void AssemblyStages::upload(const AssemblyStage& stage, DerivedProgram& derived) const {
-  AssemblyState& state = env_.state.assembly();
+  AssemblyState& state = env_.state.programs().assembly();
   const refine::assembly::Translation& translation = stage.translation;
   AssemblyUniforms& uniforms = derived.assembly;
   if (!uniforms.found) {

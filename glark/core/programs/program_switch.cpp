@@ -8,7 +8,7 @@ namespace glark::core {
 
 void ProgramSwitch::read_subroutines(const Program* owner, const PipelineObject* pipeline) const {
   Programs& programs = env_.state.programs();
-  if (programs.subroutines_known()) {
+  if (programs.subroutines().known()) {
     return;
   }
   SubroutineChoice choice;
@@ -27,7 +27,7 @@ void ProgramSwitch::read_subroutines(const Program* owner, const PipelineObject*
       refine::read_subroutines(env_.gl, provider, pipeline_stages[i], choice);
     }
   }
-  programs.set_subroutines(std::move(choice));
+  programs.subroutines().set(std::move(choice));
 }
 
 void ProgramSwitch::use_derived(const DerivedProgram& derived, const PipelineObject* pipeline) const {
@@ -39,8 +39,8 @@ void ProgramSwitch::use_derived(const DerivedProgram& derived, const PipelineObj
   } else {
     env_.gl.UseProgram(derived.name);
   }
-  if (!programs.subroutines().empty()) {
-    refine::choose_subroutines(env_.gl, programs.subroutines(), derived.subroutines);
+  if (const SubroutineChoice& choice = programs.subroutines().choice(); !choice.empty()) {
+    refine::choose_subroutines(env_.gl, choice, derived.subroutines);
   }
 }
 
@@ -50,8 +50,8 @@ void ProgramSwitch::use_application() const {
   if (b.program == 0 && b.pipeline != 0) {
     env_.gl.BindProgramPipeline(b.pipeline);
   }
-  if (!env_.state.programs().subroutines().empty()) {
-    refine::choose_subroutines(env_.gl, env_.state.programs().subroutines());
+  if (const SubroutineChoice& choice = env_.state.programs().subroutines().choice(); !choice.empty()) {
+    refine::choose_subroutines(env_.gl, choice);
   }
 }
 

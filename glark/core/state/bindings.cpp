@@ -13,10 +13,10 @@ void read_objects(const gl::Dispatch& gl, Bindings& b) {
   b.program = get_name(gl, GL_CURRENT_PROGRAM);
   b.pipeline = get_name(gl, GL_PROGRAM_PIPELINE_BINDING);
   b.vertex_array = get_name(gl, GL_VERTEX_ARRAY_BINDING);
-  b.transform_feedback = get_name(gl, GL_TRANSFORM_FEEDBACK_BINDING);
-  b.transform_feedback_active = get_integer(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
-  if (!b.transform_feedback_ours) {  // ours is paused between our draws
-    b.transform_feedback_paused = get_integer(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
+  b.transform_feedback.object = get_name(gl, GL_TRANSFORM_FEEDBACK_BINDING);
+  b.transform_feedback.active = get_integer(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
+  if (!b.transform_feedback.ours) {  // ours is paused between our draws
+    b.transform_feedback.paused = get_integer(gl, GL_TRANSFORM_FEEDBACK_PAUSED) != 0;
   }
 }
 
@@ -24,7 +24,7 @@ void read_buffers(const gl::Dispatch& gl, const Capabilities& capabilities, Bind
   b.draw_indirect_buffer = get_name(gl, GL_DRAW_INDIRECT_BUFFER_BINDING);
   b.query_buffer = capabilities.query_buffer ? get_name(gl, GL_QUERY_BUFFER_BINDING) : 0;
   b.parameter_buffer = capabilities.parameter_buffer ? get_name(gl, GL_PARAMETER_BUFFER_BINDING) : 0;
-  b.feedback_buffer = get_name(gl, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
+  b.transform_feedback.buffer = get_name(gl, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
   b.storage_buffer = get_name(gl, GL_SHADER_STORAGE_BUFFER_BINDING);
   for (GLuint i = 0; i < b.storage.size(); ++i) {
     GLint buffer = 0;
@@ -49,9 +49,9 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
   gl.GetBooleanv(GL_COLOR_WRITEMASK, channels);
   b.color_writes =
       channels[0] != GL_FALSE || channels[1] != GL_FALSE || channels[2] != GL_FALSE || channels[3] != GL_FALSE;
-  b.cull_face = gl.IsEnabled(GL_CULL_FACE) != GL_FALSE;
-  b.culled_face = static_cast<GLenum>(get_integer(gl, GL_CULL_FACE_MODE));
-  b.front_face = static_cast<GLenum>(get_integer(gl, GL_FRONT_FACE));
+  b.culling.enabled = gl.IsEnabled(GL_CULL_FACE) != GL_FALSE;
+  b.culling.face = static_cast<GLenum>(get_integer(gl, GL_CULL_FACE_MODE));
+  b.culling.front_face = static_cast<GLenum>(get_integer(gl, GL_FRONT_FACE));
   GLfloat viewport[4] = {0, 0, 0, 0};
   gl.GetFloatv(GL_VIEWPORT, viewport);
   b.viewport = {viewport[2], viewport[3]};
@@ -61,11 +61,10 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
     b.primitive_restart = gl.IsEnabled(GL_PRIMITIVE_RESTART) != GL_FALSE;
     GLint modes[2] = {GL_FILL, GL_FILL};
     gl.GetIntegerv(GL_POLYGON_MODE, modes);
-    b.front_polygon_mode = static_cast<GLenum>(modes[0]);
-    b.back_polygon_mode = capabilities.is_compatibility() ? static_cast<GLenum>(modes[1]) : b.front_polygon_mode;
+    b.polygon_modes.front = static_cast<GLenum>(modes[0]);
+    b.polygon_modes.back = capabilities.is_compatibility() ? static_cast<GLenum>(modes[1]) : b.polygon_modes.front;
     b.provoking_vertex = static_cast<GLenum>(get_integer(gl, GL_PROVOKING_VERTEX));
   }
-  set_polygon_modes(b, b.front_polygon_mode, b.back_polygon_mode);
 }
 
 // Returns whether the first draw buffer has floating-point colours.
@@ -96,12 +95,6 @@ void read_compatibility_modes(const gl::Dispatch& gl, Bindings& b) {
 }
 
 }  // namespace
-
-void set_polygon_modes(Bindings& bindings, GLenum front, GLenum back) {
-  bindings.front_polygon_mode = front;
-  bindings.back_polygon_mode = back;
-  bindings.polygon_mode = front == GL_FILL ? back : front;
-}
 
 void read_bindings(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& bindings) {
   read_objects(gl, bindings);

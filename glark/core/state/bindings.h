@@ -20,18 +20,43 @@ struct IndexedBuffer {
   GLsizeiptr size = 0;  // 0: the whole buffer (glBindBufferBase)
 };
 
+struct TransformFeedbackBindings {
+  GLuint object = 0;
+  bool active = false;
+  bool paused = false;
+  bool ours = false;  // it captures refined triangles: between our draws we pause it
+  GLuint buffer = 0;  // generic binding point of GL_TRANSFORM_FEEDBACK_BUFFER
+};
+
+// Active queries that would count our captures.
+struct PrimitiveQueries {
+  int active = 0;        // their number
+  GLuint generated = 0;  // the query of GL_PRIMITIVES_GENERATED; 0: none
+  GLuint written = 0;    // the query of GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN; 0: none
+};
+
+struct PolygonModes {
+  GLenum front = GL_FILL;
+  GLenum back = GL_FILL;
+  // GL_FILL only if both faces have it.
+  GLenum either() const { return front == GL_FILL ? back : front; }
+};
+
+struct Culling {
+  bool enabled = false;
+  GLenum face = GL_BACK;  // glCullFace
+  GLenum front_face = GL_CCW;
+};
+
 struct Bindings {
+  bool stale = true;  // a call that the hooks cannot follow may have changed any of them
   GLuint program = 0;
   GLuint pipeline = 0;
   GLuint vertex_array = 0;
-  GLuint transform_feedback = 0;
-  bool transform_feedback_active = false;
-  bool transform_feedback_paused = false;
-  bool transform_feedback_ours = false;  // it captures refined triangles: between our draws we pause it
+  TransformFeedbackBindings transform_feedback = {};
   GLuint draw_indirect_buffer = 0;
   GLuint parameter_buffer = 0;
   GLuint query_buffer = 0;
-  GLuint feedback_buffer = 0;  // generic binding point of GL_TRANSFORM_FEEDBACK_BUFFER
   GLuint storage_buffer = 0;
   std::array<IndexedBuffer, tracked_storage_bindings> storage{};
   bool rasterizer_discard = false;
@@ -45,14 +70,10 @@ struct Bindings {
   GLenum matrix_mode = GL_MODELVIEW;
   bool primitive_restart = false;
   bool primitive_restart_fixed = false;
-  bool vertex_program = false;    // GL_VERTEX_PROGRAM_ARB
-  bool two_side = false;          // GL_VERTEX_PROGRAM_TWO_SIDE
-  GLenum polygon_mode = GL_FILL;  // GL_FILL only if both faces have it
-  GLenum front_polygon_mode = GL_FILL;
-  GLenum back_polygon_mode = GL_FILL;
-  bool cull_face = false;
-  GLenum culled_face = GL_BACK;  // glCullFace
-  GLenum front_face = GL_CCW;
+  bool vertex_program = false;  // GL_VERTEX_PROGRAM_ARB
+  bool two_side = false;        // GL_VERTEX_PROGRAM_TWO_SIDE
+  PolygonModes polygon_modes = {};
+  Culling culling = {};
   GLenum shade_model = GL_SMOOTH;
   bool clamp_vertex_color = true;      // compatibility only
   bool clamps_by_framebuffer = false;  // GL_FIXED_ONLY: not if the framebuffer has floating-point colours
@@ -61,12 +82,8 @@ struct Bindings {
   std::array<float, 2> viewport{};  // width and height
   GLuint list_base = 0;
   bool debug_output = false;
-  int primitive_queries = 0;              // active queries that would count our captures
-  GLuint primitives_generated_query = 0;  // active queries that count triangles; 0: none
-  GLuint primitives_written_query = 0;
+  PrimitiveQueries queries = {};
 };
-
-void set_polygon_modes(Bindings& bindings, GLenum front, GLenum back);
 
 // Reads all of them from GL, except for the queries.
 void read_bindings(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& bindings);

@@ -10,10 +10,7 @@ GlState::GlState(const gl::Dispatch& gl, const Capabilities& capabilities, Share
       capabilities_(capabilities),
       stamps_(share.contexts_made),
       arrays_({gl, capabilities, bindings_, immediate_, share.buffers, stamps_}),
-      programs_(gl, capabilities, share, pending, watcher),
-      assembly_(gl, share) {
-  forget_current_values();
-}
+      programs_(gl, capabilities, share, pending, watcher) {}
 
 void GlState::forget() {
   forget_bindings();
@@ -30,13 +27,13 @@ Quiet GlState::quiet() {
 }
 
 void GlState::read() {
-  bindings_stale_ = false;
-  programs_.forget_subroutines();
+  bindings_.stale = false;
+  programs_.subroutines().forget();
   read_bindings(gl_, capabilities_, bindings_);
   arrays_.vertex_arrays().bind(bindings_.vertex_array);
   if (capabilities_.is_compatibility()) {
     fixed_function_.matrices().touch_all();
-    assembly_.forget();
+    programs_.assembly().forget();
     lists_.effects().touches_state = true;
   }
   if (programs_.current() == nullptr ? bindings_.program != 0 : programs_.current()->name != bindings_.program) {

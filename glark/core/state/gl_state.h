@@ -8,8 +8,6 @@
 #include "glark/core/objects/error_scope.h"
 #include "glark/core/objects/quiet.h"
 #include "glark/core/state/arrays/array_state.h"
-#include "glark/core/state/arrays/current_values.h"
-#include "glark/core/state/assembly/assembly_state.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/fixed_function/fixed_function_changes.h"
@@ -32,12 +30,11 @@ class GlState {
 
   Bindings& bindings() { return bindings_; }
   const Bindings& bindings() const { return bindings_; }
-  bool bindings_stale() const { return bindings_stale_; }
   // A call that the hooks cannot follow (a display list, glPopAttrib) may have changed the bindings.
-  void forget_bindings() { bindings_stale_ = true; }
+  void forget_bindings() { bindings_.stale = true; }
   // Reads the bindings again if they are stale.
   void refresh() {
-    if (bindings_stale_) {
+    if (bindings_.stale) {
       read();
     }
   }
@@ -45,29 +42,22 @@ class GlState {
   void forget();
   // Switches debug output off for the time of our own GL calls.
   Quiet quiet();
-  // The application's transform feedback captures refined triangles: between our draws it is paused by us.
-  void set_feedback_ours(bool ours) { bindings_.transform_feedback_ours = ours; }
 
   ArrayState& arrays() { return arrays_; }
   const ArrayState& arrays() const { return arrays_; }
-  CurrentValues& current_values() { return current_values_; }
-  const CurrentValues& current_values() const { return current_values_; }
-  // Something may have changed all current values.
-  void forget_current_values() { current_values_.forget(stamps_.next()); }
   // Another framebuffer is bound, or attachments of framebuffers have changed.
   void framebuffer_bound(GLuint framebuffer) {
     framebuffers_.bind(framebuffer);
-    bindings_stale_ |= bindings_.clamps_by_framebuffer;
+    bindings_.stale |= bindings_.clamps_by_framebuffer;
   }
   void attachments_changed() {
     framebuffers_.forget_attachments();
-    bindings_stale_ |= bindings_.clamps_by_framebuffer;
+    bindings_.stale |= bindings_.clamps_by_framebuffer;
   }
   Framebuffers& framebuffers() { return framebuffers_; }
   TextureBindings& textures() { return textures_; }
   FixedFunctionChanges& fixed_function() { return fixed_function_; }
   Programs& programs() { return programs_; }
-  AssemblyState& assembly() { return assembly_; }
   const Programs& programs() const { return programs_; }
 
   // Calls that a display list may take instead of the context.
@@ -85,15 +75,12 @@ class GlState {
   const Capabilities& capabilities_;
   Stamps stamps_;
   Bindings bindings_;
-  bool bindings_stale_ = true;
   ImmediateMode immediate_;
   ArrayState arrays_;
-  CurrentValues current_values_;
   Framebuffers framebuffers_;
   TextureBindings textures_;
   FixedFunctionChanges fixed_function_;
   Programs programs_;
-  AssemblyState assembly_;
   ListCompilation lists_;
   QuerySurplus query_surplus_;
 };

@@ -16,7 +16,7 @@ void DrawModes::raise_edge_flag() {
   if (!capture::takes_edge_flags(env_) && !wireframe) {
     return;
   }
-  core::CurrentValues& values = env_.state.current_values();
+  core::CurrentValues& values = env_.state.arrays().current_values();
   const core::CurrentValue* known = values.find(core::edge_flag_slot);
   if (known == nullptr) {
     GLboolean flag = GL_TRUE;
@@ -57,10 +57,10 @@ void DrawModes::set(const ModeChanges& changes, const refine::FixedFunctionState
 void DrawModes::reset_polygon_mode() const {
   const core::Bindings& b = env_.bindings();
   if (env_.capabilities.is_compatibility()) {
-    env_.gl.PolygonMode(GL_FRONT, b.front_polygon_mode);
-    env_.gl.PolygonMode(GL_BACK, b.back_polygon_mode);
+    env_.gl.PolygonMode(GL_FRONT, b.polygon_modes.front);
+    env_.gl.PolygonMode(GL_BACK, b.polygon_modes.back);
   } else {
-    env_.gl.PolygonMode(GL_FRONT_AND_BACK, b.front_polygon_mode);
+    env_.gl.PolygonMode(GL_FRONT_AND_BACK, b.polygon_modes.front);
   }
 }
 

@@ -72,7 +72,7 @@ void PopAttrib(Context& c) {
   }
   c.state().forget_bindings();
   c.state().fixed_function().touch();
-  c.state().forget_current_values();  // GL_CURRENT_BIT
+  c.state().arrays().forget_current_values();  // GL_CURRENT_BIT
   pop(c);
 }
 

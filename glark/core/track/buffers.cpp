@@ -46,7 +46,7 @@ void set_binding(Context& c, GLenum target, GLuint buffer) {
     case GL_PARAMETER_BUFFER: c.state().bindings().parameter_buffer = buffer; break;
     case GL_QUERY_BUFFER: c.state().bindings().query_buffer = buffer; break;
     case GL_SHADER_STORAGE_BUFFER: c.state().bindings().storage_buffer = buffer; break;
-    case GL_TRANSFORM_FEEDBACK_BUFFER: c.state().bindings().feedback_buffer = buffer; break;
+    case GL_TRANSFORM_FEEDBACK_BUFFER: c.state().bindings().transform_feedback.buffer = buffer; break;
     default: break;
   }
 }

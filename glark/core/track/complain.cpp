@@ -37,7 +37,7 @@ void log_once(const std::string& text) {
 }  // namespace
 
 void complain(Context& c, GLenum error, const char* function, const std::string& why) {
-  c.raise(error);
+  c.pending_error().raise(error);
   const std::string text = fmt::format("{}: {}: {}", function, name_of_error(error), why);
   log_once(text);
   // Between glBegin and glEnd, GL accepts no message. A context that cannot refine may not have debug output.

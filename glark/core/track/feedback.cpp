@@ -31,8 +31,8 @@ void BeginTransformFeedback(Context& c, GLenum mode) {
     }
     return;
   }
-  c.state().bindings().transform_feedback_active = true;
-  c.state().bindings().transform_feedback_paused = false;
+  c.state().bindings().transform_feedback.active = true;
+  c.state().bindings().transform_feedback.paused = false;
 }
 
 void EndTransformFeedback(Context& c) {
@@ -46,8 +46,8 @@ void EndTransformFeedback(Context& c) {
 }
 
 void PauseTransformFeedback(Context& c) {
-  if (c.stages() != nullptr && c.stages()->feedback().ours() && !c.state().bindings().transform_feedback_paused) {
-    c.state().bindings().transform_feedback_paused = true;  // between our draws it is already paused
+  if (c.stages() != nullptr && c.stages()->feedback().ours() && !c.state().bindings().transform_feedback.paused) {
+    c.state().bindings().transform_feedback.paused = true;  // between our draws it is already paused
     return;
   }
   c.gl().PauseTransformFeedback();
@@ -56,8 +56,8 @@ void PauseTransformFeedback(Context& c) {
 }
 
 void ResumeTransformFeedback(Context& c) {
-  if (c.stages() != nullptr && c.stages()->feedback().ours() && c.state().bindings().transform_feedback_paused) {
-    c.state().bindings().transform_feedback_paused = false;
+  if (c.stages() != nullptr && c.stages()->feedback().ours() && c.state().bindings().transform_feedback.paused) {
+    c.state().bindings().transform_feedback.paused = false;
     return;
   }
   c.gl().ResumeTransformFeedback();

@@ -82,7 +82,7 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_DEPTH_TEST: b.depth_test = enabled; break;
     case GL_STENCIL_TEST: b.stencil_test = enabled; break;
     case GL_POLYGON_OFFSET_FILL: b.polygon_offset = enabled; break;
-    case GL_CULL_FACE: b.cull_face = enabled; break;
+    case GL_CULL_FACE: b.culling.enabled = enabled; break;
     // The most frequent enables that the vertex stage does not depend on.
     case GL_SCISSOR_TEST:
     case GL_ALPHA_TEST:
@@ -252,21 +252,21 @@ void PolygonMode(Context& c, GLenum face, GLenum mode) {
     return;
   }
   Bindings& b = c.state().bindings();
-  set_polygon_modes(b, face == GL_BACK ? b.front_polygon_mode : mode, face == GL_FRONT ? b.back_polygon_mode : mode);
+  b.polygon_modes = {face == GL_BACK ? b.polygon_modes.front : mode, face == GL_FRONT ? b.polygon_modes.back : mode};
 }
 
 void CullFace(Context& c, GLenum face) {
   c.gl().CullFace(face);
   if (track::executes(c) && (face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK) &&
       !c.state().immediate().open()) {
-    c.state().bindings().culled_face = face;
+    c.state().bindings().culling.face = face;
   }
 }
 
 void FrontFace(Context& c, GLenum mode) {
   c.gl().FrontFace(mode);
   if (track::executes(c) && (mode == GL_CW || mode == GL_CCW) && !c.state().immediate().open()) {
-    c.state().bindings().front_face = mode;
+    c.state().bindings().culling.front_face = mode;
   }
 }
 

@@ -184,49 +184,52 @@ void run(const Reconstruct& command) {
   print(report, command.files.json);
 }
 
+void describe_surface(CLI::App& command, reconstruct::ReconstructOptions& options) {
+  command
+      .add_option("--threshold", options.threshold,
+                  "Finer detail is noise, as a part of the bounding box's diagonal; default 0: the noise is measured")
+      ->check(between(0.0, 1.0));
+  command
+      .add_option(
+          "--error", options.error,
+          "Refine until the mesh is this near to the points, as a part of the diagonal; default: until it is as "
+          "dense as the points")
+      ->check(between(0.0, 1.0));
+  command.add_option("--levels", options.levels, "Most levels of refinement, 0 to 6; default 2")
+      ->check(CLI::Range(0, 6));
+  command
+      .add_option("--node-samples", options.node_samples,
+                  fmt::format("Points of the smallest nodes, 2 to 1000: fewer find thinner parts, more close larger "
+                              "gaps; default {}",
+                              options.node_samples))
+      ->check(between(2.0, 1000.0));
+  command
+      .add_option("--least-part", options.least_part,
+                  "Leave out parts with less than this share of the area, 0 to 1; default 0.01")
+      ->check(between(0.0, 1.0));
+  command
+      .add_option("--gap-edges", options.gap_edges,
+                  "Close holes with at most so many edges of the coarse mesh, 0 to 1000; default 16")
+      ->check(CLI::Range(0, 1000));
+}
+
 }  // namespace
 
 void add_reconstruct(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("reconstruct", "Reconstruct a mesh from points, also from scans that overlap and are noisy");
   const auto reconstruction = std::make_shared<Reconstruct>();
-  reconstruct::ReconstructOptions& options = reconstruction->options;
   describe_input(*command, reconstruction->files);
   describe_output(*command, reconstruction->files);
   describe_measure(*command, reconstruction->reference);
-  command
-      ->add_option("--threshold", options.threshold,
-                   "Finer detail is noise, as a part of the bounding box's diagonal; default 0: the noise is measured")
-      ->check(between(0.0, 1.0));
-  command
-      ->add_option(
-          "--error", options.error,
-          "Refine until the mesh is this near to the points, as a part of the diagonal; default: until it is as "
-          "dense as the points")
-      ->check(between(0.0, 1.0));
-  command->add_option("--levels", options.levels, "Most levels of refinement, 0 to 6; default 2")
-      ->check(CLI::Range(0, 6));
-  command
-      ->add_option("--node-samples", options.node_samples,
-                   fmt::format("Points of the smallest nodes, 2 to 1000: fewer find thinner parts, more close larger "
-                               "gaps; default {}",
-                               options.node_samples))
-      ->check(between(2.0, 1000.0));
-  command
-      ->add_option("--least-part", options.least_part,
-                   "Leave out parts with less than this share of the area, 0 to 1; default 0.01")
-      ->check(between(0.0, 1.0));
-  command
-      ->add_option("--gap-edges", options.gap_edges,
-                   "Close holes with at most so many edges of the coarse mesh, 0 to 1000; default 16")
-      ->check(CLI::Range(0, 1000));
+  describe_surface(*command, reconstruction->options);
   command
       ->add_option("--triangles", reconstruction->most_triangles,
                    fmt::format("The most triangles of the mesh; more are simplified. Default: {} for each point; a "
                                "very large number keeps all",
                                triangles_a_point))
       ->transform(whole_above_zero());
-  describe_threads(*command, options.threads);
+  describe_threads(*command, reconstruction->options.threads);
   command->callback([reconstruction] { run(*reconstruction); });
 }
 

@@ -46,34 +46,34 @@ TEST(StateCheck, SelectionAndFeedbackModeStay) {
 
 TEST(StateCheck, TransformFeedbackOfTheDriverStays) {
   Setting setting;
-  setting.bindings.transform_feedback_active = true;
+  setting.bindings.transform_feedback.active = true;
   EXPECT_EQ(setting.check(), Cause::transform_feedback);
   setting.feedback_is_ours = true;
   EXPECT_EQ(setting.check(), std::nullopt);
   setting.feedback_is_ours = false;
-  setting.bindings.transform_feedback_paused = true;
+  setting.bindings.transform_feedback.paused = true;
   EXPECT_EQ(setting.check(), std::nullopt);
 }
 
 TEST(StateCheck, OnlyFacesThatShowMustBeFilled) {
   Setting setting{.transparent = true};
-  set_polygon_modes(setting.bindings, GL_FILL, GL_LINE);
+  setting.bindings.polygon_modes = {GL_FILL, GL_LINE};
   EXPECT_EQ(setting.check(), Cause::polygon_mode);
-  setting.bindings.cull_face = true;
+  setting.bindings.culling.enabled = true;
   EXPECT_EQ(setting.check(), std::nullopt);
-  setting.bindings.culled_face = GL_FRONT;
+  setting.bindings.culling.face = GL_FRONT;
   EXPECT_EQ(setting.check(), Cause::polygon_mode);
-  set_polygon_modes(setting.bindings, GL_POINT, GL_FILL);
+  setting.bindings.polygon_modes = {GL_POINT, GL_FILL};
   EXPECT_EQ(setting.check(), std::nullopt);
-  set_polygon_modes(setting.bindings, GL_POINT, GL_LINE);
+  setting.bindings.polygon_modes = {GL_POINT, GL_LINE};
   EXPECT_EQ(setting.check(), Cause::polygon_mode);
-  setting.bindings.culled_face = GL_FRONT_AND_BACK;
+  setting.bindings.culling.face = GL_FRONT_AND_BACK;
   EXPECT_EQ(setting.check(), std::nullopt);
 }
 
 TEST(StateCheck, TransparentRefinementDoesNotShowInQueries) {
   Setting setting;
-  setting.bindings.primitive_queries = 1;
+  setting.bindings.queries.active = 1;
   EXPECT_EQ(setting.check(), std::nullopt);
   setting.transparent = true;
   EXPECT_EQ(setting.check(), Cause::primitive_query);
@@ -82,9 +82,9 @@ TEST(StateCheck, TransparentRefinementDoesNotShowInQueries) {
 // Counting the triangles of such a draw takes one of the two queries.
 TEST(StateCheck, AnInexactDrawNeedsAQuery) {
   Setting setting{.exact = false};
-  setting.bindings.primitives_written_query = 1;
+  setting.bindings.queries.written = 1;
   EXPECT_EQ(setting.check(), std::nullopt);
-  setting.bindings.primitives_generated_query = 2;
+  setting.bindings.queries.generated = 2;
   EXPECT_EQ(setting.check(), Cause::primitive_query);
   setting.exact = true;
   EXPECT_EQ(setting.check(), std::nullopt);
@@ -92,7 +92,7 @@ TEST(StateCheck, AnInexactDrawNeedsAQuery) {
 
 TEST(StateCheck, LinesAndPointsOfPolygonsStayInTransparentRefinement) {
   Setting setting;
-  set_polygon_modes(setting.bindings, GL_LINE, GL_LINE);
+  setting.bindings.polygon_modes = {GL_LINE, GL_LINE};
   EXPECT_EQ(setting.check(), std::nullopt);
   setting.transparent = true;
   EXPECT_EQ(setting.check(), Cause::polygon_mode);
@@ -108,7 +108,7 @@ TEST(StateCheck, WithoutRasterizationOnlyResultsCount) {
   setting.feedback_is_ours = true;
   EXPECT_EQ(setting.check(), std::nullopt);
   setting.feedback_is_ours = false;
-  setting.bindings.primitives_generated_query = 3;
+  setting.bindings.queries.generated = 3;
   EXPECT_EQ(setting.check(), std::nullopt);
 }
 

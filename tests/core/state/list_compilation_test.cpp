@@ -43,7 +43,7 @@ TEST(ListCompilation, UncutListsAreNotRefined) {
 TEST(ListCompilation, OpenGlBeginMakesTheListUnrefinable) {
   ListCompilation lists;
   lists.begin(name, GL_COMPILE, true);
-  lists.begin_primitive(GL_TRIANGLES, true);
+  lists.primitive().begin(GL_TRIANGLES, true);
   EXPECT_FALSE(lists.end()->refinable);
 }
 
@@ -51,9 +51,9 @@ TEST(ListCompilation, NothingIsPushedBetweenGlBeginAndGlEnd) {
   ListCompilation lists;
   EXPECT_FALSE(lists.add_stack_step({StackStep::Kind::pop}));
   lists.begin(name, GL_COMPILE, true);
-  lists.begin_primitive(GL_TRIANGLES, true);
+  lists.primitive().begin(GL_TRIANGLES, true);
   EXPECT_FALSE(lists.add_stack_step({StackStep::Kind::pop}));
-  EXPECT_TRUE(lists.end_primitive());
+  EXPECT_TRUE(lists.primitive().end());
   EXPECT_TRUE(lists.add_stack_step({StackStep::Kind::pop}));
 }
 
@@ -61,7 +61,7 @@ TEST(ListCompilation, LooseVerticesAreThoseOutsideGlBegin) {
   ListCompilation lists;
   lists.begin(name, GL_COMPILE, true);
   lists.add_loose_vertices(2);
-  lists.begin_primitive(GL_TRIANGLES, true);
+  lists.primitive().begin(GL_TRIANGLES, true);
   lists.add_loose_vertices(3);
   EXPECT_EQ(lists.end()->loose_vertices, 2U);
 }

@@ -124,6 +124,15 @@ void check(const RefineOptions& options) {
                 fmt::format("glark-stream: neighbours is {}; 3 to 64 are possible", options.neighbours));
 }
 
+SampleOptions sample_options(const RefineOptions& options) {
+  SampleOptions sampling;
+  sampling.target = options.target;
+  sampling.error = options.error;
+  sampling.memory = options.memory;
+  sampling.threads = options.threads;
+  return sampling;
+}
+
 }  // namespace
 
 RefineReport refine(const RefineFiles& files, const Region& region, const RefineOptions& options) {
@@ -143,13 +152,8 @@ RefineReport refine(const RefineFiles& files, const Region& region, const Refine
   const std::string name = files.large.string();
   const Source source{
       name, [&](const ReadOptions& reading) { return std::make_unique<MemoryReader>(points, name, reading); }, {}};
-  SampleOptions sampling_options;
-  sampling_options.target = options.target;
-  sampling_options.error = options.error;
-  sampling_options.memory = options.memory;
-  sampling_options.threads = options.threads;
   RegionPoints added;
-  sample(source, sampling_options, files.output.parent_path(),
+  sample(source, sample_options(options), files.output.parent_path(),
          [&](const Schema& schema) { return std::make_unique<MemoryWriter>(schema, added); });
   const auto value_of = [&](std::size_t i, const Channel& channel) {
     const std::size_t k = channel_index(added.schema, channel.name);

@@ -17,6 +17,37 @@ std::array<double, 3> sum(const std::array<double, 3>& a, const std::array<float
   return {a[0] + static_cast<double>(b[0]), a[1] + static_cast<double>(b[1]), a[2] + static_cast<double>(b[2])};
 }
 
+// Hands samples on, and tells their cells how many there are.
+class CellSamples {
+ public:
+  CellSamples(const EmitSample& emit, std::vector<SampledCell>& cells) : emit_(emit), cells_(cells) {}
+
+  void add(const std::array<double, 3>& centre, const ClusterNode& node) {
+    emit_(sum(centre, node.position), node);
+    squares_ += static_cast<double>(node.square);
+    points_ += static_cast<double>(node.count);
+    ++count_;
+  }
+  // The samples since the last call belong to these cells.
+  void finish(std::size_t first, std::size_t last) {
+    for (std::size_t cell = first; cell < last; ++cell) {
+      cells_[cell].first_sample = begin_;
+      cells_[cell].samples = count_ - begin_;
+      cells_[cell].error = points_ > 0 ? std::sqrt(squares_ / points_) : 0;
+    }
+    squares_ = points_ = 0;
+    begin_ = count_;
+  }
+
+ private:
+  const EmitSample& emit_;
+  std::vector<SampledCell>& cells_;
+  std::uint64_t begin_ = 0;
+  std::uint64_t count_ = 0;
+  double squares_ = 0;
+  double points_ = 0;
+};
+
 }  // namespace
 
 Assembly::Assembly(const Plan& plan, const TreeStore& trees) : plan_(plan), trees_(trees), more_leaves_(classes) {
@@ -79,32 +110,16 @@ float Assembly::threshold_for(std::uint64_t target) const {
 
 void Assembly::select(float threshold, const EmitSample& emit, std::vector<SampledCell>& cells) const {
   std::vector<ClusterNode> nodes;
-  std::uint64_t samples = 0;
-  double squares = 0, points = 0;
-  const auto give = [&](const std::array<double, 3>& centre, const ClusterNode& node) {
-    emit(sum(centre, node.position), node);
-    squares += static_cast<double>(node.square);
-    points += static_cast<double>(node.count);
-    ++samples;
-  };
-  const auto finish = [&](std::size_t first, std::size_t last, std::uint64_t begin) {
-    for (std::size_t cell = first; cell < last; ++cell) {
-      cells[cell].first_sample = begin;
-      cells[cell].samples = samples - begin;
-      cells[cell].error = points > 0 ? std::sqrt(squares / points) : 0;
-    }
-    squares = points = 0;
-  };
+  CellSamples samples(emit, cells);
   std::size_t volume = 0;
   for (std::size_t cell = 0; cell < plan_.cells.size();) {
     // Volumes that begin at this cell, the largest first.
     while (volume < volumes_.size() && volumes_[volume].first == cell && !(volumes_[volume].node.error <= threshold))
       ++volume;
-    const std::uint64_t begin = samples;
     if (volume < volumes_.size() && volumes_[volume].first == cell) {
       const Volume& whole = volumes_[volume];
-      give(whole.centre, whole.node);
-      finish(cell, whole.last, begin);
+      samples.add(whole.centre, whole.node);
+      samples.finish(cell, whole.last);
       cell = whole.last;
       volume = whole.after;
       continue;
@@ -113,10 +128,10 @@ void Assembly::select(float threshold, const EmitSample& emit, std::vector<Sampl
     for (std::size_t i = 0; i < nodes.size();) {
       const ClusterNode& node = nodes[i];
       const bool is_sample = node.children == 0 || node.error <= threshold;
-      if (is_sample) give(plan_.centre(cell), node);
+      if (is_sample) samples.add(plan_.centre(cell), node);
       i += is_sample ? node.size : 1;
     }
-    finish(cell, cell + 1, begin);
+    samples.finish(cell, cell + 1);
     ++cell;
   }
 }

@@ -105,6 +105,28 @@ std::unique_ptr<TreeStore> make_trees(const PassInput& input, Plan& plan, const 
   return trees;
 }
 
+Census census_of(const Source& source, const ReadOptions& reading, const common::Workers& workers,
+                 const Advance& advance, Checkpoints& checkpoints) {
+  ReadOptions positions_only = reading;
+  positions_only.normals = positions_only.channels = false;
+  BlockSource points(source, positions_only, workers);
+  return take_census(points, choose_lattice(source, reading, grid_levels), advance, checkpoints);
+}
+
+// Writes the samples to a new file, and notes in `report` which cells have them.
+void write_samples(const Assembly& assembly, float threshold, const Schema& schema, const SampleOptions& options,
+                   const CreateWriter& create, SampleReport& report) {
+  const PointKind kind(schema);
+  const bool orients = !kind.has_normals && options.target * bytes_for_normals + program_bytes <= options.memory;
+  SampleWriter writer(create(sampling_schema(schema, kind.has_colours())), kind.has_colours(), orients);
+  assembly.select(
+      threshold, [&](const std::array<double, 3>& position, const ClusterNode& node) { writer.add(position, node); },
+      report.cells);
+  if (orients) writer.orient(options.threads);
+  writer.finish();
+  report.samples = writer.count();
+}
+
 }  // namespace
 
 Source file_source(const std::filesystem::path& file, const std::string& format) {
@@ -142,8 +164,6 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
   WorkFolder folder(keeps_states ? options.work : std::filesystem::path(), identity_of(source, options),
                     options.resume);
   Checkpoints checkpoints(folder, points.count().value_or(0));
-  ReadOptions positions_only = reading;
-  positions_only.normals = positions_only.channels = false;
   Census census;
   const auto part_done = [&](double begin, double share) {
     return [&, begin, share](std::uint64_t done) {
@@ -151,10 +171,7 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
       if (options.progress) options.progress(std::min(1.0, begin + share * static_cast<double>(done) / all));
     };
   };
-  {
-    BlockSource counted(source, positions_only, workers);
-    census = take_census(counted, choose_lattice(source, reading, grid_levels), part_done(0, 0.3), checkpoints);
-  }
+  census = census_of(source, reading, workers, part_done(0, 0.3), checkpoints);
   if (census.cubes.empty())
     throw Error(Element::file, 0, source.name + ": no point has finite coordinates; export it again");
   Plan plan = make_plan(census, options);
@@ -167,16 +184,8 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
   const float threshold = options.target > 0 ? assembly.threshold_for(options.target)
                                              : static_cast<float>(options.error * census.diagonal());
   SampleReport report = report_of(census, plan);
-  const PointKind kind(points.schema());
-  const bool orients = !kind.has_normals && options.target * bytes_for_normals + program_bytes <= options.memory;
-  SampleWriter writer(create(sampling_schema(points.schema(), kind.has_colours())), kind.has_colours(), orients);
-  assembly.select(
-      threshold, [&](const std::array<double, 3>& position, const ClusterNode& node) { writer.add(position, node); },
-      report.cells);
-  if (orients) writer.orient(options.threads);
-  writer.finish();
+  write_samples(assembly, threshold, points.schema(), options, create, report);
   folder.finish();
-  report.samples = writer.count();
   if (options.progress) options.progress(1);
   return report;
 }

@@ -95,6 +95,14 @@ void turn_normals(Samples& samples, const common::Workers& workers) {
   });
 }
 
+// Normals that the file lacks are estimated.
+std::vector<float> normals_of(const FileContents& before, const Samples& samples, const common::Workers& workers) {
+  if (!before.normals.empty()) return before.normals;
+  std::vector<float> positions;
+  for (const Vector3f& p : samples.before) positions.insert(positions.end(), {p.x, p.y, p.z});
+  return vstree::estimate_normals({.positions = positions}, {.threads = static_cast<unsigned>(workers.count())});
+}
+
 }  // namespace
 
 Sampling read_sampling(const std::filesystem::path& from, const std::filesystem::path& to,
@@ -127,12 +135,7 @@ Sampling read_sampling(const std::filesystem::path& from, const std::filesystem:
     for (const std::size_t k : edited)
       samples.values.push_back(static_cast<float>(after.channels[width * places[i] + k]));
   }
-  std::vector<float> normals = before.normals;
-  if (normals.empty()) {
-    std::vector<float> positions;
-    for (const Vector3f& p : samples.before) positions.insert(positions.end(), {p.x, p.y, p.z});
-    normals = vstree::estimate_normals({.positions = positions}, {.threads = static_cast<unsigned>(workers.count())});
-  }
+  const std::vector<float> normals = normals_of(before, samples, workers);
   for (std::size_t i = 0; i < count; ++i)
     samples.normals.push_back(common::unit(common::vector_at(std::span<const float>(normals), i)));
   samples.normals_after = samples.normals;

@@ -200,6 +200,22 @@ std::string identity_of(const FileState& large, const std::filesystem::path& fro
   return identity;
 }
 
+std::vector<std::string> names_of(const std::vector<Channel>& channels) {
+  std::vector<std::string> names;
+  for (const Channel& channel : channels) names.push_back(channel.name);
+  return names;
+}
+
+Layout binary_layout(const SourceFile& file, const std::string& format) {
+  const std::optional<Layout> layout = layout_of(file, format);
+  if (!layout || is_compressed(file.name()))
+    throw Error(Element::file, 0,
+                file.name() +
+                    ": is text or compressed, and an edit is transferred to binary files; convert it to "
+                    "binary PLY first");
+  return *layout;
+}
+
 }  // namespace
 
 TransferReport transfer(const std::filesystem::path& large, const std::filesystem::path& from,
@@ -209,44 +225,37 @@ TransferReport transfer(const std::filesystem::path& large, const std::filesyste
   const SourceFile file(large);
   const FileState before = file.state();
   const std::string format = format_of(large, "");
-  const std::optional<Layout> layout = layout_of(file, format);
-  if (!layout || is_compressed(large))
-    throw Error(Element::file, 0,
-                large.string() +
-                    ": is text or compressed, and an edit is transferred to binary files; convert it to "
-                    "binary PLY first");
+  const Layout layout = binary_layout(file, format);
   const common::Workers workers(options.threads);
   const Sampling sampling = read_sampling(from, to, workers);
   const SampleIndex index(sampling.samples.before);
-  OutputLayout out(file, *layout, format, sampling.channels);
+  OutputLayout out(file, layout, format, sampling.channels);
   const Transfer edit(sampling, index, out, options, output.string());
   WorkFolder folder(options.work, identity_of(before, from, to, options), options.resume);
-  Checkpoints checkpoints(folder, layout->records);
+  Checkpoints checkpoints(folder, layout.records);
   Output written(output, folder, out);
   checkpoints.begin(written.done());
-  const std::size_t size = layout->record_size, size_out = out.layout().record_size;
+  const std::size_t size = layout.record_size, size_out = out.layout().record_size;
   std::vector<char> records(batch_size * size), edited(batch_size * size_out);
-  while (written.done() < layout->records) {
+  while (written.done() < layout.records) {
     const std::uint64_t done = written.done();
-    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, layout->records - done));
-    file.read(layout->begin + done * size, std::span(records).first(count * size));
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, layout.records - done));
+    file.read(layout.begin + done * size, std::span(records).first(count * size));
     workers.in_pieces(count, piece, [&](std::size_t begin, std::size_t end) {
       copy_records(std::span(records).subspan(begin * size, (end - begin) * size), size, size_out,
                    &edited[begin * size_out]);
       PointArrays points;
-      decode(*layout, &records[begin * size], end - begin, {.channels = false}, points);
-      edit.apply(points.points((done + begin) * layout->points_per_record),
+      decode(layout, &records[begin * size], end - begin, {.channels = false}, points);
+      edit.apply(points.points((done + begin) * layout.points_per_record),
                  std::span(edited).subspan(begin * size_out, (end - begin) * size_out));
     });
     written.add(std::span(edited).first(count * size_out), count);
     if (checkpoints.is_due(written.done())) written.save();
-    if (options.progress) options.progress(static_cast<double>(written.done()) / static_cast<double>(layout->records));
+    if (options.progress) options.progress(static_cast<double>(written.done()) / static_cast<double>(layout.records));
   }
   file.require_unchanged(before);
-  written.finish(file, layout->begin + layout->size(), out);
-  TransferReport report{layout->points(), sampling.is_deformed, {}};
-  for (const Channel& channel : sampling.channels) report.channels.push_back(channel.name);
-  return report;
+  written.finish(file, layout.begin + layout.size(), out);
+  return {layout.points(), sampling.is_deformed, names_of(sampling.channels)};
 }
 
 }  // namespace glark::stream

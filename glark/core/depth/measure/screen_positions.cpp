@@ -90,8 +90,9 @@ void ScreenPositions::capture(const PositionRequest& request, const core::Bindin
   gl_.UseProgram(request.program.name);
   gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback_);
   gl_.BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer_.name(), 0, words_offset(request.program.points));
-  gl_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER,
-                 bindings.feedback_buffer);  // only the generic binding point: the indexed one belongs to the object
+  gl_.BindBuffer(
+      GL_TRANSFORM_FEEDBACK_BUFFER,
+      bindings.transform_feedback.buffer);  // only the generic binding point: the indexed one belongs to the object
   if (!bindings.rasterizer_discard) {
     gl_.Enable(GL_RASTERIZER_DISCARD);
   }
@@ -105,7 +106,7 @@ void ScreenPositions::capture(const PositionRequest& request, const core::Bindin
   if (!bindings.rasterizer_discard) {
     gl_.Disable(GL_RASTERIZER_DISCARD);
   }
-  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback);
+  gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, bindings.transform_feedback.object);
 }
 
 void ScreenPositions::draw_corners(const PositionRequest& request) {

@@ -24,10 +24,10 @@ Measures what_shows(const Measures& measures) {
 }  // namespace
 
 int culled_side(const core::Bindings& bindings) {
-  if (!bindings.cull_face || bindings.culled_face == GL_FRONT_AND_BACK) {
+  if (!bindings.culling.enabled || bindings.culling.face == GL_FRONT_AND_BACK) {
     return 0;
   }
-  return (bindings.culled_face == GL_BACK) == (bindings.front_face == GL_CCW) ? 1 : -1;
+  return (bindings.culling.face == GL_BACK) == (bindings.culling.front_face == GL_CCW) ? 1 : -1;
 }
 
 bool ShownEdges::has_room(std::uint32_t triangles, const Measures& measures) const {

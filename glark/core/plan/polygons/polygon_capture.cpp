@@ -29,7 +29,7 @@ void PolygonCapture::follow_drawn_diagonal(const DrawCall& call, DrawPlan& plan)
   const Bindings& b = env_.bindings();
   const bool moves = traits_of(plan.derived->refinement).curves_positions || displaces(env_.options, env_.ark);
   const QuadFacts facts{.mode = call.mode,
-                        .polygon_mode = b.polygon_mode,
+                        .polygon_mode = b.polygon_modes.either(),
                         .shade_model = b.shade_model,
                         .writes_flat_outputs = plan.program->traits.writes_flat_outputs,
                         .moves_vertices = moves,

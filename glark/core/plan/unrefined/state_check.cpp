@@ -6,13 +6,13 @@ namespace glark::core {
 namespace {
 
 bool culled(const Bindings& b, GLenum face) {
-  return b.cull_face && (b.culled_face == face || b.culled_face == GL_FRONT_AND_BACK);
+  return b.culling.enabled && (b.culling.face == face || b.culling.face == GL_FRONT_AND_BACK);
 }
 
 // A face that is culled is not drawn, whatever its polygon mode is.
 bool shows_lines_or_points(const Bindings& b) {
-  return (b.front_polygon_mode != GL_FILL && !culled(b, GL_FRONT)) ||
-         (b.back_polygon_mode != GL_FILL && !culled(b, GL_BACK));
+  return (b.polygon_modes.front != GL_FILL && !culled(b, GL_FRONT)) ||
+         (b.polygon_modes.back != GL_FILL && !culled(b, GL_BACK));
 }
 
 }  // namespace
@@ -25,20 +25,19 @@ std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& con
   if (b.render_mode != GL_RENDER) {
     return Cause::render_mode;
   }
-  if (b.transform_feedback_active && !b.transform_feedback_paused && !conditions.feedback_is_ours) {
+  if (b.transform_feedback.active && !b.transform_feedback.paused && !conditions.feedback_is_ours) {
     return Cause::transform_feedback;
   }
   // Counting our own triangles would take a query that the application has open.
-  const bool needs_query = !call.exact && b.primitives_written_query != 0 && b.primitives_generated_query != 0;
-  if ((conditions.transparent && b.primitive_queries > 0) || needs_query) {
+  const bool needs_query = !call.exact && b.queries.written != 0 && b.queries.generated != 0;
+  if ((conditions.transparent && b.queries.active > 0) || needs_query) {
     return Cause::primitive_query;
   }
   if (conditions.transparent && shows_lines_or_points(b)) {
     return Cause::polygon_mode;
   }
   // Without rasterization, transform feedback and a query of generated primitives still see refined triangles.
-  const bool results_count =
-      conditions.feedback_is_ours || conditions.plans_feedback || b.primitives_generated_query != 0;
+  const bool results_count = conditions.feedback_is_ours || conditions.plans_feedback || b.queries.generated != 0;
   if (b.rasterizer_discard && !results_count) {
     return Cause::rasterizer_discard;
   }

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The vertex arrays and the buffers bound to targets. State that the hooks do not know is queried from GL.
+// The inputs of the vertex stage: the vertex arrays, the buffers bound to targets, and the current attribute values.
+// State of arrays and buffers that the hooks do not know is queried from GL.
 #pragma once
 
 #include "glark/core/state/arrays/bound_buffers.h"
 #include "glark/core/state/arrays/buffer_stamps.h"
+#include "glark/core/state/arrays/current_values.h"
 #include "glark/core/state/arrays/vertex_arrays.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
@@ -26,7 +28,7 @@ class ArrayState {
     const BufferStamps& buffers;
     Stamps& stamps;
   };
-  explicit ArrayState(const Neighbours& neighbours) : of_(neighbours) {}
+  explicit ArrayState(const Neighbours& neighbours) : of_(neighbours) { forget_current_values(); }
 
   BoundBuffers& bound_buffers() { return bound_buffers_; }
   const BoundBuffers& bound_buffers() const { return bound_buffers_; }
@@ -41,6 +43,11 @@ class ArrayState {
   const AttributeSource& attribute_source(int slot);
   const BoundBuffer& element_buffer();
 
+  CurrentValues& current_values() { return current_values_; }
+  const CurrentValues& current_values() const { return current_values_; }
+  // Something may have changed all current values.
+  void forget_current_values() { current_values_.forget(of_.stamps.next()); }
+
   // The unit that glTexCoordPointer sets (glClientActiveTexture); 0: not known.
   GLenum client_texture() const { return client_texture_; }
   void set_client_texture(GLenum unit) { client_texture_ = unit; }
@@ -54,6 +61,7 @@ class ArrayState {
   Neighbours of_;
   BoundBuffers bound_buffers_;
   VertexArrays vertex_arrays_;
+  CurrentValues current_values_;
   GLenum client_texture_ = 0;
 };
 

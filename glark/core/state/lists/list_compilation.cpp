@@ -17,14 +17,14 @@ void ListCompilation::begin(GLuint name, GLenum mode, bool cutting) {
 
 std::shared_ptr<DisplayList> ListCompilation::end() {
   list_->changes_uniforms |= changes_uniforms_;
-  list_->refinable = cutting_ && !in_primitive_;  // a glBegin left open reaches into the next list
-  list_->leaves_open = in_primitive_ || uncut_begins_ > 0;
+  list_->refinable = cutting_ && !primitive_.open();  // a glBegin left open reaches into the next list
+  list_->leaves_open = primitive_.open() || uncut_begins_ > 0;
   compiling_ = cutting_ = false;
   return std::exchange(list_, nullptr);
 }
 
 bool ListCompilation::add_stack_step(StackStep step) {
-  if (!compiling_ || in_primitive_) {
+  if (!compiling_ || primitive_.open()) {
     return false;
   }
   list_->stack_steps.push_back(step);
@@ -32,7 +32,7 @@ bool ListCompilation::add_stack_step(StackStep step) {
 }
 
 void ListCompilation::add_loose_vertices(std::uint64_t vertices) {
-  if (!in_primitive_) {
+  if (!primitive_.open()) {
     list_->loose_vertices += vertices;
   }
 }
@@ -44,7 +44,7 @@ void ListCompilation::add_call(ListSegment::Kind kind, GLuint list) {
 
 void ListCompilation::add_vertex_list(VertexList list) {
   list_->calls_lists = true;
-  vertex_lists_.push_back(list);
+  primitive_.add(list);
 }
 
 const ListSegment& ListCompilation::close_segment(ListSegment segment, std::uint64_t identity) {
@@ -55,18 +55,6 @@ const ListSegment& ListCompilation::close_segment(ListSegment segment, std::uint
   list_->changes_uniforms |= segment.effects.changes_uniforms;
   list_->segments.push_back(std::move(segment));
   return list_->segments.back();
-}
-
-void ListCompilation::begin_primitive(GLenum mode, bool draws) {
-  in_primitive_ = true;
-  in_draw_ = draws;
-  primitive_mode_ = mode;
-  vertex_lists_.clear();
-}
-
-bool ListCompilation::end_primitive() {
-  in_primitive_ = false;
-  return std::exchange(in_draw_, false);
 }
 
 }  // namespace glark::core

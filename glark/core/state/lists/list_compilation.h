@@ -7,9 +7,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "glark/core/state/lists/display_list.h"
+#include "glark/core/state/lists/list_primitive.h"
 
 namespace glark::core {
 
@@ -34,8 +34,8 @@ class ListCompilation {
   void note_uniforms() { changes_uniforms_ = true; }
   // glMaterial sets these parameters.
   void note_material(MaterialSet parameters, bool before_vertices) {
-    effects_.materials.set |= in_primitive_;
-    effects_.materials.varying |= in_primitive_ && !before_vertices ? parameters : 0;
+    effects_.materials.set |= primitive_.open();
+    effects_.materials.varying |= primitive_.open() && !before_vertices ? parameters : 0;
   }
 
   // Adds an effect of the whole list. Between glBegin and glEnd GL refuses these calls: then nothing is added, and the
@@ -52,20 +52,14 @@ class ListCompilation {
   const ListSegment& close_segment(ListSegment segment, std::uint64_t identity);
   const ListSegment& last_segment() const { return list_->segments.back(); }
 
-  // glBegin in a list that is cut; `draws`: a draw segment begins.
-  void begin_primitive(GLenum mode, bool draws);
-  // True: a draw segment ends.
-  bool end_primitive();
+  ListPrimitive& primitive() { return primitive_; }
+  const ListPrimitive& primitive() const { return primitive_; }
   // glBegin and glEnd of a list, or part of a list, that is not cut.
   void note_begin() { ++uncut_begins_; }
   void note_end() {
     list_->ends_primitive |= uncut_begins_ == 0;
     uncut_begins_ -= uncut_begins_ > 0 ? 1 : 0;
   }
-  bool in_primitive() const { return in_primitive_; }
-  GLenum primitive_mode() const { return primitive_mode_; }
-  // Lists called since glBegin.
-  const std::vector<VertexList>& vertex_lists() const { return vertex_lists_; }
 
  private:
   bool compiling_ = false;
@@ -76,11 +70,8 @@ class ListCompilation {
   GLuint open_list_ = 0;
   SegmentEffects effects_;  // of the open segment
   bool changes_uniforms_ = false;
-  bool in_primitive_ = false;
+  ListPrimitive primitive_;
   int uncut_begins_ = 0;
-  bool in_draw_ = false;
-  GLenum primitive_mode_ = 0;
-  std::vector<VertexList> vertex_lists_;
 };
 
 }  // namespace glark::core

@@ -20,14 +20,14 @@ class StateChanges {
     if (state_.lists().compiling()) {
       record_current(slot, {again, index, bytes}, components);
     } else if (slot >= 0) {
-      state_.current_values().set(slot, again, index, components, bytes);
+      state_.arrays().current_values().set(slot, again, index, components, bytes);
     }
   }
   // A call sets current values in a way that is not followed.
   void forget_values() {
     forget_in_list();
     if (!state_.lists().compiling()) {
-      state_.forget_current_values();
+      state_.arrays().forget_current_values();
     }
   }
   // A call sets state that a list may set between glBegin and glEnd, and that is not followed.
@@ -45,7 +45,7 @@ class StateChanges {
     state_.lists().effects().touches_state = true;
   }
   void touch_assembly() {
-    state_.assembly().forget();
+    state_.programs().assembly().forget();
     state_.lists().effects().touches_state = true;
   }
   void touch_any_matrix() {

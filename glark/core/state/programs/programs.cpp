@@ -38,7 +38,13 @@ bool may_store(const std::vector<StageSource>& stages) {
 
 Programs::Programs(const gl::Dispatch& gl, const Capabilities& capabilities, ShareGroup& share, PendingError& pending,
                    ProgramWatcher& watcher)
-    : gl_(gl), capabilities_(capabilities), share_(share), pending_(pending), watcher_(watcher), pipelines_(gl) {
+    : gl_(gl),
+      capabilities_(capabilities),
+      share_(share),
+      pending_(pending),
+      watcher_(watcher),
+      pipelines_(gl),
+      assembly_(gl, share) {
   const std::lock_guard lock(share_.mutex);
   share_.contexts.push_back(this);
   mirroring_ = share_.any_derived.load();
@@ -169,7 +175,7 @@ void Programs::linked(GLuint name, std::vector<StageSource> stages) {
   gl_.GetProgramiv(name, GL_LINK_STATUS, &linked);
   program->linked = linked != GL_FALSE;
   program->subroutines_asked = false;
-  forget_subroutines();
+  subroutines_.forget();
 }
 
 void Programs::deleted(GLuint name) {

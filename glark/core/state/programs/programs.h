@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "glark/core/objects/error_scope.h"
+#include "glark/core/state/assembly/assembly_state.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
+#include "glark/core/state/programs/chosen_subroutines.h"
 #include "glark/core/state/programs/program.h"
 #include "glark/core/state/programs/program_pipelines.h"
 #include "glark/gl/dispatch.h"
@@ -54,15 +56,9 @@ class Programs {
   // GL reports that this program is in use.
   void adopt(GLuint name);
   ProgramPipelines& pipelines() { return pipelines_; }
+  AssemblyState& assembly() { return assembly_; }
 
-  // The subroutines that the program in use has chosen; valid while they are known.
-  bool subroutines_known() const { return subroutines_known_; }
-  void forget_subroutines() { subroutines_known_ = false; }
-  const SubroutineChoice& subroutines() const { return subroutines_; }
-  void set_subroutines(SubroutineChoice choice) {
-    subroutines_ = std::move(choice);
-    subroutines_known_ = true;
-  }
+  ChosenSubroutines& subroutines() { return subroutines_; }
 
   // Uniform calls must reach derived programs, too.
   bool mirroring() const { return mirroring_.load(std::memory_order_seq_cst); }
@@ -82,9 +78,9 @@ class Programs {
   PendingError& pending_;
   ProgramWatcher& watcher_;
   ProgramPipelines pipelines_;
+  AssemblyState assembly_;
   std::shared_ptr<Program> current_;
-  bool subroutines_known_ = false;
-  SubroutineChoice subroutines_;
+  ChosenSubroutines subroutines_;
   std::atomic<bool> mirroring_ = false;  // any context of the group sets it
 };
 

@@ -110,7 +110,7 @@ void forget_state(Context& c, const DisplayList* list) {
   c.state().forget_bindings();
   c.state().fixed_function().touch();
   c.changes().touch_any_matrix();
-  c.state().forget_current_values();
+  c.state().arrays().forget_current_values();
   if (list == nullptr || list->changes_uniforms) {
     forget_uniforms(c);
   }

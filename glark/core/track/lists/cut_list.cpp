@@ -65,17 +65,17 @@ ListSegment immediate_segment(Context& c) {
   constexpr std::uint64_t vertices_of_parts = 160;
   const bool restarts = immediate.restarted() || c.state().bindings().primitive_restart || immediate.elements_restart();
   const bool parts =
-      lists.effects().late || !lists.vertex_lists().empty() || !std::has_single_bit(immediate.components());
+      lists.effects().late || !lists.primitive().vertex_lists().empty() || !std::has_single_bit(immediate.components());
   const std::uint64_t own = immediate.all_vertices();
   const std::uint64_t vertices = (restarts ? joined * own : own) + (parts && own > 0 ? vertices_of_parts : 0);
   return {.kind = ListSegment::Kind::draw,
-          .mode = lists.primitive_mode(),
+          .mode = lists.primitive().mode(),
           .vertices = vertices,
-          .triangles = triangles_of(lists.primitive_mode(), vertices),
+          .triangles = triangles_of(lists.primitive().mode(), vertices),
           .exact = !restarts && !parts,
-          .sets_tags = immediate.tags_set() || !lists.vertex_lists().empty(),
+          .sets_tags = immediate.tags_set() || !lists.primitive().vertex_lists().empty(),
           .whole_polygons = !restarts && !parts,
-          .vertex_lists = lists.vertex_lists()};
+          .vertex_lists = lists.primitive().vertex_lists()};
 }
 
 // Replaces the application's list with one that calls the segments, and returns the previous list of this name.
@@ -119,7 +119,7 @@ void end_list(Context& c) {
 namespace track {
 
 void record_draw(Context& c, const DrawCall& call) {
-  if (c.state().lists().in_primitive() || !is_triangle_mode(call.mode)) {
+  if (c.state().lists().primitive().open() || !is_triangle_mode(call.mode)) {
     c.changes().forget_in_list();  // it leaves the values of its last vertex
     call.issue();
     return;
@@ -142,12 +142,12 @@ void record_draw(Context& c, const DrawCall& call) {
 
 bool list_begin(Context& c, GLenum mode) {
   ListCompilation& lists = c.state().lists();
-  if (!lists.cutting() || lists.in_primitive()) {
+  if (!lists.cutting() || lists.primitive().open()) {
     return false;
   }
   c.state().immediate().forget_tags();
   c.state().refresh();
-  lists.begin_primitive(mode, is_triangle_mode(mode));
+  lists.primitive().begin(mode, is_triangle_mode(mode));
   if (is_triangle_mode(mode)) {
     close_segment(c, {});
     open_segment(c, GL_COMPILE);
@@ -158,12 +158,12 @@ bool list_begin(Context& c, GLenum mode) {
 
 bool list_end(Context& c) {
   ListCompilation& lists = c.state().lists();
-  if (!lists.cutting() || !lists.in_primitive()) {
+  if (!lists.cutting() || !lists.primitive().open()) {
     return false;
   }
   c.gl().End();
   track::record_materials_end(c);
-  if (lists.end_primitive()) {
+  if (lists.primitive().end()) {
     c.state().refresh();  // restart may have been enabled after glBegin
     close_segment(c, immediate_segment(c));
     execute_last(c);
@@ -175,7 +175,7 @@ bool list_end(Context& c) {
 void record_call(Context& c, GLuint name) {
   ListCompilation& lists = c.state().lists();
   lists.add_stack_step({StackStep::Kind::call, name});
-  if (!lists.cutting() || lists.in_primitive()) {
+  if (!lists.cutting() || lists.primitive().open()) {
     lists.add_vertex_list({name, false});
     c.gl().CallList(name);
     if (lists.executes_too()) follow_stack(c, name);
@@ -193,7 +193,7 @@ void record_calls(Context& c, GLsizei n, GLenum type, const void* names) {
   for (GLsizei i = 0; i < n; ++i) {
     lists.add_stack_step({StackStep::Kind::call_offset, name_at(type, names, i)});
   }
-  if (!lists.cutting() || lists.in_primitive()) {
+  if (!lists.cutting() || lists.primitive().open()) {
     for (GLsizei i = 0; i < n; ++i) {
       lists.add_vertex_list({name_at(type, names, i), true});
     }

@@ -21,10 +21,10 @@ bool materials_unknown(Context& c, const SegmentMaterials& materials) {
 
 void apply_effects(Context& c, const SegmentEffects& effects) {
   if (effects.opaque) {
-    c.state().forget_current_values();
+    c.state().arrays().forget_current_values();
   }
   for (const SegmentEffects::Value& last : effects.values) {
-    c.state().current_values().set(last.slot, last.value);
+    c.state().arrays().current_values().set(last.slot, last.value);
   }
 }
 
@@ -43,7 +43,7 @@ void run_state(Context& c, const ListSegment& segment) {
   if (segment.effects.touches_state) {
     c.state().forget_bindings();
     c.state().fixed_function().touch();
-    c.state().programs().forget_subroutines();
+    c.state().programs().subroutines().forget();
     c.changes().touch_any_matrix();
   }
   if (segment.effects.changes_uniforms) {
@@ -71,7 +71,7 @@ void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
                       .issue = issue};
   materials_unknown(c, segment.effects.materials) ? leave(c, call, Cause::materials_vary) : refine(c, call);
   if (!watched) {
-    c.state().forget_current_values();
+    c.state().arrays().forget_current_values();
   }
   if (!issued) {  // its capture was kept: set the current values that its calls leave behind
     for (const SegmentEffects::Value& last : segment.effects.values) {

@@ -18,13 +18,13 @@ bool follows(Context& c, GLenum target) {
 
 void note_environment(Context& c, GLenum target, GLuint first, const GLfloat* values, GLsizei count = 1) {
   if (follows(c, target) && values != nullptr) {
-    c.state().assembly().set_environment(first, values, count);
+    c.state().programs().assembly().set_environment(first, values, count);
   }
 }
 
 void note_local(Context& c, GLenum target, GLuint first, const GLfloat* values, GLsizei count = 1) {
   if (follows(c, target) && values != nullptr) {
-    c.state().assembly().set_local(first, values, count);
+    c.state().programs().assembly().set_local(first, values, count);
   }
 }
 
@@ -40,21 +40,21 @@ namespace hook {
 void BindProgramARB(Context& c, GLenum target, GLuint program) {
   c.gl().BindProgramARB(target, program);
   if (follows(c, target)) {
-    c.state().assembly().bound(program);
+    c.state().programs().assembly().bound(program);
   }
 }
 
 void DeleteProgramsARB(Context& c, GLsizei n, const GLuint* programs) {
   c.gl().DeleteProgramsARB(n, programs);
   if (n > 0 && programs != nullptr && !c.state().immediate().open()) {
-    c.state().assembly().deleted({programs, static_cast<std::size_t>(n)});
+    c.state().programs().assembly().deleted({programs, static_cast<std::size_t>(n)});
   }
 }
 
 void ProgramStringARB(Context& c, GLenum target, GLenum format, GLsizei length, const void* string) {
   c.gl().ProgramStringARB(target, format, length, string);
   if (follows(c, target)) {
-    c.state().assembly().loaded();
+    c.state().programs().assembly().loaded();
   }
 }
 
@@ -62,7 +62,7 @@ void NamedProgramStringEXT(Context& c, GLuint program, GLenum target, GLenum for
                            const void* string) {
   c.gl().NamedProgramStringEXT(program, target, format, length, string);
   if (follows(c, target)) {
-    c.state().assembly().loaded(program);
+    c.state().programs().assembly().loaded(program);
   }
 }
 

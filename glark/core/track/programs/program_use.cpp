@@ -23,9 +23,9 @@ bool follow_change(Context& c) {
   if (!track::executes(c)) {
     return false;
   }
-  c.state().programs().forget_subroutines();
+  c.state().programs().subroutines().forget();
   c.state().programs().refresh_mirroring();
-  if (c.state().bindings().transform_feedback_active && c.state().bindings_stale()) {
+  if (c.state().bindings().transform_feedback.active && c.state().bindings().stale) {
     // Feedback may have ended. Then GL accepts the program, and later uniform calls set its values.
     c.state().refresh();
   }
@@ -34,7 +34,7 @@ bool follow_change(Context& c) {
 
 // Returns false if GL may have refused the program.
 bool use_known(Context& c, GLuint program) {
-  if (c.state().bindings().transform_feedback_active) {
+  if (c.state().bindings().transform_feedback.active) {
     return false;
   }
   c.state().programs().use(c.state().programs().find(program));
@@ -66,7 +66,7 @@ void UseProgram(Context& c, GLuint program) {
 
 void UniformSubroutinesuiv(Context& c, GLenum type, GLsizei count, const GLuint* indices) {
   c.gl().UniformSubroutinesuiv(type, count, indices);
-  c.state().programs().forget_subroutines();
+  c.state().programs().subroutines().forget();
 }
 
 void BindProgramPipeline(Context& c, GLuint pipeline) {
@@ -75,7 +75,7 @@ void BindProgramPipeline(Context& c, GLuint pipeline) {
     return;
   }
   if (pipeline != 0 &&
-      (c.state().bindings().transform_feedback_active || c.gl().IsProgramPipeline(pipeline) == GL_FALSE)) {
+      (c.state().bindings().transform_feedback.active || c.gl().IsProgramPipeline(pipeline) == GL_FALSE)) {
     c.state().forget_bindings();  // GL may have refused
     return;
   }
@@ -85,7 +85,7 @@ void BindProgramPipeline(Context& c, GLuint pipeline) {
 void UseProgramStages(Context& c, GLuint pipeline, GLbitfield stages, GLuint program) {
   c.gl().UseProgramStages(pipeline, stages, program);
   leave_program(c);
-  c.state().programs().forget_subroutines();
+  c.state().programs().subroutines().forget();
   c.state().programs().pipelines().changed(pipeline);
 }
 

@@ -32,8 +32,8 @@ GLuint* triangle_query(Context& c, GLenum target, GLuint index) {
   if (index != 0) {
     return nullptr;
   }
-  return target == GL_PRIMITIVES_GENERATED                    ? &c.state().bindings().primitives_generated_query
-         : target == GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN ? &c.state().bindings().primitives_written_query
+  return target == GL_PRIMITIVES_GENERATED                    ? &c.state().bindings().queries.generated
+         : target == GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN ? &c.state().bindings().queries.written
                                                               : nullptr;
 }
 
@@ -41,7 +41,7 @@ void query_begun(Context& c, GLenum target, GLuint index, GLuint id) {
   if (!counts_primitives(target)) {
     return;
   }
-  ++c.state().bindings().primitive_queries;
+  ++c.state().bindings().queries.active;
   if (GLuint* slot = triangle_query(c, target, index); slot != nullptr && *slot == 0) {
     *slot = id;
     c.state().query_surplus().forget(id);
@@ -52,7 +52,7 @@ void query_ended(Context& c, GLenum target, GLuint index) {
   if (!counts_primitives(target)) {
     return;
   }
-  c.state().bindings().primitive_queries = std::max(0, c.state().bindings().primitive_queries - 1);
+  c.state().bindings().queries.active = std::max(0, c.state().bindings().queries.active - 1);
   if (GLuint* slot = triangle_query(c, target, index); slot != nullptr) {
     *slot = 0;
   }

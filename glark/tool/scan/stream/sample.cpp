@@ -89,6 +89,22 @@ void sample(const Sample& command) {
   print(printed, command.json);
 }
 
+void describe_refinement(CLI::App& command, Sample& sampling) {
+  command
+      .add_option("--refine", sampling.region,
+                  "Take more samples of a region: box:X,Y,Z,X,Y,Z, sphere:X,Y,Z,R, or channel:NAME for the samples "
+                  "whose property is not zero")
+      ->type_name("REGION");
+  command.add_option("--from", sampling.from, "With --refine: the sampling, whose index is SMALL.cells")
+      ->type_name("SMALL");
+  command.add_option("--to", sampling.to, "With --refine: the edited sampling, in which the region lies")
+      ->type_name("EDITED");
+  command
+      .add_option("--edited-output", sampling.edited_output,
+                  "With --refine: the edited sampling and the new samples, deformed and coloured as those around them")
+      ->type_name("OUT");
+}
+
 }  // namespace
 
 void add_sample(CLI::App& app) {
@@ -120,19 +136,7 @@ void add_sample(CLI::App& app) {
       ->type_name("NAME");
   command->add_flag("--skip-invalid", options.skip_invalid,
                     "Leave out points with NaN or infinite coordinates instead of stopping");
-  command
-      ->add_option("--refine", sampling->region,
-                   "Take more samples of a region: box:X,Y,Z,X,Y,Z, sphere:X,Y,Z,R, or channel:NAME for the samples "
-                   "whose property is not zero")
-      ->type_name("REGION");
-  command->add_option("--from", sampling->from, "With --refine: the sampling, whose index is SMALL.cells")
-      ->type_name("SMALL");
-  command->add_option("--to", sampling->to, "With --refine: the edited sampling, in which the region lies")
-      ->type_name("EDITED");
-  command
-      ->add_option("--edited-output", sampling->edited_output,
-                   "With --refine: the edited sampling and the new samples, deformed and coloured as those around them")
-      ->type_name("OUT");
+  describe_refinement(*command, *sampling);
   command->add_flag("--resume", options.resume, resume_help);
   command->add_flag("--text", sampling->text, "Write PLY as text");
   command->add_flag("--json", sampling->json, "Report as JSON on standard output");

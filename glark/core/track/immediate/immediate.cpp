@@ -3,6 +3,7 @@
 //
 // Hooks of glBegin and glEnd. The vertices go straight to GL; they are only counted.
 #include "glark/core/plan/program_choice.h"
+#include "glark/core/track/immediate/count_vertex.h"
 #include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
 
@@ -167,10 +168,10 @@ void PrimitiveRestartNV(Context& c) {
   c.gl().PrimitiveRestartNV();
   ImmediateMode& immediate = c.state().immediate();
   const ListCompilation& lists = c.state().lists();
-  if (!immediate.open() && !lists.in_primitive()) {
+  if (!immediate.open() && !lists.primitive().open()) {
     return;
   }
-  const GLenum mode = lists.compiling() ? lists.primitive_mode() : immediate.mode();
+  const GLenum mode = lists.compiling() ? lists.primitive().mode() : immediate.mode();
   immediate.restart(triangles_of(mode, immediate.vertices()), vertices_of_primitive(mode));
 }
 

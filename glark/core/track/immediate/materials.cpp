@@ -76,7 +76,7 @@ namespace track {
 
 void begin_materials(Context& c, MaterialSet parameters) {
   VertexMaterials& materials = c.state().immediate().materials();
-  CurrentValues& values = c.state().current_values();
+  CurrentValues& values = c.state().arrays().current_values();
   materials.carry(parameters);
   for_each_attribute(c, parameters, [&](int parameter, GLuint attribute) {
     const CurrentValue* known = values.find(generic_slot(attribute));
@@ -91,7 +91,7 @@ void begin_materials(Context& c, MaterialSet parameters) {
 void end_materials(Context& c) {
   VertexMaterials& materials = c.state().immediate().materials();
   for_each_attribute(c, materials.carried(), [&](int parameter, GLuint attribute) {
-    const CurrentValue* known = c.state().current_values().find(generic_slot(attribute));
+    const CurrentValue* known = c.state().arrays().current_values().find(generic_slot(attribute));
     const CurrentValue& value = known != nullptr ? *known : materials.displaced(parameter);
     value.again(c.gl(), value.index, value.components.data());
   });
@@ -113,7 +113,7 @@ void record_material(Context& c, const MaterialChange& change) {
   c.changes().forget_in_list();
   lists.note_material(change.parameters(), before_vertices);
   change.call(c.gl(), change);
-  if (!lists.in_primitive() || !is_triangle_mode(lists.primitive_mode())) {
+  if (!lists.primitive().open() || !is_triangle_mode(lists.primitive().mode())) {
     return;
   }
   if (before_vertices && replaces_fixed_function(c)) {
