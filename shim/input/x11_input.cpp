@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -51,6 +53,11 @@ class X11Input final : public InputSource {
   void button_moved(const xcb_button_press_event_t& event, bool down, std::vector<InputEvent>& events);
   void note_error(const xcb_generic_error_t& error);
   void look_for_pointer(std::vector<InputEvent>& events);
+  void tell_pointer(const xcb_query_pointer_reply_t* pointer, std::vector<InputEvent>& events);
+  void forget_pointer() {
+    told_.reset();
+    told_left_ = false;
+  }
   void make_cover();
   void set_keyboard(bool ours);
 
@@ -65,6 +72,9 @@ class X11Input final : public InputSource {
   bool keyboard_ours_ = false;
   unsigned buttons_ = 0;  // that are down, by bits
   std::pair<xcb_keycode_t, xcb_timestamp_t> released_{};
+  std::optional<xcb_query_pointer_cookie_t> asked_;  // where the pointer is; the answer comes by the next frame
+  std::optional<std::pair<int, int>> told_;          // where the pointer is over the panel
+  bool told_left_ = false;                           // the pointer is elsewhere
   bool complained_ = false;
   bool gone_ = false;
 };
@@ -157,16 +167,35 @@ void X11Input::poll(std::vector<InputEvent>& events) {
   if (area_ && !gone()) look_for_pointer(events);
 }
 
+// Nobody waits for the X server: the answer to the question of one frame is read in the next one. A place that is older
+// than a click in `events` is not told.
 void X11Input::look_for_pointer(std::vector<InputEvent>& events) {
-  const Reply<xcb_query_pointer_reply_t> pointer(
-      xcb_.xcb_query_pointer_reply_(connection_, xcb_.xcb_query_pointer_(connection_, window_), nullptr));
+  const bool clicked = std::any_of(events.begin(), events.end(),
+                                   [](const InputEvent& event) { return event.kind == InputEvent::Kind::button; });
+  if (asked_) {
+    const Reply<xcb_query_pointer_reply_t> pointer(xcb_.xcb_query_pointer_reply_(connection_, *asked_, nullptr));
+    if (!clicked) tell_pointer(pointer.get(), events);
+  }
+  if (clicked) forget_pointer();
+  asked_ = xcb_.xcb_query_pointer_(connection_, window_);
+  xcb_.xcb_flush_(connection_);
+}
+
+// A pointer that rests makes no events.
+void X11Input::tell_pointer(const xcb_query_pointer_reply_t* pointer, std::vector<InputEvent>& events) {
   const bool here = pointer != nullptr && (pointer->child == cover_ || buttons_ != 0);
-  if (here)
-    events.push_back({.kind = InputEvent::Kind::move,
-                      .x = static_cast<float>(pointer->win_x),
-                      .y = static_cast<float>(pointer->win_y)});
-  else
-    events.push_back({.kind = InputEvent::Kind::leave});
+  if (!here) {
+    if (!told_left_) events.push_back({.kind = InputEvent::Kind::leave});
+    forget_pointer();
+    told_left_ = true;
+    return;
+  }
+  const std::pair<int, int> place{pointer->win_x, pointer->win_y};
+  if (told_ == place) return;
+  told_ = place;
+  told_left_ = false;
+  events.push_back(
+      {.kind = InputEvent::Kind::move, .x = static_cast<float>(place.first), .y = static_cast<float>(place.second)});
 }
 
 void X11Input::make_cover() {
@@ -207,6 +236,7 @@ void X11Input::share(const InputShare& share) {
   }
   if (share.pointer && !area_) xcb_.xcb_map_window_(connection_, cover_);
   if (!share.pointer && area_) {
+    forget_pointer();
     xcb_.xcb_unmap_window_(connection_, cover_);
     buttons_ = 0;
   }

@@ -67,9 +67,9 @@ def write_row(path: pathlib.Path, name: str, pictures: list, compared: numpy.nda
     row.save(path)
 
 
-def join(rows: list, folder: pathlib.Path) -> None:
-    """Writes folder/sheetN.png from the rows."""
-    for old in folder.glob("sheet*.png"):
+def join(rows: list, folder: pathlib.Path, name: str = "sheet") -> None:
+    """Writes folder/NAMEn.png from the rows."""
+    for old in folder.glob(f"{name}[0-9]*.png"):
         old.unlink()
     for number, begin in enumerate(range(0, len(rows), ROWS_A_SHEET), 1):
         pictures = [Image.open(row) for row in rows[begin:begin + ROWS_A_SHEET]]
@@ -78,4 +78,4 @@ def join(rows: list, folder: pathlib.Path) -> None:
         for picture in pictures:
             sheet.paste(picture, (0, top))
             top += picture.height
-        sheet.save(folder / f"sheet{number}.png")
+        sheet.save(folder / f"{name}{number}.png")
