@@ -66,8 +66,11 @@ void Panel::start_imgui() {
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   PanelInput::start();
   ImGui::StyleColorsDark();
-  ImGui::GetStyle().WindowRounding = 4;
-  ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.92F;
+  // Without corners, border and transparency, the panel needs no blending.
+  ImGui::GetStyle().WindowRounding = 0;
+  ImGui::GetStyle().WindowBorderSize = 0;
+  for (const ImGuiCol opaque : {ImGuiCol_WindowBg, ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed})
+    ImGui::GetStyle().Colors[opaque].w = 1;
   model_.title = fmt::format("glark: {}", program_names().empty() ? "program" : program_names().back());
   model_.file = settings::writable_configuration(first_environment());
 }
@@ -143,7 +146,7 @@ bool Panel::draw_imgui(const Surface& surface, bool due, PanelAnswer& answer) {
   const InOurContext current(drawer->context.get(), surface);
   if (!current) return false;
   if (due) build(answer);
-  drawer->renderer->draw(*ImGui::GetDrawData(), ImGui::GetFrameCount(), size_);
+  drawer->renderer->draw(*ImGui::GetDrawData(), ImGui::GetFrameCount(), size_, due ? answer.area : area_);
   return true;
 }
 

@@ -50,17 +50,19 @@ def closer(plain: numpy.ndarray, refined: numpy.ndarray) -> list:
             for title, picture in zip(("most changed: plain", "most changed: refined"), pictures)]
 
 
-def write_row(path: pathlib.Path, name: str, pictures: list, compared: numpy.ndarray) -> None:
+def write_row(path: pathlib.Path, name: str, pictures: list, compared=None) -> None:
     """Takes (title, frame, masks or None) for each picture. Masks with pixels get a picture of their own.
 
-    `compared` is the plain frame of the last picture: two more cells show closely where that one changed most.
+    `compared` is the plain frame of the last picture, if there is one: two more cells show closely where that one changed
+    most.
     """
     cells = []
     for title, frame, masks in pictures:
         cells.append(cell(f"{name}: {title}" if not cells else title, Image.fromarray(frame.copy())))
         if masks is not None and sum(masks.counts()):
             cells.append(cell("vanished red, appeared green, stripes purple, strays yellow", marked(frame, masks)))
-    cells += closer(compared, pictures[-1][1])
+    if compared is not None:
+        cells += closer(compared, pictures[-1][1])
     row = Image.new("RGB", (WIDTH * len(cells), HEIGHT + TITLE), "white")
     for i, one in enumerate(cells):
         row.paste(one, (WIDTH * i, 0))

@@ -196,7 +196,7 @@ def examine_panel(program: Stranger, folder: pathlib.Path, arguments: argparse.N
     pictures = [("closed", frames["closed"][-1], None), ("open, before the panel", frames["open"][-1], None)]
     if "picture" in live:
         pictures.append(("on the screen", live.pop("picture"), None))
-    contact_sheet.write_row(file_of(program, folder, ".panel.png"), program.name, pictures, frames["open"][-1])
+    contact_sheet.write_row(file_of(program, folder, ".panel.png"), program.name, pictures)
     return {"beside": beside, "within": within, "replayed": panel.opened(file_of(program, folder, ".open.log")), **live}
 
 

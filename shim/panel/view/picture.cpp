@@ -95,13 +95,13 @@ bool PanelPicture::begin(const Area& area) {
 }
 
 // The picture's colours are multiplied by its alpha: they were blended with nothing.
-void PanelPicture::show(Size window) const {
+void PanelPicture::show(Size window, bool opaque) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
   if (area_.width <= 0 || area_.height <= 0) return;
   gl_.Viewport(area_.x, window.height - area_.y - area_.height, area_.width, area_.height);
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.Disable(GL_DEPTH_TEST);
-  gl_.Enable(GL_BLEND);
+  opaque ? gl_.Disable(GL_BLEND) : gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_.UseProgram(program_);
   gl_.Uniform2f(scale_, static_cast<GLfloat>(area_.width) / static_cast<GLfloat>(size_.width),

@@ -18,8 +18,8 @@ class PanelPicture {
   bool start();
   // Draws go to an empty picture of this part of the window from now on. False: GL cannot draw to it.
   bool begin(const Area& area);
-  // Draws go to the window again. The picture is drawn over it.
-  void show(Size window) const;
+  // Draws go to the window again. The picture is drawn over it. `opaque`: it hides what is below.
+  void show(Size window, bool opaque) const;
 
  private:
   void grow(const Area& area);

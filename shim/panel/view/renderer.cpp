@@ -112,10 +112,10 @@ void PanelRenderer::paint(const ImDrawData& data) {
   for (int i = 0; i < data.CmdListsCount; ++i) draw_list(*data.CmdLists[i]);
 }
 
-void PanelRenderer::draw(const ImDrawData& data, int frame, Size window) {
+void PanelRenderer::draw(const ImDrawData& data, int frame, Size window, const Area& opaque) {
   if (frame != frame_ && lists_.update(data)) paint(data);
   frame_ = frame;
-  picture_.show(window);
+  picture_.show(window, lists_.area() == opaque);
 }
 
 }  // namespace glark::shim

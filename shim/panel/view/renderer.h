@@ -19,8 +19,8 @@ class PanelRenderer {
 
   // Builds program, buffers and font. False: GL refuses the shaders. ImGui's context is current.
   bool start();
-  // `frame`: lists with the number of the last call are not looked at again.
-  void draw(const ImDrawData& data, int frame, Size window);
+  // `frame`: lists with the number of the last call are not looked at again. `opaque`: nothing shows through here.
+  void draw(const ImDrawData& data, int frame, Size window, const Area& opaque);
 
  private:
   void make_font();
