@@ -39,12 +39,14 @@ class OpenPanel(unittest.TestCase):
         self.assertTrue(shows_panel(picture))
 
     def test_only_a_healthy_program_counts(self):
-        healthy = {"name": "a", "beside": 0, "within": 0, "shown": True, "problems": []}
-        broken = [{**healthy, "beside": 3}, {**healthy, "shown": False}, {**healthy, "problems": ["glark: error"]},
+        healthy = {"name": "a", "beside": 0, "within": 0, "replayed": True, "shown": True, "problems": []}
+        broken = [{**healthy, "beside": 3}, {**healthy, "replayed": False}, {**healthy, "shown": False}, {**healthy, "problems": ["glark: error"]},
                   {"name": "a", "failure": "status 1"}]
         self.assertTrue(is_healthy(healthy))
         self.assertFalse(any(map(is_healthy, broken)))
-        self.assertIn("1 of 5 programs", summary([healthy, *broken]))
+        text = summary([healthy, *broken, {"name": "b", "left_out": "fails without glark, too"}])
+        self.assertIn("1 of 6 programs", text)
+        self.assertIn("fail without glark, too: b", text)
 
 
 unittest.main()

@@ -216,7 +216,7 @@ def judge_panel(arguments: argparse.Namespace) -> int:
     rows = [file_of(program, arguments.folder, ".panel.png") for program in programs]
     contact_sheet.join([row for row in rows if row.exists()], arguments.folder, "panel")
     print(panel.summary(results))
-    return 0 if all(map(panel.is_healthy, results)) else 1
+    return 0 if all("left_out" in result or panel.is_healthy(result) for result in results) else 1
 
 
 def row_of(result: dict) -> list:

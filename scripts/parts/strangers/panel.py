@@ -45,35 +45,51 @@ def opened(log: pathlib.Path) -> bool:
     return "the panel is open" in log.read_text(errors="replace")
 
 
-def run_with_panel(command: list, environment: dict, settings: dict, files: tuple, seconds: float) -> dict:
-    """Runs the program on a display of its own, and says what it showed at the end. `files`: a picture and a log."""
+def run_live(command: list, environment: dict, files: tuple, seconds: float) -> str:
+    """Runs the program on a display of its own. Returns why it failed, or nothing."""
     screen, log = files
-    words = ["env", *(f"{key}={value}" for key, value in {**settings, **OPEN}.items()), *command]
     try:
-        result = run(on_display(words, "--seconds", str(seconds), "--screenshot", str(screen)), environment, log, seconds + 120,
+        result = run(on_display(command, "--seconds", str(seconds), "--screenshot", str(screen)), environment, log, seconds + 120,
                      stdout=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:
-        return {"failure": "did not end"}
-    if result.returncode != 0:
-        return {"failure": f"status {result.returncode}; see {log}"}
+        return "did not end"
+    return f"status {result.returncode}; see {log}" if result.returncode != 0 else ""
+
+
+def run_with_panel(command: list, environment: dict, settings: dict, files: tuple, seconds: float) -> dict:
+    """Runs the program with the panel, and says what it showed at the end. `files`: a picture and a log.
+
+    A program that fails without glark, too, is left out.
+    """
+    screen, log = files
+    words = ["env", *(f"{key}={value}" for key, value in {**settings, **OPEN}.items()), *command]
+    if failure := run_live(words, environment, files, seconds):
+        alone = run_live(command, environment, (screen, log.with_suffix(".alone.log")), seconds)
+        return {"left_out": "fails without glark, too"} if alone else {"failure": failure}
     with open(screen, "rb") as stream:
         picture = read_frames(stream)[0]
     return {"picture": picture, "shown": shows_panel(picture), "opened": opened(log), "problems": problems_of(log)}
 
 
 def is_healthy(result: dict) -> bool:
-    return not result.get("failure") and result["beside"] == 0 and result["shown"] and not result["problems"]
+    return (not result.get("failure") and result["replayed"] and result["beside"] == 0 and result["shown"]
+            and not result["problems"])
 
 
 def summary(results: list) -> str:
     """One sentence, and one line for each program that is not healthy."""
+    left_out = [result["name"] for result in results if "left_out" in result]
+    results = [result for result in results if "left_out" not in result]
     healthy = [result for result in results if is_healthy(result)]
     same = sum(result.get("within") == 0 for result in healthy)
     lines = [f"panel: {len(healthy)} of {len(results)} programs run with the panel open and draw the same pixels beside it; "
              f"{same} draw the same pixels under it, too."]
+    if left_out:
+        lines.append(f"  left out, because they fail without glark, too: {', '.join(left_out)}")
     for result in results:
         if not is_healthy(result):
             lines.append(f"  {result['name']}: " + (result.get("failure") or "; ".join(
                 [f"{result['beside']} pixels beside the panel differ"] * (result["beside"] > 0)
+                + ["the panel was not open in the replay"] * (not result["replayed"])
                 + ["the panel is not on the screen"] * (not result["shown"]) + result["problems"])))
     return "\n".join(lines)

@@ -88,26 +88,6 @@ TEST_F(WatchedDraws, TheNextFrameHasTheNewLevel) {
   EXPECT_EQ(draw_frame(), 2U * 16);
 }
 
-// The user moves the budget while the program runs. It takes some frames: each one follows the count of the one before.
-TEST_F(WatchedDraws, TheNextFramesFollowTheNewBudget) {
-  const auto after_frames = [&](unsigned budget) {
-    options_.measure.budget = budget;
-    change();
-    std::uint64_t triangles = 0;
-    for (int i = 0; i < 30; ++i) triangles = draw_frame();
-    return triangles;
-  };
-  options_.read_counts = true;
-  options_.max_level = 5;
-  options_.measure.pixels = 4;
-  const std::uint64_t unlimited = after_frames(0);
-  EXPECT_GT(unlimited, 1000U);
-  const std::uint64_t limited = after_frames(200);
-  EXPECT_LE(limited, 200U);
-  EXPECT_GT(limited, 2U);
-  EXPECT_EQ(after_frames(0), unlimited);
-}
-
 TEST_F(WatchedDraws, APausedContextRefinesNothing) {
   draw_frame();
   options_.live.paused = true;
