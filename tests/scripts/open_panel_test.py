@@ -5,7 +5,8 @@ import pathlib
 import sys
 import unittest
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "parts" / part) for part in ("strangers", "")]
+PARTS = pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "parts"
+sys.path[:0] = [str(PARTS / "strangers"), str(PARTS)]
 try:
     import numpy
     from panel import TITLE, different, is_healthy, shows_panel, summary
@@ -40,7 +41,8 @@ class OpenPanel(unittest.TestCase):
 
     def test_only_a_healthy_program_counts(self):
         healthy = {"name": "a", "beside": 0, "within": 0, "replayed": True, "shown": True, "problems": []}
-        broken = [{**healthy, "beside": 3}, {**healthy, "replayed": False}, {**healthy, "shown": False}, {**healthy, "problems": ["glark: error"]},
+        broken = [{**healthy, "beside": 3},
+                  {**healthy, "replayed": False}, {**healthy, "shown": False}, {**healthy, "problems": ["glark: error"]},
                   {"name": "a", "failure": "status 1"}]
         self.assertTrue(is_healthy(healthy))
         self.assertFalse(any(map(is_healthy, broken)))
