@@ -47,8 +47,10 @@ function(glark_add_panel target)
     panel/glx_context.cpp
     panel/overlay.cpp
     panel/panel.cpp
+    panel/view/kept_lists.cpp
     panel/view/panel_input.cpp
     panel/view/panel_view.cpp
+    panel/view/picture.cpp
     panel/view/renderer.cpp)
   set_target_properties(${target} PROPERTIES GLARK_HAS_PANEL ON)
   target_compile_definitions(${target} PRIVATE GLARK_PANEL=1)

@@ -39,6 +39,7 @@ constexpr std::array rows{
             "has no effect with --no-weld, or without a --refine that curves triangles"},
     IdleRow{"leave-draws", [](const Settings& s) { return s.everything; }, "has no effect beside --everything"},
     IdleRow{"leave-shaders", [](const Settings& s) { return s.everything; }, "has no effect beside --everything"},
+    IdleRow{"overlay-open", [](const Settings& s) { return s.overlay_open && !s.overlay; }, "has no effect without --overlay"},
     IdleRow{"overlay-key", [](const Settings& s) { return !s.overlay; }, "has no effect without --overlay"},
     IdleRow{"everything", [](const Settings& s) { return s.everything && s.leave_alone; },
             "has no effect beside --leave-alone"},

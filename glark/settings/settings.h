@@ -40,6 +40,7 @@ struct Settings {
   std::string dump_folder;                // for the sources of shaders; empty: none
   std::string record_file;                // a film; empty: none
   bool overlay = false;                   // a panel may be opened over the program's frames
+  bool overlay_open = false;              // it is open from the first frame on
   const Key* overlay_key = nullptr;       // opens and closes it
   const Key* toggle_key = nullptr;        // switches refinement off and on; null: no key does
   bool everything = false;                // refine every draw and shader

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace glark::tool {
 namespace {
@@ -92,6 +93,20 @@ std::string_view next_part(std::string_view& text) {
   return part;
 }
 
+// The words of "F1 to F12"; others than such a range stay as they are.
+std::vector<std::string> words_of_part(std::string_view part) {
+  const std::size_t to = part.find(" to ");
+  const std::size_t digits = part.find_first_of("0123456789");
+  if (to == std::string_view::npos || digits == 0 || digits >= to) return {std::string(part)};
+  const std::string_view letters = part.substr(0, digits);
+  const std::string_view last = part.substr(to + 4);
+  if (!last.starts_with(letters)) return {std::string(part)};
+  const auto number = [&](std::string_view text) { return std::atoi(std::string(text.substr(digits)).c_str()); };
+  std::vector<std::string> words;
+  for (int i = number(part.substr(0, to)); i <= number(last); ++i) words.push_back(fmt::format("{}{}", letters, i));
+  return words;
+}
+
 std::string bash_values() {
   std::string cases;
   for (const Setting& setting : settings::table())
@@ -137,10 +152,11 @@ std::vector<std::string> words_of(const Setting& setting) {
   if (text.starts_with("a list of ")) text.remove_prefix(text.find("of ") + 3);
   if (setting.kind != Kind::value) return words;
   while (!text.empty()) {
-    const std::string_view part = next_part(text);
-    settings::Settings scratch;
-    const bool word = !part.empty() && part.find(' ') == std::string_view::npos;
-    if (word && setting.read(scratch, part)) words.emplace_back(part);
+    for (const std::string& part : words_of_part(next_part(text))) {
+      settings::Settings scratch;
+      const bool word = !part.empty() && part.find(' ') == std::string::npos;
+      if (word && setting.read(scratch, part)) words.push_back(part);
+    }
   }
   return words.size() > 1 ? words : std::vector<std::string>();
 }

@@ -97,7 +97,7 @@ int complain(const std::string& problem, const CLI::App& app, const std::vector<
   const auto is_named = [&](const CLI::App* command) { return command->get_name() == words.front(); };
   const bool known = !words.empty() && !app.get_subcommands(is_named).empty();
   const std::string command = known ? words.front() : "run";
-  fmt::print(stderr, "glark: {}; glark --help lists the commands, glark {} --help the options\n", problem, command);
+  glark::tool::say(fmt::format("{}; glark --help lists the commands, glark {} --help the options", problem, command));
   return exit_usage;
 }
 

@@ -18,6 +18,7 @@ struct Surface {
 struct Size {
   int width = 0;
   int height = 0;
+  bool operator==(const Size&) const = default;
 };
 
 }  // namespace glark::shim

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -29,6 +31,19 @@ constexpr std::uint16_t left_pointer = 68;     // its glyph in the font "cursor"
 struct Cover {
   xcb_window_t window = 0;
   std::optional<Area> area;  // empty: the window is not mapped
+};
+
+// The pointer over the panel.
+struct Pointer {
+  unsigned buttons = 0;                             // that are down, by bits
+  std::optional<xcb_query_pointer_cookie_t> asked;  // where it is; the answer comes by the next frame
+  std::optional<std::pair<int, int>> told;          // where it was in the last event
+  bool told_left = false;                           // the last event said that it is elsewhere
+
+  void forget() {
+    told.reset();
+    told_left = false;
+  }
 };
 
 class X11Input final : public InputSource {
@@ -57,6 +72,7 @@ class X11Input final : public InputSource {
   void button_moved(const xcb_button_press_event_t& event, bool down, std::vector<InputEvent>& events);
   void note_error(const xcb_generic_error_t& error);
   void look_for_pointer(std::vector<InputEvent>& events);
+  void tell_pointer(const xcb_query_pointer_reply_t* pointer, std::vector<InputEvent>& events);
   void make_cover();
   void set_keyboard(bool ours);
 
@@ -68,7 +84,7 @@ class X11Input final : public InputSource {
   Cover cover_;
   bool keyboard_wanted_ = false;
   bool keyboard_ours_ = false;
-  unsigned buttons_ = 0;  // that are down, by bits
+  Pointer pointer_;
   std::pair<xcb_keycode_t, xcb_timestamp_t> released_{};
   bool complained_ = false;
   bool gone_ = false;
@@ -128,7 +144,7 @@ void X11Input::button_moved(const xcb_button_press_event_t& event, bool down, st
   }
   if (event.detail < 1 || event.detail > 3 || !cover_.area) return;
   const unsigned number = event.detail == 1 ? 0 : event.detail == 3 ? 1 : 2;
-  buttons_ = down ? buttons_ | 1U << number : buttons_ & ~(1U << number);
+  pointer_.buttons = down ? pointer_.buttons | 1U << number : pointer_.buttons & ~(1U << number);
   events.push_back({.kind = InputEvent::Kind::button,
                     .down = down,
                     .x = static_cast<float>(event.event_x + cover_.area->x),
@@ -151,7 +167,7 @@ void X11Input::poll(std::vector<InputEvent>& events) {
       case XCB_BUTTON_PRESS: button_moved(*button, true, events); break;
       case XCB_BUTTON_RELEASE: button_moved(*button, false, events); break;
       case XCB_LEAVE_NOTIFY:
-        if (buttons_ == 0) set_keyboard(keyboard_wanted_);
+        if (pointer_.buttons == 0) set_keyboard(keyboard_wanted_);
         break;
       case XCB_DESTROY_NOTIFY:
         gone_ = gone_ || reinterpret_cast<const xcb_destroy_notify_event_t&>(*event).window == window_;
@@ -162,16 +178,36 @@ void X11Input::poll(std::vector<InputEvent>& events) {
   if (cover_.area && !gone()) look_for_pointer(events);
 }
 
+// Nobody waits for the X server: the answer to the question of one frame is read in the next one. A place that is older
+// than a click in `events` is not told.
 void X11Input::look_for_pointer(std::vector<InputEvent>& events) {
-  const Reply<xcb_query_pointer_reply_t> pointer(
-      xcb_.xcb_query_pointer_reply_(connection_, xcb_.xcb_query_pointer_(connection_, window_), nullptr));
-  const bool here = pointer != nullptr && (pointer->child == cover_.window || buttons_ != 0);
-  if (here)
-    events.push_back({.kind = InputEvent::Kind::move,
-                      .x = static_cast<float>(pointer->win_x),
-                      .y = static_cast<float>(pointer->win_y)});
-  else
-    events.push_back({.kind = InputEvent::Kind::leave});
+  const bool clicked = std::any_of(events.begin(), events.end(),
+                                   [](const InputEvent& event) { return event.kind == InputEvent::Kind::button; });
+  if (pointer_.asked) {
+    const Reply<xcb_query_pointer_reply_t> pointer(
+        xcb_.xcb_query_pointer_reply_(connection_, *pointer_.asked, nullptr));
+    if (!clicked) tell_pointer(pointer.get(), events);
+  }
+  if (clicked) pointer_.forget();
+  pointer_.asked = xcb_.xcb_query_pointer_(connection_, window_);
+  xcb_.xcb_flush_(connection_);
+}
+
+// A pointer that rests makes no events.
+void X11Input::tell_pointer(const xcb_query_pointer_reply_t* pointer, std::vector<InputEvent>& events) {
+  const bool here = pointer != nullptr && (pointer->child == cover_.window || pointer_.buttons != 0);
+  if (!here) {
+    if (!pointer_.told_left) events.push_back({.kind = InputEvent::Kind::leave});
+    pointer_.forget();
+    pointer_.told_left = true;
+    return;
+  }
+  const std::pair<int, int> place{pointer->win_x, pointer->win_y};
+  if (pointer_.told == place) return;
+  pointer_.told = place;
+  pointer_.told_left = false;
+  events.push_back(
+      {.kind = InputEvent::Kind::move, .x = static_cast<float>(place.first), .y = static_cast<float>(place.second)});
 }
 
 void X11Input::make_cover() {
@@ -212,8 +248,9 @@ void X11Input::share(const InputShare& share) {
   }
   if (share.pointer && !cover_.area) xcb_.xcb_map_window_(connection_, cover_.window);
   if (!share.pointer && cover_.area) {
+    pointer_.forget();
     xcb_.xcb_unmap_window_(connection_, cover_.window);
-    buttons_ = 0;
+    pointer_.buttons = 0;
   }
   cover_.area = share.pointer;
   if (share.keyboard != keyboard_wanted_ || !cover_.area) set_keyboard(share.keyboard && cover_.area);

@@ -34,6 +34,8 @@ struct Overlay {
   std::vector<std::unique_ptr<OverlayWindow>> windows;
   OverlayWindow* shown_in = nullptr;  // the window with the panel; null: the panel is closed
   bool keyboard = false;              // the panel has all keys
+  bool told = false;                  // that the panel is open
+  bool waits_to_open = options().overlay && options().overlay_open;  // no window was there yet
   Panel panel;
   bool failed = false;
 };
@@ -57,6 +59,7 @@ std::unique_ptr<InputSource> open_input(const NativeWindow& window) {
 void close_panel(Overlay& all) {
   if (all.shown_in->input != nullptr) all.shown_in->input->share({});
   all.shown_in = nullptr;
+  all.told = false;
   all.panel.closed();
 }
 
@@ -101,6 +104,12 @@ void follow_key(Overlay& all, OverlayWindow& window, const InputEvent& event) {
   all.keyboard = event.shift;
 }
 
+void open_at_start(Overlay& all, OverlayWindow& window) {
+  if (!all.waits_to_open) return;
+  all.waits_to_open = false;
+  all.shown_in = &window;
+}
+
 void follow_events(Overlay& all, OverlayWindow& window) {
   std::vector<InputEvent> events;
   window.input->poll(events);
@@ -119,12 +128,16 @@ void run_frame(Overlay& all, core::Context& context) {
   forget_gone(all, native);
   OverlayWindow* const window = find_window(all, native);
   if (window == nullptr || window->input == nullptr) return;
+  open_at_start(all, *window);
   follow_events(all, *window);
   if (all.shown_in != window) return;
-  if (all.panel.draw(context, window->surface))
-    window->input->share(all.panel.share(all.keyboard));
-  else
+  if (!all.panel.draw(context, window->surface)) {
     close_panel(all);
+    return;
+  }
+  window->input->share(all.panel.share(all.keyboard));
+  if (!all.told) core::log(core::LogLevel::info, "the panel is open");
+  all.told = true;
 }
 
 }  // namespace

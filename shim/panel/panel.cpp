@@ -66,8 +66,11 @@ void Panel::start_imgui() {
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   PanelInput::start();
   ImGui::StyleColorsDark();
-  ImGui::GetStyle().WindowRounding = 4;
-  ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.92F;
+  // Without corners, border and transparency, the panel needs no blending.
+  ImGui::GetStyle().WindowRounding = 0;
+  ImGui::GetStyle().WindowBorderSize = 0;
+  for (const ImGuiCol opaque : {ImGuiCol_WindowBg, ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed})
+    ImGui::GetStyle().Colors[opaque].w = 1;
   model_.title = fmt::format("glark: {}", program_names().empty() ? "program" : program_names().back());
   model_.file = settings::writable_configuration(first_environment());
 }
@@ -99,30 +102,51 @@ bool Panel::draw(core::Context& context, const Surface& surface) {
   size_ = current_size();
   if (size_.width <= 0 || size_.height <= 0) return true;
   if (!before_) before_ = live_options();
-  fill_model(context);
-  take_pick();
-  if (!survives_assertions([&] { drawn = draw_imgui(surface, answer); }))
+  const bool due = is_due();
+  if (due) fill_model(context);
+  if (due) take_pick();
+  if (!survives_assertions([&] { drawn = draw_imgui(surface, due, answer); }))
     throw std::runtime_error("an assertion of Dear ImGui failed: " + failed_assertion());
   if (!drawn) return false;
-  follow(answer);
+  if (due) follow(answer);
   return !wants_close_;
 }
 
-bool Panel::draw_imgui(const Surface& surface, PanelAnswer& answer) {
+// Input and changed settings show at once. Figures that change in each frame could not be read.
+bool Panel::is_due() {
+  const auto now = Pace::Clock::now();
+  const bool changed = input_.waits() || pace_.held || frames_to_pick_ > 0 || pace_.generation != live_generation() ||
+                       pace_.size != size_;
+  if (changed) pace_.frames_left = settled_frames;
+  if (pace_.frames_left <= 0 && now - pace_.last < figures_interval) return false;
+  --pace_.frames_left;
+  pace_.generation = live_generation();
+  pace_.size = size_;
+  return true;
+}
+
+void Panel::build(PanelAnswer& answer) {
+  const auto now = Pace::Clock::now();
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = ImVec2(static_cast<float>(size_.width), static_cast<float>(size_.height));
+  io.DeltaTime = std::clamp(std::chrono::duration<float>(now - pace_.last).count(), 0.001F, 1.0F);
+  pace_.last = now;
+  input_.feed();
+  ImGui::NewFrame();
+  answer = show_panel(model_);
+  ImGui::Render();
+  pace_.held = ImGui::IsAnyMouseDown() || ImGui::IsAnyItemActive();
+}
+
+bool Panel::draw_imgui(const Surface& surface, bool due, PanelAnswer& answer) {
   if (imgui_ == nullptr) start_imgui();
   const ImGuiScope scope(imgui_);
   const Drawer* const drawer = drawer_for(surface);
   if (drawer == nullptr) return false;
   const InOurContext current(drawer->context.get(), surface);
   if (!current) return false;
-  ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = ImVec2(static_cast<float>(size_.width), static_cast<float>(size_.height));
-  io.DeltaTime = model_.figures.ms > 1 ? std::min(static_cast<float>(model_.figures.ms) / 1000, 1.0F) : 0.001F;
-  input_.feed();
-  ImGui::NewFrame();
-  answer = show_panel(model_);
-  ImGui::Render();
-  drawer->renderer->draw(*ImGui::GetDrawData(), size_);
+  if (due) build(answer);
+  drawer->renderer->draw(*ImGui::GetDrawData(), ImGui::GetFrameCount(), size_, due ? answer.area : area_);
   return true;
 }
 
@@ -189,6 +213,7 @@ void Panel::closed() {
   model_.picking = false;
   frames_to_pick_ = 0;
   input_.clear();
+  pace_ = {};
   change_live([](core::ContextOptions& options) {
     options.live.counts_classes = false;
     options.live.marked.reset();

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -41,9 +42,23 @@ class Panel {
   };
   static constexpr std::size_t most_drawers = 32;
 
+  static constexpr int settled_frames = 3;
+  static constexpr std::chrono::milliseconds figures_interval{200};
+  // When the panel is built again. In between, its last picture is drawn.
+  struct Pace {
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last = {};       // when it was built
+    std::uint64_t generation = 0;      // of the settings that it shows
+    Size size;                         // of the window
+    int frames_left = settled_frames;  // to be built without delay: Dear ImGui needs some to settle
+    bool held = false;                 // a button is down, or a text is typed
+  };
+
   void start_imgui();
+  bool is_due();
+  void build(PanelAnswer& answer);
   Drawer* drawer_for(const Surface& surface);
-  bool draw_imgui(const Surface& surface, PanelAnswer& answer);
+  bool draw_imgui(const Surface& surface, bool due, PanelAnswer& answer);
   void fill_model(const core::Context& context);
   void take_pick();
   void follow(const PanelAnswer& answer);
@@ -56,6 +71,7 @@ class Panel {
   PanelModel model_;
   Area area_;
   Size size_;
+  Pace pace_;
   bool wants_close_ = false;
   std::optional<core::ContextOptions> before_;  // as the configuration file has them
   int frames_to_pick_ = 0;                      // until the draws of the chosen pixel are known

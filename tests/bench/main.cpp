@@ -87,6 +87,9 @@ std::vector<glark::bench::Case> all_cases() {
   glark::bench::add_figure_cases(cases);
   glark::bench::add_screen_error_cases(cases);
   glark::bench::add_weld_cases(cases);
+#ifdef GLARK_BENCH_PANEL
+  glark::bench::add_panel_cases(cases);
+#endif
   return cases;
 }
 

@@ -74,6 +74,18 @@ TEST_F(PanelView, TheFirstBoxPausesRefinement) {
   EXPECT_TRUE(model_.options.live.paused);
 }
 
+// The place of a button that adds to a number follows the lines above it, so each line is clicked.
+TEST_F(PanelView, TheBudgetIsThereWithoutAMeasure) {
+  frame();
+  for (float y = 40; y < 300 && model_.options.measure.budget == 0; y += 8) {
+    model_.options = {};
+    click(198, y);
+    for (int i = 0; i < 4; ++i) frame();
+    ASSERT_FALSE(model_.options.measure.budget > 0 && model_.options.measure.on());
+  }
+  EXPECT_EQ(model_.options.measure.budget, 50000U);
+}
+
 TEST_F(PanelView, AClickBesideThePanelPicksAPixel) {
   model_.picking = true;
   frame();

@@ -49,6 +49,9 @@ TEST(Completion, WordsOfASettingAreItsValues) {
   EXPECT_TRUE(words_of(*settings::find_setting("level")).empty());
   EXPECT_TRUE(words_of(*settings::find_setting("wireframe")).empty());
   EXPECT_EQ(words_of(*settings::find_setting("leave-draws")).front(), "screen-quads");
+  const std::vector<std::string> keys = words_of(*settings::find_setting("overlay-key"));
+  EXPECT_EQ(keys.front(), "F1");
+  EXPECT_NE(std::find(keys.begin(), keys.end(), "F12"), keys.end()) << "a range names each key";
 }
 
 TEST(Completion, BashCompletesCommandsOptionsAndValues) {

@@ -50,26 +50,28 @@ def closer(plain: numpy.ndarray, refined: numpy.ndarray) -> list:
             for title, picture in zip(("most changed: plain", "most changed: refined"), pictures)]
 
 
-def write_row(path: pathlib.Path, name: str, pictures: list, compared: numpy.ndarray) -> None:
+def write_row(path: pathlib.Path, name: str, pictures: list, compared=None) -> None:
     """Takes (title, frame, masks or None) for each picture. Masks with pixels get a picture of their own.
 
-    `compared` is the plain frame of the last picture: two more cells show closely where that one changed most.
+    `compared` is the plain frame of the last picture, if there is one: two more cells show closely where that one changed
+    most.
     """
     cells = []
     for title, frame, masks in pictures:
         cells.append(cell(f"{name}: {title}" if not cells else title, Image.fromarray(frame.copy())))
         if masks is not None and sum(masks.counts()):
             cells.append(cell("vanished red, appeared green, stripes purple, strays yellow", marked(frame, masks)))
-    cells += closer(compared, pictures[-1][1])
+    if compared is not None:
+        cells += closer(compared, pictures[-1][1])
     row = Image.new("RGB", (WIDTH * len(cells), HEIGHT + TITLE), "white")
     for i, one in enumerate(cells):
         row.paste(one, (WIDTH * i, 0))
     row.save(path)
 
 
-def join(rows: list, folder: pathlib.Path) -> None:
-    """Writes folder/sheetN.png from the rows."""
-    for old in folder.glob("sheet*.png"):
+def join(rows: list, folder: pathlib.Path, name: str = "sheet") -> None:
+    """Writes folder/NAMEn.png from the rows."""
+    for old in folder.glob(f"{name}[0-9]*.png"):
         old.unlink()
     for number, begin in enumerate(range(0, len(rows), ROWS_A_SHEET), 1):
         pictures = [Image.open(row) for row in rows[begin:begin + ROWS_A_SHEET]]
@@ -78,4 +80,4 @@ def join(rows: list, folder: pathlib.Path) -> None:
         for picture in pictures:
             sheet.paste(picture, (0, top))
             top += picture.height
-        sheet.save(folder / f"sheet{number}.png")
+        sheet.save(folder / f"{name}{number}.png")

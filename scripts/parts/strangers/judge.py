@@ -26,6 +26,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent))
 import breakage
 import contact_sheet
+import panel
 from recording import Failure, on_display, read_frames, run
 from models import write_models
 from refined_share import life, percent, share_text
@@ -179,6 +180,45 @@ def examine(program: Stranger, folder: pathlib.Path, arguments: argparse.Namespa
     return result
 
 
+def examine_panel(program: Stranger, folder: pathlib.Path, arguments: argparse.Namespace) -> dict:
+    """Compares the program's frames with the panel open and closed, and runs the program with the panel."""
+    settings = settings_of("smooth", arguments.library)
+    frames = {}
+    for variant, more in (("closed", panel.CLOSED), ("open", panel.OPEN)):
+        frames[variant] = replay(program, folder, variant, {**settings, **more}, arguments.limit).frames
+    beside, within = panel.different(frames["closed"], frames["open"])
+    home = folder / "home"
+    environment = {"HOME": str(home), "PATH": "/usr/games:/usr/bin:/bin", **program.environment}
+    command = with_keys(program, [word.replace(MODELS, str(folder / "models")) for word in program.command])
+    live = panel.run_with_panel(command, environment, settings,
+                                (file_of(program, folder, ".panel.ppm"), file_of(program, folder, ".live.log")),
+                                program.seconds * arguments.slow)
+    pictures = [("closed", frames["closed"][-1], None), ("open, before the panel", frames["open"][-1], None)]
+    if "picture" in live:
+        pictures.append(("on the screen", live.pop("picture"), None))
+    contact_sheet.write_row(file_of(program, folder, ".panel.png"), program.name, pictures)
+    return {"beside": beside, "within": within, "replayed": panel.opened(file_of(program, folder, ".open.log")), **live}
+
+
+def judge_panel(arguments: argparse.Namespace) -> int:
+    """The work of --panel. Results are apart from those of the four numbers."""
+    programs = [program for program in PROGRAMS if installed(program) and (not arguments.only or program.name in arguments.only)]
+    results = []
+    for program in programs:
+        result = {"name": program.name}
+        try:
+            record(program, arguments.folder, arguments.slow)
+            result |= examine_panel(program, arguments.folder, arguments)
+        except (Failure, subprocess.TimeoutExpired) as failure:
+            result["failure"] = str(failure)
+        results.append(result)
+        print(result, flush=True)
+    rows = [file_of(program, arguments.folder, ".panel.png") for program in programs]
+    contact_sheet.join([row for row in rows if row.exists()], arguments.folder, "panel")
+    print(panel.summary(results))
+    return 0 if all("left_out" in result or panel.is_healthy(result) for result in results) else 1
+
+
 def row_of(result: dict) -> list:
     """A row of the table: one program."""
     cells = [result["name"], result["kind"], result.get("off", "-")]
@@ -251,6 +291,7 @@ def arguments_of() -> argparse.Namespace:
     parser.add_argument("--slow", type=float, default=1, help="record for so many times as long, on a busy machine (1)")
     parser.add_argument("--limit", type=float, default=120, help="seconds for one replay (120)")
     parser.add_argument("--sheet", action="store_true", help="only join the rows of the contact sheet")
+    parser.add_argument("--panel", action="store_true", help="judge the panel: open it, and compare with it closed")
     parser.add_argument("--list", action="store_true", help="list the programs, their packages, and whether they are installed")
     parser.add_argument("--write", action="store_true", help="put the table into docs/reference/strangers.md")
     arguments = parser.parse_args()
@@ -329,6 +370,8 @@ def main() -> int:
     write_models(arguments.folder / "models")
     if arguments.install:
         install([program for program in PROGRAMS if not arguments.only or program.name in arguments.only])
+    if arguments.panel:
+        return judge_panel(arguments)
     if not arguments.sheet:
         work(arguments)
     results = results_of(arguments.folder)

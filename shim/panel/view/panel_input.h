@@ -16,6 +16,7 @@ class PanelInput {
   void add(const InputEvent& event) { waiting_.push_back(event); }
   // Before ImGui::NewFrame().
   void feed();
+  bool waits() const { return !waiting_.empty(); }
   void clear() { waiting_.clear(); }
 
  private:

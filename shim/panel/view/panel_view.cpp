@@ -51,11 +51,14 @@ bool choose_measure(const char* label, float& value, float least, float most) {
   return true;
 }
 
-bool choose_budget(unsigned& budget) {
-  int thousands = static_cast<int>(budget / 1000);
-  if (!ImGui::InputInt("budget (1000 triangles)", &thousands, 50, 500)) return false;
-  budget = static_cast<unsigned>(std::clamp(thousands, 0, 1000000)) * 1000;
-  return true;
+// Says what else the budget needs, where --budget would say it.
+bool choose_budget(core::EdgeMeasure& measure) {
+  int thousands = static_cast<int>(measure.budget / 1000);
+  const bool changed = ImGui::InputInt("budget (1000 triangles)", &thousands, 50, 500);
+  if (changed) measure.budget = static_cast<unsigned>(std::clamp(thousands, 0, 1000000)) * 1000;
+  if (measure.budget > 0 && !measure.on())
+    ImGui::TextWrapped("The budget has no effect without edge pixels, screen error or curvature.");
+  return changed;
 }
 
 bool choose_shape(Options& options) {
@@ -79,9 +82,9 @@ bool choose_depths(Options& options) {
   changed = choose_measure("curvature", measure.degrees, 0.5F, 180) || changed;
   if (measure.on()) {
     changed = choose_level("max level", options.max_level) || changed;
-    changed = choose_budget(measure.budget) || changed;
     changed = ImGui::Checkbox("geomorph", &options.geomorph) || changed;
   }
+  changed = choose_budget(measure) || changed;
   options.level = std::min(options.level, options.max_level);
   return changed;
 }

@@ -31,5 +31,6 @@ void add_shape_cases(std::vector<Case>& cases);
 void add_figure_cases(std::vector<Case>& cases);
 void add_screen_error_cases(std::vector<Case>& cases);
 void add_weld_cases(std::vector<Case>& cases);
+void add_panel_cases(std::vector<Case>& cases);  // if the panel and SDL 2 are there
 
 }  // namespace glark::bench
