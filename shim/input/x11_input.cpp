@@ -33,8 +33,8 @@ struct Cover {
   std::optional<Area> area;  // empty: the window is not mapped
 };
 
-// The pointer over the panel.
-struct Pointer {
+// The pointer over the cover.
+struct CoverPointer {
   unsigned buttons = 0;                             // that are down, by bits
   std::optional<xcb_query_pointer_cookie_t> asked;  // where it is; the answer comes by the next frame
   std::optional<std::pair<int, int>> told;          // where it was in the last event
@@ -84,7 +84,7 @@ class X11Input final : public InputSource {
   Cover cover_;
   bool keyboard_wanted_ = false;
   bool keyboard_ours_ = false;
-  Pointer pointer_;
+  CoverPointer pointer_;
   std::pair<xcb_keycode_t, xcb_timestamp_t> released_{};
   bool complained_ = false;
   bool gone_ = false;
