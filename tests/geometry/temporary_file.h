@@ -4,41 +4,16 @@
 // A temporary folder for the files of each test, and small geometry for them.
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
+#include <cmath>
 #include <random>
-#include <string>
-#include <string_view>
 
 #include "glark/clients/geometry/formats.h"
+#include "tests/common/temporary_folder.h"
 
 namespace glark::geometry {
 
-class TemporaryFolder : public testing::Test {
+class TemporaryFolder : public test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("glark-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-               std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
-
-  std::filesystem::path made(const std::string& name, std::string_view contents) const {
-    std::ofstream(path(name), std::ios::binary) << contents;
-    return path(name);
-  }
-
-  std::size_t file_count() const {
-    return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
-  }
-
   // Returns the error message of the read, or an empty text if the file can be read.
   static std::string problem_with(const std::filesystem::path& file, const ReadOptions& options = {}) {
     try {
@@ -48,9 +23,6 @@ class TemporaryFolder : public testing::Test {
     }
     return {};
   }
-
- private:
-  std::filesystem::path folder_;
 };
 
 // Points on a grid with a bit of noise, with the given attributes.

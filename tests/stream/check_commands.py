@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Runs glark sample and glark transfer as processes: the memory that they take, kills, and a full disk.
+"""Runs glark info, sample and transfer as processes: the memory that they take, kills, and a full disk.
 
 check_commands.py GLARK_SCAN [--kills N]: N kills of each command (2).
 """
@@ -38,6 +38,25 @@ def write_scan(path: pathlib.Path, count: int, shuffled: bool = False) -> pathli
     if shuffled:
         numpy.random.default_rng(1).shuffle(points)
     points.astype("<f4").tofile(path)
+    return path
+
+
+def write_grid(path: pathlib.Path, side: int, first: tuple = (0, 0, 0)) -> pathlib.Path:
+    """A mesh of side x side points with normals and colours; a point and its triangles are not finite."""
+    vertices = numpy.zeros(side * side, [("position", "<f8", 3), ("normal", "<f4", 3), ("colour", "u1", 3)])
+    row, column = numpy.divmod(numpy.arange(side * side), side)
+    vertices["position"] = numpy.stack([row, column, numpy.sin(row)], axis=1) + first
+    vertices["position"][side + 1] = numpy.nan
+    vertices["normal"][:, 2] = 1
+    begin = (row * side + column).reshape(side, side)[:-1, :-1].ravel()
+    faces = numpy.zeros(len(begin), [("count", "u1"), ("corners", "<u4", 4)])  # quads
+    faces["count"] = 4
+    faces["corners"] = numpy.stack([begin, begin + 1, begin + side + 1, begin + side], axis=1)
+    header = ["ply", "format binary_little_endian 1.0", f"element vertex {side * side}"]
+    header += [f"property double {name}" for name in "xyz"] + [f"property float n{name}" for name in "xyz"]
+    header += [f"property uchar {name}" for name in ("red", "green", "blue")]
+    header += [f"element face {len(begin)}", "property list uchar uint vertex_indices", "end_header", ""]
+    path.write_bytes("\n".join(header).encode() + vertices.tobytes() + faces.tobytes())
     return path
 
 
@@ -108,6 +127,51 @@ class Commands(unittest.TestCase):
                                    "--json"))
         self.assertLess(max(peaks), 40 * MIB)
         self.assertLess(peaks[1], peaks[0] + 6 * MIB)
+
+    def info(self, *arguments) -> dict:
+        return json.loads(self.run_it("info", "--json", *arguments).stdout)
+
+    def test_info_in_parts_says_the_same(self):
+        mesh = write_grid(self.path / "mesh.ply", 520, (4.5e6, 5e5, 100))
+        text = self.path / "scan.xyz"
+        numpy.savetxt(text, numpy.random.default_rng(1).random((300000, 6)) * [9, 9, 9, 255, 255, 255], "%.4f")
+        cloud = self.path / "scan.pcd"
+        points = numpy.random.default_rng(2).random((800000, 3), numpy.float32)
+        cloud.write_bytes(b"VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 800000\nHEIGHT 1\nPOINTS 800000\n"
+                          b"DATA binary\n" + points.tobytes())
+        for file in (mesh, text, cloud):
+            whole, parts = self.info(file, "--skip-invalid"), self.info(file, "--skip-invalid", "--memory", "32MB")
+            self.assertIn("topology", whole)
+            del whole["topology"]
+            self.assertLess(parts.pop("peak_memory_bytes"), 32 * MIB)
+            self.assertEqual(whole, parts)
+        said = self.run_it("info", mesh, "--memory", "32MB", status=1).stderr
+        self.assertEqual(said, self.run_it("info", mesh, status=1).stderr)
+        self.assertIn("vertex 521 has a coordinate that is NaN", said)
+
+    def test_info_reads_records_and_pipes(self):
+        report = self.info(write_scan(self.path / "large.raw", 3000))
+        self.assertEqual((3000, 0, []), (report["points"], report["triangles"], report["attributes"]))
+        triangles = numpy.zeros(200000, [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")])
+        triangles["corners"] = numpy.random.default_rng(3).random((200000, 3, 3))
+        triangles["corners"][7, 1, 0] = numpy.nan
+        stl = self.path / "part.stl"
+        stl.write_bytes(bytes(80) + (200000).to_bytes(4, "little") + triangles.tobytes())
+        report = self.info(stl, "--skip-invalid", "--memory", "32MB")
+        self.assertEqual((599999, 199999), (report["corners"], report["triangles"]))
+        mesh = write_grid(self.path / "mesh.ply", 100)
+        pipe = subprocess.run(f"cat {mesh} | {PROGRAM} info - --format ply --skip-invalid --memory 32MB --json", shell=True,
+                              capture_output=True, text=True, check=True)
+        self.assertEqual(9999, json.loads(pipe.stdout)["points"])
+
+    def test_info_says_what_needs_the_whole_file(self):
+        mesh = write_grid(self.path / "mesh.ply", 520)
+        said = self.run_it("info", mesh, "--skip-invalid", "--memory", "32MB", "--measure", mesh, status=1).stderr
+        self.assertIn("--measure keeps the whole file", said)
+        (self.path / "a.obj").write_text("v 0 0 0\n" * 1000000)
+        said = self.run_it("info", self.path / "a.obj", "--memory", "32MB", status=1).stderr
+        self.assertIn("can only be read as a whole", said)
+        self.assertIn("less than 32MB", self.run_it("info", mesh, "--memory", "3MB", status=2).stderr)
 
     def test_shuffled_points_keep_the_bound(self):
         large = write_scan(self.path / "large.raw", 1000000, shuffled=True)

@@ -5,45 +5,19 @@
 #pragma once
 
 #include <glark/stream.h>
-#include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-#include <string_view>
 #include <vector>
+
+#include "tests/common/temporary_folder.h"
 
 namespace glark::stream {
 
-class TemporaryFolder : public testing::Test {
+class TemporaryFolder : public test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("glark-stream-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-               std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
-
-  std::filesystem::path made(const std::string& name, std::string_view contents) const {
-    std::ofstream(path(name), std::ios::binary) << contents;
-    return path(name);
-  }
   static std::string bytes_of(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  std::size_t file_count() const {
-    return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
-  }
-
- private:
-  std::filesystem::path folder_;
 };
 
 // All points of a stream.

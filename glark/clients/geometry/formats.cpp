@@ -28,6 +28,24 @@ std::string ending_of(const fs::path& file) {
   return ending == ".zst" ? lower(file.stem().extension().string()) : ending;
 }
 
+std::string format_of(const fs::path& file, const ReadOptions& options) {
+  return options.format.empty() ? ending_of(file) : options.format;
+}
+
+bool is_text(const std::string& format) {
+  return format == ".xyz" || format == ".txt" || format == ".asc" || format == ".csv" || format == ".pts";
+}
+
+// progress must live as long as the input.
+Input open_with_progress(const fs::path& file, const Progress& progress) {
+  Input input = open_input(file);
+  if (!progress) return input;
+  const double size = input.remaining() ? static_cast<double>(*input.remaining()) : 0;
+  input.on_progress(
+      [&progress, size](std::uint64_t bytes) { progress(size > 0 ? static_cast<double>(bytes) / size : -1); });
+  return input;
+}
+
 Reading read_as(const std::string& ending, Input& input, const ReadOptions& options) {
   if (ending == ".ply") return read_ply(input, options);
   if (ending == ".obj") return read_by_assimp(input, MeshFormat::obj, options);
@@ -35,9 +53,7 @@ Reading read_as(const std::string& ending, Input& input, const ReadOptions& opti
   if (ending == ".off") return read_by_assimp(input, MeshFormat::off, options);
   if (ending == ".glb" || ending == ".gltf") return read_by_assimp(input, MeshFormat::gltf, options);
   if (ending == ".pcd") return read_pcd(input, options);
-  if (ending == ".pts") return read_text_points(input, TextPoints::pts, options);
-  if (ending == ".xyz" || ending == ".txt" || ending == ".asc" || ending == ".csv")
-    return read_text_points(input, TextPoints::xyz, options);
+  if (is_text(ending)) return read_text_points(input, ending == ".pts" ? TextPoints::pts : TextPoints::xyz, options);
   throw Error(input.name() + ": the ending \"" + ending +
               "\" names no format that glark reads; use .ply, .obj, .stl, .off, .glb, .pcd, .xyz or .pts (or one of "
               "these and .zst), or --format");
@@ -54,13 +70,23 @@ void check_ending(const fs::path& file) {
 }  // namespace
 
 Reading read_file(const fs::path& file, const ReadOptions& options, const Progress& progress) {
-  Input input = open_input(file);
-  if (progress) {
-    const double size = input.remaining() ? static_cast<double>(*input.remaining()) : 0;
-    input.on_progress(
-        [&progress, size](std::uint64_t bytes) { progress(size > 0 ? static_cast<double>(bytes) / size : -1); });
-  }
-  return read_as(options.format.empty() ? ending_of(file) : options.format, input, options);
+  Input input = open_with_progress(file, progress);
+  return read_as(format_of(file, options), input, options);
+}
+
+bool can_summarise(const fs::path& file, const ReadOptions& options) {
+  const std::string format = format_of(file, options);
+  return format == ".ply" || format == ".pcd" || is_text(format);
+}
+
+Summary summarise_file(const fs::path& file, const ReadOptions& options, const Progress& progress) {
+  const std::string format = format_of(file, options);
+  if (!can_summarise(file, options))
+    throw Error(file.string() + ": the format \"" + format + "\" can only be read as a whole; convert the file to PLY");
+  Input input = open_with_progress(file, progress);
+  if (format == ".ply") return summarise_ply(input, options);
+  if (format == ".pcd") return summarise_pcd(input, options);
+  return summarise_text_points(input, format == ".pts" ? TextPoints::pts : TextPoints::xyz, options);
 }
 
 void check_writable(const fs::path& file) {

@@ -18,6 +18,13 @@ using Progress = std::function<void(double fraction)>;
 // Throws Error.
 Reading read_file(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress = {});
 
+// Whether summarise_file() reads this file.
+bool can_summarise(const std::filesystem::path& file, const ReadOptions& options);
+
+// Reads PLY, PCD, XYZ or PTS a part at a time, with the errors and warnings of read_file(), and keeps no points. It takes a
+// few MiB for any file. Throws Error.
+Summary summarise_file(const std::filesystem::path& file, const ReadOptions& options, const Progress& progress = {});
+
 struct WriteOptions {
   bool text = false;  // writes PLY as text
 };

@@ -48,6 +48,15 @@ struct Reading {
   std::vector<std::string> warnings;  // data that was lost in reading
 };
 
+// What a file has, without the points themselves.
+struct Summary {
+  std::uint64_t points = 0, triangles = 0;
+  bool normals = false, colours = false, texture_coordinates = false;
+  std::array<double, 3> origin{};       // as in Geometry
+  std::array<double, 3> low{}, high{};  // the bounding box
+  std::vector<std::string> warnings;
+};
+
 // Throws Error if `bytes` bytes do not fit into the memory of this machine.
 void require_memory(const std::string& file, double bytes);
 

@@ -13,6 +13,7 @@
 
 #include "glark/clients/geometry/parse/ply_values.h"
 #include "glark/clients/geometry/read/point_builder.h"
+#include "glark/clients/geometry/read/point_counter.h"
 
 namespace glark::geometry {
 namespace {
@@ -165,7 +166,7 @@ class Points {
     return names;
   }
 
-  void add(const std::vector<double>& values, PointBuilder& builder) const {
+  void add(const std::vector<double>& values, PointSink& sink) const {
     Point point;
     bool needs_double = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -174,7 +175,7 @@ class Points {
       if (attributes_.normals) point.normal[axis] = static_cast<float>(values[*normal_[axis]]);
     }
     if (colour_) point.colour = unpacked(values[*colour_], points_.properties[*colour_].type, has_alpha_);
-    builder.add_point(point, needs_double);
+    sink.add_point(point, needs_double);
   }
 
  private:
@@ -206,12 +207,12 @@ bool has_more(Input& input, Encoding encoding) {
   return false;
 }
 
-}  // namespace
-
-Reading read_pcd(Input& input, const ReadOptions& options) {
+// Sink: PointBuilder or PointCounter.
+template <class Sink>
+typename Sink::Result read_points(Input& input, const ReadOptions& options) {
   const Header header = HeaderReader(input).read();
   const Points points(input.name(), header.points);
-  PointBuilder builder(input.name(), "point", points.attributes(), options);
+  Sink sink(input.name(), "point", points.attributes(), options);
   const std::optional<std::uint64_t> left = input.remaining();
   const std::uint64_t least = header.points.least_size(header.encoding);
   if (left && (least == 0 || header.points.count > (*left + 1) / least))
@@ -219,18 +220,24 @@ Reading read_pcd(Input& input, const ReadOptions& options) {
         fmt::format("{}: PCD header: it announces {} points, for which the file is too short; it is cut off, get "
                     "it again",
                     input.name(), header.points.count));
-  builder.expect(header.points.count, 0);
-  if (const std::string unread = points.unread(); !unread.empty()) builder.warn("fields that are not kept: " + unread);
+  sink.expect(header.points.count, 0);
+  if (const std::string unread = points.unread(); !unread.empty()) sink.warn("fields that are not kept: " + unread);
   ply::Values values(input, header.encoding);
   std::vector<double> row(header.points.properties.size());
   for (std::uint64_t i = 0; i < header.points.count; ++i) {
     values.at(header.points, i);
     values.record(row);
-    points.add(row, builder);
+    points.add(row, sink);
   }
   if (has_more(input, header.encoding))
-    builder.warn("something follows the last point; the header may announce too little");
-  return builder.finish();
+    sink.warn("something follows the last point; the header may announce too little");
+  return sink.finish();
 }
+
+}  // namespace
+
+Reading read_pcd(Input& input, const ReadOptions& options) { return read_points<PointBuilder>(input, options); }
+
+Summary summarise_pcd(Input& input, const ReadOptions& options) { return read_points<PointCounter>(input, options); }
 
 }  // namespace glark::geometry

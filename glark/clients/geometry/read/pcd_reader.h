@@ -11,5 +11,6 @@ namespace glark::geometry {
 
 // Keeps x, y, z, the normal and rgb or rgba. Throws Error.
 Reading read_pcd(Input& input, const ReadOptions& options);
+Summary summarise_pcd(Input& input, const ReadOptions& options);
 
 }  // namespace glark::geometry

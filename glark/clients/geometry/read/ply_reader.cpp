@@ -11,6 +11,7 @@
 #include "glark/clients/geometry/parse/ply_header.h"
 #include "glark/clients/geometry/parse/ply_values.h"
 #include "glark/clients/geometry/read/point_builder.h"
+#include "glark/clients/geometry/read/point_counter.h"
 
 namespace glark::geometry {
 namespace {
@@ -107,7 +108,7 @@ class Vertices {
   const std::string& unread() const { return unread_; }
   std::span<double> values() { return values_; }
 
-  void add_to(PointBuilder& builder) const {
+  void add_to(PointSink& sink) const {
     Point point;
     for (int axis = 0; axis < 3; ++axis) point.position[axis] = value(static_cast<Slot>(axis));
     if (attributes_.normals)
@@ -120,8 +121,8 @@ class Vertices {
     }
     if (attributes_.texture_coordinates)
       point.texture_coordinate = {static_cast<float>(value(slot_s)), static_cast<float>(value(slot_t))};
-    builder.add_point(
-        point, type_[slot_x] == Type::float64 || type_[slot_y] == Type::float64 || type_[slot_z] == Type::float64);
+    sink.add_point(point,
+                   type_[slot_x] == Type::float64 || type_[slot_y] == Type::float64 || type_[slot_z] == Type::float64);
   }
 
  private:
@@ -158,47 +159,49 @@ class Body {
   Body(Input& input, const ply::Header& header, const ReadOptions& options)
       : input_(input), header_(header), options_(options), values_(input, header.encoding) {}
 
-  Reading read() {
+  // Sink: PointBuilder or PointCounter.
+  template <class Sink>
+  typename Sink::Result read() {
     const auto vertex = std::find_if(header_.elements.begin(), header_.elements.end(),
                                      [](const Element& element) { return element.name == "vertex"; });
     if (vertex == header_.elements.end())
       throw Error(input_.name() + ": PLY header: there is no element vertex; export the file with points");
     Vertices vertices(input_, *vertex);
-    PointBuilder builder(input_.name(), "vertex", vertices.attributes(), options_, vertices.colour_range());
+    Sink sink(input_.name(), "vertex", vertices.attributes(), options_, vertices.colour_range());
     std::uint64_t faces = 0;
     for (const Element& element : header_.elements) faces += element.name == "face" ? element.count : 0;
-    builder.expect(vertex->count, faces);
-    if (!vertices.unread().empty()) builder.warn("properties of vertex that are not kept: " + vertices.unread());
+    sink.expect(vertex->count, faces);
+    if (!vertices.unread().empty()) sink.warn("properties of vertex that are not kept: " + vertices.unread());
     for (const Element& element : header_.elements) {
       if (&element == &*vertex)
-        read_vertices(vertices, element, builder);
+        read_vertices(vertices, element, sink);
       else if (element.name == "face" || element.name == "tristrips")
-        read_faces(element, builder);
+        read_faces(element, sink);
       else
-        skip(element, builder);
+        skip(element, sink);
     }
     if (header_.encoding == ply::Encoding::text ? !input_.word().empty() : !input_.take(1).empty())
-      builder.warn("something follows the last element; the header may announce too little");
-    return builder.finish();
+      sink.warn("something follows the last element; the header may announce too little");
+    return sink.finish();
   }
 
  private:
-  void read_vertices(Vertices& vertices, const Element& element, PointBuilder& builder) {
+  void read_vertices(Vertices& vertices, const Element& element, PointSink& sink) {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values_.at(element, i);
       values_.record(vertices.values());
-      vertices.add_to(builder);
+      vertices.add_to(sink);
     }
   }
 
-  void read_faces(const Element& element, PointBuilder& builder) {
+  void read_faces(const Element& element, PointSink& sink) {
     if (std::none_of(element.properties.begin(), element.properties.end(), is_corner_list))
       throw Error(input_.name() + ": element " + element.name +
                   ": there is no list vertex_indices; export the faces again");
     std::string unread;
     for (const Property& property : element.properties)
       if (!is_corner_list(property)) unread += (unread.empty() ? "" : ", ") + property.name;
-    if (!unread.empty()) builder.warn("properties of " + element.name + " that are not kept: " + unread);
+    if (!unread.empty()) sink.warn("properties of " + element.name + " that are not kept: " + unread);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values_.at(element, i);
       for (const Property& property : element.properties) {
@@ -211,9 +214,9 @@ class Body {
         corners_.clear();
         for (const double corner : list_) corners_.push_back(corner_of(corner));
         if (element.name == "face")
-          builder.add_polygon(corners_);
+          sink.add_polygon(corners_);
         else
-          add_strips(builder);
+          add_strips(sink);
       }
     }
   }
@@ -226,7 +229,7 @@ class Body {
 
   // Adds triangle strips. Each strip ends with -1, as in the Stanford models. Degenerate triangles join the parts of a
   // strip.
-  void add_strips(PointBuilder& builder) {
+  void add_strips(PointSink& sink) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       if (corners_[i] < 0) begin = i + 1;
@@ -234,11 +237,11 @@ class Body {
       if (corners_[i] == corners_[i - 1] || corners_[i] == corners_[i - 2] || corners_[i - 1] == corners_[i - 2])
         continue;
       const bool turned = (i - begin) % 2 == 1;
-      builder.add_polygon(std::array{corners_[i - 2], corners_[turned ? i : i - 1], corners_[turned ? i - 1 : i]});
+      sink.add_polygon(std::array{corners_[i - 2], corners_[turned ? i : i - 1], corners_[turned ? i - 1 : i]});
     }
   }
 
-  void skip(const Element& element, PointBuilder& builder) {
+  void skip(const Element& element, PointSink& sink) {
     for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
       values_.at(element, i);
       for (const Property& property : element.properties)
@@ -247,7 +250,7 @@ class Body {
         else
           values_.number(property.type);
     }
-    if (element.count > 0) builder.warn("element " + element.name + " is not kept");
+    if (element.count > 0) sink.warn("element " + element.name + " is not kept");
   }
 
   Input& input_;
@@ -262,7 +265,12 @@ class Body {
 
 Reading read_ply(Input& input, const ReadOptions& options) {
   const ply::Header header = ply::read_header(input);
-  return Body(input, header, options).read();
+  return Body(input, header, options).read<PointBuilder>();
+}
+
+Summary summarise_ply(Input& input, const ReadOptions& options) {
+  const ply::Header header = ply::read_header(input);
+  return Body(input, header, options).read<PointCounter>();
 }
 
 }  // namespace glark::geometry

@@ -11,5 +11,6 @@
 namespace glark::geometry {
 
 Reading read_ply(Input& input, const ReadOptions& options);
+Summary summarise_ply(Input& input, const ReadOptions& options);
 
 }  // namespace glark::geometry

@@ -4,31 +4,14 @@
 
 #include <fmt/format.h>
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace glark::geometry {
 namespace {
 
-// Above this number, the step between floats is about a thousandth or more.
-constexpr double far_from_zero = 8192;
 constexpr std::uint32_t removed = std::numeric_limits<std::uint32_t>::max();
-
-template <class Array>
-bool all_finite(const Array& values) {
-  return std::all_of(values.begin(), values.end(), [](auto value) { return std::isfinite(value); });
-}
-
-std::string gibibytes(double bytes) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.1f GiB", bytes / (1024.0 * 1024 * 1024));
-  return text.data();
-}
 
 template <class Value>
 void keep(std::vector<Value>& values, const std::vector<std::uint32_t>& target, std::size_t width) {
@@ -39,20 +22,6 @@ void keep(std::vector<Value>& values, const std::vector<std::uint32_t>& target, 
 }
 
 }  // namespace
-
-void require_memory(const std::string& file, double bytes) {
-  double have = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    have = std::min(have, static_cast<double>(limit.rlim_cur));
-  if (bytes > have)
-    throw Error(file + ": its contents take " + gibibytes(bytes) + " of memory, this machine has " + gibibytes(have) +
-                "; split the file into tiles or thin it first");
-}
-
-PointBuilder::PointBuilder(std::string file, std::string element, Attributes attributes, const ReadOptions& options,
-                           ColourRange range)
-    : file_(std::move(file)), element_(std::move(element)), attributes_(attributes), options_(options), range_(range) {}
 
 void PointBuilder::expect(std::uint64_t points, std::uint64_t triangles) {
   constexpr std::uint64_t most = removed;
@@ -69,43 +38,18 @@ void PointBuilder::expect(std::uint64_t points, std::uint64_t triangles) {
   geometry_.triangles.reserve(3 * triangles);
 }
 
-void PointBuilder::choose_origin(const Point& point) {
-  const double farthest =
-      std::max({std::abs(point.position[0]), std::abs(point.position[1]), std::abs(point.position[2])});
-  if (farthest < far_from_zero) return;
-  for (int axis = 0; axis < 3; ++axis) geometry_.origin[axis] = std::floor(point.position[axis]);
-}
-
-void PointBuilder::add_point(const Point& point, bool needs_double) {
-  const std::size_t index = geometry_.point_count();
-  if (index >= removed) throw Error(file_ + ": more points than 32 bits can count; split the file");
-  if (!all_finite(point.position)) {
-    if (!options_.skip_invalid)
-      throw Error(
-          fmt::format("{}: {} {} has a coordinate that is NaN or infinite; repair the file, or leave such points out "
-                      "with --skip-invalid",
-                      file_, element_, index));
-    invalid_.push_back(static_cast<std::uint32_t>(index));
-  } else if (needs_double && index == invalid_.size()) {
-    choose_origin(point);
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto relative = static_cast<float>(point.position[axis] - geometry_.origin[axis]);
-    if (!std::isfinite(relative) && std::isfinite(point.position[axis]))
-      throw Error(
-          fmt::format("{}: {} {} has a coordinate beyond 3.4e38; scale the model down", file_, element_, index));
-    geometry_.positions.push_back(relative);
-  }
-  if (attributes_.normals) {
-    const bool good = all_finite(point.normal);
-    bad_normals_ += good ? 0 : 1;
-    if (good && (point.normal[0] != 0 || point.normal[1] != 0 || point.normal[2] != 0)) ++real_normals_;
-    for (const float component : point.normal) geometry_.normals.push_back(good ? component : 0.0F);
-  }
+void PointBuilder::take_point(const Point& point, const std::array<float, 3>& relative) {
+  if (geometry_.point_count() >= removed) throw Error(file_ + ": more points than 32 bits can count; split the file");
+  geometry_.positions.insert(geometry_.positions.end(), relative.begin(), relative.end());
+  if (attributes_.normals) geometry_.normals.insert(geometry_.normals.end(), point.normal.begin(), point.normal.end());
   if (attributes_.colours) add_colour(point.colour);
   if (attributes_.texture_coordinates)
     geometry_.texture_coordinates.insert(geometry_.texture_coordinates.end(), point.texture_coordinate.begin(),
                                          point.texture_coordinate.end());
+}
+
+void PointBuilder::take_triangle(const Triangle& triangle) {
+  geometry_.triangles.insert(geometry_.triangles.end(), triangle.begin(), triangle.end());
 }
 
 // Numbers are fractions until one is clearly above 1. From then on, they are bytes, and the earlier numbers become 0 or
@@ -130,26 +74,17 @@ void PointBuilder::add_colour(const std::array<float, 4>& colour) {
     add(colour[3]);
 }
 
-void PointBuilder::add_polygon(std::span<const std::int64_t> corners) {
-  for (const std::int64_t corner : corners)
-    if (corner < 0 || corner >= static_cast<std::int64_t>(removed))
-      throw Error(fmt::format("{}: face {} has the corner {}, which is not an index; get the file again", file_,
-                              polygons_, corner));
-  ++polygons_;
-  if (corners.size() < 3) ++small_polygons_;
-  for (std::size_t i = 2; i < corners.size(); ++i)
-    for (const std::int64_t corner : {corners[0], corners[i - 1], corners[i]})
-      geometry_.triangles.push_back(static_cast<std::uint32_t>(corner));
-}
-
-void PointBuilder::check_triangles() const {
-  const std::size_t points = geometry_.point_count();
-  const auto bad = std::find_if(geometry_.triangles.begin(), geometry_.triangles.end(),
-                                [&](std::uint32_t corner) { return corner >= points; });
-  if (bad != geometry_.triangles.end())
-    throw Error(
-        fmt::format("{}: a face has the corner {}, but there are only {} of {}; the file is damaged, get it again",
-                    file_, *bad, points, element_));
+void PointBuilder::make_colours_of_normals() {
+  const std::vector<float> normals = std::move(geometry_.normals);
+  geometry_.normals = {};
+  const bool are_fractions = std::all_of(normals.begin(), normals.end(), [](float n) { return n <= 1; });
+  const float scale = are_fractions ? 255.0F : 1.0F;
+  geometry_.colours.assign(normals.size() / 3 * 4, 255);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    geometry_.colours[i / 3 * 4 + i % 3] =
+        static_cast<std::uint8_t>(std::lround(std::clamp(scale * normals[i], 0.0F, 255.0F)));
+  attributes_.normals = false;
+  attributes_.colours = true;
 }
 
 void PointBuilder::leave_out_invalid() {
@@ -177,22 +112,15 @@ void PointBuilder::leave_out_invalid() {
     std::copy(corners.begin(), corners.end(), triangles.begin() + static_cast<std::ptrdiff_t>(kept));
     kept += 3;
   }
-  warn(fmt::format("{} points with NaN or infinite coordinates and {} of their triangles are left out", invalid_.size(),
-                   (triangles.size() - kept) / 3));
+  warn_of_invalid((triangles.size() - kept) / 3);
   triangles.resize(kept);
 }
 
 Reading PointBuilder::finish() {
-  if (geometry_.positions.empty()) throw Error(file_ + ": it has no points; export it again");
-  check_triangles();
+  geometry_.origin = origin_;
+  require_sound(points_ - invalid_.size());
   if (!invalid_.empty()) leave_out_invalid();
-  if (geometry_.positions.empty()) throw Error(file_ + ": no point has finite coordinates; export it again");
-  if (small_polygons_ > 0) warn(fmt::format("{} faces of fewer than three corners are left out", small_polygons_));
-  if (bad_normals_ > 0) warn(fmt::format("{} normals are NaN or infinite and count as missing", bad_normals_));
-  if (attributes_.normals && real_normals_ == 0) {
-    warn("all normals are zero; they count as missing");
-    geometry_.normals = {};
-  }
+  if (!end_warnings()) geometry_.normals = {};
   return {std::move(geometry_), std::move(warnings_)};
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "glark/clients/geometry/read/point_builder.h"
+#include "glark/clients/geometry/read/point_counter.h"
 
 namespace glark::geometry {
 namespace {
@@ -27,36 +28,29 @@ Point point_of(const TextRow& row, const TextColumns& columns) {
   return point;
 }
 
-bool have_unit_length(const std::vector<float>& normals) {
-  for (std::size_t i = 0; i < normals.size(); i += 3) {
-    const float square = normals[i] * normals[i] + normals[i + 1] * normals[i + 1] + normals[i + 2] * normals[i + 2];
-    if (square != 0 && !(square > 0.9F && square < 1.1F)) return false;
+// Tells normals from colours: all normals have length 1 or 0, or one has a negative number.
+class NormalJudge {
+ public:
+  void see(const std::array<float, 3>& normal) {
+    const float square = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+    if (!std::isfinite(normal[0]) || !std::isfinite(normal[1]) || !std::isfinite(normal[2])) return;
+    if (square != 0 && !(square > 0.9F && square < 1.1F)) have_unit_length_ = false;
+    if (normal[0] < 0 || normal[1] < 0 || normal[2] < 0) any_negative_ = true;
   }
-  return true;
-}
+  bool are_colours() const { return !have_unit_length_ && !any_negative_; }
 
-bool any_negative(const std::vector<float>& values) {
-  return std::any_of(values.begin(), values.end(), [](float value) { return value < 0; });
-}
+ private:
+  bool have_unit_length_ = true;
+  bool any_negative_ = false;
+};
 
-void make_colours_of_normals(Geometry& geometry) {
-  const std::size_t points = geometry.point_count();
-  const bool are_fractions =
-      std::all_of(geometry.normals.begin(), geometry.normals.end(), [](float n) { return n <= 1; });
-  const float scale = are_fractions ? 255.0F : 1.0F;
-  geometry.colours.assign(4 * points, 255);
-  for (std::size_t i = 0; i < points; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      geometry.colours[4 * i + k] =
-          static_cast<std::uint8_t>(std::lround(std::clamp(scale * geometry.normals[3 * i + k], 0.0F, 255.0F)));
-  geometry.normals = {};
-}
-
+// Sink: PointBuilder or PointCounter.
+template <class Sink>
 class Lines {
  public:
   Lines(Input& input, TextPoints kind, const ReadOptions& options) : input_(input), kind_(kind), options_(options) {}
 
-  Reading read() {
+  typename Sink::Result read() {
     std::string_view line;
     while (input_.line(line)) {
       constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -64,25 +58,22 @@ class Lines {
       if (is_comment(line)) continue;
       add(TextRow(line), line);
     }
-    if (!builder_) throw Error(input_.name() + ": it has no points; check the format or export it again");
+    if (!sink_) throw Error(input_.name() + ": it has no points; check the format or export it again");
     if (announced_ && *announced_ > points_)
       throw Error(fmt::format("{}: the first line announces {} points, {} follow; the file is cut off, get it again",
                               input_.name(), *announced_, points_));
     if (announced_ && *announced_ < points_)
-      builder_->warn(fmt::format("the first line announces {} points, {} follow; all are kept", *announced_, points_));
-    if (columns_->intensity) builder_->warn("the intensity is not kept");
-    Reading reading = builder_->finish();
-    if (columns_->normal_may_be_colour() && !reading.geometry.normals.empty() &&
-        !have_unit_length(reading.geometry.normals) && !any_negative(reading.geometry.normals))
-      make_colours_of_normals(reading.geometry);
-    return reading;
+      sink_->warn(fmt::format("the first line announces {} points, {} follow; all are kept", *announced_, points_));
+    if (columns_->intensity) sink_->warn("the intensity is not kept");
+    if (columns_->normal_may_be_colour() && judge_.are_colours()) sink_->make_colours_of_normals();
+    return sink_->finish();
   }
 
  private:
   std::string place() const { return fmt::format("{}: line {}", input_.name(), number_); }
 
   void add(const TextRow& row, std::string_view line) {
-    const bool first = !builder_;
+    const bool first = !sink_;
     if (first && !announced_ && kind_ == TextPoints::pts && row.numbers && row.count == 1 && row.values[0] >= 0 &&
         row.values[0] < 1e15) {
       announce(row.values[0]);
@@ -98,13 +89,15 @@ class Lines {
           "\" has commas between digits and other separators; write decimal points, or separate by commas only");
     if (first) {
       columns_.emplace(row, kind_, place());
-      builder_.emplace(input_.name(), "point", attributes_of(*columns_), options_, ColourRange::by_greatest);
-      if (announced_) builder_->expect(*announced_, 0);
+      sink_.emplace(input_.name(), "point", attributes_of(*columns_), options_, ColourRange::by_greatest);
+      if (announced_) sink_->expect(*announced_, 0);
     }
     if (row.count != columns_->count)
       throw Error(fmt::format("{}: {} columns, the lines before have {}; the file is cut off or damaged, get it again",
                               place(), row.count, columns_->count));
-    builder_->add_point(point_of(row, *columns_), true);
+    const Point point = point_of(row, *columns_);
+    judge_.see(point.normal);
+    sink_->add_point(point, true);
     ++points_;
   }
 
@@ -125,13 +118,18 @@ class Lines {
   std::uint64_t points_ = 0;
   std::optional<std::uint64_t> announced_;
   std::optional<TextColumns> columns_;
-  std::optional<PointBuilder> builder_;
+  NormalJudge judge_;
+  std::optional<Sink> sink_;
 };
 
 }  // namespace
 
 Reading read_text_points(Input& input, TextPoints kind, const ReadOptions& options) {
-  return Lines(input, kind, options).read();
+  return Lines<PointBuilder>(input, kind, options).read();
+}
+
+Summary summarise_text_points(Input& input, TextPoints kind, const ReadOptions& options) {
+  return Lines<PointCounter>(input, kind, options).read();
 }
 
 }  // namespace glark::geometry

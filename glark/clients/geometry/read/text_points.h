@@ -12,5 +12,6 @@
 namespace glark::geometry {
 
 Reading read_text_points(Input& input, TextPoints kind, const ReadOptions& options);
+Summary summarise_text_points(Input& input, TextPoints kind, const ReadOptions& options);
 
 }  // namespace glark::geometry

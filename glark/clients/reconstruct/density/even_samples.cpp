@@ -51,7 +51,8 @@ PointSet EvenSamples::points() const {
   return {.positions = positions_, .normals = normals_, .colours = colours_};
 }
 
-// Looks at all samples if some of a few are on no surface.
+// Removes the samples that lie on no surface. Tests a few samples first, and all of them only if some of the few lie on
+// no surface.
 void EvenSamples::remove_outliers(const Workers& workers) {
   const std::vector<Entry>& entries = sorted_.entries;
   const PointSet points = this->points();

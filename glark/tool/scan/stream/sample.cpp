@@ -12,7 +12,7 @@
 
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/console.h"
-#include "glark/tool/scan/stream/peak_memory.h"
+#include "glark/tool/scan/peak_memory.h"
 #include "glark/tool/scan/stream/region.h"
 #include "glark/tool/scan/stream/work_folder.h"
 #include "glark/tool/scan/validators.h"
