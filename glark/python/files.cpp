@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "glark/clients/geometry/formats.h"
@@ -14,7 +18,7 @@ namespace {
 
 using geometry::Geometry;
 
-Geometry read(const std::string& file, bool skip_invalid) {
+Geometry read(const std::filesystem::path& file, bool skip_invalid) {
   geometry::Reading reading = without_gil([&] { return geometry::read_file(file, {.skip_invalid = skip_invalid}); });
   for (const std::string& warning : reading.warnings) {
     if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
@@ -48,12 +52,21 @@ void require_points(std::size_t found, std::size_t points, const char* name) {
   }
 }
 
+// Throws ArgumentError for a coordinate that the readers refuse.
+void require_finite(std::span<const float> positions) {
+  const auto bad = std::ranges::find_if(positions, [](float x) { return !std::isfinite(x); });
+  if (bad == positions.end()) return;
+  throw ArgumentError(fmt::format("glark: positions has the coordinate {} in row {}; remove the point", *bad,
+                                  (bad - positions.begin()) / 3));
+}
+
 Geometry geometry_of(const Array<float>& positions, const OptionalArray<float>& normals,
                      const OptionalArray<std::uint8_t>& colours, const OptionalArray<float>& texcoords,
                      const OptionalArray<std::uint32_t>& triangles, const std::array<double, 3>& origin) {
   Geometry result;
   result.origin = origin;
   result.positions = copied(rows(positions, 3, "positions"));
+  require_finite(result.positions);
   result.normals = copied(rows(normals, 3, "normals"));
   result.colours = with_alpha(colours);
   result.texture_coordinates = copied(rows(texcoords, 2, "texcoords"));
@@ -99,7 +112,7 @@ void bind_files(py::module_& module) {
              "What the format has and glark does not keep becomes a warning.");
   module.def(
       "write",
-      [](const std::string& file, const Array<float>& positions, const OptionalArray<float>& normals,
+      [](const std::filesystem::path& file, const Array<float>& positions, const OptionalArray<float>& normals,
          const OptionalArray<std::uint8_t>& colours, const OptionalArray<float>& texcoords,
          const OptionalArray<std::uint32_t>& triangles, const std::array<double, 3>& origin, bool text) {
         const Geometry geometry = geometry_of(positions, normals, colours, texcoords, triangles, origin);

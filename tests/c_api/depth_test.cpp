@@ -4,6 +4,8 @@
 #include <glark/depth.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstring>
 #include "tests/c_api/shapes.h"
 
 namespace glark::test {
@@ -108,6 +110,24 @@ TEST_F(DepthInC, BadArgumentsAreCodesAndText) {
   EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_depth_manual(tagger, {nullptr, 6}, output(tags), nullptr));
   EXPECT_EQ(std::vector<float>(6, -2), tags);
   glark_depth_tagger_free(nullptr);
+}
+
+TEST_F(DepthInC, AnUnknownEnumerationIsAnError) {
+  glark_depth_edge_rule rule = GLARK_DEPTH_ROUNDED;
+  const unsigned unknown = 7;  // C would not refuse it
+  std::memcpy(&rule, &unknown, sizeof unknown);
+  std::uint64_t triangles = 99;
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_depth_refined_triangles(tagger, array(tags), rule, &triangles, &error));
+  EXPECT_TRUE(contains(error, "rule is 7")) << error.message;
+  EXPECT_EQ(99U, triangles);
+}
+
+TEST_F(DepthInC, AnImpossibleCountIsAnErrorBeforeAnythingIsRead) {
+  glark_depth_tagger* none = nullptr;
+  EXPECT_EQ(GLARK_BAD_ARGUMENT,
+            glark_depth_tagger_create(6, {octahedron_triangles.data(), SIZE_MAX}, 5, &none, &error));
+  EXPECT_TRUE(contains(error, "check its count")) << error.message;
+  EXPECT_EQ(nullptr, none);
 }
 
 }  // namespace

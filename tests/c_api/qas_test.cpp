@@ -4,6 +4,7 @@
 #include <glark/qas.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include "tests/c_api/shapes.h"
 
 namespace glark::test {
@@ -70,6 +71,17 @@ TEST_F(QasInC, CornersAndSamplesAreThoseOfCpp) {
   expect_same(same.evaluate_quartic(2, {0.5F, 0.25F, 0.25F}), sample);
   EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_qas_surface_write_corners(surface, corners.data(), 1, &error));
   EXPECT_EQ(GLARK_QAS_ARRAY, error.element) << error.message;
+}
+
+TEST(QasOptionsInC, AnUnknownSchemeIsAnError) {
+  glark_qas_options options = glark_qas_default_options();
+  const unsigned unknown = 7;  // C would not refuse it
+  std::memcpy(&options.scheme, &unknown, sizeof unknown);
+  glark_qas_surface* surface = nullptr;
+  glark_error error;
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_qas_surface_create(&mesh, &options, &surface, &error));
+  EXPECT_TRUE(contains(error, "scheme is 7")) << error.message;
+  EXPECT_EQ(nullptr, surface);
 }
 
 TEST(LoopInC, TheSurfaceIsThatOfCpp) {

@@ -4,6 +4,9 @@
 #include <glark/vstree.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "tests/c_api/shapes.h"
@@ -61,7 +64,7 @@ TEST(VstreeInC, NormalsAreThoseOfCpp) {
   EXPECT_EQ(vstree::estimate_normals({.positions = points}, {.neighbours = 8, .scanner = &eye}), normals);
   normals.pop_back();
   EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_vstree_estimate_normals(&bare, &options, output(normals), &error));
-  EXPECT_TRUE(contains(error, "the array normals has 8999 numbers for 9000")) << error.message;
+  EXPECT_TRUE(contains(error, "glark-vstree: array normals has 8999 numbers for 9000")) << error.message;
 }
 
 TEST(VstreeInC, SimplificationIsThatOfCpp) {
@@ -118,7 +121,26 @@ TEST(VstreeInC, AnUnknownEnumerationIsAnError) {
   glark_error error;
   EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_vstree_tree_create(&samples, &options, &tree, &error));
   EXPECT_EQ(GLARK_VSTREE_OPTION, error.element);
-  EXPECT_TRUE(contains(error, "metric is 7")) << error.message;
+  EXPECT_STREQ("glark-vstree: option metric is 7; use a value of its enumeration", error.message);
+}
+
+TEST(VstreeInC, AnImpossibleCountIsAnErrorBeforeAnythingIsRead) {
+  const glark_vstree_mesh mesh = {samples, {octahedron_triangles.data(), SIZE_MAX}};
+  glark_vstree_simplified* simplified = nullptr;
+  glark_error error;
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_vstree_simplify(&mesh, nullptr, &simplified, &error));
+  EXPECT_TRUE(contains(error, "check its count")) << error.message;
+}
+
+TEST(VstreeInC, AScannerThatIsNotFiniteIsAnError) {
+  const glark_vstree_point_set bare{array(points), {}, {}, {}};
+  std::vector<float> normals(points.size());
+  const std::array<float, 3> nowhere = {0, NAN, 0};
+  glark_vstree_normal_options options = glark_vstree_default_normal_options();
+  options.scanner = nowhere.data();
+  glark_error error;
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_vstree_estimate_normals(&bare, &options, output(normals), &error));
+  EXPECT_TRUE(contains(error, "scanner is not finite")) << error.message;
 }
 
 }  // namespace

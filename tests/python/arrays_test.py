@@ -91,6 +91,11 @@ class Files(unittest.TestCase):
         numpy.testing.assert_array_equal(triangles, read.triangles)
         self.assertIsNone(read.texcoords)
 
+    def test_a_path_is_as_good_as_a_name(self):
+        path = pathlib.Path(self.file)
+        glark.write(path, sphere(4))
+        self.assertEqual((4, 3), glark.read(path).positions.shape)
+
     def test_bad_files_and_meshes_are_told(self):
         with self.assertRaises(glark.FileError):
             glark.read("/nowhere/scan.ply")
@@ -98,6 +103,8 @@ class Files(unittest.TestCase):
             glark.write(self.file, sphere(3), triangles=[[0, 1, 9]])
         with self.assertRaisesRegex(glark.ArgumentError, "normals has 2 rows for 3 points"):
             glark.write(self.file, sphere(3), sphere(2))
+        with self.assertRaisesRegex(glark.ArgumentError, "positions has the coordinate nan in row 1"):
+            glark.write(self.file, [[0, 0, 0], [0, numpy.nan, 0]])
         self.assertFalse(pathlib.Path(self.file).exists())
 
     def test_invalid_points_are_left_out_with_a_warning(self):

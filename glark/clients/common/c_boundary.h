@@ -8,6 +8,7 @@
 #include <glark/error.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <span>
@@ -26,8 +27,15 @@ T& needed(T* pointer, const char* name) {
   return *pointer;
 }
 
+// Three numbers for each index of 32 bits.
+inline constexpr std::uint64_t most_elements = 3 * (std::uint64_t{1} << 32U);
+
 template <class T>
 std::span<T> span_of(T* data, std::size_t count) {
+  if (count > most_elements) {
+    throw ArgumentError("glark: an array has " + std::to_string(count) + " elements; " + std::to_string(most_elements) +
+                        " are possible: check its count");
+  }
   if (data == nullptr && count > 0) {
     throw ArgumentError("glark: an array of " + std::to_string(count) + " elements is NULL; pass its address");
   }
@@ -37,6 +45,16 @@ inline std::span<const float> span_of(const glark_floats& array) { return span_o
 inline std::span<const std::uint32_t> span_of(const glark_indices& array) { return span_of(array.data, array.count); }
 inline std::span<const std::uint8_t> span_of(const glark_bytes& array) { return span_of(array.data, array.count); }
 inline std::span<float> span_of(const glark_float_output& array) { return span_of(array.data, array.count); }
+
+// C may pass any number as an enumeration, whose values are 0 to `last`. Throws ArgumentError for another one.
+template <class Enumeration>
+Enumeration enumeration_of(int value, Enumeration last, std::string_view name) {
+  if (value < 0 || value > static_cast<int>(last)) {
+    throw ArgumentError("glark: " + std::string(name) + " is " + std::to_string(value) + "; 0 to " +
+                        std::to_string(static_cast<int>(last)) + " are possible: use a value of its enumeration");
+  }
+  return static_cast<Enumeration>(value);
+}
 
 inline glark_floats array_of(std::span<const float> span) { return {span.data(), span.size()}; }
 inline glark_indices array_of(std::span<const std::uint32_t> span) { return {span.data(), span.size()}; }

@@ -7,6 +7,7 @@
 
 #include "glark/clients/common/c_boundary.h"
 
+using glark::c::enumeration_of;
 using glark::c::needed;
 using glark::c::span_of;
 namespace depth = glark::depth;
@@ -16,6 +17,8 @@ struct glark_depth_tagger {
 };
 
 namespace {
+
+static_assert(static_cast<int>(depth::EdgeRule::geomorph) == GLARK_DEPTH_GEOMORPH);
 
 template <class Step>
 glark_code guarded(glark_error* error, const Step& step) {
@@ -28,9 +31,7 @@ depth::View view_of(const glark_depth_view& view) {
   return {.eye = vector_of(view.eye), .pixels_at_one = view.pixels_at_one, .nearest = view.nearest};
 }
 
-depth::EdgeRule rule_of(glark_depth_edge_rule rule) {
-  return rule == GLARK_DEPTH_GEOMORPH ? depth::EdgeRule::geomorph : depth::EdgeRule::rounded;
-}
+depth::EdgeRule rule_of(glark_depth_edge_rule rule) { return enumeration_of(rule, depth::EdgeRule::geomorph, "rule"); }
 
 depth::Tagger& tagger_of(glark_depth_tagger* tagger) { return needed(tagger, "tagger").tagger; }
 const depth::Tagger& tagger_of(const glark_depth_tagger* tagger) { return needed(tagger, "tagger").tagger; }

@@ -11,6 +11,7 @@
 
 #include "glark/clients/common/c_boundary.h"
 
+using glark::c::enumeration_of;
 using glark::c::needed;
 using glark::c::span_of;
 namespace qas = glark::qas;
@@ -34,6 +35,7 @@ static_assert(sizeof(glark_qas_quartic_corner) == sizeof(qas::QuarticCorner));
 static_assert(offsetof(glark_qas_quartic_corner, normals) == offsetof(qas::QuarticCorner, normals));
 static_assert(sizeof(glark_qas_sample) == sizeof(qas::Sample));
 static_assert(offsetof(glark_qas_sample, normal) == offsetof(qas::Sample, normal));
+static_assert(static_cast<int>(qas::Scheme::modified_butterfly) == GLARK_QAS_MODIFIED_BUTTERFLY);
 static_assert(static_cast<int>(qas::Element::array) == GLARK_QAS_ARRAY);
 
 template <class Step>
@@ -46,10 +48,9 @@ qas::Mesh mesh_of(const glark_qas_mesh& mesh) {
 }
 
 qas::Options options_of(const glark_qas_options& options) {
-  return {
-      .scheme = options.scheme == GLARK_QAS_MODIFIED_BUTTERFLY ? qas::Scheme::modified_butterfly : qas::Scheme::loop,
-      .splits = options.splits,
-      .threads = options.threads};
+  return {.scheme = enumeration_of(options.scheme, qas::Scheme::modified_butterfly, "scheme"),
+          .splits = options.splits,
+          .threads = options.threads};
 }
 
 glark_floats floats_of(std::span<const qas::Vector> vectors) {

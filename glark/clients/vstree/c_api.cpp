@@ -54,8 +54,7 @@ template <class Enumeration>
 Enumeration checked(int value, Enumeration last, const char* name) {
   if (value < 0 || value > static_cast<int>(last)) {
     throw vstree::Error(vstree::Element::option, 0,
-                        "glark-vstree: the option " + std::string(name) + " is " + std::to_string(value) +
-                            "; use a value of its enumeration");
+                        std::string(name) + " is " + std::to_string(value) + "; use a value of its enumeration");
   }
   return static_cast<Enumeration>(value);
 }
@@ -151,7 +150,7 @@ glark_code glark_vstree_estimate_normals(const glark_vstree_point_set* points,
     const std::span<float> result = span_of(normals);
     if (result.size() != given.positions.size()) {
       throw vstree::Error(vstree::Element::array, 0,
-                          "glark-vstree: the array normals has " + std::to_string(result.size()) + " numbers for " +
+                          "normals has " + std::to_string(result.size()) + " numbers for " +
                               std::to_string(given.positions.size()) + " in positions; give it as many");
     }
     vstree::NormalOptions wanted;

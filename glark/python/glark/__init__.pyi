@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-from typing import Optional, Tuple
+from os import PathLike
+from typing import Optional, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -37,8 +38,8 @@ class Reconstructed:
     area_left_out: float
     outliers: int
 
-def read(file: str, *, skip_invalid: bool = False) -> Geometry: ...
-def write(file: str, positions: ArrayLike, normals: Optional[ArrayLike] = None, colours: Optional[ArrayLike] = None,
+def read(file: Union[str, PathLike[str]], *, skip_invalid: bool = False) -> Geometry: ...
+def write(file: Union[str, PathLike[str]], positions: ArrayLike, normals: Optional[ArrayLike] = None, colours: Optional[ArrayLike] = None,
           texcoords: Optional[ArrayLike] = None, triangles: Optional[ArrayLike] = None, *,
           origin: Tuple[float, float, float] = (0, 0, 0), text: bool = False) -> None: ...
 def reconstruct(positions: ArrayLike, normals: Optional[ArrayLike] = None, colours: Optional[ArrayLike] = None, *,

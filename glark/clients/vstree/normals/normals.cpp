@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "glark/clients/common/counting_sort.h"
 #include "glark/clients/common/points/point_set.h"
@@ -135,6 +136,9 @@ std::vector<float> estimate_normals(const PointSet& points, const NormalOptions&
   check(points, workers);
   if (options.neighbours < 3 || options.neighbours > 256) {
     throw Error(Element::option, 0, fmt::format("neighbours is {}; 3 to 256 are possible", options.neighbours));
+  }
+  if (options.scanner != nullptr && !std::ranges::all_of(*options.scanner, [](float x) { return std::isfinite(x); })) {
+    throw Error(Element::option, 0, "scanner is not finite; give its position in the space of the points");
   }
   const Cube cube = bounding_cube(points.positions, workers);
   const std::size_t count = points.positions.size() / 3;
