@@ -29,7 +29,7 @@ glark::depth::Vector eye_of(const lesson::Matrix& view) {
   return eye;
 }
 
-// The tag is 5 up to the distance 4, 0 from the distance 9 on, and falls evenly between them.
+// The tag is 5 up to the distance 4, 0 from the distance 9 on, and falls linearly between them.
 void tag(const glark::depth::Vector& eye) {
   for (std::size_t i = 0; i < tags.size(); ++i) {
     const float* const at = &terrain.positions[3 * i];
