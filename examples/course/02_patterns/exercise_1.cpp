@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Exercise 1: choose three tags, so that the edges get the depths 2 (bottom), 3 (right) and 5 (left).
+// Exercise 1: choose three tags, so that the edges get the depths 3 (bottom), 1 (right) and 4 (left).
 #include "examples/common/lesson.h"
 
 #include <GL/gl.h>

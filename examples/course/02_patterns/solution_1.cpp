@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Solution 1: (4 + 0) / 2 = 2, (0 + 6) / 2 = 3, (6 + 4) / 2 = 5.
+// Solution 1: (6 + 0) / 2 = 3, (0 + 2) / 2 = 1, (2 + 6) / 2 = 4.
 #include "examples/common/lesson.h"
 
 #include <GL/gl.h>
@@ -11,7 +11,7 @@
 
 namespace {
 
-constexpr unsigned tags[3] = {4, 0, 6};
+constexpr unsigned tags[3] = {6, 0, 2};
 
 unsigned depth_of_edge(int a, int b) { return (tags[a] + tags[b]) / 2; }
 
