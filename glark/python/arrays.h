@@ -106,6 +106,7 @@ void bind_files(py::module_& module);
 void bind_pn(py::module_& module);
 void bind_qas(py::module_& module);
 void bind_reconstruct(py::module_& module);
+void bind_stream(py::module_& module);
 void bind_surfel(py::module_& module);
 void bind_vstree(py::module_& module);
 

@@ -97,8 +97,10 @@ void bind_depth(py::module_& parent) {
            }),
            py::arg("vertices"), py::arg("triangles"), py::arg("max_level"),
            "vertices: their number. triangles: (triangles, 3). max_level: 0 to 11.")
-      .def_property_readonly("vertices", [](const Tagger& tagger) { return tagger.fixed().vertices(); })
-      .def_property_readonly("max_level", [](const Tagger& tagger) { return tagger.fixed().max_level(); })
+      .def_property_readonly(
+          "vertices", [](const Tagger& tagger) { return tagger.fixed().vertices(); }, "the number of vertices")
+      .def_property_readonly(
+          "max_level", [](const Tagger& tagger) { return tagger.fixed().max_level(); }, "the deepest tag, 0 to 15")
       .def("by_distance", &by_distance, py::arg("positions"), py::arg("point"), py::kw_only(),
            py::arg("nearest") = range.nearest, py::arg("farthest") = range.farthest, py::arg("finest") = range.finest,
            py::arg("coarsest") = range.coarsest,

@@ -23,23 +23,28 @@ py::object sources_of(const py::object& self) {
 void bind_pn(py::module_& parent) {
   py::module_ module = parent.def_submodule("pn", "Scalar-tagged PN triangles.");
   py::class_<TaggedMesh>(module, "TaggedMesh", "A mesh with the tags of GL_SCALAR_TAGGED_PN_ARK.")
-      .def_property_readonly("positions",
-                             [](const py::object& s) { return view(s.cast<TaggedMesh&>().positions, 3, s); })
-      .def_property_readonly("normals", [](const py::object& s) { return view(s.cast<TaggedMesh&>().normals, 3, s); })
+      .def_property_readonly(
+          "positions", [](const py::object& s) { return view(s.cast<TaggedMesh&>().positions, 3, s); },
+          "(vertices, 3) float32")
+      .def_property_readonly(
+          "normals", [](const py::object& s) { return view(s.cast<TaggedMesh&>().normals, 3, s); },
+          "(vertices, 3) float32, of unit length")
       .def_property_readonly(
           "discontinuities", [](const py::object& s) { return view(s.cast<TaggedMesh&>().discontinuities, 4, s); },
           "(vertices, 4): Delta and the number of the crease")
       .def_property_readonly(
           "tags", [](const py::object& s) { return view(s.cast<TaggedMesh&>().tags, 3, s); },
           "(vertices, 3): sharpness, tension, bias")
-      .def_property_readonly("triangles",
-                             [](const py::object& s) { return view(s.cast<TaggedMesh&>().triangles, 3, s); })
+      .def_property_readonly(
+          "triangles", [](const py::object& s) { return view(s.cast<TaggedMesh&>().triangles, 3, s); },
+          "(triangles, 3) uint32: indices of vertices")
       .def_property_readonly("sources", &sources_of,
                              "(vertices, 2): each vertex lies half-way between these two vertices of the mesh")
-      .def_property_readonly("triangle_sources",
-                             [](const py::object& s) { return view(s.cast<TaggedMesh&>().triangle_sources, 1, s); })
-      .def_readonly("crease_vertices", &TaggedMesh::crease_vertices)
-      .def_readonly("corners", &TaggedMesh::corners);
+      .def_property_readonly(
+          "triangle_sources", [](const py::object& s) { return view(s.cast<TaggedMesh&>().triangle_sources, 1, s); },
+          "(triangles,) uint32: the original triangle of each")
+      .def_readonly("crease_vertices", &TaggedMesh::crease_vertices, "the number of points with two normals")
+      .def_readonly("corners", &TaggedMesh::corners, "the number of points where several creases meet");
   const pn::Options defaults;
   module.def(
       "derive_tags",

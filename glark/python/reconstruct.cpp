@@ -16,18 +16,23 @@ namespace {
 
 void bind_reconstructed(py::module_& module) {
   py::class_<Reconstructed>(module, "Reconstructed", "A mesh from points.")
-      .def_property_readonly("positions",
-                             [](const py::object& s) { return view(s.cast<Reconstructed&>().positions, 3, s); })
-      .def_property_readonly("normals",
-                             [](const py::object& s) { return view(s.cast<Reconstructed&>().normals, 3, s); })
-      .def_property_readonly("colours",
-                             [](const py::object& s) { return view_or_none(s.cast<Reconstructed&>().colours, 3, s); })
-      .def_property_readonly("triangles",
-                             [](const py::object& s) { return view(s.cast<Reconstructed&>().triangles, 3, s); })
-      .def_readonly("base_vertices", &Reconstructed::base_vertices)
-      .def_readonly("base_triangles", &Reconstructed::base_triangles)
-      .def_readonly("levels", &Reconstructed::levels)
-      .def_readonly("node_side", &Reconstructed::node_side)
+      .def_property_readonly(
+          "positions", [](const py::object& s) { return view(s.cast<Reconstructed&>().positions, 3, s); },
+          "(vertices, 3) float32; those of the coarse mesh come first")
+      .def_property_readonly(
+          "normals", [](const py::object& s) { return view(s.cast<Reconstructed&>().normals, 3, s); },
+          "(vertices, 3) float32, of unit length")
+      .def_property_readonly(
+          "colours", [](const py::object& s) { return view_or_none(s.cast<Reconstructed&>().colours, 3, s); },
+          "(vertices, 3) float32, 0 to 1; None if the points have none")
+      .def_property_readonly(
+          "triangles", [](const py::object& s) { return view(s.cast<Reconstructed&>().triangles, 3, s); },
+          "(triangles, 3) uint32: indices of vertices")
+      .def_readonly("base_vertices", &Reconstructed::base_vertices, "the number of vertices of the coarse mesh")
+      .def_readonly("base_triangles", &Reconstructed::base_triangles, "the number of triangles of the coarse mesh")
+      .def_readonly("levels", &Reconstructed::levels, "how often the coarse mesh was refined")
+      .def_readonly("node_side", &Reconstructed::node_side,
+                    "the side of the finest transition nodes, in the positions' unit")
       .def_readonly("noise", &Reconstructed::noise, "root mean square distance of the samples from the nodes' planes")
       .def_readonly("left_out", &Reconstructed::left_out, "the number of parts that were left out")
       .def_readonly("area_left_out", &Reconstructed::area_left_out, "their share of the area of all parts, 0 to 1")

@@ -74,7 +74,9 @@ py::array_t<std::uint64_t> ranges_of(const std::vector<surfel::Range>& ranges) {
 void bind_frame(py::module_& module) {
   py::class_<Frame>(module, "Frame",
                     "What a view draws: glMultiDrawElements(GL_TRIANGLE_STRIP, counts, GL_UNSIGNED_INT, offsets).")
-      .def_property_readonly("counts", [](const py::object& self) { return view(self.cast<Frame&>().counts, 1, self); })
+      .def_property_readonly(
+          "counts", [](const py::object& self) { return view(self.cast<Frame&>().counts, 1, self); },
+          "(strips,) int32: the number of indices of each strip")
       .def_property_readonly(
           "offsets",
           [](const py::object& self) {
@@ -86,12 +88,13 @@ void bind_frame(py::module_& module) {
       .def_property_readonly(
           "points", [](const py::object& self) { return view(self.cast<Frame&>().points, 1, self); },
           "drawn as GL_POINTS")
-      .def_readonly("level", &Frame::level)
-      .def_readonly("indices", &Frame::indices)
-      .def_readonly("strips", &Frame::strips)
-      .def_readonly("visited", &Frame::visited)
-      .def_readonly("out_of_frustum", &Frame::out_of_frustum)
-      .def_readonly("back_faces", &Frame::back_faces);
+      .def_readonly("level", &Frame::level, "the level of detail that is drawn; 0 is the finest")
+      .def_readonly("indices", &Frame::indices, "the number of all indices, the sum of counts")
+      .def_readonly("strips", &Frame::strips, "the number of strips")
+      .def_readonly("visited", &Frame::visited, "the number of nodes that were looked at")
+      .def_readonly("out_of_frustum", &Frame::out_of_frustum,
+                    "the number of nodes that were left out, because they lie outside of the view")
+      .def_readonly("back_faces", &Frame::back_faces, "the number of nodes that were left out, because they face away");
 }
 
 std::unique_ptr<Strips> make_strips(const Array<float>& positions, const OptionalArray<float>& normals,
@@ -125,8 +128,11 @@ void bind_surfel(py::module_& parent) {
            py::arg("threads") = 0, "positions: (points, 3). normals: (points, 3), or none. levels: of detail, 1 to 16.")
       .def_property_readonly(
           "point_count",
-          [](const Strips& strips) { return strips.read([](const auto& all) { return all.point_count(); }); })
-      .def_property_readonly("level_count", [](const Strips& strips) { return strips.fixed().level_count(); })
+          [](const Strips& strips) { return strips.read([](const auto& all) { return all.point_count(); }); },
+          "the number of points, with those that update() added")
+      .def_property_readonly(
+          "level_count", [](const Strips& strips) { return strips.fixed().level_count(); },
+          "the number of levels of detail")
       .def_property_readonly(
           "indices",
           [](const Strips& strips) {

@@ -60,9 +60,9 @@ void bind_tree(py::module_& module) {
       .def_property_readonly(
           "order", [](const py::object& self) { return view(self.cast<Tree&>().order(), 1, self); },
           "(points,) uint32: node i has the samples order[begin:end]")
-      .def_property_readonly("leaf_count", &Tree::leaf_count)
-      .def_property_readonly("bytes", &Tree::bytes)
-      .def_property_readonly("diagonal", &Tree::diagonal)
+      .def_property_readonly("leaf_count", &Tree::leaf_count, "the number of leaves")
+      .def_property_readonly("bytes", &Tree::bytes, "the memory of the tree")
+      .def_property_readonly("diagonal", &Tree::diagonal, "the diagonal of the bounding box, in the positions' unit")
       .def(
           "leaf_of",
           [](const Tree& tree, const std::array<float, 3>& position) -> std::optional<std::uint32_t> {
@@ -74,15 +74,21 @@ void bind_tree(py::module_& module) {
 
 void bind_simplified(py::module_& module) {
   py::class_<Simplified>(module, "Simplified", "The result of simplify(). An attribute that the input lacks is None.")
-      .def_property_readonly("positions",
-                             [](const py::object& s) { return view(s.cast<Simplified&>().positions, 3, s); })
-      .def_property_readonly("normals", [](const py::object& s) { return view(s.cast<Simplified&>().normals, 3, s); })
-      .def_property_readonly("colours",
-                             [](const py::object& s) { return view_or_none(s.cast<Simplified&>().colours, 3, s); })
-      .def_property_readonly("texcoords",
-                             [](const py::object& s) { return view_or_none(s.cast<Simplified&>().texcoords, 2, s); })
-      .def_property_readonly("triangles",
-                             [](const py::object& s) { return view_or_none(s.cast<Simplified&>().triangles, 3, s); })
+      .def_property_readonly(
+          "positions", [](const py::object& s) { return view(s.cast<Simplified&>().positions, 3, s); },
+          "(vertices, 3) float32")
+      .def_property_readonly(
+          "normals", [](const py::object& s) { return view(s.cast<Simplified&>().normals, 3, s); },
+          "(vertices, 3) float32, of unit length")
+      .def_property_readonly(
+          "colours", [](const py::object& s) { return view_or_none(s.cast<Simplified&>().colours, 3, s); },
+          "(vertices, 3) float32, 0 to 1, or None")
+      .def_property_readonly(
+          "texcoords", [](const py::object& s) { return view_or_none(s.cast<Simplified&>().texcoords, 2, s); },
+          "(vertices, 2) float32, or None")
+      .def_property_readonly(
+          "triangles", [](const py::object& s) { return view_or_none(s.cast<Simplified&>().triangles, 3, s); },
+          "(triangles, 3) uint32: indices of vertices; None for points")
       .def_property_readonly(
           "representatives", [](const py::object& s) { return view(s.cast<Simplified&>().representatives, 1, s); },
           "(points of the input,) uint32: the vertex of each point; 0xFFFFFFFF if no triangle uses the point")

@@ -249,7 +249,7 @@ constexpr std::array other_settings{
             [](Settings& s, std::string_view text) { return assign(parse_file(text), s.record_file); }},
     Setting{output, "stats", "GLARK_STATS", Kind::output_file, "FILE.json", file_needed, "", "none",
             "Write statistics: draws by class of state and by what was decided about them, causes, and frames",
-            "%p in the name stands for the number of the process. docs/reference/formats.md explains the keys.",
+            "%p in the name stands for the number of the process. The document reference/formats.md explains the keys.",
             [](Settings& s, std::string_view text) { return assign(parse_file(text), s.statistics_file); }},
     Setting{output, "dump-shaders", "GLARK_DUMP_SHADERS", Kind::output_folder, "DIR", "the name of a folder", "", "none",
             "Write the sources of the program's shaders and of the shaders derived from them",

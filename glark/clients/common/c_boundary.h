@@ -30,21 +30,31 @@ T& needed(T* pointer, const char* name) {
 // Three numbers for each index of 32 bits.
 inline constexpr std::uint64_t most_elements = 3 * (std::uint64_t{1} << 32U);
 
+// The array as a span. Throws ArgumentError, which names the argument, if it cannot be one.
 template <class T>
-std::span<T> span_of(T* data, std::size_t count) {
+std::span<T> span_of(T* data, std::size_t count, const char* name) {
   if (count > most_elements) {
-    throw ArgumentError("glark: an array has " + std::to_string(count) + " elements; " + std::to_string(most_elements) +
-                        " are possible: check its count");
+    throw ArgumentError("glark: " + std::string(name) + " has " + std::to_string(count) + " elements; " +
+                        std::to_string(most_elements) + " are possible: check its count");
   }
   if (data == nullptr && count > 0) {
-    throw ArgumentError("glark: an array of " + std::to_string(count) + " elements is NULL; pass its address");
+    throw ArgumentError("glark: " + std::string(name) + " has " + std::to_string(count) +
+                        " elements, but is NULL; pass its address");
   }
   return {data, count};
 }
-inline std::span<const float> span_of(const glark_floats& array) { return span_of(array.data, array.count); }
-inline std::span<const std::uint32_t> span_of(const glark_indices& array) { return span_of(array.data, array.count); }
-inline std::span<const std::uint8_t> span_of(const glark_bytes& array) { return span_of(array.data, array.count); }
-inline std::span<float> span_of(const glark_float_output& array) { return span_of(array.data, array.count); }
+inline std::span<const float> span_of(const glark_floats& array, const char* name) {
+  return span_of(array.data, array.count, name);
+}
+inline std::span<const std::uint32_t> span_of(const glark_indices& array, const char* name) {
+  return span_of(array.data, array.count, name);
+}
+inline std::span<const std::uint8_t> span_of(const glark_bytes& array, const char* name) {
+  return span_of(array.data, array.count, name);
+}
+inline std::span<float> span_of(const glark_float_output& array, const char* name) {
+  return span_of(array.data, array.count, name);
+}
 
 // C may pass any number as an enumeration, whose values are 0 to `last`. Throws ArgumentError for another one.
 template <class Enumeration>

@@ -56,10 +56,10 @@ glark_code glark_pn_derive_tags(const glark_pn_mesh* mesh, const glark_pn_option
     const glark_pn_mesh& given = needed(mesh, "mesh");
     glark_pn_tagged_mesh*& result = needed(tagged, "tagged");
     result = std::make_unique<glark_pn_tagged_mesh>(
-                 glark_pn_tagged_mesh{pn::derive_tags({.positions = span_of(given.positions),
-                                                       .triangles = span_of(given.triangles),
-                                                       .normals = span_of(given.normals),
-                                                       .creases = span_of(given.creases)},
+                 glark_pn_tagged_mesh{pn::derive_tags({.positions = span_of(given.positions, "positions"),
+                                                       .triangles = span_of(given.triangles, "triangles"),
+                                                       .normals = span_of(given.normals, "normals"),
+                                                       .creases = span_of(given.creases, "creases")},
                                                       options == nullptr ? pn::Options{} : options_of(*options))})
                  .release();
   });

@@ -44,7 +44,9 @@ glark_code guarded(glark_error* error, const Step& step) {
 }
 
 qas::Mesh mesh_of(const glark_qas_mesh& mesh) {
-  return {.vertex_count = mesh.vertex_count, .triangles = span_of(mesh.triangles), .creases = span_of(mesh.creases)};
+  return {.vertex_count = mesh.vertex_count,
+          .triangles = span_of(mesh.triangles, "triangles"),
+          .creases = span_of(mesh.creases, "creases")};
 }
 
 qas::Options options_of(const glark_qas_options& options) {
@@ -107,7 +109,7 @@ glark_code glark_qas_surface_create(const glark_qas_mesh* mesh, const glark_qas_
 void glark_qas_surface_free(glark_qas_surface* surface) { std::unique_ptr<glark_qas_surface>{surface}; }
 
 glark_code glark_qas_surface_update(glark_qas_surface* surface, glark_floats positions, glark_error* error) {
-  return guarded(error, [&] { needed(surface, "surface").surface.update(span_of(positions)); });
+  return guarded(error, [&] { needed(surface, "surface").surface.update(span_of(positions, "positions")); });
 }
 
 glark_floats glark_qas_surface_limit_positions(const glark_qas_surface* surface) {
@@ -136,7 +138,8 @@ size_t glark_qas_surface_corner_count(const glark_qas_surface* surface) {
 glark_code glark_qas_surface_write_corners(const glark_qas_surface* surface, glark_qas_corner* corners, size_t count,
                                            glark_error* error) {
   return guarded(error, [&] {
-    needed(surface, "surface").surface.write_corners(span_of(reinterpret_cast<qas::Corner*>(corners), count));
+    needed(surface, "surface")
+        .surface.write_corners(span_of(reinterpret_cast<qas::Corner*>(corners), count, "corners"));
   });
 }
 size_t glark_qas_surface_quartic_corner_count(const glark_qas_surface* surface) {
@@ -147,7 +150,7 @@ glark_code glark_qas_surface_write_quartic_corners(const glark_qas_surface* surf
                                                    size_t count, glark_error* error) {
   return guarded(error, [&] {
     needed(surface, "surface")
-        .surface.write_quartic_corners(span_of(reinterpret_cast<qas::QuarticCorner*>(corners), count));
+        .surface.write_quartic_corners(span_of(reinterpret_cast<qas::QuarticCorner*>(corners), count, "corners"));
   });
 }
 
@@ -176,7 +179,7 @@ glark_code glark_qas_loop_surface_create(const glark_qas_mesh* mesh, glark_qas_l
 void glark_qas_loop_surface_free(glark_qas_loop_surface* surface) { std::unique_ptr<glark_qas_loop_surface>{surface}; }
 
 glark_code glark_qas_loop_surface_update(glark_qas_loop_surface* surface, glark_floats positions, glark_error* error) {
-  return guarded(error, [&] { needed(surface, "surface").surface.update(span_of(positions)); });
+  return guarded(error, [&] { needed(surface, "surface").surface.update(span_of(positions, "positions")); });
 }
 glark_code glark_qas_loop_surface_evaluate(const glark_qas_loop_surface* surface, size_t triangle,
                                            const float barycentric[3], glark_qas_sample* sample, glark_error* error) {
@@ -187,7 +190,8 @@ glark_code glark_qas_loop_surface_refine(const glark_qas_loop_surface* surface, 
                                          glark_qas_sample* samples, size_t count, unsigned threads,
                                          glark_error* error) {
   return guarded(error, [&] {
-    needed(surface, "surface").surface.refine(level, span_of(reinterpret_cast<qas::Sample*>(samples), count), threads);
+    needed(surface, "surface")
+        .surface.refine(level, span_of(reinterpret_cast<qas::Sample*>(samples), count, "samples"), threads);
   });
 }
 

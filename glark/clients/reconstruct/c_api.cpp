@@ -44,10 +44,10 @@ glark_code glark_reconstruct(const glark_vstree_point_set* points, const glark_r
   return glark::c::guarded<glark::vstree::Error>(error, [&] {
     const glark_vstree_point_set& given = needed(points, "points");
     glark_reconstruct_mesh*& result = needed(mesh, "mesh");
-    const glark::vstree::PointSet samples{.positions = span_of(given.positions),
-                                          .normals = span_of(given.normals),
-                                          .colours = span_of(given.colours),
-                                          .texcoords = span_of(given.texcoords)};
+    const glark::vstree::PointSet samples{.positions = span_of(given.positions, "positions"),
+                                          .normals = span_of(given.normals, "normals"),
+                                          .colours = span_of(given.colours, "colours"),
+                                          .texcoords = span_of(given.texcoords, "texcoords")};
     result = std::make_unique<glark_reconstruct_mesh>(
                  glark_reconstruct_mesh{glark::reconstruct::reconstruct(
                      samples, options == nullptr ? ReconstructOptions{} : options_of(*options))})

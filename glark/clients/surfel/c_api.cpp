@@ -40,7 +40,7 @@ glark_code guarded(glark_error* error, const Step& step) {
 }
 
 surfel::Cloud cloud_of(const glark_surfel_cloud& cloud) {
-  return {.positions = span_of(cloud.positions), .normals = span_of(cloud.normals)};
+  return {.positions = span_of(cloud.positions, "positions"), .normals = span_of(cloud.normals, "normals")};
 }
 
 surfel::Options options_of(const glark_surfel_options& options) {
@@ -162,7 +162,7 @@ glark_code glark_surfel_strips_update(glark_surfel_strips* strips, const glark_s
                                       glark_surfel_ranges* ranges, glark_error* error) {
   return guarded(error, [&] {
     glark_surfel_strips& updated = needed(strips, "strips");
-    updated.changed = updated.strips.update(cloud_of(needed(cloud, "cloud")), span_of(moved));
+    updated.changed = updated.strips.update(cloud_of(needed(cloud, "cloud")), span_of(moved, "moved"));
     if (ranges != nullptr) {
       *ranges = {reinterpret_cast<const glark_surfel_range*>(updated.changed.data()), updated.changed.size()};
     }

@@ -43,10 +43,10 @@ glark_code guarded(glark_error* error, const Step& step) {
 }
 
 vstree::PointSet points_of(const glark_vstree_point_set& points) {
-  return {.positions = span_of(points.positions),
-          .normals = span_of(points.normals),
-          .colours = span_of(points.colours),
-          .texcoords = span_of(points.texcoords)};
+  return {.positions = span_of(points.positions, "positions"),
+          .normals = span_of(points.normals, "normals"),
+          .colours = span_of(points.colours, "colours"),
+          .texcoords = span_of(points.texcoords, "texcoords")};
 }
 
 // C may pass any number as an enumeration.
@@ -147,7 +147,7 @@ glark_code glark_vstree_estimate_normals(const glark_vstree_point_set* points,
                                          glark_error* error) {
   return guarded(error, [&] {
     const vstree::PointSet given = points_of(needed(points, "points"));
-    const std::span<float> result = span_of(normals);
+    const std::span<float> result = span_of(normals, "normals");
     if (result.size() != given.positions.size()) {
       throw vstree::Error(vstree::Element::array, 0,
                           "normals has " + std::to_string(result.size()) + " numbers for " +
@@ -190,7 +190,7 @@ glark_code glark_vstree_simplify(const glark_vstree_mesh* mesh, const glark_vstr
     const vstree::SimplifyOptions wanted = options == nullptr ? vstree::SimplifyOptions{} : options_of(*options);
     result = std::make_unique<glark_vstree_simplified>(
                  glark_vstree_simplified{vstree::simplify(
-                     {.points = points_of(given.points), .triangles = span_of(given.triangles)}, wanted)})
+                     {.points = points_of(given.points), .triangles = span_of(given.triangles, "triangles")}, wanted)})
                  .release();
   });
 }
