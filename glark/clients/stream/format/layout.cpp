@@ -11,9 +11,10 @@
 namespace glark::stream {
 namespace {
 
-// Calls step(column, first byte, first point) for the points at each place of a record.
+// Calls step(column, first byte, first point) for the points at each place of a record; never if there is no record.
 template <class Step>
 void each_place(const Layout& layout, std::size_t records, const Step& step) {
+  if (records == 0) return;
   const Column column{layout.record_size, records, layout.swapped};
   for (std::uint32_t place = 0; place < layout.points_per_record; ++place)
     step(column, std::size_t{place} * layout.point_size, std::size_t{place});
