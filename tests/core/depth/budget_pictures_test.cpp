@@ -179,6 +179,24 @@ TEST_P(BudgetPictures, TheBallKeepsTheBudget) {
   }
 }
 
+// As the panel and a changed configuration file do it.
+TEST_P(BudgetPictures, TheBudgetOfTheNextFramesIsTheNewOne) {
+  start(0);
+  const auto draw_one_ball = [this] { draw_ball(false); };
+  const std::uint64_t unlimited = frame_of(draw_one_ball).triangles;
+  const auto triangles_with = [&](unsigned budget) {
+    ContextOptions wanted = context_->options();
+    wanted.measure.budget = budget;
+    context_->change_options(wanted);
+    return frame_of(draw_one_ball).triangles;
+  };
+  const std::uint64_t few = triangles_with(300), more = triangles_with(2000);
+  EXPECT_LE(few, 300U);
+  EXPECT_GT(more, 2 * few);
+  EXPECT_LE(more, 2000U);
+  EXPECT_EQ(triangles_with(0), unlimited);
+}
+
 // Many triangles at once are sorted in other passes than few.
 TEST_P(BudgetPictures, ManyTrianglesOfOneDrawAlsoCountWhereTheyCurve) {
   SplitMesh both = floor_;
