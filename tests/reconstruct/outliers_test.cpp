@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t samples = 40000;
 
 TEST(Outliers, AreFoundAndDoNotChangeTheSurface) {
-  for (const auto& [share, noise] : {std::pair{0.01, 0.003}, {0.05, 0.0}, {0.05, 0.003}, {0.2, 0.0}}) {
+  for (const auto& [share, noise] : {std::pair{0.01, 0.003}, {0.05, 0.0}, {0.05, 0.003}, {0.2, 0.0}, {0.2, 0.003}}) {
     SCOPED_TRACE(std::to_string(share) + ", noise " + std::to_string(noise));
     const shapes::Statue statue(5);
     const shapes::Cloud cloud =

@@ -19,6 +19,8 @@ constexpr double sixth_neighbour = 1.38;     // its distance, in spacings
 constexpr double least_around = 110;         // samples in a cube of three cells, of two sides each, that are not sparse
 constexpr double least_unsupported = 0.003;  // a greater share without support means that there are outliers
 constexpr std::size_t least_looked_at = 50;  // fewer samples tell nothing about their density
+constexpr int most_rounds = 6;               // of measuring noise and finding outliers
+constexpr float same_noise = 0.9F;           // a smaller share of the noise is another one
 
 // Returns the entries in cells with few samples around.
 std::vector<std::uint32_t> sparse_entries(const std::vector<Entry>& entries, double side) {
@@ -37,6 +39,28 @@ std::vector<std::uint32_t> sparse_entries(const std::vector<Entry>& entries, dou
   return result;
 }
 
+std::vector<std::uint32_t> outliers_of(const Neighbours& neighbours, const Sampling& sampling, float noise,
+                                       const Workers& workers) {
+  std::vector<std::uint32_t> all(neighbours.size());
+  std::iota(all.begin(), all.end(), 0U);
+  constexpr auto factor = static_cast<float>(sparse_spacings * sparse_spacings);
+  return outliers_among(all, neighbours, factor * sampling.sixth_square, noise, workers);
+}
+
+// removed: in ascending order.
+std::vector<Entry> without_entries(const std::vector<Entry>& entries, const std::vector<std::uint32_t>& removed) {
+  std::vector<Entry> rest;
+  rest.reserve(entries.size() - removed.size());
+  for (std::size_t i = 0, next = 0; i < entries.size(); ++i) {
+    if (next < removed.size() && removed[next] == i) {
+      ++next;
+    } else {
+      rest.push_back(entries[i]);
+    }
+  }
+  return rest;
+}
+
 }  // namespace
 
 EvenSamples::EvenSamples(const PointSet& given, const Workers& workers)
@@ -52,20 +76,23 @@ PointSet EvenSamples::points() const {
 }
 
 // Removes the samples that lie on no surface. Tests a few samples first, and all of them only if some of the few lie on
-// no surface.
+// no surface. Outliers look like noise, and noise hides outliers. So the noise of what stays is measured again, until it
+// is that which was assumed.
 void EvenSamples::remove_outliers(const Workers& workers) {
   const std::vector<Entry>& entries = sorted_.entries;
   const PointSet points = this->points();
   const Neighbours neighbours(points, sorted_.cube, entries);
   const unsigned level = std::max(neighbours.finest().level, 1U) - 1;
-  const auto noise = static_cast<float>(noise_of(points, sorted_.cube, entries, level));
-  const Sampling sampling = look_at_some(neighbours, noise, workers);
-  if (sampling.unsupported < least_unsupported) return;
-  std::vector<std::uint32_t> all(entries.size());
-  std::iota(all.begin(), all.end(), 0U);
-  constexpr auto factor = static_cast<float>(sparse_spacings * sparse_spacings);
-  const std::vector<std::uint32_t> outliers =
-      outliers_among(all, neighbours, factor * sampling.sixth_square, noise, workers);
+  auto noise = static_cast<float>(noise_of(points, sorted_.cube, entries, level));
+  std::vector<std::uint32_t> outliers;
+  for (int round = 0; round < most_rounds; ++round) {
+    const Sampling sampling = look_at_some(neighbours, noise, workers);
+    if (round == 0 && sampling.unsupported < least_unsupported) return;
+    outliers = outliers_of(neighbours, sampling, noise, workers);
+    const auto without = static_cast<float>(noise_of(points, sorted_.cube, without_entries(entries, outliers), level));
+    if (without > same_noise * noise) break;
+    noise = without;
+  }
   if (outliers.empty() || 2 * outliers.size() > entries.size()) return;  // no surface at all
   outliers_ = static_cast<std::uint32_t>(outliers.size());
   change(outliers, {}, workers);

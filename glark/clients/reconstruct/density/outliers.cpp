@@ -19,6 +19,7 @@ constexpr float similar = 0.5F;          // the cosine of normals that agree
 constexpr float slope = 0.35F;           // the height over a tangent plane, relative to the distance
 constexpr float own_slope = 0.2F;        // the same, for the planes of one side only
 constexpr float noises = 2.5F;           // heights that noise explains
+constexpr float noisy_slope = 0.5F;      // the slope and noise together explain no more, relative to the distance
 constexpr float isolation = 1.3F;        // the distance of the fourth neighbour, relative to that of its neighbours
 constexpr std::size_t grain = 256;
 
@@ -37,7 +38,7 @@ class Judge {
   float sixth() const { return near_.size() < 6 ? 4 : near_[5].square; }
   bool agrees(const Neighbours::Near& other) const {
     const Float4 apart = neighbours_.point(other.entry) - point_, normal = neighbours_.normal(other.entry);
-    const float most = slope * std::sqrt(other.square) + noises * noise_;
+    const float most = most_height(std::sqrt(other.square));
     return dot(normal, normal_) > similar && std::abs(dot(apart, normal)) < most &&
            std::abs(dot(apart, normal_)) < most;
   }
@@ -52,6 +53,12 @@ class Judge {
   }
 
  private:
+  // Neighbours that are far away for this noise are not on one plane by chance: random samples would often be.
+  float most_height(float distance) const {
+    const float by_noise = noises * noise_;
+    return std::min(slope * distance + by_noise, std::max(noisy_slope * distance, by_noise));
+  }
+
   const Neighbours& neighbours_;
   float noise_;
   std::vector<Neighbours::Near> near_;

@@ -14,12 +14,17 @@ namespace {
 
 constexpr std::size_t most_looked_at = 1 << 14;  // the most samples in a cell, and the most cells, that are measured
 
-// Keeps the samples of the side that faces most of them. The two sides of a thin sheet are no noise.
+// Keeps the samples of the side that faces most of them. The two sides of a thin sheet are no noise. Keeps none if their
+// normals differ so much that there is no surface: outliers say nothing about its noise.
 void keep_one_side(std::vector<Record>& records) {
+  constexpr float common = 0.7F;  // the length of the mean normal; random normals of one side have 0.5
   Float4 normal{};
   for (const Record& record : records) normal += record.normal;
   if (!(dot(normal, normal) > 0)) normal = records.front().normal;
   std::erase_if(records, [&](const Record& record) { return dot(record.normal, normal) < 0; });
+  Float4 mean{};
+  for (const Record& record : records) mean += record.normal / static_cast<float>(records.size());
+  if (dot(mean, mean) < common * common) records.clear();
 }
 
 // Returns the mean squared height of the samples over their mean plane, less the part that the curvature of the surface
