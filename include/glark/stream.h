@@ -35,7 +35,8 @@ struct SampleOptions {
   bool skip_invalid = false;                    // leaves out points whose coordinates are not finite
   bool allow_in_core = true;                    // false: streams even what fits into the memory
   // A folder for the state of the work, which is made, and removed at the end. If the run is killed, or the disk gets
-  // full, the next one continues from there with `resume`, and repeats a twentieth of a pass at most. Empty: no folder.
+  // full, the next one continues from there with `resume`, and repeats a twentieth of a pass at most. A folder that has
+  // other files is an error; nothing is removed from it. Empty: no folder.
   std::filesystem::path work = {};
   bool resume = false;
   Progress progress = {};
@@ -90,7 +91,8 @@ struct TransferReport {
 // stays as it is, byte by byte: triangles, other channels, records of LAS. `output` has the format of `large`. It
 // appears at the end, complete; a former file stays until then.
 // Source: Boubekeur 2007, ch. 4.4. Errors: Error for files that cannot be read or do not fit together, options out of
-// range, a channel that LAS does not have, text PLY, coordinates that do not fit into the numbers of the file.
+// range, a channel that LAS does not have, text PLY, coordinates that do not fit into the numbers of the file, and an
+// output that is one of the other files.
 GLARK_EXPORT TransferReport transfer(const std::filesystem::path& large, const std::filesystem::path& from,
                                      const std::filesystem::path& to, const std::filesystem::path& output,
                                      const TransferOptions& options = {});
@@ -107,9 +109,18 @@ struct CellIndex {
 GLARK_EXPORT void write_cells(const std::filesystem::path& file, const CellIndex& index);
 GLARK_EXPORT CellIndex read_cells(const std::filesystem::path& file);
 
-// The same as sample(), from a file to a file. It writes the index, too: `small` with the ending ".cells" added.
+// The same as sample(), from a file to a file. It writes the index, too: `small` with the ending ".cells" added. Errors:
+// those of sample(), and Error if a file to write is `large` itself.
 GLARK_EXPORT SampleReport sample_file(const std::filesystem::path& large, const std::filesystem::path& small,
                                       const SampleOptions& options = {});
+
+// The formats of the files of sample_file().
+struct SampleFormats {
+  std::string large;  // as ReadOptions::format: ".ply", ".las", ... Empty: by the name
+  bool text = false;  // writes PLY as text
+};
+GLARK_EXPORT SampleReport sample_file(const std::filesystem::path& large, const std::filesystem::path& small,
+                                      const SampleOptions& options, const SampleFormats& formats);
 
 // The part of an edited sampling that gets more samples: the samples within a box or a sphere after the edit, or those
 // with a channel that is not zero. A point of the scan belongs to the region if its nearest sample does.
@@ -148,7 +159,7 @@ struct RefineFiles {
 
 // Takes more samples of a region. Only the ranges of the cells around the region are read. Source: Boubekeur 2007, ch.
 // 4.5. Errors: Error for files that cannot be read or do not fit together, a scan that was changed, a region without
-// samples, or one whose points do not fit into the memory.
+// samples, or one whose points do not fit into the memory, and an output that is another one of the files.
 GLARK_EXPORT RefineReport refine(const RefineFiles& files, const Region& region, const RefineOptions& options = {});
 
 }  // namespace glark::stream

@@ -69,6 +69,29 @@ def lift(small: pathlib.Path, edited: pathlib.Path) -> None:
     edited.write_bytes(data[:begin] + points.tobytes())
 
 
+def write_torus(path: pathlib.Path, rows: int, columns: int) -> pathlib.Path:
+    """A closed mesh about the z axis, of radii 3 and 1: PLY with normals, or STL."""
+    row, column = numpy.divmod(numpy.arange(rows * columns), columns)
+    u, v = 2 * numpy.pi * row / rows, 2 * numpy.pi * column / columns
+    normal = numpy.stack([numpy.cos(u) * numpy.cos(v), numpy.sin(u) * numpy.cos(v), numpy.sin(v)], axis=1)
+    position = normal + 3 * numpy.stack([numpy.cos(u), numpy.sin(u), 0 * u], axis=1)
+    below, right = (row + 1) % rows * columns, (column + 1) % columns
+    quads = numpy.stack([row * columns + column, below + column, below + right, row * columns + right], axis=1)
+    if path.suffix == ".stl":
+        triangles = numpy.zeros(2 * len(quads), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")])
+        triangles["corners"] = position[numpy.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])]
+        path.write_bytes(bytes(80) + len(triangles).to_bytes(4, "little") + triangles.tobytes())
+        return path
+    vertices = numpy.concatenate([position, normal], axis=1).astype("<f4")
+    faces = numpy.zeros(len(quads), [("count", "u1"), ("corners", "<u4", 4)])
+    faces["count"], faces["corners"] = 4, quads
+    header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(vertices)}"]
+    header += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
+    header += [f"element face {len(faces)}", "property list uchar uint vertex_indices", "end_header", ""]
+    path.write_bytes("\n".join(header).encode() + vertices.tobytes() + faces.tobytes())
+    return path
+
+
 class Commands(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -152,6 +175,8 @@ class Commands(unittest.TestCase):
     def test_info_reads_records_and_pipes(self):
         report = self.info(write_scan(self.path / "large.raw", 3000))
         self.assertEqual((3000, 0, []), (report["points"], report["triangles"], report["attributes"]))
+        write_scan(self.path / "scan.raw", 3000).rename(self.path / "scan")
+        self.assertEqual(3000, self.info(self.path / "scan", "--format", "raw")["points"])
         triangles = numpy.zeros(200000, [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")])
         triangles["corners"] = numpy.random.default_rng(3).random((200000, 3, 3))
         triangles["corners"][7, 1, 0] = numpy.nan
@@ -172,6 +197,35 @@ class Commands(unittest.TestCase):
         said = self.run_it("info", self.path / "a.obj", "--memory", "32MB", status=1).stderr
         self.assertIn("can only be read as a whole", said)
         self.assertIn("less than 32MB", self.run_it("info", mesh, "--memory", "3MB", status=2).stderr)
+
+    def check_simplified_torus(self, large: pathlib.Path, target: int) -> None:
+        small = self.path / "small.ply"
+        report = json.loads(self.run_it("simplify", large, "-o", small, "--target", target, "--memory", "128MB",
+                                        "--json").stdout)
+        self.assertLess(report["peak_memory_bytes"], 128 * MIB)
+        self.assertTrue(0.9 * target <= report["output"]["triangles"] <= target, report["output"])
+        topology = self.info(small)["topology"]
+        self.assertEqual((0, 0), (topology["boundary_edges"], topology["non_manifold_edges"]), topology)
+        points = numpy.frombuffer(small.read_bytes().split(b"end_header\n", 1)[1], "<f4",
+                                  6 * report["output"]["points"]).reshape(-1, 6)[:, :3]
+        distance = numpy.hypot(numpy.hypot(points[:, 0], points[:, 1]) - 3, points[:, 2]) - 1
+        self.assertLess(numpy.abs(distance).max(), 0.01)
+
+    def test_simplify_reads_large_meshes_in_parts(self):
+        self.check_simplified_torus(write_torus(self.path / "torus.ply", 1600, 600), 20000)
+        self.check_simplified_torus(write_torus(self.path / "torus.stl", 600, 300), 5000)
+
+    def test_simplify_reads_large_clouds_in_parts(self):
+        large = write_scan(self.path / "large.raw", 400000)
+        report = json.loads(self.run_it("simplify", large, "-o", self.path / "small.ply", "--target", 3000, "--json").stdout)
+        self.assertTrue(2970 <= report["output"]["points"] <= 3000, report)
+
+    def test_simplify_says_what_memory_it_needs(self):
+        large = write_torus(self.path / "torus.ply", 1600, 600)
+        said = self.run_it("simplify", large, "-o", self.path / "small.ply", "--target", 900000, "--memory", "128MB",
+                           status=1).stderr
+        self.assertIn("--target 900000 needs about", said)
+        self.assertFalse((self.path / "small.ply").exists())
 
     def test_shuffled_points_keep_the_bound(self):
         large = write_scan(self.path / "large.raw", 1000000, shuffled=True)

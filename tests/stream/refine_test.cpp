@@ -150,5 +150,22 @@ TEST_F(Refining, DamagedIndicesAreExplained) {
   }
 }
 
+TEST_F(Refining, AnOutputIsNoneOfTheOtherFiles) {
+  write_edited();
+  const auto problem_with = [&](const char* output, const char* edited_output) {
+    RefineFiles with = files();
+    with.output = path(output);
+    with.edited_output = path(edited_output);
+    return problem_of([&] { refine(with, cap(), {.target = 100}); });
+  };
+  const std::string scan = bytes_of(path("large.ply"));
+  for (const char* input : {"large.ply", "small.ply", "small.ply.cells", "edited.ply"}) {
+    EXPECT_NE(problem_with(input, "b.ply").find("is the same file as"), std::string::npos) << input;
+    EXPECT_NE(problem_with("b.ply", input).find("is the same file as"), std::string::npos) << input;
+  }
+  EXPECT_NE(problem_with("b.ply", "b.ply").find("is the same file as"), std::string::npos);
+  EXPECT_EQ(scan, bytes_of(path("large.ply")));
+}
+
 }  // namespace
 }  // namespace glark::stream

@@ -163,5 +163,23 @@ TEST_F(Sampling, AFileThatChangesBetweenThePassesIsExplained) {
             std::string::npos);
 }
 
+TEST_F(Sampling, TheScanIsNotOverwritten) {
+  const std::filesystem::path file = write_sphere(path("a.ply"), {});
+  const std::string before = bytes_of(file);
+  std::filesystem::create_symlink(file, path("link.ply"));
+  for (const std::filesystem::path& output : {file, path("link.ply"), path("./a.ply")})
+    EXPECT_NE(problem_of([&] { stream::sample_file(file, output, {.target = 100}); }).find("is the same file as"),
+              std::string::npos);
+  SampleOptions options{.target = 100};
+  options.work = file;
+  options.allow_in_core = false;
+  EXPECT_NE(problem_of([&] { stream::sample_file(file, path("b.ply"), options); }).find("is not a folder"),
+            std::string::npos);
+  options.work.clear();
+  options.resume = true;
+  EXPECT_NE(problem_of([&] { stream::sample_file(file, path("b.ply"), options); }), "");
+  EXPECT_EQ(before, bytes_of(file));
+}
+
 }  // namespace
 }  // namespace glark::stream

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // States of runs that were killed.
+#include <sys/stat.h>
+
 #include <limits>
 
 #include "glark/clients/stream/files/work_folder.h"
@@ -50,18 +52,72 @@ TEST_F(Work, TheFolderGoesWithTheWork) {
 TEST_F(Work, EveryDamageOfAStateIsFound) {
   WorkFolder folder(path("work"), "a", false);
   folder.save("number", [](StateWriter& state) { state.put(42); });
-  const std::string good = bytes_of(path("work/number"));
+  const std::string good = bytes_of(path("work/glark-number"));
   int number = 0;
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string bad = good;
     bad[i] = static_cast<char>(bad[i] ^ 4);
-    made("work/number", bad);
+    made("work/glark-number", bad);
     EXPECT_FALSE(load_number(folder, number)) << i;
-    made("work/number", good.substr(0, i));
+    made("work/glark-number", good.substr(0, i));
     EXPECT_FALSE(load_number(folder, number)) << i;
   }
-  made("work/number", good);
+  made("work/glark-number", good);
   EXPECT_TRUE(load_number(folder, number));
+}
+
+// Whether a run with or without `resume` refuses this folder, and leaves what is in it.
+void expect_refused(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  for (const bool resume : {false, true}) {
+    EXPECT_NE(problem_of([&] { const WorkFolder work(folder, "a", resume); }), "");
+    EXPECT_TRUE(std::filesystem::exists(file));
+  }
+}
+
+TEST_F(Work, FilesOfOthersAreNotRemoved) {
+  expect_refused(made("scan.ply", "a scan"), path("scan.ply"));
+  std::filesystem::create_directory(path("photos"));
+  expect_refused(path("photos"), made("photos/identity", "mine"));
+  made("photos/glark-identity", "glark work 1\n");  // without a checksum
+  expect_refused(path("photos"), path("photos/glark-identity"));
+  std::filesystem::create_symlink(path("none"), path("link"));
+  EXPECT_NE(problem_of([&] { const WorkFolder work(path("link"), "a", false); }), "");
+}
+
+TEST_F(Work, WhatSomebodyPutsIntoTheFolderStays) {
+  WorkFolder folder(path("work"), "a", false);
+  made("work/notes.txt", "mine");
+  std::filesystem::create_directory(path("work/glark-folder"));
+  folder.save("number", [](StateWriter& state) { state.put(42); });
+  folder.finish();
+  EXPECT_TRUE(std::filesystem::exists(path("work/notes.txt")));
+  EXPECT_TRUE(std::filesystem::exists(path("work/glark-folder")));
+  EXPECT_FALSE(std::filesystem::exists(path("work/glark-number")));
+}
+
+TEST_F(Work, AnEmptyFolderAndABegunOneAreTaken) {
+  std::filesystem::create_directory(path("work"));
+  { const WorkFolder folder(path("work"), "a", false); }
+  std::filesystem::create_directory(path("work"));
+  made("work/glark-identity.new", "gl");
+  int number = 0;
+  EXPECT_FALSE(load_number(WorkFolder(path("work"), "a", true), number));
+}
+
+TEST_F(Work, ResumeNeedsAFolder) {
+  EXPECT_NE(problem_of([&] { require_work({}, true); }).find("work"), std::string::npos);
+  require_work({}, false);
+  require_work("a", true);
+}
+
+TEST_F(Work, TheOutputIsOnTheSameFileSystem) {
+  const WorkFolder folder(path("work"), "a", false);
+  folder.require_same_disk(path("out.ply"));
+  struct stat here {};
+  struct stat there {};
+  if (stat(path("").c_str(), &here) != 0 || stat("/dev/shm", &there) != 0 || here.st_dev == there.st_dev)
+    GTEST_SKIP() << "/dev/shm is no other file system here";
+  EXPECT_NE(problem_of([&] { folder.require_same_disk("/dev/shm/out.ply"); }), "");
 }
 
 TEST_F(Work, AnArrayThatIsTooLongIsNotRead) {

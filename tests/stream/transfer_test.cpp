@@ -176,5 +176,29 @@ TEST_F(Edited, BadInputIsExplained) {
   EXPECT_EQ(bytes_of(path("out.ply")), "old");
 }
 
+TEST_F(Edited, AnOutputIsNoneOfTheOtherFiles) {
+  write("large.ply", sheet(20), plain);
+  write("small.ply", sheet(10), plain);
+  write("edited.ply", sheet(10), plain);
+  std::filesystem::create_symlink(path("large.ply"), path("link.ply"));
+  std::filesystem::create_hard_link(path("small.ply"), path("hard.ply"));
+  for (const char* output : {"large.ply", "small.ply", "edited.ply", "link.ply", "hard.ply"}) {
+    const std::string before = bytes_of(path(output));
+    const std::string problem =
+        problem_of([&] { transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path(output)); });
+    EXPECT_NE(problem.find("is the same file as"), std::string::npos) << output << ": " << problem;
+    EXPECT_EQ(before, bytes_of(path(output)));
+  }
+}
+
+TEST_F(Edited, ResumeWithoutAFolderIsAnError) {
+  TransferOptions options;
+  options.resume = true;
+  write("large.ply", sheet(20), plain);
+  EXPECT_NE(
+      problem_of([&] { transfer(path("large.ply"), path("large.ply"), path("large.ply"), path("out.ply"), options); }),
+      "");
+}
+
 }  // namespace
 }  // namespace glark::stream

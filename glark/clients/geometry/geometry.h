@@ -36,11 +36,23 @@ struct Geometry {
   std::size_t triangle_count() const { return triangles.size() / 3; }
 };
 
+// Receives the points and triangles of a file one after the other.
+class Visitor {
+ public:
+  virtual ~Visitor() = default;
+  // A position that is not finite is one of those that are left out.
+  virtual void add_point(const std::array<double, 3>& position, const std::array<float, 3>& normal) = 0;
+  // Three indices of points, which count those that are left out.
+  virtual void add_triangle(const std::array<std::uint32_t, 3>& corners) = 0;
+};
+
 struct ReadOptions {
   // Leave out points with NaN or infinite coordinates, and their triangles; false: throw Error.
   bool skip_invalid = false;
   // The format by its ending, ".ply" for example; empty: that of the file's name.
   std::string format = {};
+  // Receives what summarise_file() reads; null: nobody does.
+  Visitor* visitor = nullptr;
 };
 
 struct Reading {

@@ -3,6 +3,7 @@
 #include "glark/tool/scan/files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 
@@ -21,17 +22,19 @@ std::uintmax_t other_names(const std::filesystem::path& file) {
 
 }  // namespace
 
-void describe_input(CLI::App& command, Files& files) {
+void describe_input(CLI::App& command, Files& files, const std::vector<std::string>& more_formats) {
+  std::vector<std::string> formats{"ply", "obj", "stl", "off", "glb", "gltf", "pcd", "xyz", "pts"};
+  formats.insert(formats.end(), more_formats.begin(), more_formats.end());
   command
       .add_option("FILE", files.input,
-                  "Points or a mesh: .ply, .obj, .stl, .off, .glb, .pcd, .xyz or .pts, also compressed with a second "
-                  "ending .zst; - is standard input")
+                  fmt::format("Points or a mesh: .{}, also compressed with a second ending .zst; - is standard input",
+                              fmt::join(formats, ", .")))
       ->required();
   command
       .add_option_function<std::string>(
           "--format", [&files](const std::string& name) { files.format = "." + name; },
           "The format of FILE, whatever its name is")
-      ->check(CLI::IsMember({"ply", "obj", "stl", "off", "glb", "gltf", "pcd", "xyz", "pts"}))
+      ->check(CLI::IsMember(formats))
       ->type_name("NAME");
   command.add_flag("--skip-invalid", files.skip_invalid,
                    "Leave out points with NaN or infinite coordinates instead of stopping");

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "glark/clients/geometry/geometry.h"
 #include "glark/tool/scan/console.h"
@@ -21,7 +22,8 @@ struct Files {
   bool json = false;
 };
 
-void describe_input(CLI::App& command, Files& files);
+// more_formats: those that this command reads in addition, without a dot.
+void describe_input(CLI::App& command, Files& files, const std::vector<std::string>& more_formats = {});
 void describe_output(CLI::App& command, Files& files);
 void describe_threads(CLI::App& command, unsigned& threads);
 

@@ -6,9 +6,6 @@
 
 #include <imgui.h>
 
-#include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_opengl3.h>
-
 #include <array>
 
 namespace glark::tool {
@@ -72,27 +69,8 @@ void show_controls(ViewState& state, const Statistics& drawn) {
 
 }  // namespace
 
-ViewPanel::ViewPanel(GLFWwindow* window) {
-  ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // no file in the user's folder
-  ImGui::StyleColorsDark();
-  ImGui_ImplGlfw_InitForOpenGL(window, true);
-  ImGui_ImplOpenGL3_Init("#version 130");
-}
-
-ViewPanel::~ViewPanel() {
-  ImGui_ImplOpenGL3_Shutdown();
-  ImGui_ImplGlfw_Shutdown();
-  ImGui::DestroyContext();
-}
-
-bool ViewPanel::takes_pointer() const { return ImGui::GetIO().WantCaptureMouse; }
-bool ViewPanel::takes_keys() const { return ImGui::GetIO().WantCaptureKeyboard; }
-
 void ViewPanel::draw(ViewState& state, const Statistics& drawn) {
-  ImGui_ImplOpenGL3_NewFrame();
-  ImGui_ImplGlfw_NewFrame();
-  ImGui::NewFrame();
+  controls_.begin();
   if (state.panel) {
     ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(ImVec2(310, 0), ImGuiCond_FirstUseEver);
@@ -103,14 +81,8 @@ void ViewPanel::draw(ViewState& state, const Statistics& drawn) {
     }
     ImGui::End();
   }
-  if (state.help) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_FirstUseEver, ImVec2(0.5F, 0.5F));
-    if (ImGui::Begin("Keys", &state.help, ImGuiWindowFlags_AlwaysAutoResize)) ImGui::TextUnformatted(help_of_keys());
-    ImGui::End();
-  }
-  ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  show_text("Keys", help_of_keys(), state.help);
+  controls_.end();
 }
 
 }  // namespace glark::tool
@@ -119,10 +91,6 @@ void ViewPanel::draw(ViewState& state, const Statistics& drawn) {
 
 namespace glark::tool {
 
-ViewPanel::ViewPanel(GLFWwindow*) {}
-ViewPanel::~ViewPanel() = default;
-bool ViewPanel::takes_pointer() const { return false; }
-bool ViewPanel::takes_keys() const { return false; }
 void ViewPanel::draw(ViewState&, const Statistics&) {}
 
 }  // namespace glark::tool

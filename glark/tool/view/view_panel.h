@@ -6,9 +6,8 @@
 
 #include <string>
 
+#include "glark/tool/view/controls/controls.h"
 #include "glark/tool/view/draw/scene.h"
-
-struct GLFWwindow;
 
 namespace glark::tool {
 
@@ -26,16 +25,14 @@ struct ViewState {
 
 class ViewPanel {
  public:
-  // After the window's callbacks are set: the controls take their events from the same window.
-  explicit ViewPanel(GLFWwindow* window);
-  ~ViewPanel();
-  ViewPanel(const ViewPanel&) = delete;
-  ViewPanel& operator=(const ViewPanel&) = delete;
+  explicit ViewPanel(GLFWwindow* window) : controls_(window) {}
 
-  // The pointer or the keys are for the controls.
-  bool takes_pointer() const;
-  bool takes_keys() const;
+  bool takes_pointer() const { return controls_.takes_pointer(); }
+  bool takes_keys() const { return controls_.takes_keys(); }
   void draw(ViewState& state, const Statistics& drawn);
+
+ private:
+  Controls controls_;
 };
 
 // The keys, one line each.

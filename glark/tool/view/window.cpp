@@ -14,11 +14,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "glark/tool/view/draw/gl.h"
+#include "glark/tool/view/controls/gl_window.h"
 #include "glark/tool/view/offscreen.h"
 #include "glark/tool/view/view_panel.h"
 
@@ -170,16 +169,6 @@ class Viewer {
   int screenshots_ = 0;
 };
 
-struct Library {
-  Library() {
-    if (glfwInit() == GLFW_FALSE)
-      throw std::runtime_error("view: there is no display; write a picture with --offscreen OUT.png");
-  }
-  ~Library() { glfwTerminate(); }
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
-};
-
 }  // namespace
 
 Camera camera_for(const Scene& scene, const ViewOptions& options) {
@@ -196,11 +185,6 @@ Part part_of(std::size_t index, std::size_t count, int width, int height) {
   return {part * static_cast<int>(index), part, height};
 }
 
-void clear_window() {
-  gl.ClearColor(0.16F, 0.17F, 0.19F, 1);
-  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
-
 float greatest_shown(std::vector<float> distances) {
   if (distances.empty()) return 0;
   const auto at = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 98 / 100);
@@ -209,16 +193,9 @@ float greatest_shown(std::vector<float> distances) {
 }
 
 void show_window(const std::string& title, std::vector<Model> models, const ViewOptions& options) {
-  const Library library;
-  glfwWindowHint(GLFW_SAMPLES, 4);
-  GLFWwindow* window = glfwCreateWindow(options.width, options.height, title.c_str(), nullptr, nullptr);
-  if (window == nullptr)
-    throw std::runtime_error("view: there is no window with OpenGL; write a picture with --offscreen OUT.png");
-  glfwMakeContextCurrent(window);
-  load_gl(glfwGetProcAddress);
-  glfwSwapInterval(1);
+  const GlWindow window(title, options.width, options.height, "write a picture with --offscreen OUT.png");
   std::printf("%s", help_of_keys());
-  Viewer(window, title, std::move(models), options).run();
+  Viewer(window.handle(), title, std::move(models), options).run();
 }
 
 }  // namespace glark::tool

@@ -31,7 +31,6 @@ struct Model {
 Camera camera_for(const Scene& scene, const ViewOptions& options);
 // The part of the window for model `index` of `count`, side by side.
 Part part_of(std::size_t index, std::size_t count, int width, int height);
-void clear_window();
 // The greatest distance of the colours: that of 98 % of the points.
 float greatest_shown(std::vector<float> distances);
 

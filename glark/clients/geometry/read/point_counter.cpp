@@ -26,7 +26,8 @@ void PointCounter::make_colours_of_normals() {
   attributes_.colours = true;
 }
 
-void PointCounter::take_point(const Point&, const std::array<float, 3>& relative) {
+void PointCounter::take_point(const Point& point, const std::array<float, 3>& relative) {
+  if (options_.visitor != nullptr) options_.visitor->add_point(point.position, point.normal);
   if (!invalid_.empty() && invalid_.back() == points_ - 1) {
     if (invalid_.size() > most_invalid)
       throw Error(
@@ -50,6 +51,7 @@ void PointCounter::take_triangle(const Triangle& triangle) {
         return std::binary_search(invalid_.begin(), invalid_.end(), corner);
       });
   ++(is_left_out ? triangles_left_out_ : summary_.triangles);
+  if (!is_left_out && options_.visitor != nullptr) options_.visitor->add_triangle(triangle);
 }
 
 Summary PointCounter::finish() {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Counts the points and triangles that a reader finds, and keeps none of them.
+// Counts the points and triangles that a reader finds, hands them on to a visitor, and keeps none of them.
 #pragma once
 
 #include "glark/clients/geometry/read/point_sink.h"

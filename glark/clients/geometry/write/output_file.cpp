@@ -68,7 +68,7 @@ OutputFile::OutputFile(const fs::path& file, const fs::path& partial, std::uint6
   struct stat status {};
   if (descriptor_ < 0 || fstat(descriptor_, &status) != 0) fail("cannot be written");
   if (static_cast<std::uint64_t>(status.st_size) < kept)
-    throw Error(partial.string() + ": is shorter than it was; start again without --resume");
+    throw Error(partial.string() + ": is shorter than it was; start again without resume");
   if (ftruncate(descriptor_, static_cast<off_t>(kept)) != 0 || lseek(descriptor_, 0, SEEK_END) < 0)
     fail("cannot be written");
   struct stat replaced {};

@@ -34,15 +34,16 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& folder) : folder_(fold
   if (descriptor_ < 0) fail_in(folder_, "cannot be made");
 }
 
-TemporaryFile::TemporaryFile(const std::filesystem::path& folder, const char* name)
-    : folder_(folder.string()), descriptor_(open((folder / name).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600)) {
+TemporaryFile::TemporaryFile(const KeptFile& file)
+    : folder_(file.path.parent_path().string()),
+      descriptor_(open(file.path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600)) {
   if (descriptor_ < 0) fail_in(folder_, "cannot be made");
 }
 
 void TemporaryFile::continue_at(std::uint64_t size) {
   struct stat status {};
   if (fstat(descriptor_, &status) != 0 || static_cast<std::uint64_t>(status.st_size) < size)
-    throw Error(Element::file, 0, folder_ + ": a file of the work is shorter than it was; start without --resume");
+    throw Error(Element::file, 0, folder_ + ": a file of the work is shorter than it was; start without resume");
   end_ = size;
 }
 

@@ -12,12 +12,17 @@
 
 namespace glark::stream {
 
+// A file with a name, which stays.
+struct KeptFile {
+  std::filesystem::path path;
+};
+
 class TemporaryFile {
  public:
   // Throws Error if the folder cannot be written.
   explicit TemporaryFile(const std::filesystem::path& folder);
-  // A file with a name in the folder, which stays, with what it has.
-  TemporaryFile(const std::filesystem::path& folder, const char* name);
+  // Keeps what the file has.
+  explicit TemporaryFile(const KeptFile& file);
   // The next append() begins at `size`. Throws Error if the file is shorter.
   void continue_at(std::uint64_t size);
   ~TemporaryFile();

@@ -3,6 +3,8 @@
 #include "glark/clients/stream/files/work_folder.h"
 
 #include <glark/stream.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -16,11 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* identity_name = "identity";
+constexpr std::string_view magic = "glark work 1\n";  // what an identity begins with
 
 [[noreturn]] void fail_in_work(const fs::path& file, int error) {
   throw Error(Element::file, 0,
               file.string() + ": the state of the work cannot be written: " + std::strerror(error) + "; " +
-                  (error == ENOSPC || error == EDQUOT ? "make room on the disk, then continue with --resume"
+                  (error == ENOSPC || error == EDQUOT ? "make room on the disk, then resume"
                                                       : "use a folder that can be written"));
 }
 
@@ -42,20 +45,67 @@ bool read_state(const fs::path& file, const std::function<bool(StateReader&)>& r
 
 }  // namespace
 
+void require_work(const fs::path& folder, bool resume) {
+  if (resume && folder.empty())
+    throw Error(Element::option, 0, "glark-stream: resume needs `work`, the folder where the state of the work is");
+}
+
 WorkFolder::WorkFolder(fs::path folder, std::string_view identity, bool resume) : folder_(std::move(folder)) {
   if (folder_.empty()) return;
   std::error_code error;
-  const bool is_same = resume && load(identity_name, [&](StateReader& state) {
-                         std::vector<char> saved;
-                         return state.get_all(saved) && std::string_view(saved.data(), saved.size()) == identity;
-                       });
-  if (is_same) {
+  if (fs::exists(fs::symlink_status(folder_, error))) require_own();
+  const std::string whole = std::string(magic) + std::string(identity);
+  if (resume && this->identity() == whole) {
     has_saved_ = true;
     return;
   }
-  fs::remove_all(folder_, error);
+  remove_files();
   if (!fs::create_directories(folder_, error) && error) fail_in_work(folder_, error.value());
-  write_state(path(identity_name), [&](StateWriter& state) { state.put_all(std::span(identity)); });
+  write_state(path(identity_name), [&](StateWriter& state) { state.put_all(std::span(whole)); });
+}
+
+// What an earlier run has saved, or an empty text.
+std::string WorkFolder::identity() const {
+  std::vector<char> saved;
+  load(identity_name, [&](StateReader& state) { return state.get_all(saved); });
+  return {saved.begin(), saved.end()};
+}
+
+// A folder is ours if it is empty, or has our identity. A run that was killed early has only the start of one.
+void WorkFolder::require_own() const {
+  std::error_code error;
+  if (!fs::is_directory(folder_, error))
+    throw Error(Element::file, 0, folder_.string() + ": is not a folder; name another one for the state of the work");
+  if (identity().starts_with(magic)) return;
+  const fs::path begun = path(identity_name).string() + ".new";
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error))
+    if (entry.path() != begun)
+      throw Error(Element::file, 0,
+                  folder_.string() + ": has files that are not of this work, such as " +
+                      entry.path().filename().string() +
+                      "; they are left as they are: move them, or name another folder");
+  if (error) fail_in_work(folder_, error.value());
+}
+
+void WorkFolder::remove_files() const {
+  std::error_code ignored;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored))
+    if (entry.path().filename().string().starts_with("glark-") &&
+        entry.symlink_status(ignored).type() == fs::file_type::regular)
+      files.push_back(entry.path());
+  for (const fs::path& file : files) fs::remove(file, ignored);
+}
+
+void WorkFolder::require_same_disk(const fs::path& file) const {
+  struct stat here {};
+  struct stat there {};
+  const fs::path target = fs::absolute(file).parent_path();
+  if (!is_used() || stat(folder_.c_str(), &here) != 0 || stat(target.c_str(), &there) != 0) return;
+  if (here.st_dev != there.st_dev)
+    throw Error(Element::option, 0,
+                folder_.string() + ": is on another file system than " + file.string() +
+                    "; name a folder for the state of the work beside the output");
 }
 
 WorkFolder::~WorkFolder() {
@@ -73,8 +123,9 @@ bool WorkFolder::load(const char* name, const std::function<bool(StateReader&)>&
 }
 
 void WorkFolder::finish() {
-  std::error_code ignored;
-  if (is_used()) fs::remove_all(folder_, ignored);
+  if (!is_used()) return;
+  remove_files();
+  rmdir(folder_.c_str());  // fails if files of others are in it
   folder_.clear();
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glark/clients/stream/files/require_other_file.h"
 #include "glark/clients/stream/files/source_file.h"
 #include "glark/clients/stream/refine/region_points.h"
 #include "glark/clients/stream/transfer/deformation.h"
@@ -124,6 +125,12 @@ void check(const RefineOptions& options) {
                 fmt::format("glark-stream: neighbours is {}; 3 to 64 are possible", options.neighbours));
 }
 
+void check(const RefineFiles& files) {
+  for (const std::filesystem::path& output : {files.output, files.edited_output})
+    require_other_file(output, {files.large, files.cells, files.from, files.to});
+  require_other_file(files.output, {files.edited_output});
+}
+
 SampleOptions sample_options(const RefineOptions& options) {
   SampleOptions sampling;
   sampling.target = options.target;
@@ -137,6 +144,7 @@ SampleOptions sample_options(const RefineOptions& options) {
 
 RefineReport refine(const RefineFiles& files, const Region& region, const RefineOptions& options) {
   check(options);
+  check(files);
   const common::Workers workers(options.threads);
   const CellIndex index = read_cells(files.cells);
   if (const SourceFile scan(files.large); scan.size() != index.bytes)

@@ -153,6 +153,7 @@ Source file_source(const std::filesystem::path& file, const std::string& format)
 SampleReport sample(const Source& source, const SampleOptions& options, const std::filesystem::path& temporary,
                     const CreateWriter& create) {
   check(options);
+  require_work(options.work, options.resume);
   const common::Workers workers(options.threads);
   ReadOptions reading;
   reading.keep_invalid = options.skip_invalid;

@@ -7,6 +7,7 @@
 
 #include "glark/clients/common/workers.h"
 #include "glark/clients/stream/files/checkpoints.h"
+#include "glark/clients/stream/files/require_other_file.h"
 #include "glark/clients/stream/format/layouts.h"
 #include "glark/clients/stream/space/spatial_order.h"
 #include "glark/clients/stream/transfer/deformation.h"
@@ -131,6 +132,7 @@ class Output {
  public:
   Output(const std::filesystem::path& file, WorkFolder& folder, const OutputLayout& layout)
       : folder_(folder), layout_(layout) {
+    folder.require_same_disk(file);
     const bool is_begun = folder.load("done", [&](StateReader& state) { return state.get(state_); });
     if (!is_begun) state_ = {};
     const std::uint64_t kept = is_begun ? layout.header().size() + state_.done * layout.layout().record_size : 0;
@@ -222,6 +224,8 @@ TransferReport transfer(const std::filesystem::path& large, const std::filesyste
                         const std::filesystem::path& to, const std::filesystem::path& output,
                         const TransferOptions& options) {
   check(options);
+  require_work(options.work, options.resume);
+  require_other_file(output, {large, from, to});
   const SourceFile file(large);
   const FileState before = file.state();
   const std::string format = format_of(large, "");

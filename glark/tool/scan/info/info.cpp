@@ -75,7 +75,7 @@ void add_info(CLI::App& app) {
   CLI::App* command = app.add_subcommand("info", "Report the contents of a file of points or triangles");
   const auto files = std::make_shared<Files>();
   const auto reference = std::make_shared<std::string>();
-  describe_input(*command, *files);
+  describe_input(*command, *files, {"las", "raw"});
   describe_measure(*command, *reference);
   const auto memory = std::make_shared<Memory>();
   CLI::Option* option =

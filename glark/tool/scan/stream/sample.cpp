@@ -27,13 +27,6 @@ struct Sample {
   bool text = false, json = false;
 };
 
-// The index lies beside the sampling. Pipes have none.
-void write_index(const std::filesystem::path& large, const std::filesystem::path& output,
-                 const stream::SampleReport& report) {
-  if (!std::filesystem::is_regular_file(large) || !std::filesystem::is_regular_file(output)) return;
-  stream::write_cells(output.string() + ".cells", {std::filesystem::file_size(large), report.points, report.cells});
-}
-
 void refine(const Sample& command) {
   if (command.from.empty()) throw std::runtime_error("--refine needs --from SMALL, the sampling to refine");
   stream::RefineFiles files;
@@ -69,11 +62,7 @@ void sample(const Sample& command) {
   options.progress = [&](double fraction) { progress.show(fraction); };
   options.work = work_folder(output);
   const stream::SampleReport report =
-      stream::sample(stream::file_source(command.input, command.format), options, output.parent_path(),
-                     [&](const stream::Schema& schema) {
-                       return stream::create_points(output, schema, std::nullopt, {.text = command.text});
-                     });
-  write_index(command.input, output, report);
+      stream::sample_file(command.input, output, options, {.large = command.format, .text = command.text});
   if (report.left_out > 0)
     warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", command.input, report.left_out));
   if (report.is_shuffled)

@@ -32,6 +32,11 @@ std::uint32_t make_buffer(GLenum target, std::span<const Value> values) {
 
 }  // namespace
 
+void clear_window() {
+  gl.ClearColor(0.16F, 0.17F, 0.19F, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 Scene::Scene(geometry::Geometry geometry) : geometry_(std::move(geometry)) {
   low_ = glm::vec3(std::numeric_limits<float>::infinity());
   high_ = -low_;
@@ -100,16 +105,31 @@ void Scene::bind() const {
   if (!geometry_.colours.empty()) gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, offset(colours_at));
 }
 
-void Scene::colour_by(std::span<const float> distances, float greatest) {
-  geometry_.colours = colours_by_distance(distances, greatest);
+void Scene::upload_again() {
   gl.DeleteBuffers(1, &points_buffer_);
   gl.DeleteBuffers(1, &triangles_buffer_);
   upload();
 }
 
+void Scene::colour_by(std::span<const float> distances, float greatest) {
+  geometry_.colours = colours_by_distance(distances, greatest);
+  upload_again();
+}
+
+void Scene::replace_points(std::vector<float> positions, std::vector<float> normals,
+                           std::vector<std::uint8_t> colours) {
+  geometry_.positions = std::move(positions);
+  geometry_.normals = std::move(normals);
+  geometry_.colours = std::move(colours);
+  has_lighting_ = !geometry_.normals.empty();
+  strips_.reset();
+  upload_again();
+}
+
 void Scene::make_strips() {
   if (strips_) return;
   strips_.emplace(surfel::Cloud{geometry_.positions, geometry_.normals});
+  gl.DeleteBuffers(1, &strips_buffer_);
   strips_buffer_ = make_buffer(GL_ELEMENT_ARRAY_BUFFER, strips_->indices());
 }
 

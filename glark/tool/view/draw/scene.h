@@ -27,6 +27,8 @@ struct Statistics {
   std::size_t nodes_back_facing = 0;
 };
 
+void clear_window();
+
 class Scene {
  public:
   // An OpenGL context must be current during the scene's lifetime.
@@ -41,12 +43,16 @@ class Scene {
   Statistics draw(const Camera& camera, const DrawSettings& settings, const Part& part);
   // Colours the points by their distances, blue at 0 to red at `greatest`; in the unit of the positions.
   void colour_by(std::span<const float> distances, float greatest);
+  // Replaces positions, normals and colours (red green blue alpha), each of them as many as before or empty; the number
+  // of points may grow if there are no triangles.
+  void replace_points(std::vector<float> positions, std::vector<float> normals, std::vector<std::uint8_t> colours);
   std::size_t point_count() const { return geometry_.point_count(); }
 
  private:
   void add_missing_normals();
   void colour_by_height();
   void upload();
+  void upload_again();
   void make_strips();
   void bind() const;
   void set_up(const Camera& camera, const Look& look, const Part& part) const;

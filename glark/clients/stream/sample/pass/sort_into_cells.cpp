@@ -27,7 +27,7 @@ class CellSorter {
         trees_(trees),
         kind_(input.source.schema()),
         file_(input.checkpoints.folder().is_used()
-                  ? std::make_unique<TemporaryFile>(input.checkpoints.folder().path(""), "points")
+                  ? std::make_unique<TemporaryFile>(KeptFile{input.checkpoints.folder().path("points")})
                   : std::make_unique<TemporaryFile>(folder)),
         begins_(plan_.cells.size()),
         written_(plan_.cells.size()),

@@ -5,7 +5,7 @@
 namespace glark::stream {
 
 TreeStore::TreeStore(const WorkFolder& work, const std::filesystem::path& temporary, std::size_t cells)
-    : file_(work.is_used() ? std::make_unique<TemporaryFile>(work.path(""), "trees")
+    : file_(work.is_used() ? std::make_unique<TemporaryFile>(KeptFile{work.path("trees")})
                            : std::make_unique<TemporaryFile>(temporary)),
       places_(cells) {}
 

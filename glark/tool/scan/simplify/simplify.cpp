@@ -5,15 +5,24 @@
 #include <fmt/format.h>
 
 #include <glark/vstree.h>
+#include <unistd.h>
 
+#include <limits>
 #include <memory>
+#include <stdexcept>
+#include <utility>
 
 #include "glark/clients/geometry/measure/topology.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
+#include "glark/tool/scan/info/contents.h"
+#include "glark/tool/scan/peak_memory.h"
 #include "glark/tool/scan/quality.h"
 #include "glark/tool/scan/rgb.h"
 #include "glark/tool/scan/simplified.h"
+#if GLARK_HAS_STREAM
+#include "glark/tool/scan/simplify/large_mesh.h"
+#endif
 #include "glark/tool/scan/validators.h"
 
 namespace glark::tool {
@@ -23,7 +32,15 @@ struct Simplify {
   Files files;
   std::string reference;
   vstree::SimplifyOptions options;
+  Memory memory;  // larger files are read in parts
   bool is_fast = false;
+};
+
+// What is simplified, and what the file has.
+struct Input {
+  geometry::Geometry geometry;
+  Report contents;
+  bool is_whole = true;
 };
 
 // Counts the places where triangles meet with different texture coordinates.
@@ -73,11 +90,13 @@ void require_contents(const geometry::Geometry& coarse, const geometry::Geometry
       (command.options.target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error"));
 }
 
-Coarse coarse_of(const geometry::Geometry& geometry, const Simplify& command, double& seconds) {
+Coarse coarse_of(const Input& input, const Simplify& command, double& seconds) {
+  const geometry::Geometry& geometry = input.geometry;
   if (is_within_target(geometry, command.options.target)) {
-    warn(fmt::format("{}: it has no more {} than --target allows; the result is the whole input", command.files.input,
-                     geometry.triangles.empty() ? "points" : "triangles"));
-    return {geometry, vstree::Method::collapse, 0};
+    if (input.is_whole)
+      warn(fmt::format("{}: it has no more {} than --target allows; the result is the whole input", command.files.input,
+                       geometry.triangles.empty() ? "points" : "triangles"));
+    return {geometry, input.is_whole ? vstree::Method::collapse : vstree::Method::cluster, 0};
   }
   Coarse coarse{};
   {
@@ -90,26 +109,64 @@ Coarse coarse_of(const geometry::Geometry& geometry, const Simplify& command, do
   return coarse;
 }
 
+// Without --memory, three quarters of the machine's.
+Memory memory_for(const Memory& given) {
+  if (given.is_given) return given;
+  const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
+  return {pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 4 * 3, false};
+}
+
+Input read_input(const Simplify& command) {
+#if GLARK_HAS_STREAM
+  if (const Memory memory = memory_for(command.memory); must_read_in_parts(command.files, memory)) {
+    if (!command.reference.empty())
+      throw std::runtime_error(
+          "--measure keeps the whole file in the memory; measure the result: glark info OUT --measure");
+    LargeMesh large = read_in_parts(command.files, {memory.bytes, command.options.target, command.options.threads});
+    warn(command.files.input + ": read in parts, for it does not fit into the memory");
+    return {std::move(large.geometry), std::move(large.contents), false};
+  }
+#endif
+  geometry::Geometry geometry = load(command.files.input, command.files);
+  Report contents = contents_of(geometry);
+  return {std::move(geometry), std::move(contents)};
+}
+
 void simplify(const Simplify& command) {
   check_output(command.files);
-  const geometry::Geometry geometry = load(command.files.input, command.files);
+  const Input input = read_input(command);
   double seconds = 0;
-  const Coarse simplification = coarse_of(geometry, command, seconds);
+  const Coarse simplification = coarse_of(input, command, seconds);
   const geometry::Geometry& coarse = simplification.geometry;
-  require_contents(coarse, geometry, command);
+  require_contents(coarse, input.geometry, command);
   store(coarse, command.files);
   Report report;
-  report["input"] = contents_of(geometry);
+  report["input"] = input.contents;
   report["output"] = contents_of(coarse);
   const bool is_collapsed = simplification.method == vstree::Method::collapse;
   report["method"] = is_collapsed ? "collapse" : "cluster";
   if (is_collapsed) report["estimated_error_percent"] = 100 * static_cast<double>(simplification.error);
   report["seconds"] = seconds;
+  if (!input.is_whole) report["peak_memory_bytes"] = peak_memory();
   if (!command.reference.empty()) {
     report["topology"] = topology_report(coarse);
     report["quality"] = quality_report(coarse, command.reference, command.files);
   }
   print(report, command.files.json);
+}
+
+void describe_memory(CLI::App& command, Simplify& simplification) {
+  command
+      .add_option_function<std::uint64_t>(
+          "--memory",
+          [&simplification](const std::uint64_t& bytes) {
+            simplification.memory = {bytes, true};
+          },
+          "The most memory, as 256MB or 4GB, 128MB or more; default: three quarters of the machine's. Larger files are "
+          "read in parts")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(CLI::Range(std::uint64_t{128} << 20, std::numeric_limits<std::uint64_t>::max()))
+      ->type_name("BYTES");
 }
 
 // Adds the options that choose clusters and the points that replace them.
@@ -172,7 +229,7 @@ void add_simplify(CLI::App& app) {
   CLI::App* command = app.add_subcommand("simplify", "Reduce triangles, or points if there are no triangles");
   const auto simplification = std::make_shared<Simplify>();
   vstree::SimplifyOptions& options = simplification->options;
-  describe_input(*command, simplification->files);
+  describe_input(*command, simplification->files, {"las", "raw"});
   describe_output(*command, simplification->files);
   describe_measure(*command, simplification->reference);
   CLI::Option* target = command
@@ -189,6 +246,7 @@ void add_simplify(CLI::App& app) {
   describe_method(*command, *simplification);
   describe_clusters(*command, options);
   describe_threads(*command, options.threads);
+  describe_memory(*command, *simplification);
   command->callback([simplification, command] {
     set_method(*command, *simplification);
     simplify(*simplification);

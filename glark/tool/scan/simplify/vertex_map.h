@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A number for each vertex of a mesh that is larger than the memory. The numbers lie in a file without a name.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace glark::tool {
+
+class VertexMap {
+ public:
+  // cache_bytes: of the numbers that at() keeps in memory. Throws std::runtime_error if the folder cannot be written.
+  VertexMap(const std::filesystem::path& folder, std::size_t cache_bytes);
+  ~VertexMap();
+  VertexMap(const VertexMap&) = delete;
+  VertexMap& operator=(const VertexMap&) = delete;
+
+  std::uint64_t size() const { return size_; }
+  // Adds the numbers of the next vertices. Throws std::runtime_error, for a full disk too.
+  void append(std::span<const std::uint32_t> numbers);
+  std::uint32_t at(std::uint64_t vertex);
+
+ private:
+  static constexpr std::uint64_t block_size = 1024;  // numbers
+  static constexpr std::uint64_t no_block = ~std::uint64_t{0};
+
+  [[noreturn]] void fail(const char* what) const;
+  void load(std::uint64_t block, std::size_t slot);
+
+  std::filesystem::path folder_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+  std::vector<std::uint64_t> blocks_;  // which one each slot has
+  std::vector<std::uint32_t> numbers_;
+};
+
+}  // namespace glark::tool

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/tool/view/controls/gl_window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <stdexcept>
+
+#include "glark/tool/view/draw/gl.h"
+
+namespace glark::tool {
+
+GlWindow::GlWindow(const std::string& title, int width, int height, const std::string& remedy) {
+  if (glfwInit() == GLFW_FALSE) throw std::runtime_error("there is no display; " + remedy);
+  glfwWindowHint(GLFW_SAMPLES, 4);
+  window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (window_ == nullptr) {
+    glfwTerminate();
+    throw std::runtime_error("there is no window with OpenGL; " + remedy);
+  }
+  glfwMakeContextCurrent(window_);
+  load_gl(glfwGetProcAddress);
+  glfwSwapInterval(1);
+}
+
+GlWindow::~GlWindow() { glfwTerminate(); }
+
+}  // namespace glark::tool
