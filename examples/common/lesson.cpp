@@ -119,6 +119,11 @@ unsigned count_triangles(const std::function<void()>& draw) {
   return count;
 }
 
+std::string triangles_as_text(const std::function<void()>& draw) {
+  const unsigned count = count_triangles(draw);
+  return std::to_string(count) + (count == 1 ? " triangle" : " triangles");
+}
+
 int run(int argc, char** argv, const Lesson& lesson) try {
   Arguments arguments{"", lesson.width, lesson.height, "", 0, 1};
   int status = 0;

@@ -45,4 +45,7 @@ void say(const std::string& line);
 // not.
 unsigned count_triangles(const std::function<void()>& draw);
 
+// The same as text: "1 triangle", "64 triangles".
+std::string triangles_as_text(const std::function<void()>& draw);
+
 }  // namespace lesson

@@ -4,7 +4,7 @@
 """Checks a lesson: its page, its commands, its pictures and its exercises.
 
   examples/course/check.py 01 --exercise 2    checks your exercise_2
-  examples/course/check.py 01                 for authors: checks all that the page of lesson 01 says
+  examples/course/check.py 01                 for authors: checks the page of lesson 01, not your exercises
   examples/course/check.py 01 --update        rewrites snippets, printed lines and expected pictures
 
 The page (README.md) is the list of checks:
@@ -117,7 +117,7 @@ def difference_of_files(made: pathlib.Path, expected: pathlib.Path) -> str:
             return str(error)
         if share <= MOST_VISIBLE:
             return ""
-        return f"{100 * share:.1f} % of the pixels of {shown_path(made)} differ from {shown_path(expected)}"
+        return f"{100 * share:.1f} % of the pixels of {expected.name} differ"
     return "" if made.read_bytes() == expected.read_bytes() else f"{expected.name} differs"
 
 
@@ -328,9 +328,25 @@ class Lesson:
             except Unable as error:
                 problem = str(error)
             if problem:
-                made = any((place / "expected").iterdir())
-                return [f"{where}: {problem}" + (f"\n  your picture is in {place}/expected" if made else "")]
+                made = [line for file in sorted((place / "expected").iterdir()) for line in self.pair(file)]
+                return ["\n  ".join([f"{where}: {problem}"] + made)]
         return []
+
+    def pair(self, file: pathlib.Path) -> list:
+        """Where a student's picture is, and the one that it should look like."""
+        expected = self.folder / "expected" / file.name
+        lines = [f"your picture is {shown_path(file)}"]
+        return lines + ([f"it should look like {shown_path(expected)}"] if expected.is_file() else [])
+
+    def answer(self, exercise: str) -> str:
+        """What to say if there is no problem."""
+        if exercise is not None:
+            return f"exercise {exercise} is solved"
+        numbers = sorted({exercise_of(command) for command, _, _ in self.commands()} - {""})
+        check = f"examples/course/check.py {self.folder.name[:2]} --exercise"
+        yours = "".join(f"\n  {check} {number}" for number in numbers)
+        return (f"{self.folder.name}: the page is right. This is the authors' check: it says nothing about your "
+                "exercises." + (f" To check yours:{yours}" if yours else ""))
 
     def keep(self, file: pathlib.Path) -> None:
         """Copies a file that a command made into expected/, unless it looks the same."""
@@ -410,7 +426,7 @@ def main() -> int:
     for problem in problems:
         print(f"{folder.name}: {problem}", file=sys.stderr)
     if not problems:
-        print(f"{folder.name} is as its page says" if exercise is None else f"exercise {exercise} is solved")
+        print(lesson.answer(exercise))
     return 1 if problems else 0
 
 

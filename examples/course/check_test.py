@@ -119,10 +119,29 @@ class Checker(unittest.TestCase):
         self.assertEqual([], self.lesson().check_exercise("1"))
         self.assertIn("no exercise 2", self.lesson().check_exercise("2")[0])
 
+    def test_names_the_pictures_to_compare(self):
+        page = PAGE.replace("./exercise_1", "./exercise_1 expected/b.txt")
+        self.program("exercise_1", "echo > $1; echo not yet")
+        yours = self.build / "course" / "01_a" / "mine" / "expected" / "b.txt"
+        problem = self.lesson(page).check_exercise("1")[0]
+        self.assertTrue(problem.endswith(f"\n  your picture is {yours}"), problem)  # no other one is there to compare
+        expected = self.folder / "expected" / "b.txt"
+        expected.write_text("")
+        problem = self.lesson(page).check_exercise("1")[0]
+        self.assertTrue(problem.endswith(f"\n  your picture is {yours}\n  it should look like {expected}"), problem)
+
+    def test_the_check_for_authors_names_the_check_for_students(self):
+        said = self.lesson(PAGE + "```console\n$ ./exercise_2\n```\n").answer(None)
+        self.assertIn("it says nothing about your exercises", said)
+        self.assertTrue(said.endswith("To check yours:\n  examples/course/check.py 01 --exercise 1\n"
+                                      "  examples/course/check.py 01 --exercise 2"), said)
+        self.assertNotIn("To check yours", self.lesson("no exercises\n").answer(None))
+        self.assertEqual("exercise 1 is solved", self.lesson().answer("1"))
+
     def test_an_exercise_that_crashes_makes_no_picture(self):
         page = PAGE.replace("./exercise_1", "./exercise_1 expected/b.txt")
         self.program("exercise_1", "echo > $1; echo not yet")
-        self.assertIn("your picture is in", self.lesson(page).check_exercise("1")[0])
+        self.assertIn("your picture is", self.lesson(page).check_exercise("1")[0])
         self.program("exercise_1", "kill -SEGV $$")
         self.assertEqual(["README.md:8: ./exercise_1 expected/b.txt: exercise_1 crashed: SIGSEGV"],
                          self.lesson(page).check_exercise("1"))

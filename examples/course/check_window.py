@@ -32,7 +32,7 @@ def press_keys(program: str) -> int:
     lesson = subprocess.Popen([program], stdout=subprocess.DEVNULL)
     try:
         window = wait_for("a window", lambda: xdotool("search", "--name", TITLE).partition("\n")[0])
-        wait_for("the first frame", lambda: "depth 0: 1 triangles" in xdotool("getwindowname", window))
+        wait_for("the first frame", lambda: xdotool("getwindowname", window).endswith("depth 0: 1 triangle"))
         xdotool("windowfocus", "--sync", window)
         for key, title in (("d", "depth 1: 4 triangles"), ("d", "depth 2: 16 triangles"),
                            ("s", "depth 1: 4 triangles")):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""What every file of the tree has to keep: licence header, length, no path of one machine, explicit source lists, READMEs."""
+"""What every file of the tree has to keep: licence header, length, no path of one machine, explicit
+source lists, quiet optional packages, READMEs."""
 import posixpath
 import re
 import textwrap
@@ -45,6 +46,14 @@ def source_list_rule(name: str, text: str) -> list:
     return ["globs its sources; list them"] if re.search(r"\bfile\s*\(\s*GLOB", text, re.IGNORECASE) else []
 
 
+def find_package_rule(name: str, text: str) -> list:
+    """A package that may be absent is told in one line of ours. CMake's own warning has ten lines and looks like an error."""
+    if not name.endswith((".cmake", "CMakeLists.txt")):
+        return []
+    calls = re.findall(r"^ *find_package\(([^)]*)\)", text, re.MULTILINE)
+    return [f"find_package({call}) has neither REQUIRED nor QUIET" for call in calls if not {"REQUIRED", "QUIET"} & set(call.split())]
+
+
 def header_guard_rule(name: str, text: str) -> list:
     if not name.endswith(".h") or name.startswith("include/"):
         return []
@@ -69,6 +78,9 @@ class Sources(unittest.TestCase):
 
     def test_explicit_source_lists(self):
         self.assertEqual([], violations(source_list_rule))
+
+    def test_optional_packages_are_found_quietly(self):
+        self.assertEqual([], violations(find_package_rule))
 
     def test_header_guards(self):
         self.assertEqual([], violations(header_guard_rule))
@@ -112,6 +124,10 @@ class Rejects(unittest.TestCase):
 
     def test_glob(self):
         self.assertTrue(source_list_rule("CMakeLists.txt", "file( glob SOURCES *.cpp)"))
+
+    def test_loud_optional_package(self):
+        self.assertTrue(find_package_rule("CMakeLists.txt", "  find_package(TBB)\n"))
+        self.assertFalse(find_package_rule("CMakeLists.txt", "find_package(TBB QUIET)\nfind_package(fmt REQUIRED)\n"))
 
     def test_header_without_guard(self):
         self.assertTrue(header_guard_rule("shim/a.h", "int a;\n"))

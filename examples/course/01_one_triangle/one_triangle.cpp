@@ -38,7 +38,7 @@ void triangle() {
 void draw(double) {
   lesson::look(3.2F);
   // [count]
-  lesson::say("depth %u: %u triangles", depth, lesson::count_triangles(triangle));
+  lesson::say("depth %u: %s", depth, lesson::triangles_as_text(triangle).c_str());
   // [/count]
   lesson::draw_with_edges(triangle);
 }

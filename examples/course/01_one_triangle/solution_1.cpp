@@ -32,7 +32,7 @@ void triangle() {
 
 void draw(double) {
   lesson::look(3.2F);
-  lesson::say("%u triangles", lesson::count_triangles(triangle));
+  lesson::say(lesson::triangles_as_text(triangle));
   lesson::draw_with_edges(triangle);
 }
 

@@ -35,7 +35,7 @@ void square() {
 
 void draw(double) {
   lesson::look(3.2F);
-  lesson::say("%u triangles", lesson::count_triangles(square));
+  lesson::say(lesson::triangles_as_text(square));
   lesson::draw_with_edges(square);
 }
 

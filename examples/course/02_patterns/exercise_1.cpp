@@ -32,8 +32,8 @@ void triangle() {
 
 void draw(double) {
   lesson::look(3.2F);
-  lesson::say("depths of the edges %u %u %u: %u triangles", depth_of_edge(0, 1), depth_of_edge(1, 2),
-              depth_of_edge(2, 0), lesson::count_triangles(triangle));
+  lesson::say("depths of the edges %u %u %u: %s", depth_of_edge(0, 1), depth_of_edge(1, 2), depth_of_edge(2, 0),
+              lesson::triangles_as_text(triangle).c_str());
   glColor3f(0.7F, 0.82F, 0.95F);
   lesson::draw_with_edges(triangle);
 }

@@ -40,8 +40,8 @@ void triangle() {
 
 void draw(double) {
   lesson::look(3.2F);
-  lesson::say("tags %u %u %u, depths of the edges %u %u %u: %u triangles", tags[0], tags[1], tags[2],
-              depth_of_edge(0, 1), depth_of_edge(1, 2), depth_of_edge(2, 0), lesson::count_triangles(triangle));
+  lesson::say("tags %u %u %u, depths of the edges %u %u %u: %s", tags[0], tags[1], tags[2], depth_of_edge(0, 1),
+              depth_of_edge(1, 2), depth_of_edge(2, 0), lesson::triangles_as_text(triangle).c_str());
   glColor3f(0.7F, 0.82F, 0.95F);
   lesson::draw_with_edges(triangle);
 }

@@ -31,7 +31,7 @@ void triangle() {
 
 void draw(double) {
   lesson::look(3.2F);
-  lesson::say("%u triangles", lesson::count_triangles(triangle));
+  lesson::say(lesson::triangles_as_text(triangle));
   glColor3f(0.7F, 0.82F, 0.95F);
   lesson::draw_with_edges(triangle);
 }

@@ -5,6 +5,8 @@
 // The two sides fit if the long edge has as many segments as its two halves together.
 #include "examples/course/03_cracks/hill.h"
 
+#include <algorithm>
+
 namespace {
 
 unsigned left = 0, right = 0;  // depth tags
@@ -30,7 +32,7 @@ void mesh() {
 }
 
 void draw(double) {
-  const char* const result = hill::draw(mesh);
+  const char* const result = hill::draw(mesh, std::max(left, right));
   lesson::say("left %u, right %u: %s", left, right, result);
 }
 
@@ -39,8 +41,8 @@ void draw(double) {
 int main(int argc, char** argv) {
   return lesson::run(argc, argv,
                      {.title = "Lesson 3, cracks",
-                      .keys = {{'l', "the next tag of the left side", [] { left = (left + 1) % 5; }},
-                               {'r', "the next tag of the right side", [] { right = (right + 1) % 5; }}},
+                      .keys = {{'l', "the next tag of the left side", [] { left = (left + 1) % 7; }},
+                               {'r', "the next tag of the right side", [] { right = (right + 1) % 7; }}},
                       .begin = hill::begin,
                       .draw = draw});
 }

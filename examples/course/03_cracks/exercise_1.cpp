@@ -4,6 +4,8 @@
 // Exercise 1: close the crack. The left side keeps its depth.
 #include "examples/course/03_cracks/hill.h"
 
+#include <algorithm>
+
 namespace {
 
 constexpr unsigned left = 4;
@@ -27,7 +29,7 @@ void mesh() {
   glEnd();
 }
 
-void draw(double) { lesson::say("%s", hill::draw(mesh)); }
+void draw(double) { lesson::say("%s", hill::draw(mesh, std::max(left, right))); }
 
 }  // namespace
 

@@ -68,9 +68,9 @@ inline bool draw_inside(void (*mesh)()) {
   return visible != 0;
 }
 
-// Draws the mesh from the left and from the right. Returns "a crack" or "no crack". Cracks of edges deeper than 4 are
-// thinner than what the offset hides.
-inline const char* draw(void (*mesh)()) {
+// Draws the mesh from the left and from the right. `deepest` is its greatest tag. Returns "a crack", "no crack", or
+// "too fine to tell": above tag 4, the offset hides small cracks, too.
+inline const char* draw(void (*mesh)(), unsigned deepest) {
   bool crack = false;
   for (const int part : {0, 1}) {
     lesson::use_part(part, 2);
@@ -78,7 +78,8 @@ inline const char* draw(void (*mesh)()) {
     lesson::draw_with_edges(mesh);
     crack = draw_inside(mesh) || crack;
   }
-  return crack ? "a crack" : "no crack";
+  if (crack) return "a crack";
+  return deepest > 4 ? "too fine to tell" : "no crack";
 }
 
 }  // namespace hill

@@ -6,22 +6,24 @@
 
 namespace {
 
+constexpr unsigned left = 4, right = 3;  // the tags of the border
+
 void mesh() {
   glBegin(GL_TRIANGLES);
   glColor3f(0.95F, 0.75F, 0.4F);
-  glDepthTag1i(5);
+  glDepthTag1i(left);
   glVertex3f(0, 0, -1);
   glDepthTag1i(1);
   glVertex3f(-1.2F, 0, 0);
-  glDepthTag1i(5);
+  glDepthTag1i(left);
   glVertex3f(0, 0, 1);
   glColor3f(0.5F, 0.75F, 0.55F);
-  glDepthTag1i(4);
+  glDepthTag1i(right);
   glVertex3f(0, 0, -1);
   glVertex3f(0, 0, 0);
   glDepthTag1i(1);
   glVertex3f(1.2F, 0, 0);
-  glDepthTag1i(4);
+  glDepthTag1i(right);
   glVertex3f(0, 0, 0);
   glVertex3f(0, 0, 1);
   glDepthTag1i(1);
@@ -30,8 +32,8 @@ void mesh() {
 }
 
 void draw(double) {
-  const char* const result = hill::draw(mesh);
-  lesson::say("%u triangles, %s", lesson::count_triangles(mesh), result);
+  const char* const result = hill::draw(mesh, left);
+  lesson::say(lesson::triangles_as_text(mesh) + ", " + result);
 }
 
 }  // namespace

@@ -7,8 +7,10 @@
 
 namespace {
 
+constexpr unsigned tag = 4;
+
 void mesh() {
-  glDepthTag1i(4);
+  glDepthTag1i(tag);
   glBegin(GL_TRIANGLES);
   glColor3f(0.95F, 0.75F, 0.4F);
   glVertex3f(0, 0, -1);
@@ -28,8 +30,8 @@ void mesh() {
 }
 
 void draw(double) {
-  const char* const result = hill::draw(mesh);
-  lesson::say("%u triangles, %s", lesson::count_triangles(mesh), result);
+  const char* const result = hill::draw(mesh, tag);
+  lesson::say(lesson::triangles_as_text(mesh) + ", " + result);
 }
 
 }  // namespace

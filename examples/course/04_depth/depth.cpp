@@ -83,7 +83,7 @@ void draw(double) {
   glARKParameteriARK(GL_DEPTH_SOURCE_ARK, way == Way::measured ? GL_MEASURED_DEPTH_ARK : GL_DEPTH_TAG_ARK);
   // [/source]
   constexpr const char* names[] = {"uniform", "by distance", "by curvature", "measured"};
-  lesson::say("%s: %u triangles", names[static_cast<int>(way)], lesson::count_triangles(draw_terrain));
+  lesson::say("%s: %s", names[static_cast<int>(way)], lesson::triangles_as_text(draw_terrain).c_str());
   lesson::draw_with_edges(draw_terrain);
 }
 

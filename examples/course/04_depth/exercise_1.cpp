@@ -57,7 +57,7 @@ void begin() {
 void draw(double) {
   lesson::look(8, 30, 25);
   tag(eye_of(lesson::camera(8, 30, 25).view));
-  lesson::say("%u triangles", lesson::count_triangles(draw_terrain));
+  lesson::say(lesson::triangles_as_text(draw_terrain));
   lesson::draw_with_edges(draw_terrain);
 }
 

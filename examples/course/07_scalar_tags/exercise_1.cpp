@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Exercise 1 of lesson 7: name the creases. Without creases, the drum becomes a pillow. The rim above should be sharp,
-// the rim below should stay round.
+// Exercise 1 of lesson 7: name the creases. Without creases, the drum becomes a pillow. Its upper rim should be sharp,
+// its lower rim should stay round.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -37,7 +37,7 @@ Drum make_drum() {
     const std::uint32_t next = (i + 1) % 6;
     drum.triangles.insert(drum.triangles.end(),
                           {i, next, next + 6, i, next + 6, i + 6, 12, next, i, 13, i + 6, next + 6});
-    // TODO: append the two ends of the edge above that joins corner i to the next corner
+    // TODO: append the two ends of the upper edge that joins corner i to the next corner
   }
   return drum;
 }

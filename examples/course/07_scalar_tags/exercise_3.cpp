@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Exercise 3 of lesson 7: a crease that fades out. The rim above is sharp all round. On its left half (x < 0) the
+// Exercise 3 of lesson 7: a crease that fades out. The upper rim is sharp all round. On its left half (x < 0) the
 // sharpness should be 0.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Exercise 1 of lesson 7: name the creases. Without creases, the drum becomes a pillow. The rim above should be sharp,
-// the rim below should stay round.
+// Exercise 1 of lesson 7: name the creases. Without creases, the drum becomes a pillow. Its upper rim should be sharp,
+// its lower rim should stay round.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>

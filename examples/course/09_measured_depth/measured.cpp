@@ -8,7 +8,6 @@
 #include <GL/glark.h>
 
 #include <cmath>
-#include <string>
 
 #include "examples/common/lesson.h"
 #include "examples/common/look.h"
@@ -70,7 +69,7 @@ void draw(double seconds) {
   lesson::look(6.5F - 2 * std::sin(static_cast<float>(seconds)), 0, 22);
   lesson::light();
   glColor3f(0.35F, 0.7F, 0.45F);
-  lesson::say(std::to_string(lesson::count_triangles(draw_row)) + " triangles");
+  lesson::say(lesson::triangles_as_text(draw_row));
   if (wireframe) lesson::draw_with_edges(draw_row);
   if (!wireframe) draw_row();
 }

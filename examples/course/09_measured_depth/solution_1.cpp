@@ -8,7 +8,6 @@
 #include <GL/glark.h>
 
 #include <cmath>
-#include <string>
 
 #include "examples/common/lesson.h"
 #include "examples/common/look.h"
@@ -62,7 +61,7 @@ void draw(double) {
   lesson::look(4.5F, 0, 15);
   lesson::light();
   glColor3f(0.9F, 0.8F, 0.4F);
-  lesson::say(std::to_string(lesson::count_triangles(balls)) + " triangles");
+  lesson::say(lesson::triangles_as_text(balls));
   lesson::draw_with_edges(balls);
 }
 

@@ -62,7 +62,8 @@ int draw_pattern(const PatternOptions& options) {
     std::fprintf(stderr, "glark: %s cannot be written; name another file with -o\n", options.file.c_str());
     return 1;
   }
-  fmt::print("{} triangles\n", pattern_triangles(depths, interior).size());
+  const std::size_t triangles = pattern_triangles(depths, interior).size();
+  fmt::print("{} triangle{}\n", triangles, triangles == 1 ? "" : "s");
   return 0;
 }
 
