@@ -15,6 +15,7 @@ namespace {
 using common::Vector3f;
 
 constexpr std::size_t neighbours_of_a_frame = 10;
+constexpr double largest = 1e18;  // squares of larger numbers leave the range of floats
 
 struct FileContents {
   std::vector<double> positions, channels;
@@ -22,6 +23,18 @@ struct FileContents {
   Schema schema;
 };
 
+void require_within_floats(const std::vector<double>& positions, const std::string& file) {
+  const auto beyond =
+      std::find_if(positions.begin(), positions.end(), [](double at) { return !(std::abs(at) <= largest); });
+  if (beyond == positions.end()) return;
+  const auto point = static_cast<std::size_t>(beyond - positions.begin()) / 3;
+  throw Error(Element::point, point,
+              fmt::format("{}: point {} has the coordinate {}; finite ones up to 1e18 are possible: move it, or undo "
+                          "this edit",
+                          file, point, *beyond));
+}
+
+// Throws Error for a file that cannot be read, or for coordinates with which floats cannot compute.
 FileContents read_file(const std::filesystem::path& file) {
   const std::unique_ptr<PointReader> reader = open_points(file);
   FileContents all;
@@ -31,6 +44,7 @@ FileContents read_file(const std::filesystem::path& file) {
     all.normals.insert(all.normals.end(), points.normals.begin(), points.normals.end());
     all.channels.insert(all.channels.end(), points.channels.begin(), points.channels.end());
   }
+  require_within_floats(all.positions, file.string());
   return all;
 }
 

@@ -7,6 +7,7 @@
 
 #include "glark/clients/common/workers.h"
 #include "glark/clients/stream/files/checkpoints.h"
+#include "glark/clients/stream/files/names.h"
 #include "glark/clients/stream/format/layouts.h"
 #include "glark/clients/stream/space/spatial_order.h"
 #include "glark/clients/stream/transfer/deformation.h"
@@ -216,16 +217,26 @@ Layout binary_layout(const SourceFile& file, const std::string& format) {
   return *layout;
 }
 
+// The records of the scan are copied, whatever the name of the output says.
+void require_same_format(const std::filesystem::path& output, const SourceFile& large, const std::string& format) {
+  if (format_of(output, "") == format && !is_compressed(output)) return;
+  throw Error(Element::file, 0,
+              fmt::format("{}: the output has the format of {}; name it with the ending {}", output.string(),
+                          large.name(), format));
+}
+
 }  // namespace
 
 TransferReport transfer(const std::filesystem::path& large, const std::filesystem::path& from,
                         const std::filesystem::path& to, const std::filesystem::path& output,
                         const TransferOptions& options) {
   check(options);
+  require_name(output, "the output");
   const SourceFile file(large);
   const FileState before = file.state();
   const std::string format = format_of(large, "");
   const Layout layout = binary_layout(file, format);
+  require_same_format(output, file, format);
   const common::Workers workers(options.threads);
   const Sampling sampling = read_sampling(from, to, workers);
   const SampleIndex index(sampling.samples.before);
