@@ -77,7 +77,7 @@ void require_finite(const Points& points, const std::string& file, const std::st
     const std::uint64_t point = points.first + i / 3;
     throw Error(Element::point, point,
                 fmt::format("{}: {} {} has a coordinate that is NaN or infinite; repair the file, or leave such points "
-                            "out with --skip-invalid",
+                            "out by the option skip_invalid",
                             file, element, point));
   }
 }

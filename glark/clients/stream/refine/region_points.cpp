@@ -150,7 +150,7 @@ class RegionReader {
     if (2 * bytes > memory_)
       throw Error(Element::file, 0,
                   fmt::format("{}: the points of the region take more than half of the memory, {} bytes; choose a "
-                              "smaller region or more --memory",
+                              "smaller region, or a larger number for the option memory",
                               file, memory_));
   }
 
