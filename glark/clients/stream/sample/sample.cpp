@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <glark/vstree.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "glark/clients/stream/files/source_file.h"
+#include "glark/clients/stream/files/with_vstree.h"
 #include "glark/clients/stream/sample/assembly.h"
 #include "glark/clients/stream/sample/in_core.h"
 #include "glark/clients/stream/sample/pass/trim_memory.h"
@@ -47,7 +47,8 @@ class SampleWriter {
     std::vector<float> local;
     for (std::size_t i = 0; i < positions_.size(); ++i)
       local.push_back(static_cast<float>(positions_[i] - positions_[i % 3]));
-    normals_ = vstree::estimate_normals({.positions = local}, {.threads = threads});
+    normals_ = with_vstree("glark-stream",
+                           [&] { return vstree::estimate_normals({.positions = local}, {.threads = threads}); });
   }
   void finish() {
     flush();

@@ -207,22 +207,24 @@ std::vector<std::string> names_of(const std::vector<Channel>& channels) {
   return names;
 }
 
-Layout binary_layout(const SourceFile& file, const std::string& format) {
-  const std::optional<Layout> layout = layout_of(file, format);
-  if (!layout || is_compressed(file.name()))
-    throw Error(Element::file, 0,
-                file.name() +
-                    ": is text or compressed, and an edit is transferred to binary files; convert it to "
-                    "binary PLY first");
-  return *layout;
-}
-
 // The records of the scan are copied, whatever the name of the output says.
 void require_same_format(const std::filesystem::path& output, const SourceFile& large, const std::string& format) {
   if (format_of(output, "") == format && !is_compressed(output)) return;
   throw Error(Element::file, 0,
               fmt::format("{}: the output has the format of {}; name it with the ending {}", output.string(),
                           large.name(), format));
+}
+
+// The layout of the scan and of the output, but for channels that the edit adds.
+Layout binary_layout(const SourceFile& file, const std::string& format, const std::filesystem::path& output) {
+  const std::optional<Layout> layout = layout_of(file, format);
+  if (!layout || is_compressed(file.name()))
+    throw Error(Element::file, 0,
+                file.name() +
+                    ": is text or compressed, and an edit is transferred to binary files; convert it to "
+                    "binary PLY first");
+  require_same_format(output, file, format);
+  return *layout;
 }
 
 }  // namespace
@@ -235,8 +237,7 @@ TransferReport transfer(const std::filesystem::path& large, const std::filesyste
   const SourceFile file(large);
   const FileState before = file.state();
   const std::string format = format_of(large, "");
-  const Layout layout = binary_layout(file, format);
-  require_same_format(output, file, format);
+  const Layout layout = binary_layout(file, format, output);
   const common::Workers workers(options.threads);
   const Sampling sampling = read_sampling(from, to, workers);
   const SampleIndex index(sampling.samples.before);
