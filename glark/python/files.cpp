@@ -9,6 +9,7 @@
 #include "glark/clients/geometry/formats.h"
 #include "glark/python/arrays.h"
 #include "glark/python/bound_class.h"
+#include "glark/python/text.h"
 
 namespace glark::python {
 
@@ -18,10 +19,15 @@ namespace {
 
 using geometry::Geometry;
 
+void require_name(const std::filesystem::path& file) {
+  if (file.empty()) throw ArgumentError("glark: the name of the file is empty; name a file");
+}
+
 Geometry read(const std::filesystem::path& file, bool skip_invalid) {
+  require_name(file);
   geometry::Reading reading = without_gil([&] { return geometry::read_file(file, {.skip_invalid = skip_invalid}); });
   for (const std::string& warning : reading.warnings) {
-    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
+    if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", text_of(warning).ptr()) != 0) throw py::error_already_set();
   }
   return std::move(reading.geometry);
 }
@@ -115,6 +121,7 @@ void bind_files(py::module_& module) {
       [](const std::filesystem::path& file, const Array<float>& positions, const OptionalArray<float>& normals,
          const OptionalArray<std::uint8_t>& colours, const OptionalArray<float>& texcoords,
          const OptionalArray<std::uint32_t>& triangles, const std::array<double, 3>& origin, bool text) {
+        require_name(file);
         const Geometry geometry = geometry_of(positions, normals, colours, texcoords, triangles, origin);
         without_gil([&] { geometry::write_file(file, geometry, {.text = text}); });
       },

@@ -22,7 +22,8 @@
 
 namespace glark::stream {
 
-// Receives the finished fraction of the work, 0 to 1.
+// Receives the finished fraction of the work, 0 to 1, in the thread that began it. If it throws, the work ends with this
+// exception, and the outputs stay as they were.
 using Progress = std::function<void(double fraction)>;
 
 struct SampleOptions {

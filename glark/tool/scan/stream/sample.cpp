@@ -34,6 +34,13 @@ void write_index(const std::filesystem::path& large, const std::filesystem::path
   stream::write_cells(output.string() + ".cells", {std::filesystem::file_size(large), report.points, report.cells});
 }
 
+// Not every format has normals, which a sampling always has.
+void warn_without_normals(const std::string& output) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(output, error) && !stream::open_points(output)->schema().normals)
+    warn(output + ": the format has no normals, so those of the samples are left out");
+}
+
 void refine(const Sample& command) {
   if (command.from.empty()) throw std::runtime_error("--refine needs --from SMALL, the sampling to refine");
   stream::RefineFiles files;
@@ -50,6 +57,7 @@ void refine(const Sample& command) {
   options.threads = command.options.threads;
   const Progress progress("refining " + command.from);
   const stream::RefineReport report = stream::refine(files, parse_region(command.region), options);
+  warn_without_normals(command.output);
   Report printed;
   printed["points_read"] = report.points_read;
   printed["points"] = report.points;
@@ -74,6 +82,7 @@ void sample(const Sample& command) {
                        return stream::create_points(output, schema, std::nullopt, {.text = command.text});
                      });
   write_index(command.input, output, report);
+  warn_without_normals(command.output);
   if (report.left_out > 0)
     warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", command.input, report.left_out));
   if (report.is_shuffled)
@@ -132,7 +141,7 @@ void add_sample(CLI::App& app) {
                       "Most threads; default: all of the machine. The result is the same");
   command
       ->add_option_function<std::string>(
-          "--format", [sampling](const std::string& name) { sampling->format = "." + name; }, "The format of LARGE")
+          "--format", [sampling](const std::string& name) { sampling->format = name; }, "The format of LARGE")
       ->type_name("NAME");
   command->add_flag("--skip-invalid", options.skip_invalid,
                     "Leave out points with NaN or infinite coordinates instead of stopping");
