@@ -92,6 +92,15 @@ class Files(unittest.TestCase):
         self.file = str(pathlib.Path(self.folder.name) / "mesh.ply")
         self.addCleanup(self.folder.cleanup)
 
+    def test_a_format_may_be_named(self):
+        other = pathlib.Path(self.file).with_suffix(".scan")
+        glark.write(self.file, sphere(10))
+        pathlib.Path(self.file).rename(other)
+        with self.assertRaisesRegex(glark.FileError, "names no format that glark reads; .* or the option format"):
+            glark.read(other)
+        for name in ("ply", ".ply"):
+            self.assertEqual(10, len(glark.read(other, format=name).positions))
+
     def test_what_is_written_is_read(self):
         points = sphere(4)
         colours = numpy.arange(12, dtype=numpy.uint8).reshape(4, 3)

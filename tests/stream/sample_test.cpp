@@ -175,6 +175,10 @@ TEST_F(Sampling, BadOptionsAreExplained) {
   };
   EXPECT_NE(problem({.error = 2}).find("error is 2"), std::string::npos);
   EXPECT_NE(problem({.target = 5, .memory = 1000}).find("40 MiB"), std::string::npos);
+  made("a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+       "end_header\n0 nan 0\n");
+  EXPECT_NE(problem({.target = 5}).find("leave the point out by the option skip_invalid"), std::string::npos);
 }
 
 TEST_F(Sampling, AFileThatChangesBetweenThePassesIsExplained) {
