@@ -181,6 +181,17 @@ TEST_F(Sampling, BadOptionsAreExplained) {
   EXPECT_NE(problem({.target = 5}).find("leave the point out by the option skip_invalid"), std::string::npos);
 }
 
+// In core and out of core.
+TEST_F(Sampling, ACoordinateBeyondTheRangeOfFloatsNamesThePoint) {
+  const auto writer = create_points(path("a.ply"), {Number::float64, false, {}});
+  for (int i = 0; i < 100; ++i) writer->write({0, std::vector<double>{double(i), i == 70 ? -2e18 : 0, 0}, {}, {}});
+  writer->finish();
+  for (const std::string& problem :
+       {problem_of([&] { sample_file(path("a.ply"), path("b.ply"), {.target = 9}); }),
+        problem_of([&] { stream::sample_file(path("a.ply"), path("b.ply"), {.target = 9}); })})
+    EXPECT_NE(problem.find("a.ply: point 70 has the coordinate -2e+18"), std::string::npos) << problem;
+}
+
 TEST_F(Sampling, AFileThatChangesBetweenThePassesIsExplained) {
   const auto file = write_sphere(path("a.ply"), {});
   const Source source = file_source(file);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "glark/clients/stream/files/with_vstree.h"
+#include "glark/clients/stream/format/layout.h"
 
 namespace glark::stream {
 namespace {
@@ -16,7 +17,6 @@ namespace {
 using common::Vector3f;
 
 constexpr std::size_t neighbours_of_a_frame = 10;
-constexpr double largest = 1e18;  // squares of larger numbers leave the range of floats
 
 struct FileContents {
   std::vector<double> positions, channels;
@@ -26,7 +26,7 @@ struct FileContents {
 
 void require_within_floats(const std::vector<double>& positions, const std::string& file) {
   const auto beyond =
-      std::find_if(positions.begin(), positions.end(), [](double at) { return !(std::abs(at) <= largest); });
+      std::find_if(positions.begin(), positions.end(), [](double at) { return !(std::abs(at) <= largest_coordinate); });
   if (beyond == positions.end()) return;
   const auto point = static_cast<std::size_t>(beyond - positions.begin()) / 3;
   throw Error(Element::point, point,
