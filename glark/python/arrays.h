@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "glark/python/array_argument.h"
+#include "glark/python/whole_number.h"
 
 namespace glark::python {
 

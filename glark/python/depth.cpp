@@ -77,7 +77,8 @@ auto refined_triangles(const Tagger& tagger, const Array<float>& tags, bool geom
   return tagger.read([&](const auto& metrics) { return metrics.refined_triangles(given, rule_of(geomorph)); });
 }
 
-py::tuple keep_budget(const Tagger& tagger, const Array<float>& tags, std::uint64_t triangles, bool geomorph) {
+py::tuple keep_budget(const Tagger& tagger, const Array<float>& tags, const Whole<std::uint64_t>& most, bool geomorph) {
+  const std::uint64_t triangles = most.checked("triangles");
   const auto given = rows(tags, 1, "tags");
   std::vector<float> kept(given.begin(), given.end());
   const depth::Budget budget = tagger.read(
@@ -92,8 +93,10 @@ void bind_depth(py::module_& parent) {
   const depth::DistanceRange range;
   py::class_<Tagger>(module, "Tagger",
                      "Computes tags for the vertices of one mesh: (vertices,) float32, 0 to max_level.")
-      .def(py::init([](std::size_t vertices, const Array<std::uint32_t>& triangles, unsigned max_level) {
-             return std::make_unique<Tagger>(vertices, rows(triangles, 3, "triangles"), max_level);
+      .def(py::init([](const Whole<std::size_t>& vertices, const Array<std::uint32_t>& triangles,
+                       const Whole<unsigned>& max_level) {
+             return std::make_unique<Tagger>(vertices.checked("vertices"), rows(triangles, 3, "triangles"),
+                                             max_level.checked("max_level"));
            }),
            py::arg("vertices"), py::arg("triangles"), py::arg("max_level"),
            "vertices: their number. triangles: (triangles, 3). max_level: 0 to 11.")

@@ -9,6 +9,7 @@
 #include "glark/clients/geometry/formats.h"
 #include "glark/python/arrays.h"
 #include "glark/python/bound_class.h"
+#include "glark/python/text.h"
 
 namespace glark::python {
 
@@ -18,10 +19,16 @@ namespace {
 
 using geometry::Geometry;
 
-Geometry read(const std::filesystem::path& file, bool skip_invalid) {
-  geometry::Reading reading = without_gil([&] { return geometry::read_file(file, {.skip_invalid = skip_invalid}); });
+void require_name(const std::filesystem::path& file) {
+  if (file.empty()) throw ArgumentError("glark: the name of the file is empty; name a file");
+}
+
+Geometry read(const std::filesystem::path& file, bool skip_invalid, const std::string& format) {
+  require_name(file);
+  geometry::Reading reading =
+      without_gil([&] { return geometry::read_file(file, {.skip_invalid = skip_invalid, .format = format}); });
   for (const std::string& warning : reading.warnings) {
-    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
+    if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", text_of(warning).ptr()) != 0) throw py::error_already_set();
   }
   return std::move(reading.geometry);
 }
@@ -105,16 +112,18 @@ void bind_files(py::module_& module) {
           "triangles", [](const py::object& self) { return view_or_none(self.cast<Geometry&>().triangles, 3, self); },
           "(triangles, 3) uint32, or None for points")
       .def_readonly("origin", &Geometry::origin, "three floats of double precision, to be added to the positions");
-  module.def("read", &read, py::arg("file"), py::kw_only(), py::arg("skip_invalid") = false,
+  module.def("read", &read, py::arg("file"), py::kw_only(), py::arg("skip_invalid") = false, py::arg("format") = "",
              "Read PLY, OBJ, STL, OFF, glTF, PCD, XYZ or PTS, also compressed by zstd. The ending of the name gives "
              "the format.\n\n"
              "skip_invalid: leave out points with NaN or infinite coordinates, instead of raising FileError.\n"
+             "format: 'ply', for example; by default that of the name.\n"
              "What the format has and glark does not keep becomes a warning.");
   module.def(
       "write",
       [](const std::filesystem::path& file, const Array<float>& positions, const OptionalArray<float>& normals,
          const OptionalArray<std::uint8_t>& colours, const OptionalArray<float>& texcoords,
          const OptionalArray<std::uint32_t>& triangles, const std::array<double, 3>& origin, bool text) {
+        require_name(file);
         const Geometry geometry = geometry_of(positions, normals, colours, texcoords, triangles, origin);
         without_gil([&] { geometry::write_file(file, geometry, {.text = text}); });
       },

@@ -6,14 +6,37 @@
 
 #include "glark/clients/geometry/geometry.h"
 #include "glark/python/arrays.h"
+#include "glark/python/text.h"
+
+namespace glark::python {
+namespace {
+
+// As py::register_exception(), but the text may have names that are not UTF-8.
+template <class Exception>
+void register_error(py::module_& module, const char* name, PyObject* base, const char* text) {
+  py::exception<Exception> type(module, name, base);
+  type.doc() = text;
+  static py::handle registered;
+  registered = type.release();  // lives as long as the program
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const Exception& error) {
+      raise(registered, error.what());
+    }
+  });
+}
+
+}  // namespace
+}  // namespace glark::python
 
 PYBIND11_MODULE(_glark, module) {
-  namespace py = pybind11;
   module.attr("__version__") = GLARK_VERSION;
-  py::register_exception<glark::ArgumentError>(module, "ArgumentError", PyExc_ValueError).doc() =
-      "A value that a function cannot use. The text names the element, its value, and the remedy.";
-  py::register_exception<glark::geometry::Error>(module, "FileError", PyExc_OSError).doc() =
-      "A file that cannot be read or written.";
+  glark::python::register_error<glark::ArgumentError>(
+      module, "ArgumentError", PyExc_ValueError,
+      "A value that a function cannot use. The text names the element, its value, and the remedy.");
+  glark::python::register_error<glark::geometry::Error>(module, "FileError", PyExc_OSError,
+                                                        "A file that cannot be read or written.");
   glark::python::bind_files(module);
   glark::python::bind_vstree(module);
   glark::python::bind_reconstruct(module);

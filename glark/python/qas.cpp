@@ -23,10 +23,11 @@ using Surface = Guarded<qas::Surface>;
 constexpr std::array schemes = {std::pair{"loop", qas::Scheme::loop},
                                 std::pair{"butterfly", qas::Scheme::modified_butterfly}};
 
-qas::Mesh mesh_of(std::size_t vertices, const Array<std::uint32_t>& triangles,
+qas::Mesh mesh_of(const Whole<std::size_t>& vertices, const Array<std::uint32_t>& triangles,
                   const OptionalArray<std::uint32_t>& creases) {
-  return {
-      .vertex_count = vertices, .triangles = rows(triangles, 3, "triangles"), .creases = rows(creases, 2, "creases")};
+  return {.vertex_count = vertices.checked("vertices"),
+          .triangles = rows(triangles, 3, "triangles"),
+          .creases = rows(creases, 2, "creases")};
 }
 
 py::array_t<float> vectors(std::span<const qas::Vector> values, py::handle owner) {
@@ -52,10 +53,11 @@ struct Loop {
   explicit Loop(const qas::Mesh& mesh) : surface(mesh), triangles(mesh.triangles.size() / 3) {}
 };
 
-py::tuple refine(const Loop& loop, unsigned level, unsigned threads) {
+py::tuple refine(const Loop& loop, const Whole<unsigned>& wanted, const Whole<unsigned>& threads) {
+  const unsigned level = wanted.checked("level"), most_threads = threads.checked("threads");
   const std::size_t side = (std::size_t{1} << std::min(level, 11U)) + 1;
   std::vector<qas::Sample> samples(loop.triangles * side * (side + 1) / 2);
-  loop.surface.read([&](const auto& surface) { surface.refine(level, samples, threads); });
+  loop.surface.read([&](const auto& surface) { surface.refine(level, samples, most_threads); });
   std::vector<float> positions;
   std::vector<float> normals;
   positions.reserve(3 * samples.size());
@@ -67,11 +69,11 @@ py::tuple refine(const Loop& loop, unsigned level, unsigned threads) {
   return py::make_tuple(owned(std::move(positions), 3), owned(std::move(normals), 3));
 }
 
-std::unique_ptr<Surface> make_surface(std::size_t vertices, const Array<std::uint32_t>& triangles,
+std::unique_ptr<Surface> make_surface(const Whole<std::size_t>& vertices, const Array<std::uint32_t>& triangles,
                                       const OptionalArray<std::uint32_t>& creases, const std::string& scheme,
-                                      unsigned splits, unsigned threads) {
+                                      const Whole<unsigned>& splits, const Whole<unsigned>& threads) {
   const qas::Mesh mesh = mesh_of(vertices, triangles, creases);
-  const qas::Options options{named(scheme, "scheme", schemes), splits, threads};
+  const qas::Options options{named(scheme, "scheme", schemes), splits.checked("splits"), threads.checked("threads")};
   return without_gil([&] { return std::make_unique<Surface>(mesh, options); });
 }
 
@@ -113,7 +115,8 @@ void bind_surface(py::module_& module) {
           "(corners, 32) float32: four points and four normals of four numbers; only with splits=1")
       .def(
           "evaluate",
-          [](const Surface& surface, std::size_t patch, const std::array<float, 3>& barycentric) {
+          [](const Surface& surface, const Whole<std::size_t>& wanted, const std::array<float, 3>& barycentric) {
+            const std::size_t patch = wanted.checked("patch");
             return sample_of(surface.read([&](const auto& all) { return all.evaluate(patch, barycentric); }));
           },
           py::arg("patch"), py::arg("barycentric"), "The position and the normal at (w, u, v).");
@@ -121,7 +124,7 @@ void bind_surface(py::module_& module) {
 
 void bind_loop(py::module_& module) {
   py::class_<Loop>(module, "LoopSurface", "The exact limit surface of Loop's scheme.")
-      .def(py::init([](std::size_t vertices, const Array<std::uint32_t>& triangles,
+      .def(py::init([](const Whole<std::size_t>& vertices, const Array<std::uint32_t>& triangles,
                        const OptionalArray<std::uint32_t>& creases) {
              const qas::Mesh mesh = mesh_of(vertices, triangles, creases);
              return without_gil([&] { return std::make_unique<Loop>(mesh); });
@@ -136,15 +139,14 @@ void bind_loop(py::module_& module) {
           py::arg("positions"))
       .def(
           "evaluate",
-          [](const Loop& loop, std::size_t triangle, const std::array<float, 3>& barycentric) {
+          [](const Loop& loop, const Whole<std::size_t>& wanted, const std::array<float, 3>& barycentric) {
+            const std::size_t triangle = wanted.checked("triangle");
             return sample_of(
                 loop.surface.read([&](const auto& surface) { return surface.evaluate(triangle, barycentric); }));
           },
           py::arg("triangle"), py::arg("barycentric"))
-      .def(
-          "refine", [](const Loop& loop, unsigned level, unsigned threads) { return refine(loop, level, threads); },
-          py::arg("level"), py::arg("threads") = 0,
-          "Positions and normals of all triangles at the vertices of the uniform pattern of a level, 0 to 11.");
+      .def("refine", &refine, py::arg("level"), py::arg("threads") = 0,
+           "Positions and normals of all triangles at the vertices of the uniform pattern of a level, 0 to 11.");
 }
 
 }  // namespace

@@ -47,13 +47,20 @@ void bind_reconstruct(py::module_& module) {
   module.def(
       "reconstruct",
       [](const Array<float>& positions, const OptionalArray<float>& normals, const OptionalArray<std::uint8_t>& colours,
-         float threshold, float error, unsigned levels, float node_samples, float delta_a, float delta_d,
-         float least_part, std::uint32_t gap_edges, unsigned threads) {
+         float threshold, float error, const Whole<unsigned>& levels, float node_samples, float delta_a, float delta_d,
+         float least_part, const Whole<std::uint32_t>& gap_edges, const Whole<unsigned>& threads) {
         const vstree::PointSet points{.positions = rows(positions, 3, "positions"),
                                       .normals = rows(normals, 3, "normals"),
                                       .colours = rows(colours, 3, "colours")};
-        const reconstruct::ReconstructOptions options{threshold, error,      levels,    node_samples, delta_a,
-                                                      delta_d,   least_part, gap_edges, threads};
+        const reconstruct::ReconstructOptions options{threshold,
+                                                      error,
+                                                      levels.checked("levels"),
+                                                      node_samples,
+                                                      delta_a,
+                                                      delta_d,
+                                                      least_part,
+                                                      gap_edges.checked("gap_edges"),
+                                                      threads.checked("threads")};
         return without_gil([&] { return reconstruct::reconstruct(points, options); });
       },
       py::arg("positions"), py::arg("normals") = py::none(), py::arg("colours") = py::none(), py::kw_only(),

@@ -9,6 +9,7 @@
 #include "glark/clients/geometry/geometry.h"
 #include "glark/python/arrays.h"
 #include "glark/python/bound_class.h"
+#include "glark/python/text.h"
 
 namespace glark::python {
 
@@ -30,6 +31,21 @@ auto with_files(const Step& step) {
   }
 }
 
+// Lets Ctrl-C end a computation: what throws here goes through the library, which leaves nothing half-written. Only the
+// main thread of Python handles signals; in others, nothing happens.
+void stop_for_signals(double) {
+  const py::gil_scoped_acquire locked;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+// A format such as raw has no normals. The C++ library says so by the schema of its writer.
+void warn_without_normals(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error) || stream::open_points(file)->schema().normals) return;
+  const std::string text = file.string() + ": the format has no normals, so those of the samples are left out";
+  if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", text_of(text).ptr()) != 0) throw py::error_already_set();
+}
+
 // A part of a scan. It owns its arrays, unlike stream::Points.
 struct Part {
   std::uint64_t first = 0;
@@ -41,13 +57,14 @@ class Reader {
  public:
   Reader(const fs::path& file, const std::string& format, bool keep_invalid) {
     stream::ReadOptions options;
-    options.format = format.empty() ? "" : "." + format;
+    options.format = format;
     options.keep_invalid = keep_invalid;
     reader_ = stream::open_points(file, options);
   }
   const stream::PointReader& fixed() const { return *reader_; }
 
   // Several Python threads may call it; each part goes to one of them.
+  std::optional<Part> read(const Whole<std::size_t>& wanted) { return read(wanted.checked("most")); }
   std::optional<Part> read(std::size_t most) {
     std::vector<double> positions, channels;
     std::vector<float> normals;
@@ -109,13 +126,16 @@ void bind_reader(py::module_& module) {
              return with_files([&] { return std::make_unique<Reader>(file, format, keep_invalid); });
            }),
            py::arg("file"), py::kw_only(), py::arg("format") = "", py::arg("keep_invalid") = false,
-           "format: 'ply', for example; by default that of the name. keep_invalid: give points with NaN or infinite\n"
+           "format: 'ply' or '.ply', for example; by default that of the name. keep_invalid: give points with NaN or "
+           "infinite\n"
            "coordinates, too, instead of raising ArgumentError.")
       .def_property_readonly(
           "count", [](const Reader& reader) { return reader.fixed().count(); },
           "the number of points, or None if it is known at the end only")
       .def_property_readonly("channel_names", &channel_names, "the names of the columns of channels")
-      .def("read", &Reader::read, py::arg("most") = 65536, "The next points, at most `most`; None at the end.")
+      .def("read", py::overload_cast<const Whole<std::size_t>&>(&Reader::read), py::arg("most") = 65536,
+           "The next points, at most `most`, which is 1 or more; None at the end. An error is raised again by each "
+           "further call.")
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__", [](Reader& reader) {
         std::optional<Part> part = reader.read(65536);
@@ -151,25 +171,29 @@ void bind_sample(py::module_& module) {
   const stream::SampleOptions defaults;
   module.def(
       "sample",
-      [](const fs::path& large, const fs::path& small, std::size_t target, double error, std::size_t memory,
-         unsigned threads, bool skip_invalid, const fs::path& work, bool resume) {
+      [](const fs::path& large, const fs::path& small, const Whole<std::size_t>& target, double error,
+         const Whole<std::size_t>& memory, const Whole<unsigned>& threads, bool skip_invalid, const fs::path& work,
+         bool resume) {
         stream::SampleOptions options;
-        options.target = target;
+        options.target = target.checked("target");
         options.error = error;
-        options.memory = memory;
-        options.threads = threads;
+        options.memory = memory.checked("memory");
+        options.threads = threads.checked("threads");
+        options.progress = &stop_for_signals;
         options.skip_invalid = skip_invalid;
         options.work = work;
         options.resume = resume;
-        return with_files([&] { return stream::sample_file(large, small, options); });
+        SampleReport report = with_files([&] { return stream::sample_file(large, small, options); });
+        warn_without_normals(small);
+        return report;
       },
       py::arg("large"), py::arg("small"), py::kw_only(), py::arg("target") = defaults.target,
       py::arg("error") = defaults.error, py::arg("memory") = defaults.memory, py::arg("threads") = 0,
       py::arg("skip_invalid") = false, py::arg("work") = "", py::arg("resume") = false,
       "Sample the scan `large` of any size into the file `small`, and write the index small.cells.\n\n"
-      "target: the most samples; the result has at most 1 % less. error: without a target, the root mean square "
-      "distance\n"
-      "of a sample's points from their tangent planes, relative to the diagonal. memory: bytes, without the sampling.\n"
+      "target: the number of samples; there are at most 1 % less, or as many as the scan has positions. \n"
+      "error: without a target, the root mean square distance of a sample's points from their tangent planes, relative "
+      "to the diagonal. memory: bytes, without the sampling.\n"
       "work: a folder for the state of the work, from which a killed run continues with resume=True.");
 }
 
@@ -177,14 +201,17 @@ void bind_transfer(py::module_& module) {
   module.def(
       "transfer",
       [](const fs::path& large, const fs::path& small, const fs::path& edited, const fs::path& output,
-         unsigned neighbours, bool singular, unsigned threads, const fs::path& work, bool resume) {
-        const stream::TransferOptions options{neighbours, singular, threads, work, resume, {}};
+         const Whole<unsigned>& neighbours, bool singular, const Whole<unsigned>& threads, const fs::path& work,
+         bool resume) {
+        const stream::TransferOptions options{
+            neighbours.checked("neighbours"), singular, threads.checked("threads"), work, resume, &stop_for_signals};
         return with_files([&] { return stream::transfer(large, small, edited, output, options); });
       },
       py::arg("large"), py::arg("small"), py::arg("edited"), py::arg("output"), py::kw_only(),
       py::arg("neighbours") = stream::TransferOptions().neighbours, py::arg("singular") = false, py::arg("threads") = 0,
       py::arg("work") = "", py::arg("resume") = false,
-      "Transfer the edit of a sampling to its scan: `small` became `edited`. `output` has the format of `large`.\n\n"
+      "Transfer the edit of a sampling to its scan: `small` became `edited`. `output` has the format of `large`, and "
+      "the\nending of its name.\n\n"
       "neighbours: the samples that a point follows, 3 to 64. singular: keep sharp borders of colours.");
 }
 
@@ -216,13 +243,17 @@ void bind_refine(py::module_& module) {
       [](const fs::path& large, const fs::path& small, const fs::path& output, const fs::path& edited,
          const fs::path& edited_output, const std::optional<std::array<std::array<double, 3>, 2>>& box,
          const std::optional<std::pair<std::array<double, 3>, double>>& sphere, const std::string& channel,
-         std::size_t target, double error, std::size_t memory, unsigned neighbours, unsigned threads) {
+         const Whole<std::size_t>& target, double error, const Whole<std::size_t>& memory,
+         const Whole<unsigned>& neighbours, const Whole<unsigned>& threads) {
         fs::path cells = small;
         cells += ".cells";
         const stream::RefineFiles files{large, cells, small, edited.empty() ? small : edited, output, edited_output};
-        const stream::RefineOptions options{target, error, memory, neighbours, threads};
+        const stream::RefineOptions options{target.checked("target"), error, memory.checked("memory"),
+                                            neighbours.checked("neighbours"), threads.checked("threads")};
         const stream::Region region = region_of(box, sphere, channel);
-        return with_files([&] { return stream::refine(files, region, options); });
+        const stream::RefineReport report = with_files([&] { return stream::refine(files, region, options); });
+        warn_without_normals(output);
+        return report;
       },
       py::arg("large"), py::arg("small"), py::arg("output"), py::kw_only(), py::arg("edited") = "",
       py::arg("edited_output") = "", py::arg("box") = py::none(), py::arg("sphere") = py::none(),

@@ -21,7 +21,8 @@ surfel::Cloud cloud_of(const Array<float>& positions, const OptionalArray<float>
   return {.positions = rows(positions, 3, "positions"), .normals = rows(normals, 3, "normals")};
 }
 
-py::dict counts_of(const Strips& strips, unsigned level) {
+py::dict counts_of(const Strips& strips, const Whole<unsigned>& wanted) {
+  const unsigned level = wanted.checked("level");
   const surfel::Counts counts = strips.read([&](const auto& all) { return all.counts(level); });
   py::dict result;
   result["outer"] = counts.outer;
@@ -37,15 +38,16 @@ py::dict counts_of(const Strips& strips, unsigned level) {
 }
 
 // `matrix` is (4, 4) in rows, as in mathematics; GL has columns.
-Frame select(const Strips& strips, const Array<float>& matrix, unsigned width, unsigned height, bool cull_frustum,
-             bool cull_back_faces, float point_pixels, float level_pixels) {
+Frame select(const Strips& strips, const Array<float>& matrix, const Whole<unsigned>& width,
+             const Whole<unsigned>& height, bool cull_frustum, bool cull_back_faces, float point_pixels,
+             float level_pixels) {
   const std::span<const float> numbers = rows(matrix, 4, "clip_from_object");
   if (numbers.size() != 16) {
     throw ArgumentError(
         fmt::format("glark: clip_from_object has {} rows; give it the shape (4, 4)", numbers.size() / 4));
   }
-  surfel::View given{.width = width,
-                     .height = height,
+  surfel::View given{.width = width.checked("width"),
+                     .height = height.checked("height"),
                      .cull_frustum = cull_frustum,
                      .cull_back_faces = cull_back_faces,
                      .point_pixels = point_pixels,
@@ -98,10 +100,13 @@ void bind_frame(py::module_& module) {
 }
 
 std::unique_ptr<Strips> make_strips(const Array<float>& positions, const OptionalArray<float>& normals,
-                                    unsigned leaf_points, float delta_a, float delta_d, float inflation, float reach,
-                                    bool turn_edges, unsigned levels, unsigned threads) {
+                                    const Whole<unsigned>& leaf_points, float delta_a, float delta_d, float inflation,
+                                    float reach, bool turn_edges, const Whole<unsigned>& levels,
+                                    const Whole<unsigned>& threads) {
   const surfel::Cloud cloud = cloud_of(positions, normals);
-  const surfel::Options options{leaf_points, delta_a, delta_d, inflation, reach, turn_edges, levels, threads};
+  const surfel::Options options{
+      leaf_points.checked("leaf_points"), delta_a, delta_d, inflation, reach, turn_edges, levels.checked("levels"),
+      threads.checked("threads")};
   return without_gil([&] { return std::make_unique<Strips>(cloud, options); });
 }
 
@@ -141,7 +146,8 @@ void bind_surfel(py::module_& parent) {
           "uint32, all strips of all levels: a copy, because update() changes them.")
       .def(
           "nodes",
-          [](const Strips& strips, unsigned level) {
+          [](const Strips& strips, const Whole<unsigned>& wanted) {
+            const unsigned level = wanted.checked("level");
             return owned(strips.read([&](const auto& all) { return copied(all.nodes(level)); }), 1);
           },
           py::arg("level") = 0, "(nodes,) records of the stripping tree, a copy; level 0 is the finest")

@@ -31,10 +31,17 @@ constexpr std::array methods = {std::pair{"cluster", Method::cluster}, std::pair
 
 std::unique_ptr<Tree> make_tree(const Array<float>& positions, const OptionalArray<float>& normals, bool surface,
                                 const std::string& metric, float threshold, float delta_a, float delta_d,
-                                std::uint32_t least_samples, std::uint32_t most_leaves, unsigned threads) {
+                                const Whole<std::uint32_t>& least_samples, const Whole<std::uint32_t>& most_leaves,
+                                const Whole<unsigned>& threads) {
   const vstree::PointSet points{.positions = rows(positions, 3, "positions"), .normals = rows(normals, 3, "normals")};
-  const vstree::Options options{
-      surface, named(metric, "metric", metrics), threshold, delta_a, delta_d, least_samples, most_leaves, threads};
+  const vstree::Options options{surface,
+                                named(metric, "metric", metrics),
+                                threshold,
+                                delta_a,
+                                delta_d,
+                                least_samples.checked("least_samples"),
+                                most_leaves.checked("most_leaves"),
+                                threads.checked("threads")};
   return without_gil([&] { return std::make_unique<Tree>(points, options); });
 }
 
@@ -101,16 +108,13 @@ void bind_simplified(py::module_& module) {
 void bind_estimate_normals(py::module_& module) {
   module.def(
       "estimate_normals",
-      [](const Array<float>& positions, const OptionalArray<float>& normals, unsigned neighbours,
-         const std::optional<std::array<float, 3>>& scanner, unsigned threads) {
+      [](const Array<float>& positions, const OptionalArray<float>& normals, const Whole<unsigned>& neighbours,
+         const std::optional<std::array<float, 3>>& scanner, const Whole<unsigned>& threads) {
         const vstree::PointSet points{.positions = rows(positions, 3, "positions"),
                                       .normals = rows(normals, 3, "normals")};
-        return owned(without_gil([&] {
-                       return vstree::estimate_normals(
-                           points,
-                           {.neighbours = neighbours, .scanner = scanner ? &*scanner : nullptr, .threads = threads});
-                     }),
-                     3);
+        const vstree::NormalOptions options{neighbours.checked("neighbours"), scanner ? &*scanner : nullptr,
+                                            threads.checked("threads")};
+        return owned(without_gil([&] { return vstree::estimate_normals(points, options); }), 3);
       },
       py::arg("positions"), py::arg("normals") = py::none(), py::kw_only(), py::arg("neighbours") = 16,
       py::arg("scanner") = py::none(), py::arg("threads") = 0,
@@ -121,9 +125,10 @@ void bind_estimate_normals(py::module_& module) {
 
 Simplified simplify(const Array<float>& positions, const OptionalArray<std::uint32_t>& triangles,
                     const OptionalArray<float>& normals, const OptionalArray<std::uint8_t>& colours,
-                    const OptionalArray<float>& texcoords, std::size_t target, const std::string& clustering,
-                    const std::string& representative, const std::string& metric, float threshold, float delta_a,
-                    float delta_d, bool cut, unsigned threads, const std::string& method, float max_error) {
+                    const OptionalArray<float>& texcoords, const Whole<std::size_t>& target,
+                    const std::string& clustering, const std::string& representative, const std::string& metric,
+                    float threshold, float delta_a, float delta_d, bool cut, const Whole<unsigned>& threads,
+                    const std::string& method, float max_error) {
   const vstree::Mesh mesh{.points = {.positions = rows(positions, 3, "positions"),
                                      .normals = rows(normals, 3, "normals"),
                                      .colours = rows(colours, 3, "colours"),
@@ -131,13 +136,13 @@ Simplified simplify(const Array<float>& positions, const OptionalArray<std::uint
                           .triangles = rows(triangles, 3, "triangles")};
   const vstree::SimplifyOptions options{named(clustering, "clustering", clusterings),
                                         named(representative, "representative", representatives),
-                                        target,
+                                        target.checked("target"),
                                         named(metric, "metric", metrics),
                                         threshold,
                                         delta_a,
                                         delta_d,
                                         cut,
-                                        threads,
+                                        threads.checked("threads"),
                                         named(method, "method", methods),
                                         max_error};
   return without_gil([&] { return vstree::simplify(mesh, options); });

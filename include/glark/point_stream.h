@@ -76,8 +76,9 @@ class GLARK_EXPORT PointReader {
   virtual const std::string& name() const = 0;  // for messages
   virtual const Schema& schema() const = 0;
   virtual std::optional<std::uint64_t> count() const = 0;  // of all points, if it is known before the end
-  // Returns the next points: at most `most`, none at the end. Errors: Error for a file that ends early or cannot be
-  // read, for a word that is no number, and for a point whose coordinates are not finite.
+  // Returns the next points: at most `most`, which is 1 or more; none at the end. Errors: Error for a file that ends
+  // early or cannot be read, for a word that is no number, for a point whose coordinates are not finite, and for a
+  // `most` of 0. A reader of open_points() gives the same Error for an unusable file or point again, until seek().
   virtual Points read(std::size_t most = 4096) = 0;
   // Whether seek() works: for files of binary records, not for text, pipes or compressed files.
   virtual bool can_seek() const = 0;

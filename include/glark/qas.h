@@ -108,7 +108,8 @@ struct Sample {
 class GLARK_EXPORT Surface {
  public:
   // Errors: Error for an array that is not made of whole triangles or creases, an index beyond the vertices, a crease
-  // that is no edge, more than 2^26 triangles, or splits above 1.
+  // that is no edge, more than 2^26 triangles, splits above 1, or more than 2^22 vertices with more than 256 for each
+  // index in `triangles`.
   explicit Surface(const Mesh& mesh, const Options& options = {});
   ~Surface();
   Surface(Surface&& other) noexcept;

@@ -22,7 +22,8 @@
 
 namespace glark::stream {
 
-// Receives the finished fraction of the work, 0 to 1.
+// Receives the finished fraction of the work, 0 to 1, in the thread that began it. If it throws, the work ends with this
+// exception, and the outputs stay as they were.
 using Progress = std::function<void(double fraction)>;
 
 struct SampleOptions {
@@ -88,11 +89,11 @@ struct TransferReport {
 // Transfers the edit of a sampling to the scan: `from` became `to`. Each point moves as the samples around it did, and
 // normals turn along. A channel of `to` that `from` had with other values, or had not, is interpolated at each point.
 // The samples of `to` correspond to those of `from` by their order, or by a channel "index". Everything else in `large`
-// stays as it is, byte by byte: triangles, other channels, records of LAS. `output` has the format of `large`. It
-// appears at the end, complete; a former file stays until then.
+// stays as it is, byte by byte: triangles, other channels, records of LAS. `output` has the format of `large`, and the
+// ending of its name. It appears at the end, complete; a former file stays until then.
 // Source: Boubekeur 2007, ch. 4.4. Errors: Error for files that cannot be read or do not fit together, options out of
-// range, a channel that LAS does not have, text PLY, coordinates that do not fit into the numbers of the file, and an
-// output that is one of the other files.
+// range, an output that is one of the other files or has another ending, a channel that LAS does not have, text PLY,
+// samples with coordinates above 1e18, coordinates that do not fit into the numbers of the file.
 GLARK_EXPORT TransferReport transfer(const std::filesystem::path& large, const std::filesystem::path& from,
                                      const std::filesystem::path& to, const std::filesystem::path& output,
                                      const TransferOptions& options = {});
@@ -105,7 +106,8 @@ struct CellIndex {
 };
 
 // Writes and reads an index as text. The samples of the cells are not kept. Errors: Error for a file that cannot be
-// written or read, or that is no index.
+// written or read, or that is no index; such a file is not replaced either. A number that an index cannot have is
+// damage: not finite, a negative side or error, sides that are not from one octree, more points than the scan has.
 GLARK_EXPORT void write_cells(const std::filesystem::path& file, const CellIndex& index);
 GLARK_EXPORT CellIndex read_cells(const std::filesystem::path& file);
 

@@ -78,7 +78,7 @@ struct Options {
 struct Node {
   std::array<float, 3> low, high;  // the box of all triangles below; low > high where there are none
   std::array<float, 3> cone_axis;  // unit length; the normals of the triangles lie within the cone about the axis
-  // A point behind the planes of all triangles. An eye at e with dot(apex - e, axis) > sine * |apex - e| sees only
+  // A point behind the planes of all triangles, if the sine is below 1; always finite. An eye at e with dot(apex - e, axis) > sine * |apex - e| sees only
   // backs.
   std::array<float, 3> cone_apex;
   float cone_sine;               // sine of the cone's half-angle; 2 for 90 degrees or more
@@ -148,7 +148,7 @@ class GLARK_EXPORT Strips {
   Counts counts(unsigned level = 0) const;
 
   // Walks the stripping tree from the root. Culls nodes by boxes and cones, draws small nodes as points, and draws the
-  // strips of the other leaves. Errors: Error for a view without size, or a matrix that is not finite.
+  // strips of the other leaves. Errors: Error for a view without size, a matrix that is not finite, or pixels below 0.
   void select(const View& view, Frame& frame) const;
 
   // Updates strips after points moved or their normals changed. `moved` are the indices of these points. The other

@@ -67,7 +67,8 @@ void sample(const Sampling& run) {
 
 void transfer(const Sampling& run, const std::string& edit) {
   const bench::Box box = bench::box_of(run.scan);
-  const std::filesystem::path edited = run.small.string() + ".edited.ply", out = run.scan.string() + ".edited.ply";
+  const std::filesystem::path edited = run.small.string() + ".edited.ply",
+                              out = run.scan.string() + ".edited" + run.scan.extension().string();
   bench::write_edited(edit, box, run.small, edited);
   const std::uint64_t points = stream::open_points(run.scan)->count().value_or(0);
   measure("transfer, " + edit, points, [&] {

@@ -4,6 +4,10 @@
 #include <glark/pn.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
+#include <utility>
+
 #include "tests/c_api/shapes.h"
 
 namespace glark::test {
@@ -51,6 +55,37 @@ TEST(PnInC, ASampleIsThatOfCpp) {
     EXPECT_EQ(expected.position.at(i), sample.position[i]);
     EXPECT_EQ(expected.normal.at(i), sample.normal[i]);
   }
+}
+
+TEST(PnInC, ASampleOfNumbersThatAreNotFiniteIsRefused) {
+  glark_pn_corner corners[3] = {};
+  const double middle[3] = {0.5, 0.25, 0.25};
+  glark_pn_sample sample{{7, 7, 7}, {7, 7, 7}};
+  glark_error error;
+  const auto refused = [&](float& number, const char* said) {
+    for (const float bad : {INFINITY, -INFINITY, NAN}) {
+      const float before = std::exchange(number, bad);
+      EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_pn_evaluate(corners, middle, &sample, &error)) << said;
+      EXPECT_NE(nullptr, std::strstr(error.message, said)) << error.message;
+      EXPECT_EQ(GLARK_PN_VERTEX, error.element);
+      number = before;
+    }
+  };
+  refused(corners[0].position[2], "vertex 0 has the position");
+  refused(corners[1].normal[0], "vertex 1 has the normal");
+  refused(corners[2].discontinuity[3], "vertex 2 has the discontinuity");
+  refused(corners[2].tags[1], "vertex 2 has the tag");
+  for (const double bad : {0.75, double{NAN}, double{INFINITY}}) {
+    const double weights[3] = {bad, 0.25, 0.25};
+    EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_pn_evaluate(corners, weights, &sample, &error));
+    EXPECT_EQ(GLARK_PN_ARRAY, error.element) << error.message;
+  }
+  const double outside[3] = {2, -0.5, -0.5};
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_pn_evaluate(corners, outside, &sample, &error));
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_pn_evaluate(nullptr, middle, &sample, &error));
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_pn_evaluate(corners, nullptr, &sample, &error));
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_pn_evaluate(corners, middle, nullptr, &error));
+  EXPECT_EQ(7, sample.position[0]);
 }
 
 TEST(PnInC, AnErrorNamesTheElement) {

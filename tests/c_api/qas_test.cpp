@@ -103,6 +103,26 @@ TEST(LoopInC, TheSurfaceIsThatOfCpp) {
   glark_qas_loop_surface_free(surface);
 }
 
+// An uninitialised count took gigabytes and minutes.
+TEST(QasCountInC, ManyVerticesOfFewTrianglesAreRefused) {
+  const std::vector<std::uint32_t> triangle{0, 1, 2};
+  glark_error error;
+  for (const std::size_t count : {std::size_t{1} << 23U, std::size_t{1} << 31U, SIZE_MAX}) {
+    const glark_qas_mesh mesh{count, array(triangle), {}};
+    glark_qas_surface* surface = nullptr;
+    EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_qas_surface_create(&mesh, nullptr, &surface, &error));
+    EXPECT_EQ(GLARK_QAS_MESH, error.element) << error.message;
+    glark_qas_loop_surface* loop = nullptr;
+    EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_qas_loop_surface_create(&mesh, &loop, &error));
+    EXPECT_EQ(nullptr, surface);
+    EXPECT_EQ(nullptr, loop);
+  }
+  const glark_qas_mesh unused{1000, array(triangle), {}};
+  glark_qas_surface* surface = nullptr;
+  EXPECT_EQ(GLARK_SUCCESS, glark_qas_surface_create(&unused, nullptr, &surface, &error)) << error.message;
+  glark_qas_surface_free(surface);
+}
+
 TEST(QasTextInC, NamesAreThoseGiven) {
   char* text = glark_qas_refinement_shader(nullptr);
   EXPECT_EQ(qas::refinement_shader(), text);

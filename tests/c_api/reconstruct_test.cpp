@@ -4,6 +4,8 @@
 #include <glark/reconstruct.h>
 #include <gtest/gtest.h>
 
+#include <string_view>
+
 #include "tests/c_api/shapes.h"
 
 namespace glark::test {
@@ -44,6 +46,7 @@ TEST(ReconstructInC, AnErrorNamesTheElement) {
   EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_reconstruct(&samples, nullptr, &mesh, &error));
   EXPECT_EQ(GLARK_VSTREE_POINT, error.element) << error.message;
   EXPECT_EQ(42U, error.index);
+  EXPECT_TRUE(std::string_view(error.message).starts_with("glark-reconstruct: point 42")) << error.message;
   EXPECT_EQ(nullptr, mesh);
 }
 

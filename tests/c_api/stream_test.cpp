@@ -101,5 +101,43 @@ TEST_F(StreamInC, FailuresAreExplained) {
   EXPECT_FALSE(glark_stream_reader_count(nullptr, nullptr));
 }
 
+TEST_F(StreamInC, AReaderKeepsToItsArguments) {
+  glark_stream_reader* reader = nullptr;
+  ASSERT_EQ(GLARK_SUCCESS, glark_stream_open_points(file("large.ply").c_str(), "ply", &reader, nullptr));
+  glark_stream_points points{};
+  glark_error error;
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_stream_reader_read(reader, 0, &points, &error));
+  EXPECT_NE(std::strstr(error.message, "most is 0"), nullptr) << error.message;
+  EXPECT_EQ(GLARK_SUCCESS, glark_stream_reader_read(reader, 1, &points, &error));
+  EXPECT_EQ(points.positions.count, 3U);
+  glark_stream_reader_free(reader);
+}
+
+TEST_F(StreamInC, BadNamesAreBadArguments) {
+  glark_error error;
+  const std::string long_name = file(std::string(300, 'a').c_str()) + ".ply";
+  for (const std::string& name : {std::string(), long_name}) {
+    glark_stream_reader* reader = nullptr;
+    EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_stream_open_points(name.c_str(), nullptr, &reader, &error));
+    EXPECT_EQ(GLARK_BAD_ARGUMENT,
+              glark_stream_sample_file(file("large.ply").c_str(), name.c_str(), nullptr, nullptr, &error));
+    EXPECT_NE(std::strstr(error.message, name.empty() ? "is empty" : "File name too long"), nullptr) << error.message;
+  }
+}
+
+// A message has 511 bytes at most. A character that does not fit whole is left out.
+TEST_F(StreamInC, AMessageEndsWithAWholeCharacter) {
+  for (std::size_t shift = 0; shift < 4; ++shift) {
+    std::string name = "/" + std::string(shift, 'a');
+    for (int i = 0; i < 200; ++i) name += "\xE2\x82\xAC";  // the euro sign
+    glark_stream_reader* reader = nullptr;
+    glark_error error;
+    EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_stream_open_points(name.c_str(), nullptr, &reader, &error));
+    const std::string message = error.message;
+    EXPECT_GE(message.size(), std::size_t{GLARK_MESSAGE_SIZE} - 4);
+    EXPECT_TRUE(message.ends_with("\xE2\x82\xAC")) << message;
+  }
+}
+
 }  // namespace
 }  // namespace glark::test

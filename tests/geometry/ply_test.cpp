@@ -106,7 +106,7 @@ TEST_F(Ply, PointsThatAreNotFiniteCanBeLeftOut) {
   write_file(path("a.ply"), geometry);
   const std::string problem = problem_with(path("a.ply"));
   EXPECT_NE(std::string::npos, problem.find("vertex 8"));
-  EXPECT_NE(std::string::npos, problem.find("--skip-invalid"));
+  EXPECT_NE(std::string::npos, problem.find("the option skip_invalid"));
   const Geometry found = read_file(path("a.ply"), {.skip_invalid = true}).geometry;
   EXPECT_EQ(48U, found.point_count());
   EXPECT_EQ(66U, found.triangle_count());  // six triangles met at the vertex

@@ -222,6 +222,22 @@ TEST(DeriveTags, Errors) {
   EXPECT_EQ(element_of(view(good), {.bias = -2}), Element::option);
 }
 
+TEST(DeriveTags, MessagesHaveTheValue) {
+  const IndexedMesh good = cube();
+  const auto problem = [](const Mesh& mesh, const Options& options) -> std::string {
+    try {
+      derive_tags(mesh, options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(problem(view(good), {.tension = 1.5F}), "glark-pn: option tension is 1.5; -1 to 1 is possible");
+  EXPECT_EQ(problem(view(good, {}, {0, 1, 9, 1}), {}), "glark-pn: crease 1 has the index 9 of 8 vertices; correct it");
+  EXPECT_EQ(problem(view(good, {1, 2, 3}), {}),
+            "glark-pn: array of normals has 3 numbers, that of positions 24; give as many, or none");
+}
+
 void expect_finite(const TaggedMesh& mesh) {
   EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
   EXPECT_EQ(mesh.tags.size(), mesh.positions.size());

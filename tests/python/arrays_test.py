@@ -42,6 +42,19 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(glark.ArgumentError, "4"):
             glark.reconstruct(points)
 
+    def test_numbers_that_do_not_fit_are_told(self):
+        points = sphere(100)
+        for call, told in (
+            (lambda: glark.vstree.simplify(points, target=-5), "target is -5; give it a number from 0"),
+            (lambda: glark.vstree.estimate_normals(points, neighbours=2 ** 32), "neighbours is 4294967296"),
+            (lambda: glark.reconstruct(points, levels=-1), "levels is -1"),
+            (lambda: glark.surfel.Strips(points, leaf_points=-1), "leaf_points is -1"),
+            (lambda: glark.qas.Surface(-1, [[0, 1, 2]]), "vertices is -1"),
+            (lambda: glark.depth.Tagger(3, [[0, 1, 2]], -1), "max_level is -1"),
+        ):
+            with self.assertRaisesRegex(glark.ArgumentError, told):
+                call()
+
     def test_values_that_do_not_fit_are_told(self):
         corners = numpy.eye(4, 3, dtype=numpy.float32)
         for triangles, told in (
@@ -78,6 +91,15 @@ class Files(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.file = str(pathlib.Path(self.folder.name) / "mesh.ply")
         self.addCleanup(self.folder.cleanup)
+
+    def test_a_format_may_be_named(self):
+        other = pathlib.Path(self.file).with_suffix(".scan")
+        glark.write(self.file, sphere(10))
+        pathlib.Path(self.file).rename(other)
+        with self.assertRaisesRegex(glark.FileError, "names no format that glark reads; .* or the option format"):
+            glark.read(other)
+        for name in ("ply", ".ply"):
+            self.assertEqual(10, len(glark.read(other, format=name).positions))
 
     def test_what_is_written_is_read(self):
         points = sphere(4)

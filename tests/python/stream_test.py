@@ -1,8 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 """glark.stream: a scan is read in parts, sampled, edited by its sampling, and refined."""
+import os
 import pathlib
+import signal
 import tempfile
+import time
 import unittest
 
 import glark
@@ -66,6 +69,99 @@ class Stream(unittest.TestCase):
         for region in ({}, {"box": ([0, 0, 0], [1, 1, 1]), "channel": "red"}):
             with self.assertRaisesRegex(glark.ArgumentError, "one of box, sphere and channel"):
                 glark.stream.refine(*files, **region)
+
+    def test_a_reader_stays_with_its_error(self):
+        points = self.points.copy()
+        points[70, 1] = numpy.nan
+        path = pathlib.Path(self.path("bad.raw"))
+        path.write_bytes(points.astype("<f4").tobytes())
+        reader = glark.stream.Reader(path)
+        self.assertEqual(50, len(reader.read(50).positions))
+        for _ in range(2):
+            with self.assertRaisesRegex(glark.ArgumentError, "point 70 has a coordinate"):
+                reader.read(50)
+        with self.assertRaisesRegex(glark.ArgumentError, "most is 0"):
+            reader.read(0)
+        for name in ("raw", ".raw"):
+            self.assertEqual(COUNT, glark.stream.Reader(path, format=name).count)
+
+    def test_names(self):
+        large = self.path("large.ply")
+        latin = self.path(os.fsdecode(b"caf\xe9.ply"))
+        with self.assertRaisesRegex(glark.FileError, "caf\udce9.ply: cannot be read: No such file"):
+            glark.stream.Reader(latin)
+        with self.assertRaisesRegex(glark.FileError, "caf\udce9.ply: cannot be read"):
+            glark.read(latin)
+        self.assertEqual(10, glark.stream.sample(large, latin, target=10).samples)
+        long_name = self.path("a" * 300 + ".ply")
+        for call in (lambda: glark.stream.Reader(long_name), lambda: glark.stream.sample(long_name, self.path("b.ply")),
+                     lambda: glark.stream.sample(large, long_name, target=10), lambda: glark.read(long_name),
+                     lambda: glark.write(long_name, self.points)):
+            with self.assertRaisesRegex(glark.FileError, "File name too long"):
+                call()
+        for call in (lambda: glark.stream.sample(large, "", target=10), lambda: glark.write("", self.points),
+                     lambda: glark.stream.transfer(large, self.path("small.ply"), self.path("small.ply"), ""),
+                     lambda: glark.stream.refine(large, self.path("small.ply"), "", box=([0, 0, 0], [1, 1, 1]))):
+            with self.assertRaisesRegex(glark.ArgumentError, "is empty; name a file"):
+                call()
+
+    def test_numbers_below_zero_name_their_argument(self):
+        large, small = self.path("large.ply"), self.path("small.ply")
+        for name in ("target", "memory", "threads"):
+            with self.assertRaisesRegex(glark.ArgumentError, f"{name} is -1; give it a number from 0"):
+                glark.stream.sample(large, self.path("a.ply"), **{name: -1})
+        with self.assertRaisesRegex(glark.ArgumentError, "neighbours is -3"):
+            glark.stream.transfer(large, small, small, self.path("out.ply"), neighbours=-3)
+        with self.assertRaisesRegex(glark.ArgumentError, "most is -1"):
+            glark.stream.Reader(large).read(-1)
+        with self.assertRaisesRegex(glark.ArgumentError, "target is 1000000000000000000000"):
+            glark.stream.sample(large, self.path("a.ply"), target=10 ** 21)
+        with self.assertRaises(TypeError):
+            glark.stream.sample(large, self.path("a.ply"), target=1.5)
+
+    def test_formats_without_normals_are_told(self):
+        with self.assertWarnsRegex(UserWarning, "a.raw: the format has no normals"):
+            glark.stream.sample(self.path("large.ply"), self.path("a.raw"), target=10)
+        with self.assertWarnsRegex(UserWarning, "finer.raw: the format has no normals"):
+            glark.stream.refine(self.path("large.ply"), self.path("small.ply"), self.path("finer.raw"),
+                                box=([0, 0, 0], [1, 1, 1]), target=100)
+
+    def test_messages_name_options_as_python_has_them(self):
+        numpy.full(30, numpy.nan, "<f4").tofile(self.path("bad.raw"))
+        with self.assertRaisesRegex(glark.ArgumentError, "by the option skip_invalid"):
+            glark.stream.sample(self.path("bad.raw"), self.path("a.ply"), target=10)
+        far = self.points[:100].astype("<f4")
+        far[7] = 1e20
+        far.tofile(self.path("far.raw"))
+        with self.assertRaisesRegex(glark.ArgumentError, "far.raw: point 7 has the coordinate"):
+            glark.stream.sample(self.path("far.raw"), self.path("a.ply"), target=10)
+
+    def interrupted(self, output: str, call) -> None:
+        def stop(*_):
+            raise KeyboardInterrupt
+        self.addCleanup(signal.signal, signal.SIGALRM, signal.signal(signal.SIGALRM, stop))
+        begun = time.monotonic()
+        call()
+        whole = time.monotonic() - begun
+        pathlib.Path(output).unlink()
+        begun = time.monotonic()
+        signal.setitimer(signal.ITIMER_REAL, whole / 8)
+        with self.assertRaises(KeyboardInterrupt):
+            call()
+        self.assertFalse(pathlib.Path(output).exists())
+        self.assertLess(time.monotonic() - begun, whole)
+
+    def test_interrupts_stop_the_work(self):
+        count = 1500000
+        sphere(count).astype("<f4").tofile(self.path("many.raw"))
+        small = self.path("few.ply")
+        self.interrupted(small, lambda: glark.stream.sample(self.path("many.raw"), small, target=2000, memory=40 << 20))
+        glark.stream.sample(self.path("many.raw"), small, target=2000)
+        samples = glark.read(small)
+        glark.write(self.path("edited.ply"), samples.positions + [0, 0, 2])
+        out = self.path("out.raw")
+        self.interrupted(out, lambda: glark.stream.transfer(self.path("many.raw"), small, self.path("edited.ply"), out))
+        self.assertEqual([], [path.name for path in pathlib.Path(self.folder.name).iterdir() if path.name.startswith(".")])
 
     def test_errors(self):
         with self.assertRaisesRegex(glark.FileError, "cannot be read"):

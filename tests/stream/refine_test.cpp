@@ -98,7 +98,7 @@ TEST_F(Refining, WhatDoesNotFitIsExplained) {
   region.centre = {50, 0, 0};
   EXPECT_NE(problem_of([&] { refine(files(), region, {.target = 10}); }).find("no sample lies in the region"),
             std::string::npos);
-  EXPECT_NE(problem_of([&] { refine(files(), cap(), {.target = 10, .memory = 1000}); }).find("more --memory"),
+  EXPECT_NE(problem_of([&] { refine(files(), cap(), {.target = 10, .memory = 1000}); }).find("the option memory"),
             std::string::npos);
   EXPECT_NE(problem_of([&] { refine(files(), cap(), {.target = 10, .neighbours = 1}); }).find("3 to 64"),
             std::string::npos);
@@ -131,7 +131,7 @@ TEST_F(Refining, TheIndexKeepsItsNumbers) {
 }
 
 TEST_F(Refining, DamagedIndicesAreExplained) {
-  const std::array<std::array<const char*, 2>, 9> cases{{
+  const std::array<std::array<const char*, 2>, 18> cases{{
       {"", "is empty"},
       {"ply\n", "does not begin with"},
       {"glark cells 1\n", "the file ends here"},
@@ -139,6 +139,15 @@ TEST_F(Refining, DamagedIndicesAreExplained) {
       {"glark cells 1\n10 20 1\n0 0 0 1 5 0 19\n", "is not the error"},
       {"glark cells 1\n10 20 1\n0 0 0 1 5 0 20 0\n", "the scan has 20"},
       {"glark cells 1\n10 20 1\n0 0 nan 1 5 0 19 0\n", "not finite"},
+      {"glark cells 1\n10 20 1\n0 inf 0 1 5 0 19 0\n", "line 3: the corner of a cell is inf"},
+      {"glark cells 1\n10 20 1\n0 0 0 inf 5 0 19 0\n", "line 3: the side of a cell is inf"},
+      {"glark cells 1\n10 20 1\n0 0 0 -1 5 0 19 0\n", "line 3: the side of a cell is -1"},
+      {"glark cells 1\n10 20 1\n0 0 0 1 5 0 19 -1\n", "line 3: the error of a cell is -1"},
+      {"glark cells 1\n10 20 1\n0 0 0 1 -5 0 19 0\n", "is not the number of points"},
+      {"glark cells 1\n10 20 1\n0 0 0 1 0 0 19 0\n", "line 3: a cell has 0 points"},
+      {"glark cells 1\n10 20 1\n0 0 0 1 5 19 0 0\n", "line 3: a cell has 5 points from 19 to 0"},
+      {"glark cells 1\n10 20 2\n0 0 0 1 9 0 19 0\n1 0 0 1 12 0 19 0\n", "line 4: the cells up to here"},
+      {"glark cells 1\n10 20 2\n0 0 0 1 9 0 19 0\n1 0 0 1.5 1 0 19 0\n", "line 4: the side of the cell is 1.5"},
       {"glark cells 1\n10 20 0\n1\n", "lines follow"},
       {"glark cells 1\n10 20 99999999999\n", "too many"},
   }};
@@ -165,6 +174,28 @@ TEST_F(Refining, AnOutputIsNoneOfTheOtherFiles) {
   }
   EXPECT_NE(problem_with("b.ply", "b.ply").find("is the same file as"), std::string::npos);
   EXPECT_EQ(scan, bytes_of(path("large.ply")));
+}
+
+// A file of the user may have the name by chance.
+TEST_F(Refining, AFileThatIsNoIndexIsNotReplaced) {
+  write_edited();
+  RefineFiles given = files();
+  given.edited_output.clear();
+  for (const char* text : {"my notes", ""}) {
+    made("mine.ply.cells", text);
+    given.output = path("mine.ply");
+    for (const std::string& problem :
+         {problem_of([&] { sample_file(path("large.ply"), path("mine.ply"), {.target = 9}); }),
+          problem_of([&] { refine(given, cap(), {.target = 9}); }),
+          problem_of([&] { write_cells(path("mine.ply.cells"), {}); })}) {
+      EXPECT_NE(problem.find("mine.ply.cells: the index"), std::string::npos) << problem;
+    }
+    EXPECT_EQ(bytes_of(path("mine.ply.cells")), text);
+    EXPECT_FALSE(std::filesystem::exists(path("mine.ply")));
+  }
+  made("mine.ply.cells", "glark cells 1\nof an older sampling\n");
+  sample_file(path("large.ply"), path("mine.ply"), {.target = 9});
+  EXPECT_EQ(read_cells(path("mine.ply.cells")).points, scan_points);
 }
 
 }  // namespace

@@ -61,13 +61,38 @@ TEST_F(Sampling, MeetsTheTargetAndLiesOnTheSurface) {
   for (const std::size_t target : {50, 1000, 8000}) {
     const SampleReport report = sample_file(file, path("b.ply"), {.target = target});
     EXPECT_LE(report.samples, target);
-    EXPECT_GE(report.samples, target - std::max<std::size_t>(8, target / 100));
+    EXPECT_GE(report.samples, target - target / 100);
     const AllPoints all = read_all(*open_points(path("b.ply")));
     EXPECT_EQ(all.positions.size() / 3, report.samples);
     if (target >= 1000) {
       EXPECT_LT(mean_square_distance(all), 0.01);
     }
   }
+}
+
+// A cluster has up to eight parts; so some are merged where all of them would be too many.
+TEST_F(Sampling, SmallTargetsAreMetExactly) {
+  const auto file = write_sphere(path("a.ply"), {});
+  for (const bool in_core : {false, true})
+    for (const std::size_t target : {1, 2, 3, 5, 7, 10, 17, 30, 64, 99}) {
+      const SampleReport report = in_core ? stream::sample_file(file, path("b.ply"), {.target = target})
+                                          : sample_file(file, path("b.ply"), {.target = target});
+      EXPECT_EQ(report.in_core, in_core);
+      EXPECT_EQ(report.samples, target);
+      const AllPoints all = read_all(*open_points(path("b.ply")));
+      ASSERT_EQ(all.positions.size() / 3, target);
+      EXPECT_EQ(report.cells.back().first_sample + report.cells.back().samples, target);
+      for (std::size_t i = 0; i < all.positions.size(); i += 3)
+        EXPECT_LE(std::hypot(all.positions[i] - 10, all.positions[i + 1] - 20, all.positions[i + 2] - 30), 5);
+    }
+}
+
+// Points at one position cannot be told apart.
+TEST_F(Sampling, FewPositionsGiveFewSamples) {
+  const auto writer = create_points(path("a.ply"), {});
+  for (int i = 0; i < 100; ++i) writer->write({0, std::vector<double>{double(i % 4), 0, 0}, {}, {}});
+  writer->finish();
+  EXPECT_EQ(stream::sample_file(path("a.ply"), path("b.ply"), {.target = 50}).samples, 4U);
 }
 
 TEST_F(Sampling, KeepsNormalsAndColours) {
@@ -150,6 +175,21 @@ TEST_F(Sampling, BadOptionsAreExplained) {
   };
   EXPECT_NE(problem({.error = 2}).find("error is 2"), std::string::npos);
   EXPECT_NE(problem({.target = 5, .memory = 1000}).find("40 MiB"), std::string::npos);
+  made("a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+       "end_header\n0 nan 0\n");
+  EXPECT_NE(problem({.target = 5}).find("leave the point out by the option skip_invalid"), std::string::npos);
+}
+
+// In core and out of core.
+TEST_F(Sampling, ACoordinateBeyondTheRangeOfFloatsNamesThePoint) {
+  const auto writer = create_points(path("a.ply"), {Number::float64, false, {}});
+  for (int i = 0; i < 100; ++i) writer->write({0, std::vector<double>{double(i), i == 70 ? -2e18 : 0, 0}, {}, {}});
+  writer->finish();
+  for (const std::string& problem :
+       {problem_of([&] { sample_file(path("a.ply"), path("b.ply"), {.target = 9}); }),
+        problem_of([&] { stream::sample_file(path("a.ply"), path("b.ply"), {.target = 9}); })})
+    EXPECT_NE(problem.find("a.ply: point 70 has the coordinate -2e+18"), std::string::npos) << problem;
 }
 
 TEST_F(Sampling, AFileThatChangesBetweenThePassesIsExplained) {

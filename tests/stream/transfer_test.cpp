@@ -155,6 +155,37 @@ TEST_F(Edited, LasKeepsItsOtherNumbers) {
     EXPECT_NEAR(after.positions[i], before.positions[i] + 100, 1e-3);
 }
 
+// Squares of such numbers are infinite as floats, and the points around the sample became NaN.
+TEST_F(Edited, ASampleBeyondTheRangeOfFloatsIsRefused) {
+  const AllPoints small = sheet(18);
+  write("small.ply", small, plain);
+  write("large.ply", sheet(40), plain);
+  made("out.ply", "old");
+  for (const double far : {1e20, -2e18}) {
+    AllPoints edited = small;
+    edited.positions[3 * 7 + 1] = far;
+    write("edited.ply", edited, plain);
+    const std::string problem =
+        problem_of([&] { transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path("out.ply")); });
+    EXPECT_NE(problem.find("edited.ply: point 7"), std::string::npos) << problem;
+    EXPECT_NE(problem.find("up to 1e18"), std::string::npos) << problem;
+  }
+  EXPECT_EQ(bytes_of(path("out.ply")), "old");
+}
+
+TEST_F(Edited, TheOutputHasTheEndingOfTheScan) {
+  write("small.ply", sheet(18), plain);
+  write("large.ply", sheet(40), plain);
+  for (const char* name : {"out.las", "out", "out.ply.zst"}) {
+    const std::string problem =
+        problem_of([&] { transfer(path("large.ply"), path("small.ply"), path("small.ply"), path(name)); });
+    EXPECT_NE(problem.find("with the ending .ply"), std::string::npos) << name << ": " << problem;
+    EXPECT_FALSE(std::filesystem::exists(path(name)));
+  }
+  transfer(path("large.ply"), path("small.ply"), path("small.ply"), path("out.PLY"));
+  EXPECT_TRUE(bytes_of(path("large.ply")) == bytes_of(path("out.PLY")));
+}
+
 TEST_F(Edited, BadInputIsExplained) {
   const AllPoints small = sheet(18);
   write("small.ply", small, plain);

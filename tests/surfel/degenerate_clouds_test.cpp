@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/surfel/clouds.h"
 
@@ -32,6 +33,40 @@ TEST(SurfelDegenerateClouds, DuplicatesAloneHaveNoStrips) {
   const Strips strips(points.cloud(), {.levels = 3});
   EXPECT_EQ(strips.indices().size(), 0U);
   EXPECT_EQ(strips.nodes().front().representative, 0U);
+}
+
+void expect_finite_cones(const Cloud& cloud) {
+  const Strips strips(cloud, {.levels = 2});
+  for (unsigned level = 0; level < strips.level_count(); ++level)
+    for (const Node& node : strips.nodes(level)) {
+      for (const float number : node.cone_apex) EXPECT_TRUE(std::isfinite(number)) << number;
+      for (const float number : node.cone_axis) EXPECT_TRUE(std::isfinite(number)) << number;
+      EXPECT_TRUE(std::isfinite(node.cone_sine));
+    }
+}
+
+// The mean normal of two opposed triangles is zero, and no plane meets such an axis.
+TEST(SurfelDegenerateClouds, ConesOfTinyCloudsAreFinite) {
+  const std::vector<Points> normals = [] {
+    std::vector<Points> clouds(5);
+    for (std::size_t k = 0; k < clouds.size(); ++k)
+      for (int i = 0; i < 4; ++i)
+        clouds[k].add({k == 4 ? 7.0F : static_cast<float>(i % 2), k == 4 ? 7.0F : static_cast<float>(i / 2), 7},
+                      {0, 0,
+                       k == 1 && i % 2 == 0 ? -1.0F
+                       : k == 2             ? 0.0F
+                                            : 1.0F});
+    for (std::size_t i = 2; i < 12; i += 3) clouds[3].normals[i - 2] = 1, clouds[3].normals[i] = 0;  // in the plane
+    return clouds;
+  }();
+  for (const Points& points : normals)
+    for (std::size_t count = 0; count <= 4; ++count)
+      for (const float scale : {1.0F, 1e17F, 1e-30F}) {
+        std::vector<float> positions(points.positions.begin(), points.positions.begin() + 3 * std::ptrdiff_t(count));
+        for (float& x : positions) x *= scale;
+        expect_finite_cones({positions, std::span(points.normals).first(3 * count)});
+        expect_finite_cones({positions, {}});
+      }
 }
 
 TEST(SurfelDegenerateClouds, FirstOfSeveralDuplicatesIsDrawn) {

@@ -58,6 +58,15 @@ TEST(SurfelInputValidation, RejectsViewsWithoutSizeAndMissingLevels) {
   View view{.width = 1, .height = 1};
   view.clip_from_object[5] = std::nanf("");
   expect_error(Element::view, 0, "element 5", [&] { strips.select(view, frame); });
+  for (const float bad : {-1.0F, std::nanf("")}) {
+    const View sound{.width = 8, .height = 8};
+    View pixels = sound;
+    pixels.point_pixels = bad;
+    expect_error(Element::view, 0, "point_pixels", [&] { strips.select(pixels, frame); });
+    pixels = sound;
+    pixels.level_pixels = bad;
+    expect_error(Element::view, 0, "level_pixels", [&] { strips.select(pixels, frame); });
+  }
   expect_error(Element::option, 1, "levels", [&] { static_cast<void>(strips.nodes(1)); });
 }
 

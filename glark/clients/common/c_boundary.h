@@ -70,13 +70,24 @@ inline glark_floats array_of(std::span<const float> span) { return {span.data(),
 inline glark_indices array_of(std::span<const std::uint32_t> span) { return {span.data(), span.size()}; }
 inline glark_bytes array_of(std::span<const std::uint8_t> span) { return {span.data(), span.size()}; }
 
+// The byte at or before `at` where a character of UTF-8 begins. A message must not end within one. A character has at
+// most four bytes; names of files may have bytes that are no UTF-8.
+inline std::size_t begin_of_character(std::string_view text, std::size_t at) {
+  for (std::size_t begin = at, left = 4; left > 0; --begin, --left) {
+    if ((static_cast<unsigned char>(text[begin]) & 0xC0U) != 0x80U) return begin;
+    if (begin == 0) break;
+  }
+  return at;
+}
+
 inline glark_code fail(glark_error* error, glark_code code, std::string_view message, int element = GLARK_NO_ELEMENT,
                        std::size_t index = 0) {
   if (error != nullptr) {
     error->code = code;
     error->element = element;
     error->index = index;
-    const std::size_t length = std::min(message.size(), std::size_t{GLARK_MESSAGE_SIZE} - 1);
+    std::size_t length = std::min(message.size(), std::size_t{GLARK_MESSAGE_SIZE} - 1);
+    if (length < message.size()) length = begin_of_character(message, length);
     std::copy_n(message.data(), length, error->message);
     error->message[length] = '\0';
   }

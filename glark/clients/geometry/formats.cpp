@@ -29,7 +29,9 @@ std::string ending_of(const fs::path& file) {
 }
 
 std::string format_of(const fs::path& file, const ReadOptions& options) {
-  return options.format.empty() ? ending_of(file) : options.format;
+  const std::string& format = options.format;
+  if (format.empty()) return ending_of(file);
+  return lower(format.front() == '.' ? format : "." + format);
 }
 
 bool is_text(const std::string& format) {
@@ -56,7 +58,7 @@ Reading read_as(const std::string& ending, Input& input, const ReadOptions& opti
   if (is_text(ending)) return read_text_points(input, ending == ".pts" ? TextPoints::pts : TextPoints::xyz, options);
   throw Error(input.name() + ": the ending \"" + ending +
               "\" names no format that glark reads; use .ply, .obj, .stl, .off, .glb, .pcd, .xyz or .pts (or one of "
-              "these and .zst), or --format");
+              "these and .zst), or the option format");
 }
 
 void check_ending(const fs::path& file) {

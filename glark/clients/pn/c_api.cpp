@@ -4,7 +4,10 @@
 #include <glark/pn.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <span>
+#include <string>
 
 #include "glark/clients/common/c_boundary.h"
 
@@ -26,6 +29,31 @@ std::array<Number, Count> copied(const Number (&values)[Count]) {
   std::array<Number, Count> result;
   std::copy_n(values, Count, result.begin());
   return result;
+}
+
+// Throws pn::Error, which names the corner, for the first number that is not finite.
+void check_corners(const glark_pn_corner* corners) {
+  const auto check = [](std::size_t corner, std::span<const float> values, const char* name) {
+    for (const float value : values)
+      if (!std::isfinite(value))
+        throw pn::Error(pn::Element::vertex, corner,
+                        std::string("has the ") + name + " " + std::to_string(value) + "; finite numbers are possible");
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    check(i, corners[i].position, "position");
+    check(i, corners[i].normal, "normal");
+    check(i, corners[i].discontinuity, "discontinuity");
+    check(i, corners[i].tags, "tag");
+  }
+}
+
+void check_weights(const double* weights) {
+  constexpr double tolerance = 1e-4;  // for weights that were floats
+  const double sum = weights[0] + weights[1] + weights[2];
+  if (std::abs(sum - 1) <= tolerance && std::min({weights[0], weights[1], weights[2]}) >= -tolerance) return;
+  throw pn::Error(pn::Element::array, 0,
+                  "of barycentric coordinates (" + std::to_string(weights[0]) + ", " + std::to_string(weights[1]) +
+                      ", " + std::to_string(weights[2]) + ") is not of a point of the triangle: 0 to 1, of sum 1");
 }
 
 pn::Corner corner_of(const glark_pn_corner& corner) {
@@ -111,6 +139,8 @@ glark_code glark_pn_evaluate(const glark_pn_corner corners[3], const double bary
     const glark_pn_corner* given = &needed(corners, "corners");
     const double* weights = &needed(barycentric, "barycentric");
     glark_pn_sample& result = needed(sample, "sample");
+    check_corners(given);
+    check_weights(weights);
     const pn::Sample found = pn::evaluate({corner_of(given[0]), corner_of(given[1]), corner_of(given[2])},
                                           {weights[0], weights[1], weights[2]});
     std::ranges::copy(found.position, result.position);

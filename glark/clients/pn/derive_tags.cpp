@@ -3,8 +3,11 @@
 //
 // Based on: Boubekeur 2007, ch. 8.2. Delta is scaled as N is, so that sharpness 1 restores the normals of both sides.
 // Our additions: creases have numbers, and points where several creases meet keep all their normals.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "glark/clients/common/error_message.h"
@@ -25,10 +28,16 @@ const char* name_of(Element element) {
   return "array";
 }
 
+std::optional<std::size_t> number_of(Element element, std::size_t index) {
+  const bool is_one_of_many = element != Element::option && element != Element::array;
+  return is_one_of_many ? std::optional(index) : std::nullopt;
+}
+
 }  // namespace
 
 Error::Error(Element element, std::size_t index, const std::string& what)
-    : ElementError(element, index, common::error_message("glark-pn", name_of(element), index, what)) {}
+    : ElementError(element, index,
+                   common::error_message("glark-pn", name_of(element), number_of(element, index), what)) {}
 
 namespace {
 
@@ -277,11 +286,14 @@ class TagDerivation {
 };
 
 void check(const Options& options) {
-  const auto within = [](float value, float least, float most) { return value >= least && value <= most; };
-  if (!within(options.crease_degrees, 0, 180)) throw Error(Element::option, 0, "crease_degrees are not from 0 to 180");
-  if (!within(options.sharpness, 0, 65536)) throw Error(Element::option, 0, "sharpness is not from 0 to 65536");
-  if (!within(options.tension, -1, 1)) throw Error(Element::option, 0, "tension is not from -1 to 1");
-  if (!within(options.bias, -1, 1)) throw Error(Element::option, 0, "bias is not from -1 to 1");
+  const auto within = [](const char* name, float value, float least, float most) {
+    if (value >= least && value <= most) return;
+    throw Error(Element::option, 0, fmt::format("{} is {}; {} to {} is possible", name, value, least, most));
+  };
+  within("crease_degrees", options.crease_degrees, 0, 180);
+  within("sharpness", options.sharpness, 0, 65536);
+  within("tension", options.tension, -1, 1);
+  within("bias", options.bias, -1, 1);
 }
 
 }  // namespace

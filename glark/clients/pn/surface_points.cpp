@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/pn/surface_points.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <numeric>
@@ -20,22 +22,33 @@ double angle_between(const Vector& a, const Vector& b) { return std::atan2(lengt
 
 void check(const Mesh& mesh) {
   if (mesh.positions.size() % 3 != 0)
-    throw Error(Element::array, 0, "of positions does not have three numbers for each vertex");
+    throw Error(Element::array, 0,
+                fmt::format("of positions has {} numbers; give three for each vertex", mesh.positions.size()));
   if (mesh.triangles.size() % 3 != 0)
-    throw Error(Element::array, 1, "of triangles does not have three vertices for each triangle");
+    throw Error(Element::array, 1,
+                fmt::format("of triangles has {} indices; give three for each triangle", mesh.triangles.size()));
   if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
-    throw Error(Element::array, 2, "of normals does not have the size of the positions");
+    throw Error(Element::array, 2,
+                fmt::format("of normals has {} numbers, that of positions {}; give as many, or none",
+                            mesh.normals.size(), mesh.positions.size()));
   if (mesh.creases.size() % 2 != 0)
-    throw Error(Element::array, 3, "of creases does not have two vertices for each crease");
+    throw Error(Element::array, 3,
+                fmt::format("of creases has {} indices; give two for each crease", mesh.creases.size()));
   const std::size_t vertices = mesh.positions.size() / 3;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (!std::isfinite(mesh.positions[i])) throw Error(Element::vertex, i / 3, "has a position that is not finite");
+    if (!std::isfinite(mesh.positions[i]))
+      throw Error(Element::vertex, i / 3,
+                  fmt::format("has the coordinate {}; it must be finite: remove the vertex", mesh.positions[i]));
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (mesh.triangles[i] >= vertices) throw Error(Element::triangle, i / 3, "has an index that is not a vertex");
+    if (mesh.triangles[i] >= vertices)
+      throw Error(Element::triangle, i / 3,
+                  fmt::format("has the index {} of {} vertices; correct it", mesh.triangles[i], vertices));
   }
   for (std::size_t i = 0; i < mesh.creases.size(); ++i) {
-    if (mesh.creases[i] >= vertices) throw Error(Element::crease, i / 2, "has an end that is not a vertex");
+    if (mesh.creases[i] >= vertices)
+      throw Error(Element::crease, i / 2,
+                  fmt::format("has the index {} of {} vertices; correct it", mesh.creases[i], vertices));
   }
 }
 
@@ -146,7 +159,10 @@ const Edge* SurfacePoints::find(std::uint32_t a, std::uint32_t b) const {
 void SurfacePoints::name_creases() {
   for (std::size_t i = 0; i + 1 < mesh_.creases.size(); i += 2) {
     const Edge* edge = find(point_of_[mesh_.creases[i]], point_of_[mesh_.creases[i + 1]]);
-    if (edge == nullptr) throw Error(Element::crease, i / 2, "is not an edge of a triangle");
+    if (edge == nullptr)
+      throw Error(Element::crease, i / 2,
+                  fmt::format("from vertex {} to {} is not an edge of a triangle; leave it out", mesh_.creases[i],
+                              mesh_.creases[i + 1]));
     edges_[static_cast<std::size_t>(edge - edges_.data())].crease = true;
   }
 }

@@ -12,6 +12,8 @@ namespace {
 
 // The indices of all triangles and edges must fit into 32 bits, also after a split.
 constexpr std::size_t most_triangles = 1U << 26;
+// A surface has memory for each vertex. Such a number of unused ones is a mistake, an uninitialised count for example.
+constexpr std::size_t many_vertices = 1U << 22, most_unused = 256;  // vertices, and vertices for each used one
 
 void check(const Mesh& mesh) {
   if (mesh.triangles.size() % 3 != 0) {
@@ -23,6 +25,12 @@ void check(const Mesh& mesh) {
   }
   if (mesh.triangles.size() / 3 > most_triangles || mesh.vertex_count > 3 * most_triangles) {
     throw Error(Element::mesh, 0, "has more than 2^26 triangles or three times as many vertices; split it");
+  }
+  if (mesh.vertex_count > many_vertices && mesh.vertex_count / most_unused > mesh.triangles.size()) {
+    throw Error(Element::mesh, 0,
+                fmt::format("has {} vertices, of which its {} triangles can use few; give the number of the vertices "
+                            "that there are",
+                            mesh.vertex_count, mesh.triangles.size() / 3));
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (mesh.triangles[i] < mesh.vertex_count) continue;

@@ -5,6 +5,8 @@
 #include <glark/reconstruct.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 
 #include "glark/clients/common/points/point_set.h"
 #include "glark/clients/reconstruct/density/even_samples.h"
@@ -50,9 +52,20 @@ void write_vertices(const RefinedMesh& mesh, const Cube& cube, const Workers& wo
   });
 }
 
-}  // namespace
+// An error whose text names this library; the checks are those of glark-vstree.
+class ReconstructError final : public vstree::Error {
+ public:
+  explicit ReconstructError(const vstree::Error& error) : vstree::Error(error), text_(error.what()) {
+    constexpr std::string_view other = "glark-vstree";
+    if (text_.starts_with(other)) text_.replace(0, other.size(), "glark-reconstruct");
+  }
+  const char* what() const noexcept override { return text_.c_str(); }
 
-Reconstructed reconstruct(const PointSet& given, const ReconstructOptions& options) {
+ private:
+  std::string text_;
+};
+
+Reconstructed mesh_of(const PointSet& given, const ReconstructOptions& options) {
   const Workers workers(options.threads);
   check(options);
   check(given, workers);
@@ -80,6 +93,16 @@ Reconstructed reconstruct(const PointSet& given, const ReconstructOptions& optio
   result.triangles = std::move(mesh.triangles);
   write_vertices(mesh, octree.cube, workers, result);
   return result;
+}
+
+}  // namespace
+
+Reconstructed reconstruct(const PointSet& points, const ReconstructOptions& options) {
+  try {
+    return mesh_of(points, options);
+  } catch (const vstree::Error& error) {
+    throw ReconstructError(error);
+  }
 }
 
 }  // namespace glark::reconstruct

@@ -3,7 +3,6 @@
 #include <glark/c/stream.h>
 #include <glark/stream.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "glark/clients/common/c_boundary.h"
@@ -77,7 +76,7 @@ glark_code glark_stream_reader_read(glark_stream_reader* reader, size_t most, gl
                                     glark_error* error) {
   return guarded(error, [&] {
     glark_stream_points& result = needed(points, "points");
-    const stream::Points read = needed(reader, "reader").reader->read(std::max<size_t>(1, most));
+    const stream::Points read = needed(reader, "reader").reader->read(most);
     result = {read.first, doubles_of(read.positions), array_of(read.normals), doubles_of(read.channels)};
   });
 }

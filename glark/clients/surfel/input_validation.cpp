@@ -113,6 +113,12 @@ void check_view(const View& view) {
         Element::view, 0,
         fmt::format("has {} x {} pixels; set width and height to those of the viewport", view.width, view.height));
   }
+  const auto check_pixels = [](const char* name, float pixels) {
+    if (pixels >= 0) return;
+    throw Error(Element::view, 0, fmt::format("has {} of {}; it must be 0 or more", name, pixels));
+  };
+  check_pixels("point_pixels", view.point_pixels);
+  check_pixels("level_pixels", view.level_pixels);
   for (std::size_t i = 0; i < 16; ++i) {
     if (std::isfinite(view.clip_from_object[i])) continue;
     throw Error(Element::view, 0,

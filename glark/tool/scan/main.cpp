@@ -4,9 +4,12 @@
 // glark-scan: the commands of `glark` that work on files of points and triangles. It is a separate program, because its
 // libraries would slow down the start of `glark run`.
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <string_view>
 
 #include "glark/tool/scan/commands.h"
 
@@ -14,6 +17,18 @@ namespace {
 
 constexpr int exit_failure = 1;
 constexpr int exit_usage = 2;
+
+// The libraries name their options as C++ and Python have them: "the option skip_invalid" becomes "--skip-invalid".
+std::string with_options_of_the_command_line(std::string text) {
+  constexpr std::string_view words = "the option ";
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
+    text.replace(at, words.size(), "--");
+    for (at += 2; at < text.size() && (std::islower(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+         ++at)
+      if (text[at] == '_') text[at] = '-';
+  }
+  return text;
+}
 
 int complain(const char* problem, int status) {
   std::fprintf(stderr, "glark: %s\n", problem);
@@ -49,7 +64,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain("the memory is too small for this file; split it into tiles or thin it first", exit_failure);
   } catch (const std::exception& error) {
-    return complain(error.what(), exit_failure);
+    return complain(with_options_of_the_command_line(error.what()).c_str(), exit_failure);
   }
   return 0;
 }

@@ -66,7 +66,7 @@ typedef struct glark_pn_sample {
   double normal[3];
 } glark_pn_sample;
 
-/* barycentric: of corners 0, 1 and 2; the sum is 1. */
+/* barycentric: of corners 0, 1 and 2, each 0 to 1; the sum is 1. All numbers must be finite. */
 GLARK_EXPORT glark_code glark_pn_evaluate(const glark_pn_corner corners[3], const double barycentric[3],
                                           glark_pn_sample* sample, glark_error* error);
 

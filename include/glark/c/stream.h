@@ -45,7 +45,7 @@ typedef struct glark_stream_points {
   glark_stream_doubles channels;  /* [channels * points] */
 } glark_stream_points;
 
-/* most: the most points, at least 1. */
+/* most: the most points, 1 or more. After an error of the file, each further read gives the same one, until a seek. */
 GLARK_EXPORT glark_code glark_stream_reader_read(glark_stream_reader* reader, size_t most, glark_stream_points* points,
                                                  glark_error* error);
 GLARK_EXPORT glark_code glark_stream_reader_seek(glark_stream_reader* reader, uint64_t point, glark_error* error);

@@ -31,8 +31,8 @@ void PointCounter::take_point(const Point& point, const std::array<float, 3>& re
   if (!invalid_.empty() && invalid_.back() == points_ - 1) {
     if (invalid_.size() > most_invalid)
       throw Error(
-          fmt::format("{}: more than {} points have NaN or infinite coordinates; read the whole file with more "
-                      "--memory, or repair it",
+          fmt::format("{}: more than {} points have NaN or infinite coordinates; read the whole file with a "
+                      "larger number for the option memory, or repair it",
                       file_, most_invalid));
     // The file has triangles before this point.
     if (summary_.triangles > 0) knows_triangles_ = false;
@@ -59,7 +59,8 @@ Summary PointCounter::finish() {
   require_sound(summary_.points);
   if (!knows_triangles_)
     throw Error(file_ +
-                ": faces come before points with NaN or infinite coordinates; read the whole file with more --memory");
+                ": faces come before points with NaN or infinite coordinates; read the whole file with a larger number "
+                "for the option memory");
   if (!invalid_.empty()) warn_of_invalid(triangles_left_out_);
   summary_.normals = end_warnings();
   summary_.colours = attributes_.colours;

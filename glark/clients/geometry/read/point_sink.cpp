@@ -58,7 +58,7 @@ void PointSink::add_point(const Point& point, bool needs_double) {
     if (!options_.skip_invalid)
       throw Error(
           fmt::format("{}: {} {} has a coordinate that is NaN or infinite; repair the file, or leave such points out "
-                      "with --skip-invalid",
+                      "by the option skip_invalid",
                       file_, element_, index));
     invalid_.push_back(index);
   } else if (needs_double && index == invalid_.size()) {

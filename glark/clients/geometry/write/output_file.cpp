@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <cstring>
 
@@ -22,9 +23,17 @@ constexpr std::size_t block_size = std::size_t{1} << 20;
 constexpr mode_t permissions = 0666;  // minus the umask
 
 fs::path resolved(const fs::path& file) {
+  if (file.empty()) throw Error("the name of the output is empty; name a file");
   std::error_code error;
-  const fs::path real = fs::weakly_canonical(fs::absolute(file), error);  // a link stays a link: its target is replaced
-  return error ? fs::absolute(file) : real;
+  const fs::path full = fs::absolute(file, error);
+  const fs::path real = fs::weakly_canonical(full, error);  // a link stays a link: its target is replaced
+  return error ? full : real;
+}
+
+// The name of the temporary file beside `file`. The system limits names, so that of a long one is cut.
+fs::path name_aside(const fs::path& file) {
+  const std::string end = fmt::format(".{}", getpid());
+  return file.parent_path() / ("." + file.filename().string().substr(0, NAME_MAX - 1 - end.size()) + end);
 }
 
 // Gives the new file the owner and the mode of the file that it replaces. Only root may give files away; without the
@@ -42,6 +51,10 @@ void take_over(int descriptor, const struct stat& replaced) {
 OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
   std::error_code error;
   const fs::file_status status = fs::status(file_, error);
+  if (status.type() == fs::file_type::none) {  // a name that is too long, for example
+    errno = error.value();
+    fail("cannot be written");
+  }
   if (fs::is_directory(status)) throw Error(file.string() + ": is a folder; name a file in it");
   direct_ = fs::exists(status) && !fs::is_regular_file(status);
   if (direct_) {
@@ -50,7 +63,7 @@ OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
     // The file has no name at first, so that nothing is left behind if the process is killed.
     descriptor_ = open(file_.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, permissions);
     if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
-      aside_ = file_.parent_path() / (fmt::format(".{}.{}", file_.filename().string(), getpid()));
+      aside_ = name_aside(file_);
       descriptor_ = open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
     }
   }
@@ -119,7 +132,7 @@ void OutputFile::commit() {
   if (direct_) return;
   if (fsync(descriptor_) != 0) fail("writing failed");
   if (aside_.empty()) {
-    const fs::path name = file_.parent_path() / (fmt::format(".{}.{}", file_.filename().string(), getpid()));
+    const fs::path name = name_aside(file_);
     const std::string from = fmt::format("/proc/self/fd/{}", descriptor_);
     if (linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
       fail("cannot be put in its place");

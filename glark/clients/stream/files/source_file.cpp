@@ -13,6 +13,8 @@
 #include <cstring>
 #include <utility>
 
+#include "glark/clients/stream/files/names.h"
+
 namespace glark::stream {
 namespace {
 
@@ -23,6 +25,7 @@ namespace {
 }  // namespace
 
 SourceFile::SourceFile(const std::filesystem::path& file) : name_(file.string()) {
+  require_name(file, "an input");
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) fail_to_read(name_, std::string("cannot be read: ") + std::strerror(errno) + "; check the name");
   struct stat status {};

@@ -75,10 +75,10 @@ void require_finite(const Points& points, const std::string& file, const std::st
   for (std::size_t i = 0; i < points.positions.size(); ++i) {
     if (std::isfinite(points.positions[i])) continue;
     const std::uint64_t point = points.first + i / 3;
-    throw Error(Element::point, point,
-                fmt::format("{}: {} {} has a coordinate that is NaN or infinite; repair the file, or leave such points "
-                            "out with --skip-invalid",
-                            file, element, point));
+    throw Error(
+        Element::point, point,
+        fmt::format("{}: {} {} has a coordinate that is NaN or infinite; repair the file, or leave the point out", file,
+                    element, point));
   }
 }
 

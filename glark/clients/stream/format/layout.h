@@ -15,6 +15,9 @@
 
 namespace glark::stream {
 
+// Squares of larger numbers leave the range of floats.
+inline constexpr double largest_coordinate = 1e18;
+
 struct Layout {
   std::string element = "vertex";  // the word for a point in messages, as the format has it
   std::uint64_t begin = 0;         // the byte of the file where the records begin

@@ -73,7 +73,7 @@ Layout raw_layout(const SourceFile& file) {
 }
 
 std::string format_of(const std::filesystem::path& file, const std::string& format) {
-  if (!format.empty()) return lower(format);
+  if (!format.empty()) return lower(format.front() == '.' ? format : "." + format);
   const std::string ending = lower(file.extension().string());
   return ending == ".zst" ? lower(file.stem().extension().string()) : ending;
 }
@@ -98,9 +98,10 @@ std::optional<Layout> layout_of(const SourceFile& file, const std::string& forma
                     ": no library of Debian reads E57; convert it first, for example with CloudCompare: "
                     "CloudCompare -SILENT -O " +
                     file.name() + " -C_EXPORT_FMT LAS -SAVE_CLOUDS");
-  throw Error(Element::file, 0,
-              file.name() + ": the ending \"" + format +
-                  "\" names no format that can be streamed; use .ply, .las, .stl, .xyz, .pts or .raw, or --format");
+  throw Error(
+      Element::file, 0,
+      file.name() + ": the ending \"" + format +
+          "\" names no format that can be streamed; use .ply, .las, .stl, .xyz, .pts or .raw, or the option format");
 }
 
 }  // namespace glark::stream

@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
 
 #include "glark/clients/geometry/geometry.h"
 #include "glark/clients/geometry/parse/input.h"
@@ -33,6 +34,16 @@ class Words {
     line_.remove_prefix(static_cast<std::size_t>(end - line_.data()));
     return number;
   }
+  double finite(const char* what) {
+    const auto number = next<double>(what);
+    if (!std::isfinite(number)) fail(fmt::format("the {} is {}, which is not finite", what, number));
+    return number;
+  }
+  double not_negative(const char* what) {
+    const double number = finite(what);
+    if (number < 0) fail(fmt::format("the {} is {}, which is below 0", what, number));
+    return number;
+  }
   void end() const {
     if (line_.find_first_not_of(' ') != std::string_view::npos) fail(fmt::format("\"{}\" is too much", line_));
   }
@@ -47,21 +58,46 @@ class Words {
 
 SampledCell parse_cell(Words words, const CellIndex& index) {
   SampledCell cell;
-  for (double& coordinate : cell.corner) coordinate = words.next<double>("corner of a cell");
-  cell.side = words.next<double>("side of a cell");
+  for (double& coordinate : cell.corner) coordinate = words.finite("corner of a cell");
+  cell.side = words.not_negative("side of a cell");
   cell.points = words.next<std::uint64_t>("number of points");
   cell.first = words.next<std::uint64_t>("first point");
   cell.last = words.next<std::uint64_t>("last point");
-  cell.error = words.next<double>("error of a cell");
+  cell.error = words.not_negative("error of a cell");
   words.end();
-  const double sum = cell.corner[0] + cell.corner[1] + cell.corner[2] + cell.error;
-  if (!std::isfinite(sum) || !(cell.side >= 0) || !std::isfinite(cell.side))
-    words.fail("the cube or the error of a cell is not finite");
-  if (cell.first > cell.last || cell.last >= index.points || cell.points > cell.last - cell.first + 1)
+  if (cell.points == 0 || cell.first > cell.last || cell.last >= index.points ||
+      cell.points > cell.last - cell.first + 1)
     words.fail(fmt::format("a cell has {} points from {} to {}, the scan has {}", cell.points, cell.first, cell.last,
                            index.points));
   return cell;
 }
+
+// Checks what only all cells together tell: they are cubes of one octree, and no point is in two of them.
+class CellTotals {
+ public:
+  explicit CellTotals(std::uint64_t scan_points) : most_(scan_points) {}
+
+  void add(const SampledCell& cell, const Words& words) {
+    if (cell.side > 0 && side_ > 0 && !is_power_of_two(cell.side / side_))
+      words.fail(
+          fmt::format("the side of the cell is {}, which is no side in an octree with a cube of {}", cell.side, side_));
+    if (cell.side > 0) side_ = cell.side;
+    if (cell.points > most_ - points_)
+      words.fail(
+          fmt::format("the cells up to here have {} and {} points, the scan has {}", points_, cell.points, most_));
+    points_ += cell.points;
+  }
+
+ private:
+  static bool is_power_of_two(double ratio) {
+    int exponent = 0;
+    return std::frexp(ratio, &exponent) == 0.5;
+  }
+
+  std::uint64_t most_;
+  std::uint64_t points_ = 0;
+  double side_ = 0;  // of the last cell
+};
 
 }  // namespace
 
@@ -94,15 +130,35 @@ CellIndex parse_index(std::string_view text, const std::string& file) {
   const auto cells = words.next<std::uint64_t>("number of cells");
   words.end();
   if (cells > most_cells) words.fail(fmt::format("{} cells are too many", cells));
+  CellTotals totals(index.points);
   for (std::uint64_t i = 0; i < cells; ++i) {
-    const std::string_view line = next_line();
-    index.cells.push_back(parse_cell(Words(line, place), index));
+    const Words line(next_line(), place);
+    index.cells.push_back(parse_cell(line, index));
+    totals.add(index.cells.back(), line);
   }
   if (!text.empty()) Words(text, place).fail("lines follow the last cell");
   return index;
 }
 
+void require_replaceable_index(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::none)
+    throw Error(Element::file, 0,
+                fmt::format("{}: cannot be written: {}; name the sampling otherwise", file.string(), error.message()));
+  if (!std::filesystem::is_regular_file(status)) return;
+  std::ifstream stream(file, std::ios::binary);
+  std::string begin(first_words.size(), '\0');
+  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin == first_words) return;
+  throw Error(Element::file, 0,
+              file.string() +
+                  ": the index of the sampling goes here, but the file is no index and would be lost; move it away, or "
+                  "choose another name for the sampling");
+}
+
 void write_cells(const std::filesystem::path& file, const CellIndex& index) {
+  require_replaceable_index(file);
   try {
     geometry::OutputFile output(file);
     output.write(index_text(index));

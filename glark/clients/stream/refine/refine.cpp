@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glark/clients/stream/files/names.h"
 #include "glark/clients/stream/files/require_other_file.h"
 #include "glark/clients/stream/files/source_file.h"
+#include "glark/clients/stream/refine/index_text.h"
 #include "glark/clients/stream/refine/region_points.h"
 #include "glark/clients/stream/transfer/deformation.h"
 #include "glark/clients/stream/transfer/near_samples.h"
@@ -144,7 +146,9 @@ SampleOptions sample_options(const RefineOptions& options) {
 
 RefineReport refine(const RefineFiles& files, const Region& region, const RefineOptions& options) {
   check(options);
+  require_name(files.output, "the output");
   check(files);
+  require_replaceable_index(files.output.string() + ".cells");
   const common::Workers workers(options.threads);
   const CellIndex index = read_cells(files.cells);
   if (const SourceFile scan(files.large); scan.size() != index.bytes)

@@ -150,7 +150,7 @@ class RegionReader {
     if (2 * bytes > memory_)
       throw Error(Element::file, 0,
                   fmt::format("{}: the points of the region take more than half of the memory, {} bytes; choose a "
-                              "smaller region or more --memory",
+                              "smaller region, or a larger number for the option memory",
                               file, memory_));
   }
 
@@ -190,7 +190,8 @@ std::vector<bool> samples_in(const Region& region, const Sampling& sampling, con
       is_inside[i] = samples.values[sampling.channels.size() * i + channel] != 0;
   }
   if (std::find(is_inside.begin(), is_inside.end(), true) == is_inside.end())
-    throw Error(Element::option, 0, file + ": no sample lies in the region; glark info shows the bounding box");
+    throw Error(Element::option, 0,
+                file + ": no sample lies in the region; choose one within the bounding box of the sampling");
   return is_inside;
 }
 

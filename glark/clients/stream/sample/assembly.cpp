@@ -13,40 +13,13 @@ constexpr unsigned class_shift = 13;  // steps of 2^-10
 constexpr std::size_t classes = std::size_t{1} << (31 - class_shift);
 std::size_t class_of(float error) { return (std::bit_cast<std::uint32_t>(error) & 0x7FFFFFFFU) >> class_shift; }
 
+float greatest_of_class(std::size_t error_class) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(((error_class + 1) << class_shift) - 1));
+}
+
 std::array<double, 3> sum(const std::array<double, 3>& a, const std::array<float, 3>& b) {
   return {a[0] + static_cast<double>(b[0]), a[1] + static_cast<double>(b[1]), a[2] + static_cast<double>(b[2])};
 }
-
-// Hands samples on, and tells their cells how many there are.
-class CellSamples {
- public:
-  CellSamples(const EmitSample& emit, std::vector<SampledCell>& cells) : emit_(emit), cells_(cells) {}
-
-  void add(const std::array<double, 3>& centre, const ClusterNode& node) {
-    emit_(sum(centre, node.position), node);
-    squares_ += static_cast<double>(node.square);
-    points_ += static_cast<double>(node.count);
-    ++count_;
-  }
-  // The samples since the last call belong to these cells.
-  void finish(std::size_t first, std::size_t last) {
-    for (std::size_t cell = first; cell < last; ++cell) {
-      cells_[cell].first_sample = begin_;
-      cells_[cell].samples = count_ - begin_;
-      cells_[cell].error = points_ > 0 ? std::sqrt(squares_ / points_) : 0;
-    }
-    squares_ = points_ = 0;
-    begin_ = count_;
-  }
-
- private:
-  const EmitSample& emit_;
-  std::vector<SampledCell>& cells_;
-  std::uint64_t begin_ = 0;
-  std::uint64_t count_ = 0;
-  double squares_ = 0;
-  double points_ = 0;
-};
 
 }  // namespace
 
@@ -99,40 +72,79 @@ void Assembly::count_divisions() {
   }
 }
 
-float Assembly::threshold_for(std::uint64_t target) const {
+Cut Assembly::cut_for(std::uint64_t target) const {
   std::uint64_t count = 1;
   std::size_t last = classes;
   while (last > 0 && count + more_leaves_[last - 1] <= target) count += more_leaves_[--last];
-  if (last == 0) return -1;
-  // The greatest number of the class.
-  return std::bit_cast<float>(static_cast<std::uint32_t>((last << class_shift) - 1));
+  if (last == 0) return {-1, -1, 0};
+  return {greatest_of_class(last - 1), last == 1 ? -1 : greatest_of_class(last - 2), target - std::min(target, count)};
 }
 
-void Assembly::select(float threshold, const EmitSample& emit, std::vector<SampledCell>& cells) const {
+// Returns the clusters one level below a volume.
+std::vector<PlacedCluster> Assembly::parts_of(std::size_t volume) const {
+  std::vector<PlacedCluster> parts;
   std::vector<ClusterNode> nodes;
-  CellSamples samples(emit, cells);
-  std::size_t volume = 0;
-  for (std::size_t cell = 0; cell < plan_.cells.size();) {
-    // Volumes that begin at this cell, the largest first.
-    while (volume < volumes_.size() && volumes_[volume].first == cell && !(volumes_[volume].node.error <= threshold))
-      ++volume;
-    if (volume < volumes_.size() && volumes_[volume].first == cell) {
-      const Volume& whole = volumes_[volume];
-      samples.add(whole.centre, whole.node);
-      samples.finish(cell, whole.last);
-      cell = whole.last;
-      volume = whole.after;
+  std::size_t next = volume + 1;
+  for (std::size_t cell = volumes_[volume].first; cell < volumes_[volume].last;) {
+    if (next < volumes_.size() && volumes_[next].first == cell) {
+      const Volume& part = volumes_[next];
+      parts.push_back({sum(part.centre, part.node.position), part.node});
+      cell = part.last;
+      next = part.after;
       continue;
     }
     trees_.read(cell, nodes);
-    for (std::size_t i = 0; i < nodes.size();) {
-      const ClusterNode& node = nodes[i];
-      const bool is_sample = node.children == 0 || node.error <= threshold;
-      if (is_sample) samples.add(plan_.centre(cell), node);
-      i += is_sample ? node.size : 1;
-    }
-    samples.finish(cell, cell + 1);
+    parts.push_back({sum(plan_.centre(cell), nodes[0].position), nodes[0]});
     ++cell;
+  }
+  return parts;
+}
+
+void Assembly::select(const Cut& cut, const EmitSample& emit, std::vector<SampledCell>& cells) const {
+  CellSamples samples(emit, cells);
+  Chooser chooser(cut);
+  std::size_t volume = 0;
+  for (std::size_t cell = 0; cell < plan_.cells.size();) {
+    Chooser::Choice choice = Chooser::Choice::divide;
+    // Volumes that begin at this cell, the largest first.
+    for (; volume < volumes_.size() && volumes_[volume].first == cell; ++volume)
+      if (choice = chooser.choose(volumes_[volume].node); choice != Chooser::Choice::divide) break;
+    if (choice == Chooser::Choice::divide) {
+      select_in_cell(cell, chooser, samples);
+      samples.finish(cell, cell + 1);
+      ++cell;
+      continue;
+    }
+    const Volume& whole = volumes_[volume];
+    if (choice == Chooser::Choice::sample) {
+      samples.add({sum(whole.centre, whole.node.position), whole.node});
+    } else {
+      std::vector<PlacedCluster> parts = parts_of(volume);
+      samples.add_some(parts, chooser.take_spare(), whole.node);
+    }
+    samples.finish(cell, whole.last);
+    cell = whole.last;
+    volume = whole.after;
+  }
+}
+
+void Assembly::select_in_cell(std::size_t cell, Chooser& chooser, CellSamples& samples) const {
+  std::vector<ClusterNode> nodes;
+  trees_.read(cell, nodes);
+  const auto placed = [&](const ClusterNode& node) {
+    return PlacedCluster{sum(plan_.centre(cell), node.position), node};
+  };
+  for (std::size_t i = 0; i < nodes.size();) {
+    const ClusterNode& node = nodes[i];
+    const Chooser::Choice choice = chooser.choose(node);
+    if (choice == Chooser::Choice::sample) samples.add(placed(node));
+    if (choice == Chooser::Choice::divide_partly) {
+      std::vector<PlacedCluster> parts;
+      for (std::size_t part = i + 1; part < i + node.size; part += nodes[part].size)
+        parts.push_back(placed(nodes[part]));
+      samples.add_some(parts, chooser.take_spare(), node);
+    }
+    i += choice == Chooser::Choice::divide ? 1 : node.size;
   }
 }
 

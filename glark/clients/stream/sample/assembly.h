@@ -4,23 +4,19 @@
 // The last step: one threshold for all cells, and the samples that it leaves.
 #pragma once
 
-#include <functional>
-
+#include "glark/clients/stream/sample/chosen_clusters.h"
 #include "glark/clients/stream/sample/pass/cell_pass.h"
 
 namespace glark::stream {
-
-// A sample, and its position in the unit of the source.
-using EmitSample = std::function<void(const std::array<double, 3>& position, const ClusterNode& node)>;
 
 class Assembly {
  public:
   Assembly(const Plan& plan, const TreeStore& trees);
 
-  // The least threshold that leaves at most `target` samples, but at least one.
-  float threshold_for(std::uint64_t target) const;
+  // Leaves `target` samples, but at least one, and no more than there are leaves.
+  Cut cut_for(std::uint64_t target) const;
   // Calls `emit` for each sample, cell by cell. Sets the samples and the errors of the cells.
-  void select(float threshold, const EmitSample& emit, std::vector<SampledCell>& cells) const;
+  void select(const Cut& cut, const EmitSample& emit, std::vector<SampledCell>& cells) const;
 
  private:
   // A cube of the octree that has several cells.
@@ -38,6 +34,8 @@ class Assembly {
 
   Part build(std::size_t first, std::size_t last, unsigned level);
   void count_divisions();
+  std::vector<PlacedCluster> parts_of(std::size_t volume) const;
+  void select_in_cell(std::size_t cell, Chooser& chooser, CellSamples& samples) const;
   void add_division(float error, std::uint32_t leaves);
 
   const Plan& plan_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "glark/clients/stream/files/with_vstree.h"
 #include "glark/clients/stream/sample/pass/local_points.h"
 
 namespace glark::stream {
@@ -21,7 +22,7 @@ struct AllPoints {
   std::uint64_t left_out = 0;
 };
 
-AllPoints read_points(BlockSource& source, const PointKind& kind) {
+AllPoints read_points(BlockSource& source, const PointKind& kind, const Progress& progress) {
   AllPoints all;
   const auto count = static_cast<std::size_t>(source.count().value_or(0));
   all.positions.reserve(3 * count);
@@ -45,7 +46,10 @@ AllPoints read_points(BlockSource& source, const PointKind& kind) {
     }
   };
   // A piece at a time is read by one thread, so that the points keep their order.
-  for (std::uint64_t read = 1; read > 0; done += read) read = source.each(done, done + BlockSource::piece, keep);
+  for (std::uint64_t read = 1; read > 0; done += read) {
+    if (progress && done > 0) progress(0.3 * static_cast<double>(done) / static_cast<double>(count));
+    read = source.each(done, done + BlockSource::piece, keep);
+  }
   return all;
 }
 
@@ -64,15 +68,17 @@ Schema sampling_schema(const Schema& source, bool has_colours) {
 
 SampleReport sample_in_core(BlockSource& source, const SampleOptions& options, const CreateWriter& create) {
   const PointKind kind(source.schema());
-  const AllPoints all = read_points(source, kind);
+  const AllPoints all = read_points(source, kind, options.progress);
   if (options.progress) options.progress(0.3);
   vstree::SimplifyOptions how;
   how.target = options.target;
   how.threshold = static_cast<float>(options.error);
   how.metric = vstree::Metric::qef;
   how.threads = options.threads;
+  const vstree::PointSet points{.positions = all.positions, .normals = all.normals, .colours = all.colours};
   const vstree::Simplified coarse =
-      vstree::simplify({.points = {.positions = all.positions, .normals = all.normals, .colours = all.colours}}, how);
+      with_vstree(source.name(), [&] { return vstree::simplify({.points = points}, how); });
+  if (options.progress) options.progress(0.9);
   std::vector<double> positions, channels(coarse.colours.begin(), coarse.colours.end());
   for (std::size_t i = 0; i < coarse.positions.size(); ++i)
     positions.push_back(all.origin[i % 3] + static_cast<double>(coarse.positions[i]));

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <glark/vstree.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "glark/clients/stream/files/source_file.h"
+#include "glark/clients/stream/files/with_vstree.h"
 #include "glark/clients/stream/sample/assembly.h"
 #include "glark/clients/stream/sample/in_core.h"
 #include "glark/clients/stream/sample/pass/trim_memory.h"
@@ -47,7 +47,8 @@ class SampleWriter {
     std::vector<float> local;
     for (std::size_t i = 0; i < positions_.size(); ++i)
       local.push_back(static_cast<float>(positions_[i] - positions_[i % 3]));
-    normals_ = vstree::estimate_normals({.positions = local}, {.threads = threads});
+    normals_ = with_vstree("glark-stream",
+                           [&] { return vstree::estimate_normals({.positions = local}, {.threads = threads}); });
   }
   void finish() {
     flush();
@@ -114,13 +115,13 @@ Census census_of(const Source& source, const ReadOptions& reading, const common:
 }
 
 // Writes the samples to a new file, and notes in `report` which cells have them.
-void write_samples(const Assembly& assembly, float threshold, const Schema& schema, const SampleOptions& options,
+void write_samples(const Assembly& assembly, const Cut& cut, const Schema& schema, const SampleOptions& options,
                    const CreateWriter& create, SampleReport& report) {
   const PointKind kind(schema);
   const bool orients = !kind.has_normals && options.target * bytes_for_normals + program_bytes <= options.memory;
   SampleWriter writer(create(sampling_schema(schema, kind.has_colours())), kind.has_colours(), orients);
   assembly.select(
-      threshold, [&](const std::array<double, 3>& position, const ClusterNode& node) { writer.add(position, node); },
+      cut, [&](const std::array<double, 3>& position, const ClusterNode& node) { writer.add(position, node); },
       report.cells);
   if (orients) writer.orient(options.threads);
   writer.finish();
@@ -182,10 +183,10 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
   const std::unique_ptr<TreeStore> trees = make_trees(input, plan, temporary);
   trim_memory(options.memory);
   const Assembly assembly(plan, *trees);
-  const float threshold = options.target > 0 ? assembly.threshold_for(options.target)
-                                             : static_cast<float>(options.error * census.diagonal());
+  const Cut cut = options.target > 0 ? assembly.cut_for(options.target)
+                                     : Cut{.threshold = static_cast<float>(options.error * census.diagonal())};
   SampleReport report = report_of(census, plan);
-  write_samples(assembly, threshold, points.schema(), options, create, report);
+  write_samples(assembly, cut, points.schema(), options, create, report);
   folder.finish();
   if (options.progress) options.progress(1);
   return report;

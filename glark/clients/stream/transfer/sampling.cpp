@@ -3,11 +3,13 @@
 #include "glark/clients/stream/transfer/sampling.h"
 
 #include <fmt/format.h>
-#include <glark/vstree.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "glark/clients/stream/files/with_vstree.h"
+#include "glark/clients/stream/format/layout.h"
 
 namespace glark::stream {
 namespace {
@@ -22,6 +24,18 @@ struct FileContents {
   Schema schema;
 };
 
+void require_within_floats(const std::vector<double>& positions, const std::string& file) {
+  const auto beyond =
+      std::find_if(positions.begin(), positions.end(), [](double at) { return !(std::abs(at) <= largest_coordinate); });
+  if (beyond == positions.end()) return;
+  const auto point = static_cast<std::size_t>(beyond - positions.begin()) / 3;
+  throw Error(Element::point, point,
+              fmt::format("{}: point {} has the coordinate {}; finite ones up to 1e18 are possible: move it, or undo "
+                          "this edit",
+                          file, point, *beyond));
+}
+
+// Throws Error for a file that cannot be read, or for coordinates with which floats cannot compute.
 FileContents read_file(const std::filesystem::path& file) {
   const std::unique_ptr<PointReader> reader = open_points(file);
   FileContents all;
@@ -31,6 +45,7 @@ FileContents read_file(const std::filesystem::path& file) {
     all.normals.insert(all.normals.end(), points.normals.begin(), points.normals.end());
     all.channels.insert(all.channels.end(), points.channels.begin(), points.channels.end());
   }
+  require_within_floats(all.positions, file.string());
   return all;
 }
 
@@ -96,11 +111,13 @@ void turn_normals(Samples& samples, const common::Workers& workers) {
 }
 
 // Normals that the file lacks are estimated.
-std::vector<float> normals_of(const FileContents& before, const Samples& samples, const common::Workers& workers) {
+std::vector<float> normals_of(const FileContents& before, const Samples& samples, const std::string& file,
+                              const common::Workers& workers) {
   if (!before.normals.empty()) return before.normals;
   std::vector<float> positions;
   for (const Vector3f& p : samples.before) positions.insert(positions.end(), {p.x, p.y, p.z});
-  return vstree::estimate_normals({.positions = positions}, {.threads = static_cast<unsigned>(workers.count())});
+  const vstree::NormalOptions options{.threads = static_cast<unsigned>(workers.count())};
+  return with_vstree(file, [&] { return vstree::estimate_normals({.positions = positions}, options); });
 }
 
 }  // namespace
@@ -135,7 +152,7 @@ Sampling read_sampling(const std::filesystem::path& from, const std::filesystem:
     for (const std::size_t k : edited)
       samples.values.push_back(static_cast<float>(after.channels[width * places[i] + k]));
   }
-  const std::vector<float> normals = normals_of(before, samples, workers);
+  const std::vector<float> normals = normals_of(before, samples, from.string(), workers);
   for (std::size_t i = 0; i < count; ++i)
     samples.normals.push_back(common::unit(common::vector_at(std::span<const float>(normals), i)));
   samples.normals_after = samples.normals;

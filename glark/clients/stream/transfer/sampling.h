@@ -24,7 +24,7 @@ struct Sampling {
 
 // Reads both files. The samples of `to` correspond by their order, or by a channel "index". Normals before are those of
 // `from`, or estimated. Normals after are turned as the neighbours of each sample are.
-// Throws Error if the numbers of samples differ, or if an index is out of range or repeated.
+// Throws Error if the numbers of samples differ, a coordinate is above 1e18, or an index is out of range or repeated.
 Sampling read_sampling(const std::filesystem::path& from, const std::filesystem::path& to,
                        const common::Workers& workers);
 

@@ -7,6 +7,7 @@
 
 #include "glark/clients/common/workers.h"
 #include "glark/clients/stream/files/checkpoints.h"
+#include "glark/clients/stream/files/names.h"
 #include "glark/clients/stream/files/require_other_file.h"
 #include "glark/clients/stream/format/layouts.h"
 #include "glark/clients/stream/space/spatial_order.h"
@@ -208,13 +209,23 @@ std::vector<std::string> names_of(const std::vector<Channel>& channels) {
   return names;
 }
 
-Layout binary_layout(const SourceFile& file, const std::string& format) {
+// The records of the scan are copied, whatever the name of the output says.
+void require_same_format(const std::filesystem::path& output, const SourceFile& large, const std::string& format) {
+  if (format_of(output, "") == format && !is_compressed(output)) return;
+  throw Error(Element::file, 0,
+              fmt::format("{}: the output has the format of {}; name it with the ending {}", output.string(),
+                          large.name(), format));
+}
+
+// The layout of the scan and of the output, but for channels that the edit adds.
+Layout binary_layout(const SourceFile& file, const std::string& format, const std::filesystem::path& output) {
   const std::optional<Layout> layout = layout_of(file, format);
   if (!layout || is_compressed(file.name()))
     throw Error(Element::file, 0,
                 file.name() +
                     ": is text or compressed, and an edit is transferred to binary files; convert it to "
                     "binary PLY first");
+  require_same_format(output, file, format);
   return *layout;
 }
 
@@ -225,11 +236,12 @@ TransferReport transfer(const std::filesystem::path& large, const std::filesyste
                         const TransferOptions& options) {
   check(options);
   require_work(options.work, options.resume);
+  require_name(output, "the output");
   require_other_file(output, {large, from, to});
   const SourceFile file(large);
   const FileState before = file.state();
   const std::string format = format_of(large, "");
-  const Layout layout = binary_layout(file, format);
+  const Layout layout = binary_layout(file, format, output);
   const common::Workers workers(options.threads);
   const Sampling sampling = read_sampling(from, to, workers);
   const SampleIndex index(sampling.samples.before);

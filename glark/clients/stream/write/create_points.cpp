@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
+#include "glark/clients/stream/files/names.h"
 #include "glark/clients/stream/format/layouts.h"
 #include "glark/clients/stream/write/writers.h"
 
@@ -7,6 +8,7 @@ namespace glark::stream {
 
 std::unique_ptr<PointWriter> create_points(const std::filesystem::path& file, const Schema& schema,
                                            std::optional<std::uint64_t> count, const WriteOptions& options) {
+  require_name(file, "the output");
   const std::string format = format_of(file, "");
   const Creation creation{file, schema, count, options};
   if (is_compressed(file))

@@ -129,8 +129,10 @@ Bounds compute_bounds(const Level& level, std::span<const Triangle> triangles) {
   const float squared_cosine = *std::min_element(fit.squared_cosine.begin(), fit.squared_cosine.end());
   const float behind = *std::max_element(fit.behind.begin(), fit.behind.end());
   const float margin = cone_margin * length(bounds.box.extent());
-  bounds.cone_apex = behind > -Box::far ? centre - bounds.cone_axis * (behind + margin) : centre;
   bounds.cone_cosine = std::copysign(std::sqrt(std::fabs(squared_cosine)), squared_cosine);
+  // Planes across the axis have no point on it: they are infinitely far behind, and no cone is used then.
+  const bool has_apex = behind > -Box::far && bounds.cone_cosine > 2 * cone_margin;
+  bounds.cone_apex = has_apex ? centre - bounds.cone_axis * (behind + margin) : centre;
   return bounds;
 }
 

@@ -8,6 +8,7 @@
 #include "glark/clients/common/mesh/reindex.h"
 #include "glark/clients/vstree/simplify/quadtrees.h"
 #include "glark/clients/vstree/simplify/shapes.h"
+#include "glark/clients/vstree/simplify/split_clusters.h"
 #include "glark/clients/vstree/tree/construction.h"
 #include "glark/clients/vstree/tree/prune.h"
 
@@ -60,6 +61,9 @@ Clusters search(const Surface& surface, std::size_t target, const Workers& worke
     clusters.set_triangles(spanning(surface.triangles, clusters.of, workers));
     if (aim == 1 || size_of(surface, clusters) <= target) best = std::move(clusters);
   }
+  const std::size_t most_missing = target / 100;
+  if (surface.triangles.empty() && best.count + most_missing < std::min(target, surface.size()))
+    split_largest(surface, target, best);
   return best;
 }
 

@@ -27,6 +27,13 @@ struct Sample {
   bool text = false, json = false;
 };
 
+// Not every format has normals, which a sampling always has.
+void warn_without_normals(const std::string& output) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(output, error) && !stream::open_points(output)->schema().normals)
+    warn(output + ": the format has no normals, so those of the samples are left out");
+}
+
 void refine(const Sample& command) {
   if (command.from.empty()) throw std::runtime_error("--refine needs --from SMALL, the sampling to refine");
   stream::RefineFiles files;
@@ -43,6 +50,7 @@ void refine(const Sample& command) {
   options.threads = command.options.threads;
   const Progress progress("refining " + command.from);
   const stream::RefineReport report = stream::refine(files, parse_region(command.region), options);
+  warn_without_normals(command.output);
   Report printed;
   printed["points_read"] = report.points_read;
   printed["points"] = report.points;
@@ -63,6 +71,7 @@ void sample(const Sample& command) {
   options.work = work_folder(output);
   const stream::SampleReport report =
       stream::sample_file(command.input, output, options, {.large = command.format, .text = command.text});
+  warn_without_normals(command.output);
   if (report.left_out > 0)
     warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", command.input, report.left_out));
   if (report.is_shuffled)
@@ -121,7 +130,7 @@ void add_sample(CLI::App& app) {
                       "Most threads; default: all of the machine. The result is the same");
   command
       ->add_option_function<std::string>(
-          "--format", [sampling](const std::string& name) { sampling->format = "." + name; }, "The format of LARGE")
+          "--format", [sampling](const std::string& name) { sampling->format = name; }, "The format of LARGE")
       ->type_name("NAME");
   command->add_flag("--skip-invalid", options.skip_invalid,
                     "Leave out points with NaN or infinite coordinates instead of stopping");

@@ -9,6 +9,15 @@ namespace glark::stream {
 BlockSource::BlockSource(const Source& source, const ReadOptions& options, const common::Workers& workers)
     : source_(source), options_(options), workers_(workers), first_(source.open(options)) {}
 
+Points BlockSource::read(PointReader& reader, std::uint64_t most) const {
+  try {
+    return reader.read(static_cast<std::size_t>(most));
+  } catch (const Error& error) {
+    if (error.element() != Element::point || options_.keep_invalid) throw;
+    throw Error(error.element(), error.index(), std::string(error.what()) + " by the option skip_invalid");
+  }
+}
+
 std::uint64_t BlockSource::each(std::uint64_t begin, std::uint64_t end, const Visit& visit) {
   if (!can_seek()) {
     if (begin < next_) {
@@ -17,7 +26,7 @@ std::uint64_t BlockSource::each(std::uint64_t begin, std::uint64_t end, const Vi
     }
     while (next_ < end) {
       const std::uint64_t wanted = next_ < begin ? begin : end;
-      const Points points = first_->read(static_cast<std::size_t>(std::min<std::uint64_t>(piece, wanted - next_)));
+      const Points points = read(*first_, std::min<std::uint64_t>(piece, wanted - next_));
       if (points.size() == 0) break;
       if (next_ >= begin) visit(points);
       next_ += points.size();
@@ -31,7 +40,7 @@ std::uint64_t BlockSource::each(std::uint64_t begin, std::uint64_t end, const Vi
     if (!reader) reader = source_.open(options_);
     reader->seek(begin + from);
     for (std::size_t done = from; done < to;) {
-      const Points points = reader->read(to - done);
+      const Points points = read(*reader, to - done);
       visit(points);
       done += points.size();
     }

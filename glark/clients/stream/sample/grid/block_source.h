@@ -31,6 +31,9 @@ class BlockSource {
   std::uint64_t each(std::uint64_t begin, std::uint64_t end, const Visit& visit);
 
  private:
+  // Names the option that leaves out a point whose coordinates are not finite.
+  Points read(PointReader& reader, std::uint64_t most) const;
+
   const Source& source_;
   ReadOptions options_;
   const common::Workers& workers_;

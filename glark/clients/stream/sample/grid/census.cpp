@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/stream/sample/grid/census.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
+
+#include "glark/clients/stream/format/layout.h"
 
 namespace glark::stream {
 namespace {
@@ -13,6 +17,20 @@ constexpr std::size_t probes = 64, points_a_probe = 64;
 
 bool is_finite(const double* position) {
   return std::isfinite(position[0]) && std::isfinite(position[1]) && std::isfinite(position[2]);
+}
+
+bool is_within_floats(const double* position) {
+  bool within = true;
+  for (std::size_t k = 0; k < 3; ++k) within &= std::abs(position[k]) <= largest_coordinate;
+  return within;
+}
+
+[[noreturn]] void fail_beyond_floats(const std::string& file, std::uint64_t point, const double* position) {
+  std::size_t k = 0;
+  while (std::abs(position[k]) <= largest_coordinate) ++k;
+  throw Error(Element::point, point,
+              fmt::format("{}: point {} has the coordinate {}; finite ones up to 1e18 are possible: remove the point",
+                          file, point, position[k]));
 }
 
 // Counts of one thread.
@@ -25,12 +43,13 @@ struct Counts {
     high.fill(-std::numeric_limits<double>::infinity());
   }
 
-  void add(const Points& points, const Lattice& lattice) {
+  void add(const Points& points, const Lattice& lattice, const std::string& file) {
     Cube* cube = nullptr;  // most points are in the cube of the point before
     std::array<std::uint32_t, 3> place{};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double* position = &points.positions[3 * i];
-      if (!is_finite(position)) {
+      if (!is_within_floats(position)) {
+        if (is_finite(position)) fail_beyond_floats(file, points.first + i, position);
         ++left_out;
         continue;
       }
@@ -90,6 +109,7 @@ bool load(StateReader& state, Census& census) {
 std::array<std::vector<double>, 3> some_positions(const Source& source, const ReadOptions& options) {
   ReadOptions positions_only = options;
   positions_only.normals = positions_only.channels = false;
+  positions_only.keep_invalid = true;  // the census finds them
   const std::unique_ptr<PointReader> reader = source.open(positions_only);
   std::array<std::vector<double>, 3> found;
   const std::uint64_t count = reader->count().value_or(0);
@@ -176,8 +196,9 @@ Census take_census(BlockSource& source, const Lattice& lattice, const Advance& a
   const auto save_state = [&] {
     checkpoints.folder().save(name, [&](StateWriter& state) { save(sum_of(begun, counts, done), state); });
   };
+  const auto count = [&](const Points& points) { counts.local().add(points, lattice, source.name()); };
   for (std::uint64_t read = 1; read > 0;) {
-    read = source.each(done, done + batch, [&](const Points& points) { counts.local().add(points, lattice); });
+    read = source.each(done, done + batch, count);
     done += read;
     if (advance) advance(done);
     if (checkpoints.is_due(done)) save_state();
