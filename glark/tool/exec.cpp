@@ -28,6 +28,7 @@ const std::vector<OtherCommand> commands {
       {"sample", scan, "Samples of a scan of any size: glark sample LARGE -o SMALL"},
       {"transfer", scan,
        "The edit of a sampling, on the whole scan: glark transfer LARGE --from SMALL --to EDITED -o OUT"},
+      {"edit", scan, "Edit a scan of any size by its sampling: glark edit SCAN [--script FILE] [-o OUT]"},
 #endif
 #if GLARK_HAS_SURFEL
       {"strip", scan, "Triangle strips that interpolate points: glark strip FILE -o OUT"},

@@ -168,6 +168,16 @@ int help(const CLI::App& app, const std::string& topic) {
   return exit_usage;
 }
 
+// The help of a command. Those for files are separate programs, which know their own options.
+int help_on_word(const CLI::App& app, char** argv) {
+  char option[] = "--help";
+  if (const char* program = glark::tool::program_of(std::span(argv + 2, argv + 3))) {
+    char* words[] = {argv[0], argv[2], option, nullptr};
+    return glark::tool::become(program, words);
+  }
+  return help(app, argv[2]);
+}
+
 std::string completion(const CLI::App& app, bool zsh) {
   using namespace glark::tool;
   std::vector<CommandLine> commands;
@@ -196,6 +206,8 @@ int main(int argc, char** argv) {
   Commands commands;
   describe(commands);
   std::vector<std::string> words(argv + 1, argv + argc);
+  // CLI11 would take a topic that is a command for that command.
+  if (words.size() == 2 && words[0] == "help" && !words[1].starts_with("-")) return help_on_word(commands.app, argv);
   std::vector<std::string> program;
   if (!words.empty() && words.front() == "run") program = take_program(*commands.run, words);
   if (!words.empty() && words.front() == "doctor") program = take_program(*commands.doctor, words);

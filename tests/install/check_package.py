@@ -116,11 +116,12 @@ class Package(unittest.TestCase):
         wanted = {"GL/glark.h", "GL/glark_version.h", "glark/error.h", "glark/export.h", "glark/c/types.h"}
         wanted |= {f"{folder}/{name}.h" for name in COMPONENTS for folder in ("glark", "glark/c")}
         wanted |= {"glark/point_stream.h"} if "stream" in COMPONENTS else set()
+        wanted |= {"glark/edit_operations.h"} if "edit" in COMPONENTS else set()
         installed = {str(file.relative_to(self.prefix / "include")) for file in (self.prefix / "include").rglob("*.h")}
         self.assertEqual(wanted, installed)
         self.assertLessEqual({str(file.relative_to(source)) for file in source.rglob("*.h")} - installed,
-                             {f"{folder}/{name}.h" for name in ("depth", "pn", "qas", "reconstruct", "stream", "surfel", "vstree")
-                              for folder in ("glark", "glark/c")} | {"glark/point_stream.h"})
+                             {f"{folder}/{name}.h" for name in ("depth", "edit", "pn", "qas", "reconstruct", "stream", "surfel", "vstree")
+                              for folder in ("glark", "glark/c")} | {"glark/edit_operations.h", "glark/point_stream.h"})
 
     def test_version_of_the_debian_packages(self):
         newest = (HERE.parents[1] / "debian/changelog").read_text().splitlines()[0]

@@ -44,11 +44,13 @@ class Manual(unittest.TestCase):
         """Every command that was built has its options in the manual page."""
         listed = subprocess.run([GLARK, "--help"], check=True, capture_output=True, text=True).stdout
         page = plain(text_of(SCAN_PAGE))
-        for command in ("simplify", "strip", "reconstruct", "sample", "transfer", "view"):
+        for command in ("simplify", "strip", "reconstruct", "sample", "transfer", "edit", "view"):
             if not re.search(rf"^  {command} ", listed, re.MULTILINE):
                 continue
             help_text = subprocess.run([GLARK, command, "--help"], check=True, capture_output=True, text=True).stdout
             self.assertGreater(len(options_of(help_text)), 4)
+            again = subprocess.run([GLARK, "help", command], check=True, capture_output=True, text=True).stdout
+            self.assertEqual(help_text, again)
             self.assertEqual([], missing(options_of(help_text) | {f"glark {command}"}, page))
 
     def test_drawings_of_patterns(self):

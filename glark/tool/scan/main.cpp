@@ -54,6 +54,9 @@ int main(int argc, char** argv) {
   glark::tool::add_sample(app);
   glark::tool::add_transfer(app);
 #endif
+#if GLARK_HAS_EDIT
+  glark::tool::add_edit(app);
+#endif
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0) return complain("the report cannot be written to standard output", exit_failure);
