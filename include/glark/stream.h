@@ -87,7 +87,8 @@ struct TransferReport {
 };
 
 // Transfers the edit of a sampling to the scan: `from` became `to`. Each point moves as the samples around it did, and
-// normals turn along. A channel of `to` that `from` had with other values, or had not, is interpolated at each point.
+// normals turn along. A channel of `to` that `from` had not is interpolated at each point. Of a channel whose values
+// differ, a point gets the mean of the edited samples around it; where none of these was edited, it keeps its value.
 // The samples of `to` correspond to those of `from` by their order, or by a channel "index". Everything else in `large`
 // stays as it is, byte by byte: triangles, other channels, records of LAS. `output` has the format of `large`, and the
 // ending of its name. It appears at the end, complete; a former file stays until then.

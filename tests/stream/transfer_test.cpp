@@ -120,6 +120,37 @@ TEST_F(Edited, ColoursAreAddedAndTrianglesStay) {
   EXPECT_TRUE(bytes_of(path("out.ply")).ends_with(face));
 }
 
+// Paint on a part: far from it every byte stays, within it the paint covers, and between them no value is beyond both.
+TEST_F(Edited, ColoursAwayFromThePaintStay) {
+  AllPoints small = sheet(40), large = sheet(100);
+  const auto colour = [](AllPoints& all) {
+    for (std::size_t i = 0; i < all.positions.size(); i += 3) {
+      const double stripe = static_cast<double>(i / 3 % 7 * 30);  // finer than the samples
+      all.channels.insert(all.channels.end(), {stripe, stripe, 40});
+    }
+  };
+  colour(small);
+  colour(large);
+  write("small.ply", small, painted);
+  for (std::size_t i = 0; i < small.positions.size(); i += 3)
+    if (small.positions[i] > 6) std::fill_n(small.channels.begin() + static_cast<std::ptrdiff_t>(i), 2, 200);
+  write("edited.ply", small, painted);
+  write("large.ply", large, painted);
+  transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path("out.ply"));
+  const AllPoints out = read_all(*open_points(path("out.ply")));
+  for (std::size_t i = 0; i < out.channels.size(); i += 3) {
+    const double own = large.channels[i], x = large.positions[i];
+    if (x < 5.4) {
+      EXPECT_EQ(out.channels[i], own);
+    }
+    if (x > 6.6) {
+      EXPECT_NEAR(out.channels[i], 200, 1);
+    }
+    EXPECT_GE(out.channels[i], std::min(own, 200.0) - 1);
+    EXPECT_EQ(out.channels[i + 2], 40);
+  }
+}
+
 TEST_F(Edited, SamplesMayBeReordered) {
   const AllPoints small = sheet(18);
   const Edit lift = [](const Point& p) { return Point{p[0], p[1], p[2] + p[0]}; };

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark-view: `glark view FILE` shows points or a mesh in a window, or writes a picture without a window.
+// glark-view: `glark view FILE` shows points or a mesh in a window, or writes a picture without a window. `glark edit SCAN`
+// becomes `glark-view edit SCAN` where there is a display.
 #include <CLI/CLI.hpp>
 #include <cctype>
 #include <cstdio>
@@ -14,6 +15,10 @@
 #include "glark/clients/geometry/write/output_file.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/validators.h"
+#if GLARK_HAS_EDIT
+#include "glark/tool/scan/edit/session_names.h"
+#include "glark/tool/view/edit/edit_window.h"
+#endif
 #include "glark/tool/view/film.h"
 #include "glark/tool/view/offscreen.h"
 #include "glark/tool/view/window.h"
@@ -188,6 +193,32 @@ void run(const View& view) {
     show_window("glark " + view.files.input, std::move(models), view.options);
 }
 
+#if GLARK_HAS_EDIT
+void describe(CLI::App& command, EditOptions& edit) {
+  command.add_option("SCAN", edit.scan, "The scan: binary PLY, .las, .stl or .raw")->required();
+  command
+      .add_option("-o,--output", edit.output,
+                  "Where the edited scan is saved, in the format of SCAN; default: SCAN.edited with its ending")
+      ->type_name("OUT");
+  command.add_option("--session", edit.session, "The folder of the session; default: SCAN with the ending .edit")
+      ->type_name("FOLDER");
+  command.add_option("--target", edit.sampling.target, "The most samples of a new session; default 200000")
+      ->transform(whole_above_zero());
+  command.add_option("--memory", edit.sampling.memory, "The most memory for the sampling, as 64MB; default 256MB")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("BYTES");
+  command.add_option("--threads", edit.sampling.threads, "Most threads; default: all of the machine");
+  command.add_option("--width", edit.width, "Width of the window; default 1024")->check(CLI::Range(1, largest_side));
+  command.add_option("--height", edit.height, "Height of the window; default 768")->check(CLI::Range(1, largest_side));
+}
+
+void run(EditOptions edit) {
+  if (edit.session.empty()) edit.session = session_folder(edit.scan);
+  if (edit.output.empty()) edit.output = edited_scan(edit.scan);
+  show_edit_window(edit);
+}
+#endif
+
 int complain(const std::string& problem, int status) {
   std::fprintf(stderr, "glark: %s\n", problem.c_str());
   return status;
@@ -198,18 +229,27 @@ int complain(const std::string& problem, int status) {
 
 int main(int argc, char** argv) {
   using namespace glark::tool;
+  const std::string name = argc > 1 && std::string(argv[1]) == "edit" ? "edit" : "view";
   CLI::App app("glark: points and triangles in files", "glark");
   app.require_subcommand(1);
   View view;
   CLI::App* command = app.add_subcommand("view", "Show points or triangles in a window, or write a picture");
   describe(*command, view);
+#if GLARK_HAS_EDIT
+  EditOptions edit;
+  CLI::App* editing = app.add_subcommand("edit", "Edit a scan by its sampling, in a window");
+  describe(*editing, edit);
+#endif
   try {
     app.parse(argc, argv);
-    run(view);
+#if GLARK_HAS_EDIT
+    if (editing->parsed()) run(edit);
+#endif
+    if (command->parsed()) run(view);
   } catch (const CLI::Success& wanted) {  // --help
     return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return complain(std::string(error.what()) + "; glark view --help lists the options", exit_usage);
+    return complain(std::string(error.what()) + "; glark " + name + " --help lists the options", exit_usage);
   } catch (const std::bad_alloc&) {
     return complain("the memory is too small for this file; simplify it first", exit_failure);
   } catch (const std::exception& error) {

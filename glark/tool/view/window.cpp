@@ -193,7 +193,7 @@ float greatest_shown(std::vector<float> distances) {
 }
 
 void show_window(const std::string& title, std::vector<Model> models, const ViewOptions& options) {
-  const GlWindow window(title, options.width, options.height, "write a picture with --offscreen OUT.png");
+  const GlWindow window(title, options.width, options.height, 4, "write a picture with --offscreen OUT.png");
   std::printf("%s", help_of_keys());
   Viewer(window.handle(), title, std::move(models), options).run();
 }

@@ -70,7 +70,8 @@ class MemoryWriter final : public PointWriter {
 // The edit at each new sample.
 struct EditedSamples {
   std::vector<double> positions;
-  std::vector<float> normals, values;  // the values of the sampling's edited channels
+  std::vector<float> normals;
+  std::vector<EditedValue> values;  // of the sampling's edited channels
 };
 
 EditedSamples edit_of(const RegionPoints& added, const Sampling& sampling, const RefineOptions& options) {
@@ -82,7 +83,7 @@ EditedSamples edit_of(const RegionPoints& added, const Sampling& sampling, const
     Vector3f p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = static_cast<float>(added.positions[3 * i + k] - sampling.origin[k]);
     const std::span<const Neighbour> neighbours = near.find(p, false);
-    for (std::size_t k = 0; k < width; ++k) edited.values.push_back(mean_value(near.samples(), neighbours, width, k));
+    for (std::size_t k = 0; k < width; ++k) edited.values.push_back(edited_value(near.samples(), neighbours, width, k));
     if (!sampling.is_deformed) continue;
     const Deformed moved =
         deform(near.samples(), p, common::vector_at(std::span<const float>(added.normals), i), neighbours);
@@ -176,8 +177,8 @@ RefineReport refine(const RefineFiles& files, const Region& region, const Refine
     write_with(files.to, files.edited_output, edited.positions, edited.normals,
                [&](std::size_t i, const Channel& channel) {
                  const std::size_t k = index_in(sampling.channels, channel.name);
-                 return k == none ? value_of(i, channel)
-                                  : static_cast<double>(edited.values[sampling.channels.size() * i + k]);
+                 const double own = value_of(i, channel);
+                 return k == none ? own : edited.values[sampling.channels.size() * i + k].mixed_with(own);
                });
   }
   write_with(files.from, files.output, added.positions, added.normals, value_of);

@@ -44,9 +44,12 @@ void NearSamples::gather(const Vector3f& centre) {
   copy(all_.normals, indices_, near_.normals);
   copy(all_.normals_after, indices_, near_.normals_after);
   near_.values.resize(channels_ * indices_.size());
+  near_.is_edited.resize(channels_ * indices_.size());
   for (std::size_t i = 0; i < indices_.size(); ++i)
-    std::copy_n(all_.values.begin() + static_cast<std::ptrdiff_t>(channels_ * indices_[i]), channels_,
-                near_.values.begin() + static_cast<std::ptrdiff_t>(channels_ * i));
+    for (std::size_t k = 0; k < channels_; ++k) {
+      near_.values[channels_ * i + k] = all_.values[channels_ * indices_[i] + k];
+      near_.is_edited[channels_ * i + k] = all_.is_edited[channels_ * indices_[i] + k];
+    }
 }
 
 // Sorts at most `width` keys. A key's place is the number of smaller keys: no branch depends on the keys.

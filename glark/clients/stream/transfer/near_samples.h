@@ -54,16 +54,27 @@ class NearSamples {
   std::array<Neighbour, 64> found_{};
 };
 
-// The mean of a channel's values with the weights of the neighbours. width: the number of channels.
-// Source: Boubekeur 2007, ch. 4.4.1.
-inline float mean_value(const Samples& samples, std::span<const Neighbour> neighbours, std::size_t width,
-                        std::size_t channel) {
-  float sum = 0, weights = 0;
-  for (const Neighbour& near : neighbours) {
-    sum += near.weight * samples.values[width * near.index + channel];
-    weights += near.weight;
+// A channel at a point: the mean of its edited values with the weights of the neighbours, and their share of all weights,
+// 0 to 1. The rest is the point's own value: where nothing was edited, a scan keeps its details.
+struct EditedValue {
+  float value = 0, share = 0;
+
+  double mixed_with(double own) const {
+    return static_cast<double>(share) * static_cast<double>(value) + (1 - static_cast<double>(share)) * own;
   }
-  return sum / weights;
+};
+
+// width: the number of channels. Source: Boubekeur 2007, ch. 4.4.1, for samples that were all edited.
+inline EditedValue edited_value(const Samples& samples, std::span<const Neighbour> neighbours, std::size_t width,
+                                std::size_t channel) {
+  float sum = 0, edited = 0, kept = 0;
+  for (const Neighbour& near : neighbours) {
+    const std::size_t at = width * near.index + channel;
+    const bool counts = samples.is_edited[at] != 0;
+    (counts ? edited : kept) += near.weight;
+    sum += counts ? near.weight * samples.values[at] : 0;
+  }
+  return edited > 0 ? EditedValue{sum / edited, kept > 0 ? edited / (edited + kept) : 1} : EditedValue{};
 }
 
 }  // namespace glark::stream

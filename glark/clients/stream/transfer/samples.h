@@ -13,7 +13,8 @@ namespace glark::stream {
 struct Samples {
   std::vector<common::Vector3f> before, after;
   std::vector<common::Vector3f> normals, normals_after;  // of unit length, or zero
-  std::vector<float> values;                             // [channels * samples]
+  std::vector<float> values;                             // [channels * samples], after the edit
+  std::vector<std::uint8_t> is_edited;                   // [channels * samples]: the value was another one before
 
   std::size_t size() const { return before.size(); }
 };

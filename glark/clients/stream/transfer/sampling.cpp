@@ -65,15 +65,19 @@ std::vector<std::size_t> places_of(const FileContents& to, const std::string& fi
   return places;
 }
 
-// Whether the samples of `from` have the channel with the same values.
-bool is_unchanged(const FileContents& from, const FileContents& to, std::size_t channel,
-                  const std::vector<std::size_t>& places) {
+// For each sample, whether a channel has another value than in `from`. Nothing if no sample has.
+std::vector<std::uint8_t> edited_samples(const FileContents& from, const FileContents& to, std::size_t channel,
+                                         const std::vector<std::size_t>& places) {
   const std::size_t old = channel_index(from.schema, to.schema.channels[channel].name);
-  if (old == none) return false;
+  std::vector<std::uint8_t> edited(places.size(), 1);
+  if (old == none) return edited;
   const std::size_t width = to.schema.channels.size(), old_width = from.schema.channels.size();
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (to.channels[width * places[i] + channel] != from.channels[old_width * i + old]) return false;
-  return true;
+  bool is_edited = false;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    edited[i] = to.channels[width * places[i] + channel] != from.channels[old_width * i + old] ? 1 : 0;
+    is_edited |= edited[i] != 0;
+  }
+  return is_edited ? edited : std::vector<std::uint8_t>();
 }
 
 // Turns each normal by the linear map that fits the neighbours of its sample best. Normals turn by its cofactors.
@@ -142,15 +146,23 @@ Sampling read_sampling(const std::filesystem::path& from, const std::filesystem:
   };
   const std::size_t width = after.schema.channels.size();
   std::vector<std::size_t> edited;  // channels; the others keep the values of the scan
-  for (std::size_t k = 0; k < width; ++k)
-    if (after.schema.channels[k].name != "index" && !is_unchanged(before, after, k, places)) edited.push_back(k);
+  std::vector<std::vector<std::uint8_t>> where;
+  for (std::size_t k = 0; k < width; ++k) {
+    if (after.schema.channels[k].name == "index") continue;
+    std::vector<std::uint8_t> there = edited_samples(before, after, k, places);
+    if (there.empty()) continue;
+    edited.push_back(k);
+    where.push_back(std::move(there));
+  }
   for (const std::size_t k : edited) sampling.channels.push_back(after.schema.channels[k]);
   for (std::size_t i = 0; i < count; ++i) {
     samples.before.push_back(relative(before.positions, i));
     samples.after.push_back(relative(after.positions, places[i]));
     sampling.is_deformed |= !(samples.before.back() == samples.after.back());
-    for (const std::size_t k : edited)
-      samples.values.push_back(static_cast<float>(after.channels[width * places[i] + k]));
+    for (std::size_t k = 0; k < edited.size(); ++k) {
+      samples.values.push_back(static_cast<float>(after.channels[width * places[i] + edited[k]]));
+      samples.is_edited.push_back(where[k][i]);
+    }
   }
   const std::vector<float> normals = normals_of(before, samples, from.string(), workers);
   for (std::size_t i = 0; i < count; ++i)

@@ -60,8 +60,8 @@ class Transfer {
   struct EditedPoints {
     std::vector<double> positions;
     std::vector<float> normals;
-    std::vector<double> values;
-    std::vector<Vector3f> local;  // the positions before, relative to the origin of the sampling
+    std::vector<EditedValue> values;  // [channels * points]
+    std::vector<Vector3f> local;      // the positions before, relative to the origin of the sampling
 
     EditedPoints(const Points& points, const Sampling& sampling, std::size_t channels)
         : positions(points.positions.begin(), points.positions.end()),
@@ -107,18 +107,30 @@ class Transfer {
     }
   }
 
-  void interpolate(const Samples& samples, std::span<const Neighbour> near, double* values) const {
+  void interpolate(const Samples& samples, std::span<const Neighbour> near, EditedValue* values) const {
     const std::size_t width = sampling_.channels.size();
     for (const WrittenChannel& channel : out_.channels())
-      *values++ = channel.scale * static_cast<double>(mean_value(samples, near, width, channel.column));
+      *values++ = edited_value(samples, near, width, channel.column);
   }
 
-  void write_channels(const std::vector<double>& values, std::span<char> records) const {
+  // Writes the channels of the points that an edited sample is near to. The records have the values before.
+  void write_channels(const std::vector<EditedValue>& values, std::span<char> records) const {
     const Layout& layout = out_.layout();
     const std::size_t width = out_.channels().size();
+    if (layout.points_per_record != 1) return;
     const Column column{layout.record_size, records.size() / layout.record_size, layout.swapped};
-    for (std::size_t k = 0; k < width && layout.points_per_record == 1; ++k)
-      write_column(out_.channels()[k].field, column, records.data(), &values[k], width);
+    std::vector<double> mixed(column.count);
+    for (std::size_t k = 0; k < width; ++k) {
+      const WrittenChannel& channel = out_.channels()[k];
+      const auto is_kept = [&](std::size_t i) { return values[width * i + k].share == 0; };
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < column.count; ++i) kept += is_kept(i) ? 1 : 0;
+      if (kept == column.count) continue;
+      read_column(channel.field, column, records.data(), mixed.data(), 1);
+      for (std::size_t i = 0; i < column.count; ++i)
+        if (!is_kept(i)) mixed[i] = channel.scale * values[width * i + k].mixed_with(mixed[i] / channel.scale);
+      write_column(channel.field, column, records.data(), mixed.data(), 1);
+    }
   }
 
   const Sampling& sampling_;

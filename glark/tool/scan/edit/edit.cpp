@@ -14,6 +14,8 @@
 #include "glark/tool/scan/console.h"
 #include "glark/tool/scan/edit/prompt.h"
 #include "glark/tool/scan/edit/script.h"
+#include "glark/tool/scan/edit/session_names.h"
+#include "glark/tool/scan/edit/window.h"
 #include "glark/tool/scan/peak_memory.h"
 #include "glark/tool/scan/validators.h"
 
@@ -23,12 +25,20 @@ namespace {
 struct Edit {
   std::string input, script, output, folder;
   edit::SessionOptions options;
-  bool json = false;
+  bool window = false, json = false;
 };
 
 std::filesystem::path folder_of(const Edit& command) {
-  if (!command.folder.empty()) return command.folder;
-  return std::filesystem::path(command.input).replace_extension(".edit");
+  return command.folder.empty() ? session_folder(command.input) : std::filesystem::path(command.folder);
+}
+
+std::vector<std::string> window_arguments(const Edit& command) {
+  std::vector<std::string> arguments{
+      "--session=" + folder_of(command).string(), fmt::format("--target={}", command.options.target),
+      fmt::format("--memory={}", command.options.memory), fmt::format("--threads={}", command.options.threads)};
+  if (!command.output.empty()) arguments.push_back("--output=" + command.output);
+  arguments.insert(arguments.end(), {"--", command.input});
+  return arguments;
 }
 
 edit::Session open_session(const Edit& command) {
@@ -64,12 +74,14 @@ edit::SaveReport save(const edit::Session& session, const std::string& output) {
 }
 
 void edit_scan(const Edit& command) {
+  if (command.window || (command.script.empty() && can_open_window())) become_window(window_arguments(command));
   const Progress whole("editing " + command.input);
   std::vector<ScriptLine> script;
-  if (!command.script.empty()) script = read_script(command.script);
+  const bool has_script = !command.script.empty() && command.script != "-";
+  if (has_script) script = read_script(command.script);
   edit::Session session = open_session(command);
   Report printed;
-  if (!command.script.empty())
+  if (has_script)
     printed["slowest_operation_seconds"] = run(script, command.script, session);
   else
     edit_by_prompt(session, [&](const std::string& output) { save(session, output); });
@@ -100,10 +112,14 @@ void add_edit(CLI::App& app) {
   const auto wanted = std::make_shared<Edit>();
   edit::SessionOptions& options = wanted->options;
   command->add_option("SCAN", wanted->input, "The scan: binary PLY, .las, .stl or .raw")->required();
-  command
-      ->add_option("--script", wanted->script,
-                   "A file with an operation in each line; default: operations are read from standard input")
-      ->type_name("FILE");
+  CLI::Option* script =
+      command
+          ->add_option(
+              "--script", wanted->script,
+              "A file with an operation in each line; - is standard input. Default: a window on a terminal with a "
+              "display, else standard input")
+          ->type_name("FILE");
+  command->add_flag("--window", wanted->window, "Edit in a window, also without a terminal")->excludes(script);
   command->add_option("-o,--output", wanted->output, "The file to write at the end, in the format of SCAN")
       ->type_name("OUT");
   command->add_option("--session", wanted->folder, "The folder of the session; default: SCAN with the ending .edit")

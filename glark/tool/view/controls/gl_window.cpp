@@ -11,9 +11,9 @@
 
 namespace glark::tool {
 
-GlWindow::GlWindow(const std::string& title, int width, int height, const std::string& remedy) {
+GlWindow::GlWindow(const std::string& title, int width, int height, int samples, const std::string& remedy) {
   if (glfwInit() == GLFW_FALSE) throw std::runtime_error("there is no display; " + remedy);
-  glfwWindowHint(GLFW_SAMPLES, 4);
+  glfwWindowHint(GLFW_SAMPLES, samples > 1 ? samples : 0);
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) {
     glfwTerminate();

@@ -12,8 +12,9 @@ namespace glark::tool {
 
 class GlWindow {
  public:
-  // remedy: what to do without a display, for the message. Throws std::runtime_error if there is no display.
-  GlWindow(const std::string& title, int width, int height, const std::string& remedy);
+  // samples: of a pixel, 1 or more. remedy: what to do without a display, for the message. Throws std::runtime_error if
+  // there is no display.
+  GlWindow(const std::string& title, int width, int height, int samples, const std::string& remedy);
   ~GlWindow();
   GlWindow(const GlWindow&) = delete;
   GlWindow& operator=(const GlWindow&) = delete;

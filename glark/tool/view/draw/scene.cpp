@@ -118,11 +118,11 @@ void Scene::colour_by(std::span<const float> distances, float greatest) {
 
 void Scene::replace_points(std::vector<float> positions, std::vector<float> normals,
                            std::vector<std::uint8_t> colours) {
+  if (positions.size() != geometry_.positions.size()) strips_.reset();
   geometry_.positions = std::move(positions);
   geometry_.normals = std::move(normals);
   geometry_.colours = std::move(colours);
   has_lighting_ = !geometry_.normals.empty();
-  strips_.reset();
   upload_again();
 }
 

@@ -43,8 +43,9 @@ class Scene {
   Statistics draw(const Camera& camera, const DrawSettings& settings, const Part& part);
   // Colours the points by their distances, blue at 0 to red at `greatest`; in the unit of the positions.
   void colour_by(std::span<const float> distances, float greatest);
-  // Replaces positions, normals and colours (red green blue alpha), each of them as many as before or empty; the number
-  // of points may grow if there are no triangles.
+  // Replaces positions, normals and colours (red green blue alpha; may be empty). The number of points may change if
+  // there are no triangles. The same number keeps its strips, which follow the points; they are for settings without
+  // culling, then.
   void replace_points(std::vector<float> positions, std::vector<float> normals, std::vector<std::uint8_t> colours);
   std::size_t point_count() const { return geometry_.point_count(); }
 
