@@ -220,6 +220,15 @@ class Commands(unittest.TestCase):
         report = json.loads(self.run_it("simplify", large, "-o", self.path / "small.ply", "--target", 3000, "--json").stdout)
         self.assertTrue(2970 <= report["output"]["points"] <= 3000, report)
 
+    def test_strip_samples_large_clouds(self):
+        large = write_scan(self.path / "large.raw", 300000)
+        command = self.run_it("strip", large, "-o", self.path / "strips.ply", "--memory", "128MB", "--json")
+        report = json.loads(command.stdout)
+        self.assertIn("samples of its 300000 points", command.stderr)
+        self.assertLess(report["peak_memory_bytes"], 128 * MIB)
+        self.assertGreater(report["output"]["points"], 50000)
+        self.assertGreater(report["output"]["triangles"], 1.8 * report["output"]["points"])
+
     def test_simplify_says_what_memory_it_needs(self):
         large = write_torus(self.path / "torus.ply", 1600, 600)
         said = self.run_it("simplify", large, "-o", self.path / "small.ply", "--target", 900000, "--memory", "128MB",

@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include <glark/vstree.h>
-#include <unistd.h>
 
-#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -15,13 +13,13 @@
 #include "glark/clients/geometry/measure/topology.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
-#include "glark/tool/scan/info/contents.h"
+#include "glark/tool/scan/parts/memory_option.h"
 #include "glark/tool/scan/peak_memory.h"
 #include "glark/tool/scan/quality.h"
 #include "glark/tool/scan/rgb.h"
 #include "glark/tool/scan/simplified.h"
 #if GLARK_HAS_STREAM
-#include "glark/tool/scan/simplify/large_mesh.h"
+#include "glark/tool/scan/parts/large_mesh.h"
 #endif
 #include "glark/tool/scan/validators.h"
 
@@ -109,13 +107,6 @@ Coarse coarse_of(const Input& input, const Simplify& command, double& seconds) {
   return coarse;
 }
 
-// Without --memory, three quarters of the machine's.
-Memory memory_for(const Memory& given) {
-  if (given.is_given) return given;
-  const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
-  return {pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 4 * 3, false};
-}
-
 Input read_input(const Simplify& command) {
 #if GLARK_HAS_STREAM
   if (const Memory memory = memory_for(command.memory); must_read_in_parts(command.files, memory)) {
@@ -153,20 +144,6 @@ void simplify(const Simplify& command) {
     report["quality"] = quality_report(coarse, command.reference, command.files);
   }
   print(report, command.files.json);
-}
-
-void describe_memory(CLI::App& command, Simplify& simplification) {
-  command
-      .add_option_function<std::uint64_t>(
-          "--memory",
-          [&simplification](const std::uint64_t& bytes) {
-            simplification.memory = {bytes, true};
-          },
-          "The most memory, as 256MB or 4GB, 128MB or more; default: three quarters of the machine's. Larger files are "
-          "read in parts")
-      ->transform(CLI::AsSizeValue(false))
-      ->check(CLI::Range(std::uint64_t{128} << 20, std::numeric_limits<std::uint64_t>::max()))
-      ->type_name("BYTES");
 }
 
 // Adds the options that choose clusters and the points that replace them.
@@ -246,7 +223,7 @@ void add_simplify(CLI::App& app) {
   describe_method(*command, *simplification);
   describe_clusters(*command, options);
   describe_threads(*command, options.threads);
-  describe_memory(*command, *simplification);
+  describe_memory(*command, simplification->memory);
   command->callback([simplification, command] {
     set_method(*command, *simplification);
     simplify(*simplification);

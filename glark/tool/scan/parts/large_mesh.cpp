@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/tool/scan/simplify/large_mesh.h"
+#include "glark/tool/scan/parts/large_mesh.h"
 
 #include <fmt/format.h>
 #include <glark/stream.h>
@@ -14,7 +14,7 @@
 
 #include "glark/clients/geometry/formats.h"
 #include "glark/tool/scan/info/contents.h"
-#include "glark/tool/scan/simplify/cluster_mesh.h"
+#include "glark/tool/scan/parts/cluster_mesh.h"
 
 namespace glark::tool {
 namespace {
@@ -127,14 +127,24 @@ void warn_of_other_attributes(const Files& files, const Report& names) {
   if (!lost.empty()) warn(fmt::format("{}: {} are lost, because the file is read in parts", files.input, lost));
 }
 
-}  // namespace
-
-LargeMesh read_in_parts(const Files& files, const PartsOptions& options) {
+Report contents_of_file(const Files& files) {
   Report contents = contents_in_parts(files);
   contents.erase("peak_memory_bytes");
+  warn_of_other_attributes(files, contents["attributes"]);
+  return contents;
+}
+
+}  // namespace
+
+LargeMesh sample_in_parts(const Files& files, const PartsOptions& options) {
+  Report contents = contents_of_file(files);
+  return {sample(files, sample_count(files, options), options), std::move(contents)};
+}
+
+LargeMesh read_in_parts(const Files& files, const PartsOptions& options) {
+  Report contents = contents_of_file(files);
   const bool has_triangles = contents["triangles"].get<std::uint64_t>() > 0;
   const Report& names = contents["attributes"];
-  warn_of_other_attributes(files, names);
   const bool has_normals = std::find(names.begin(), names.end(), "normals") != names.end();
   const std::size_t count = sample_count(files, options);
   if (!has_triangles) return {sample(files, options.target > 0 ? options.target : count, options), contents};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/tool/scan/simplify/vertex_map.h"
+#include "glark/tool/scan/parts/vertex_map.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

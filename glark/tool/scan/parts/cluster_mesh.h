@@ -14,7 +14,7 @@
 
 #include "glark/clients/common/workers.h"
 #include "glark/clients/geometry/geometry.h"
-#include "glark/tool/scan/simplify/vertex_map.h"
+#include "glark/tool/scan/parts/vertex_map.h"
 
 namespace glark::tool {
 

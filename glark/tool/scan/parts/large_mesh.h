@@ -26,4 +26,7 @@ struct LargeMesh {
 // stream::Error, and std::runtime_error if the memory is too small for the target.
 LargeMesh read_in_parts(const Files& files, const PartsOptions& options);
 
+// Samples of the points alone, as many as fit. Reads the file three times. Throws as read_in_parts().
+LargeMesh sample_in_parts(const Files& files, const PartsOptions& options);
+
 }  // namespace glark::tool

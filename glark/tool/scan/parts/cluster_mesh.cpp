@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/tool/scan/simplify/cluster_mesh.h"
+#include "glark/tool/scan/parts/cluster_mesh.h"
 
 #include <fmt/format.h>
 

@@ -7,12 +7,18 @@
 #include <glark/surfel.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
+#include "glark/tool/scan/parts/memory_option.h"
+#include "glark/tool/scan/peak_memory.h"
 #include "glark/tool/scan/quality.h"
 #include "glark/tool/scan/validators.h"
+#if GLARK_HAS_STREAM
+#include "glark/tool/scan/parts/large_mesh.h"
+#endif
 
 namespace glark::tool {
 namespace {
@@ -22,7 +28,29 @@ struct Strip {
   std::string reference;
   surfel::Options options;
   unsigned level = 0;
+  Memory memory;  // larger files are read in parts
 };
+
+// The points, or samples of them if the file does not fit into the memory.
+geometry::Geometry read_points(const Strip& command, bool& is_whole) {
+  is_whole = true;
+#if GLARK_HAS_STREAM
+  const Files& files = command.files;
+  if (const Memory memory = memory_for(command.memory); must_read_in_parts(files, memory)) {
+    is_whole = false;
+    if (!command.reference.empty())
+      throw std::runtime_error(
+          "--measure keeps the whole file in the memory; measure the result: glark info OUT --measure");
+    LargeMesh large = sample_in_parts(files, {memory.bytes, 0, command.options.threads});
+    const auto points = large.contents.value("points", std::uint64_t{0});
+    if (large.geometry.point_count() < points)
+      warn(fmt::format("{}: the strips connect {} samples of its {} points, as many as fit into the memory",
+                       files.input, large.geometry.point_count(), points));
+    return std::move(large.geometry);
+  }
+#endif
+  return load(command.files.input, command.files);
+}
 
 // Adds the strip of a leaf. Adds its triangles without the degenerate ones, which only join parts of the strip.
 void add_strip(geometry::Geometry& geometry, std::span<const std::uint32_t> strip) {
@@ -60,7 +88,8 @@ surfel::Counts add_strips(const Strip& command, geometry::Geometry& geometry, do
 
 void strip(const Strip& command) {
   check_output(command.files);
-  geometry::Geometry geometry = load(command.files.input, command.files);
+  bool is_whole = true;
+  geometry::Geometry geometry = read_points(command, is_whole);
   geometry.triangles = {};
   if (geometry.normals.empty()) warn(command.files.input + ": it has no normals, so strips have no common orientation");
   double seconds = 0;
@@ -83,6 +112,7 @@ void strip(const Strip& command) {
     report["indices_per_triangle"] =
         static_cast<double>(counts.indices) / static_cast<double>(geometry.triangle_count());
   report["seconds"] = seconds;
+  if (!is_whole) report["peak_memory_bytes"] = peak_memory();
   if (!command.reference.empty()) {
     report["topology"] = topology_report(geometry);
     report["quality"] = quality_report(geometry, command.reference, command.files);
@@ -96,7 +126,7 @@ void add_strip(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "strip", "Connect the points by triangle strips; PLY files get tristrips, other formats triangles");
   const auto stripping = std::make_shared<Strip>();
-  describe_input(*command, stripping->files);
+  describe_input(*command, stripping->files, {"las", "raw"});
   describe_output(*command, stripping->files);
   describe_measure(*command, stripping->reference);
   command
@@ -120,6 +150,7 @@ void add_strip(CLI::App& app) {
                    "Level of detail, 0 to 15; each has a quarter of the points of the one before; default 0")
       ->check(CLI::Range(0, 15));
   describe_threads(*command, stripping->options.threads);
+  describe_memory(*command, stripping->memory);
   command->callback([stripping] { strip(*stripping); });
 }
 
