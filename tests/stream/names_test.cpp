@@ -26,7 +26,7 @@ std::string problem_of_element(Element element, const Step& step) {
 TEST_F(Names, ALongNameIsAnErrorOfTheFile) {
   const auto scan = made("a.xyz", "1 2 3\n4 5 6\n");
   for (const std::string& name : {std::string(300, 'a') + ".ply", std::string(5000, 'a') + "/b.ply"}) {
-    const auto long_one = path(name.c_str());
+    const auto long_one = path(name);
     for (const std::string& problem :
          {problem_of_element(Element::file, [&] { open_points(long_one); }),
           problem_of_element(Element::file, [&] { create_points(long_one, {}); }),
@@ -41,10 +41,10 @@ TEST_F(Names, ALongNameIsAnErrorOfTheFile) {
 // The temporary file beside the output has a longer name, which must not be too long.
 TEST_F(Names, TheLongestNameIsPossible) {
   const std::string name = std::string(NAME_MAX - 4, 'a') + ".ply";
-  const auto writer = create_points(path(name.c_str()), {});
+  const auto writer = create_points(path(name), {});
   writer->write({0, std::vector<double>{1, 2, 3}, {}, {}});
   writer->finish();
-  EXPECT_EQ(open_points(path(name.c_str()))->count(), 1U);
+  EXPECT_EQ(open_points(path(name))->count(), 1U);
 }
 
 TEST_F(Names, AnEmptyNameIsABadOption) {

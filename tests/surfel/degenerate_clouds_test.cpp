@@ -51,7 +51,11 @@ TEST(SurfelDegenerateClouds, ConesOfTinyCloudsAreFinite) {
     std::vector<Points> clouds(5);
     for (std::size_t k = 0; k < clouds.size(); ++k)
       for (int i = 0; i < 4; ++i)
-        clouds[k].add({k == 4 ? 7.0F : static_cast<float>(i % 2), k == 4 ? 7.0F : static_cast<float>(i / 2), 7},
+        clouds[k].add({k == 4 ? 7.0F : static_cast<float>(i % 2),
+                       k == 4   ? 7.0F
+                       : i >= 2 ? 1.0F
+                                : 0.0F,
+                       7},
                       {0, 0,
                        k == 1 && i % 2 == 0 ? -1.0F
                        : k == 2             ? 0.0F

@@ -24,7 +24,7 @@ Operation parse(std::string_view line) {
   for (const Row& row : rows()) {
     if (name != row.form.name) continue;
     try {
-      const Operation operation = row.read(words);
+      Operation operation = row.read(words);
       if (!words.at_end()) throw BadWord(fmt::format("\"{}\" is one word too many", words.word("")));
       return operation;
     } catch (const BadWord& problem) {
