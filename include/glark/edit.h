@@ -28,8 +28,8 @@ namespace glark::edit {
 
 // The caller owns the arrays; all but the positions may be empty.
 struct Sampling {
-  std::vector<double> positions;         // [3 * samples]
-  std::vector<float> normals;            // [3 * samples], towards the outside; without them, they are estimated
+  std::vector<double> positions;  // [3 * samples]
+  std::vector<float> normals;     // [3 * samples], towards the outside; those that are missing or zero are estimated
   std::vector<std::uint8_t> colours;     // [3 * samples]
   std::vector<std::uint32_t> triangles;  // [3 * triangles]; without them, neighbours are the nearest samples
 };

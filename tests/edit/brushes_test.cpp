@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Each brush against what it must do to known surfaces.
+#include <limits>
+
 #include "tests/edit/samplings.h"
 
 namespace glark::edit {
@@ -150,6 +152,22 @@ TEST(Samplings, BadArraysAreRejected) {
   EXPECT_NE(problem({{0, 0, NAN}, {}, {}, {}}).find("coordinate nan"), std::string::npos);
   EXPECT_NE(problem({{0, 0, 0}, {}, {}, {0, 0}}).find("triangles has 2"), std::string::npos);
   EXPECT_NE(problem({{0, 0, 0}, {}, {}, {0, 0, 1}}).find("has the index 1"), std::string::npos);
+}
+
+// Many exporters write zero for a normal that they do not know.
+TEST(Brushes, NormalsThatAreMissingAreEstimated) {
+  for (const float missing : {0.0F, std::numeric_limits<float>::quiet_NaN()}) {
+    Sampling sampling = sphere(2000);
+    std::fill(sampling.normals.begin(), sampling.normals.end(), missing);
+    Editor editor(sampling);
+    editor.apply(parse("inflate 0 0 1 0.5 0.1"));
+    double farthest = 0;
+    for (std::size_t i = 0; i < editor.size(); ++i) {
+      const double* p = &editor.positions()[3 * i];
+      farthest = std::max(farthest, std::hypot(p[0], p[1], p[2]));
+    }
+    EXPECT_NEAR(farthest, 1.1, 0.01);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Sessions on disk: replays, damage, folders of others, refinement and saving.
+#include <limits>
+
 #include "tests/edit/scan_folder.h"
 
 namespace glark::edit {
@@ -121,6 +123,37 @@ TEST_F(Sessions, AChangedScanIsAnError) {
   open();
   std::ofstream(scan(), std::ios::app) << "x";
   EXPECT_NE(problem_of([&] { open(); }).find("has changed since"), std::string::npos);
+}
+
+TEST_F(Sessions, AScanThatChangesMeanwhileIsAnError) {
+  Session session = open();
+  apply(session, lines[1]);
+  std::ofstream(scan(), std::ios::app) << "x";
+  EXPECT_NE(problem_of([&] { session.save(path("out.ply")); }).find("has changed since"), std::string::npos);
+  EXPECT_NE(problem_of([&] { apply(session, lines[7]); }).find("has changed since"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(path("out.ply")));
+  EXPECT_EQ(session.operations(), 1U);
+}
+
+TEST_F(Sessions, AScanThatWasRepairedBeforeItsSamplingIsTaken) {
+  const std::string good = contents(scan());
+  std::string bad = good;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  bad.replace(bad.find("end_header\n") + 11, sizeof(nan), reinterpret_cast<const char*>(&nan), sizeof(nan));
+  made("scan.ply", bad);
+  EXPECT_THROW(open(), stream::Error);
+  made("scan.ply", good);
+  EXPECT_EQ(open().operations(), 0U);
+}
+
+TEST_F(Sessions, NothingIsSavedIntoTheSession) {
+  Session session = open();
+  apply(session, lines[1]);
+  const std::string sampling = contents(folder() / "sample.ply");
+  std::filesystem::create_symlink(folder(), path("link"));
+  for (const auto& output : {folder() / "sample.ply", folder() / "new.ply", path("link/sample.ply")})
+    EXPECT_NE(problem_of([&] { session.save(output); }).find("folder of the session"), std::string::npos);
+  EXPECT_TRUE(contents(folder() / "sample.ply") == sampling);
 }
 
 TEST_F(Sessions, ScansOfTextAreRejectedAtOnce) {

@@ -212,7 +212,9 @@ class Commands(unittest.TestCase):
         self.assertLess(numpy.abs(distance).max(), 0.01)
 
     def test_simplify_reads_large_meshes_in_parts(self):
-        self.check_simplified_torus(write_torus(self.path / "torus.ply", 1600, 600), 20000)
+        large = write_torus(self.path / "torus.ply", 1600, 600)
+        for target in (3000, 10000, 20000):
+            self.check_simplified_torus(large, target)
         self.check_simplified_torus(write_torus(self.path / "torus.stl", 600, 300), 5000)
 
     def test_simplify_reads_large_clouds_in_parts(self):
@@ -228,6 +230,15 @@ class Commands(unittest.TestCase):
         self.assertLess(report["peak_memory_bytes"], 128 * MIB)
         self.assertGreater(report["output"]["points"], 50000)
         self.assertGreater(report["output"]["triangles"], 1.8 * report["output"]["points"])
+
+    def test_an_output_is_not_the_input(self):
+        large = write_torus(self.path / "torus.ply", 100, 60)
+        (self.path / "link.ply").symlink_to(large)
+        before = large.read_bytes()
+        for command in ("simplify", "strip"):
+            for output in (large, self.path / "link.ply"):
+                self.assertIn("is the same file as", self.run_it(command, large, "-o", output, status=1).stderr)
+        self.assertEqual(before, large.read_bytes())
 
     def test_simplify_says_what_memory_it_needs(self):
         large = write_torus(self.path / "torus.ply", 1600, 600)

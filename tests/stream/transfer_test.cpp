@@ -151,6 +151,22 @@ TEST_F(Edited, ColoursAwayFromThePaintStay) {
   }
 }
 
+TEST_F(Edited, PointsAwayFromTheDeformationStay) {
+  write("large.ply", sheet(100), plain);
+  write("small.ply", sheet(18), plain);
+  const Edit lift = [](const Point& p) { return Point{p[0], p[1], p[2] + (p[0] > 6 ? 0.3 * (p[0] - 6) : 0)}; };
+  write("edited.ply", moved(sheet(18), lift), plain);
+  transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path("out.ply"));
+  const AllPoints out = read_all(*open_points(path("out.ply"))), large = read_all(*open_points(path("large.ply")));
+  for (std::size_t i = 0; i < out.positions.size(); i += 3) {
+    if (large.positions[i] > 4) continue;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      EXPECT_EQ(out.positions[k], large.positions[k]);
+      EXPECT_EQ(out.normals[k], large.normals[k]);
+    }
+  }
+}
+
 TEST_F(Edited, SamplesMayBeReordered) {
   const AllPoints small = sheet(18);
   const Edit lift = [](const Point& p) { return Point{p[0], p[1], p[2] + p[0]}; };

@@ -110,6 +110,7 @@ struct Session::State {
     how.temporary = folder.path("");
     how.threads = options.threads;
     how.refine = [this](const Refine& refine) {
+      if (line >= log.lines().size()) folder.require_same_scan(scan);
       return line < log.lines().size() ? kept_samples(folder, line)
                                        : take_samples(folder, scan, refine, line, editor, options);
     };
@@ -159,6 +160,8 @@ SaveReport Session::save(const fs::path& output, const Progress& progress) const
   if (fs::equivalent(state_->scan, output, ignored))
     throw Error(Element::file, 0,
                 output.string() + ": is the scan itself, which the session needs; save to another file");
+  state_->folder.require_outside(output);
+  state_->folder.require_same_scan(state_->scan);
   const EditFiles edit(state_->folder, state_->editor);
   stream::TransferOptions how;
   how.threads = state_->options.threads;

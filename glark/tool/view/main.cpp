@@ -214,6 +214,7 @@ void describe(CLI::App& command, EditOptions& edit) {
 
 void run(EditOptions edit) {
   if (edit.session.empty()) edit.session = session_folder(edit.scan);
+  edit.may_replace = !edit.output.empty();
   if (edit.output.empty()) edit.output = edited_scan(edit.scan);
   show_edit_window(edit);
 }

@@ -14,6 +14,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "glark/clients/edit/session/names.h"
+
 namespace glark::edit {
 namespace {
 
@@ -89,6 +91,8 @@ void Folder::make(const std::string& identity) {
 bool Folder::check(const std::string& identity, const fs::path& scan) const {
   const std::string kept = contents_of(path(marker));
   if (identity.starts_with(kept)) return kept == identity;
+  // Without a sampling there is no operation yet, so that nothing is lost.
+  if (kept.starts_with(title) && !fs::exists(path(cells_file))) return false;
   if (!kept.starts_with(title)) fail(path(marker), "is no file of glark edit; give another folder by --session");
   fail(scan,
        fmt::format("is not the scan of the session {}, or has changed since; restore it, or begin another session "
@@ -105,6 +109,19 @@ void Folder::lock() {
   lock_ = -1;
   if (is_used) fail(folder_, "is used by another glark edit; close that one first");
   fail_with_number(path(marker), "cannot be locked");
+}
+
+void Folder::require_same_scan(const fs::path& scan) const {
+  if (contents_of(path(marker)) != identity_of(scan))
+    fail(scan,
+         fmt::format("has changed since the session {} began; restore it, or begin another session", folder_.string()));
+}
+
+void Folder::require_outside(const fs::path& file) const {
+  std::error_code error;
+  const fs::path inside = fs::weakly_canonical(fs::absolute(folder_), error);
+  for (fs::path at = fs::weakly_canonical(fs::absolute(file), error); at.has_relative_path(); at = at.parent_path())
+    if (at == inside) fail(file, "lies in the folder of the session, which belongs to the session; save it elsewhere");
 }
 
 void Folder::keep(const std::string& name) const {

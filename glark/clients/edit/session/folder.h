@@ -19,6 +19,10 @@ class Folder {
   Folder& operator=(const Folder&) = delete;
 
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  // Throws Error if the scan is not the one of the session any more.
+  void require_same_scan(const std::filesystem::path& scan) const;
+  // Throws Error if the file lies in this folder.
+  void require_outside(const std::filesystem::path& file) const;
   // Brings a file of the folder, and its name, onto the disk. Throws Error.
   void keep(const std::string& name) const;
 

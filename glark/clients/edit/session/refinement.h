@@ -5,13 +5,13 @@
 #pragma once
 
 #include "glark/clients/edit/session/folder.h"
+#include "glark/clients/edit/session/names.h"
+#include "glark/clients/edit/session/names.h"
 #include "glark/clients/edit/session/points_file.h"
 
 namespace glark::edit {
 
 // The files of a session.
-inline constexpr const char* sample_file = "sample.ply";
-inline constexpr const char* cells_file = "sample.ply.cells";
 
 // Takes the samples that line `line` of the log asks for, and keeps them. Throws stream::Error.
 Refined take_samples(const Folder& folder, const std::filesystem::path& scan, const Refine& refine, std::size_t line,

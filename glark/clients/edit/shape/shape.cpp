@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <glark/vstree.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -40,11 +41,26 @@ void check(const Sampling& sampling) {
                               numbers / 3));
 }
 
-// Positions as floats, from the first sample on: the scan may be far from the origin.
-std::vector<float> estimated_normals(const std::vector<double>& positions, unsigned threads) {
-  std::vector<float> near(positions.size());
-  for (std::size_t i = 0; i < near.size(); ++i) near[i] = static_cast<float>(positions[i] - positions[i % 3]);
-  return vstree::estimate_normals({.positions = near}, {.threads = threads});
+bool is_missing(const float* normal) {
+  const float length = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+  return !(length > 0) || !std::isfinite(length);
+}
+
+// Estimates the normals that are missing, zero or not finite. Positions become floats from the first sample on: the scan
+// may be far from the origin.
+void complete_normals(Samples& samples, unsigned threads) {
+  std::vector<float>& normals = samples.normals;
+  bool is_complete = !normals.empty();
+  for (std::size_t i = 0; i < normals.size(); i += 3) {
+    if (!is_missing(&normals[i])) continue;
+    is_complete = false;
+    std::fill_n(&normals[i], 3, 0.0F);
+  }
+  if (is_complete) return;
+  std::vector<float> near(samples.positions.size());
+  for (std::size_t i = 0; i < near.size(); ++i)
+    near[i] = static_cast<float>(samples.positions[i] - samples.positions[i % 3]);
+  normals = vstree::estimate_normals({.positions = near, .normals = normals}, {.threads = threads});
 }
 
 }  // namespace
@@ -60,8 +76,7 @@ Shape make_shape(Sampling sampling, const common::Workers& workers) {
   Samples& before = shape.before;
   before.positions = std::move(sampling.positions);
   before.normals = std::move(sampling.normals);
-  if (before.normals.empty())
-    before.normals = estimated_normals(before.positions, static_cast<unsigned>(workers.count()));
+  complete_normals(before, static_cast<unsigned>(workers.count()));
   for (std::size_t i = 0; i < before.size(); ++i) before.set_normal(i, common::unit(before.normal(i)));
   shape.had_colours = shape.has_colours = !sampling.colours.empty();
   before.colours = std::move(sampling.colours);

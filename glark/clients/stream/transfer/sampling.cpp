@@ -109,7 +109,9 @@ void turn_normals(Samples& samples, const common::Workers& workers) {
     std::vector<float> squares;
     for (std::size_t i = begin; i < end; ++i) {
       index.nearest(samples.before[i], neighbours_of_a_frame, neighbours, squares);
-      samples.normals_after[i] = turned_normal(samples, i, neighbours);
+      const bool stays = std::all_of(neighbours.begin(), neighbours.end(),
+                                     [&](std::uint32_t k) { return samples.before[k] == samples.after[k]; });
+      if (!stays) samples.normals_after[i] = turned_normal(samples, i, neighbours);
     }
   });
 }

@@ -97,7 +97,7 @@ class Transfer {
     const Vector3f p = points.local[i];
     const std::span<const Neighbour> neighbours = near.find(p, options_.singular);
     interpolate(near.samples(), neighbours, points.values.data() + out_.channels().size() * i);
-    if (!sampling_.is_deformed) return;
+    if (!sampling_.is_deformed || stay(near.samples(), neighbours)) return;
     const bool has_normals = !points.normals.empty();
     const Vector3f normal = has_normals ? common::vector_at(std::span<const float>(points.normals), i) : Vector3f{};
     const Deformed moved = deform(near.samples(), p, normal, neighbours);
@@ -105,6 +105,14 @@ class Transfer {
       points.positions[3 * i + k] += static_cast<double>(moved.position[k]) - static_cast<double>(p[k]);
       if (has_normals) points.normals[3 * i + k] = moved.normal[k];
     }
+  }
+
+  // Points whose neighbours did not move keep their coordinates to the bit.
+  static bool stay(const Samples& samples, std::span<const Neighbour> neighbours) {
+    return std::all_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& near) {
+      return samples.before[near.index] == samples.after[near.index] &&
+             samples.normals[near.index] == samples.normals_after[near.index];
+    });
   }
 
   void interpolate(const Samples& samples, std::span<const Neighbour> near, EditedValue* values) const {

@@ -60,7 +60,8 @@ double run(const std::vector<ScriptLine>& script, const std::string& file, edit:
     try {
       session.apply(script[k].operation);
     } catch (const std::exception& error) {
-      throw std::runtime_error(fmt::format("{}: line {}: {}", file, script[k].number, error.what()));
+      throw std::runtime_error(fmt::format("{}: line {}: {}; the session has the {} operations before", file,
+                                           script[k].number, error.what(), k));
     }
     slowest = std::max(slowest, progress.seconds() - begun);
     progress.show(static_cast<double>(k + 1) / static_cast<double>(script.size()));
@@ -78,6 +79,9 @@ void edit_scan(const Edit& command) {
   const Progress whole("editing " + command.input);
   std::vector<ScriptLine> script;
   const bool has_script = !command.script.empty() && command.script != "-";
+  std::error_code error;
+  if (has_script && !command.output.empty() && std::filesystem::equivalent(command.script, command.output, error))
+    throw std::runtime_error(command.output + ": is the script, which would be lost; write to another file");
   if (has_script) script = read_script(command.script);
   edit::Session session = open_session(command);
   Report printed;

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nanoflann.hpp>
+#include <utility>
 
 namespace glark::tool {
 namespace {
@@ -95,22 +97,34 @@ void ClusterMesh::add_triangle(const std::array<std::uint32_t, 3>& corners) {
   }
   if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) return;
   std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-  triangles_.push_back(triangle);
-  if (triangles_.size() >= next_cleaning_) make_unique();
+  const bool is_turned = triangle[1] > triangle[2];
+  if (is_turned) std::swap(triangle[1], triangle[2]);
+  sheets_.push_back({triangle, is_turned ? -1 : 1});
+  if (sheets_.size() >= next_cleaning_) merge_sheets();
 }
 
-void ClusterMesh::make_unique() {
-  std::sort(triangles_.begin(), triangles_.end());
-  triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
-  next_cleaning_ = 2 * triangles_.size() + batch_size;
+void ClusterMesh::merge_sheets() {
+  std::sort(sheets_.begin(), sheets_.end(), [](const Sheet& a, const Sheet& b) { return a.corners < b.corners; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < sheets_.size();) {
+    Sheet sheet{sheets_[i].corners, 0};
+    for (; i < sheets_.size() && sheets_[i].corners == sheet.corners; ++i) sheet.count += sheets_[i].count;
+    if (sheet.count != 0) sheets_[kept++] = sheet;
+  }
+  sheets_.resize(kept);
+  next_cleaning_ = 2 * kept + batch_size;
 }
 
 std::vector<std::uint32_t> ClusterMesh::take_triangles() {
-  make_unique();
+  merge_sheets();
   std::vector<std::uint32_t> indices;
-  indices.reserve(3 * triangles_.size());
-  for (const Triangle& triangle : triangles_) indices.insert(indices.end(), triangle.begin(), triangle.end());
-  triangles_ = {};
+  indices.reserve(3 * sheets_.size());
+  for (const Sheet& sheet : sheets_) {
+    const auto [a, b, c] = sheet.corners;
+    for (std::int32_t k = 0; k < std::abs(sheet.count); ++k)
+      indices.insert(indices.end(), {a, sheet.count > 0 ? b : c, sheet.count > 0 ? c : b});
+  }
+  sheets_ = {};
   return indices;
 }
 

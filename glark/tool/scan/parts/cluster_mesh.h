@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A coarse mesh between samples of a large mesh. Each vertex becomes the sample that is nearest to it. A triangle stays
-// if its corners become three samples; equal triangles become one.
+// if its corners become three samples. Two triangles with the same corners and opposite sides are a fold; both go. So the
+// triangles of a closed mesh are closed.
 // Based on: P. Lindstrom, Out-of-Core Simplification of Large Polygonal Models, 2000, whose clusters are cells of a grid.
 #pragma once
 
@@ -34,6 +35,11 @@ class ClusterMesh final : public geometry::Visitor {
 
  private:
   using Triangle = std::array<std::uint32_t, 3>;
+  // Triangles with the same corners: how many more have this orientation than the other one.
+  struct Sheet {
+    Triangle corners;
+    std::int32_t count;
+  };
   struct Vertex {
     std::array<float, 3> position, normal;  // relative to the samples' origin
   };
@@ -41,14 +47,14 @@ class ClusterMesh final : public geometry::Visitor {
 
   std::uint32_t sample_of(const Vertex& vertex) const;
   void find_samples();
-  void make_unique();
+  void merge_sheets();
 
   const geometry::Geometry& samples_;
   const common::Workers& workers_;
   std::unique_ptr<Tree> tree_;
   VertexMap map_;
   std::vector<Vertex> pending_;  // vertices whose samples are not known yet
-  std::vector<Triangle> triangles_;
+  std::vector<Sheet> sheets_;
   std::size_t next_cleaning_;
 };
 

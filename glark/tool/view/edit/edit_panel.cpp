@@ -57,8 +57,8 @@ void EditPanel::draw(EditState& state, const EditFigures& figures) {
   controls_.begin();
   if (state.panel) {
     ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(330, 0), ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("glark edit", &state.panel)) {
+    ImGui::SetNextWindowSizeConstraints(ImVec2(330, 0), ImVec2(330, 10000));
+    if (ImGui::Begin("glark edit", &state.panel, ImGuiWindowFlags_AlwaysAutoResize)) {
       ImGui::PushItemWidth(200);
       show_brush(state);
       show_steps(state, figures);

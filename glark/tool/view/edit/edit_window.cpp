@@ -165,6 +165,7 @@ class EditWindow {
       applied_ = std::chrono::steady_clock::now();
       session_.apply(operation);
       is_changed_ = true;
+      state_.symmetric = session_.editor().symmetric();
       state_.said.clear();
     } catch (const std::exception& error) {
       say(error.what());
@@ -177,7 +178,7 @@ class EditWindow {
 
   // Brushes that are not dragged act again when the pointer has moved by a third of their radius.
   void stroke() {
-    if (!under_pointer_ || state_.brush.is_dragged()) return;
+    if (!under_pointer_ || grabbing_.is_dragged()) return;
     if (last_stroke_ && glm::distance(*last_stroke_, under_pointer_->place) < state_.brush.radius / 3) return;
     last_stroke_ = under_pointer_->place;
     apply(operation_of(state_.brush, whole(under_pointer_->place), {}));
@@ -187,11 +188,12 @@ class EditWindow {
     if (is_pressed && panel_->takes_pointer()) return;
     if (is_pressed) {
       is_stroking_ = wants_stroke_ = true;
+      grabbing_ = state_.brush;
       last_stroke_.reset();
       wants_grab_ = true;
       return;
     }
-    if (is_stroking_ && grabbed_ && state_.brush.is_dragged()) drop();
+    if (is_stroking_ && grabbed_ && grabbing_.is_dragged()) drop();
     is_stroking_ = wants_grab_ = false;
     grabbed_.reset();
   }
@@ -205,7 +207,7 @@ class EditWindow {
                                   height_ - 1 - static_cast<int>(y_ * height_ / std::max(height, 1)), grabbed_->depth);
     const glm::vec3 by = to - grabbed_->place;
     if (glm::length(by) > 0)
-      apply(operation_of(state_.brush, whole(grabbed_->place),
+      apply(operation_of(grabbing_, whole(grabbed_->place),
                          {static_cast<double>(by.x), static_cast<double>(by.y), static_cast<double>(by.z)}));
   }
 
@@ -224,7 +226,8 @@ class EditWindow {
   }
 
   void scrolled(double notches) {
-    if (!panel_->takes_pointer()) camera_.zoom *= std::pow(1.1F, static_cast<float>(notches));
+    if (panel_->takes_pointer()) return;
+    camera_.zoom = std::clamp(camera_.zoom * std::pow(1.1F, static_cast<float>(notches)), 0.01F, 1000.0F);
   }
 
   void pressed(int key, bool with_control) {
@@ -233,7 +236,7 @@ class EditWindow {
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_6) brush.tool = static_cast<Tool>(key - GLFW_KEY_1);
     constexpr float step = 1.2F;
     switch (key) {
-      case GLFW_KEY_LEFT_BRACKET: brush.radius /= step; break;
+      case GLFW_KEY_LEFT_BRACKET: brush.radius = std::max(brush.radius / step, state_.greatest_radius / 500); break;
       case GLFW_KEY_RIGHT_BRACKET: brush.radius = std::min(brush.radius * step, state_.greatest_radius); break;
       case GLFW_KEY_MINUS: brush.strength = std::max(brush.strength / step, 0.01F); break;
       case GLFW_KEY_EQUAL: brush.strength = std::min(brush.strength * step, 1.0F); break;
@@ -269,8 +272,12 @@ class EditWindow {
   }
 
   void save() {
+    std::error_code ignored;
+    if (!options_.may_replace && !is_saved_ && std::filesystem::exists(options_.output, ignored))
+      return say(options_.output.string() + " is there already; name the file to replace by -o");
     try {
       const edit::SaveReport report = session_.save(options_.output);
+      is_saved_ = true;
       say(fmt::format("{} has the edit, {} points", options_.output.string(), report.points));
     } catch (const std::exception& error) {
       say(error.what());
@@ -307,6 +314,8 @@ class EditWindow {
   std::optional<EditPanel> panel_;
   std::optional<Hit> under_pointer_, grabbed_;
   std::optional<glm::vec3> last_stroke_;
+  Brush grabbing_;         // the brush when the button was pressed
+  bool is_saved_ = false;  // the output is ours
   bool is_stroking_ = false, wants_grab_ = false, wants_stroke_ = false, is_changed_ = false;
   double x_ = 0, y_ = 0;
   int width_ = 0, height_ = 0;

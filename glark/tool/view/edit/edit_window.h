@@ -13,6 +13,7 @@ namespace glark::tool {
 struct EditOptions {
   std::filesystem::path scan;
   std::filesystem::path output;   // where the edited scan is saved
+  bool may_replace = false;       // a file that is there already
   std::filesystem::path session;  // the folder
   edit::SessionOptions sampling;
   int width = 1024;
