@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <stdexcept>
 
 #include "glark/clients/geometry/formats.h"
 
@@ -53,14 +52,7 @@ void describe_threads(CLI::App& command, unsigned& threads) {
   command.add_option("--threads", threads, "Most threads; default: all of the machine. The result is the same");
 }
 
-void check_output(const Files& files) {
-  std::error_code error;
-  if (std::filesystem::is_regular_file(files.output, error) &&
-      std::filesystem::equivalent(files.input, files.output, error))
-    throw std::runtime_error(files.output + ": is the same file as " + files.input +
-                             ", which would be lost; write to another file");
-  geometry::check_writable(files.output);
-}
+void check_output(const Files& files) { geometry::check_writable(files.output); }
 
 geometry::Geometry load(const std::string& file, const Files& files) {
   Progress progress("reading " + file);

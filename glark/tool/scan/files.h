@@ -27,7 +27,7 @@ void describe_input(CLI::App& command, Files& files, const std::vector<std::stri
 void describe_output(CLI::App& command, Files& files);
 void describe_threads(CLI::App& command, unsigned& threads);
 
-// Throws if the output cannot be written, or is the input. Commands call it before the work.
+// Throws if the output cannot be written. It may be the input. Commands call it before the work.
 void check_output(const Files& files);
 // Reads a file and shows progress. Warnings go to standard error.
 geometry::Geometry load(const std::string& file, const Files& files);
