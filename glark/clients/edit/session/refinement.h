@@ -6,7 +6,6 @@
 
 #include "glark/clients/edit/session/folder.h"
 #include "glark/clients/edit/session/names.h"
-#include "glark/clients/edit/session/names.h"
 #include "glark/clients/edit/session/points_file.h"
 
 namespace glark::edit {
