@@ -10,8 +10,6 @@
 
 namespace glark::edit {
 
-// The files of a session.
-
 // Takes the samples that line `line` of the log asks for, and keeps them. Throws stream::Error.
 Refined take_samples(const Folder& folder, const std::filesystem::path& scan, const Refine& refine, std::size_t line,
                      const Editor& editor, const SessionOptions& options);
