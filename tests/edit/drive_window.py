@@ -16,37 +16,17 @@ import sys
 import tempfile
 import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
+from driving import Failed, check, send, wait_for  # noqa: E402
+
 try:
     import numpy
 except ImportError:
     numpy = None
 
-LONGEST_WAIT = 60  # seconds, for a machine that is busy
 WIDTH, HEIGHT = 640, 480
 MIDDLE = (WIDTH // 2, HEIGHT // 2)
 DARK = 48  # the background's brightest channel
-
-
-class Failed(Exception):
-    pass
-
-
-def check(condition: bool, what: str) -> None:
-    if not condition:
-        raise Failed(what)
-
-
-def wait_for(answer, what: str):
-    deadline = time.monotonic() + LONGEST_WAIT
-    while time.monotonic() < deadline:
-        if value := answer():
-            return value
-        time.sleep(0.05)
-    raise Failed(f"{what}: not within {LONGEST_WAIT} s")
-
-
-def send(*words) -> None:
-    subprocess.run(["xdotool", *map(str, words)], check=True, stdout=subprocess.DEVNULL)
 
 
 def screen_shot(file: pathlib.Path) -> "numpy.ndarray":

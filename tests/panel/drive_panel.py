@@ -16,30 +16,8 @@ import sys
 import tempfile
 import time
 
-LONGEST_WAIT = 60  # seconds, for a machine that is busy
-
-
-class Failed(Exception):
-    pass
-
-
-def check(condition: bool, what: str) -> None:
-    if not condition:
-        raise Failed(what)
-
-
-def wait_for(answer, what: str):
-    """Returns the first true answer."""
-    deadline = time.monotonic() + LONGEST_WAIT
-    while time.monotonic() < deadline:
-        if value := answer():
-            return value
-        time.sleep(0.05)
-    raise Failed(f"{what}: not within {LONGEST_WAIT} s")
-
-
-def send(*words) -> None:
-    subprocess.run(["xdotool", *map(str, words)], check=True, stdout=subprocess.DEVNULL)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "common"))
+from driving import Failed, check, send, wait_for  # noqa: E402
 
 
 def screen_shot(file: pathlib.Path) -> bytes:
