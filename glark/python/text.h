@@ -17,7 +17,7 @@ inline pybind11::object text_of(const std::string& bytes) {
   return pybind11::reinterpret_steal<pybind11::object>(text);
 }
 
-// Raises an exception of Python. Throws nothing: the error of a text that cannot be made is raised instead.
+// Sets the Python exception; no C++ exception leaves it. If the text cannot be made, that error is set instead.
 inline void raise(pybind11::handle type, const char* what) {
   PyObject* text = PyUnicode_DecodeFSDefault(what);
   if (text == nullptr) return;

@@ -80,7 +80,7 @@ class GLARK_EXPORT Editor {
 using Progress = std::function<void(double fraction)>;
 
 struct SessionOptions {
-  // Of a new session. An old one keeps its sampling.
+  // For a new session only. A session that is continued keeps its sampling.
   std::size_t target = 200000;                  // the most samples, above 0
   std::size_t memory = std::size_t{256} << 20;  // bytes, for the sampling of the scan; 40 MiB or more
   unsigned threads = 0;                         // 0: as many as the machine has; the result does not depend on it

@@ -71,7 +71,7 @@ TEST(History, ItsEndsAreExplained) {
   EXPECT_EQ(problem_of([&] { apply(editor, "redo"); }), "redo: no operation is undone");
 }
 
-// Two samples for each one in the ball, between those that are there.
+// For each sample in the ball, two new ones between it and its neighbours.
 Refined more_samples(const Refine& refine, const Editor& editor) {
   Refined refined;
   for (std::size_t i = 0; i < editor.size(); ++i) {

@@ -15,7 +15,7 @@ Colour mixed(const Colour& from, const Colour& to, double strength) {
   return result;
 }
 
-// The mirrored paint has the same colour, so a sample of both gets it once.
+// The mirrored paint has the same colour. So a sample that lies in both balls is painted once.
 Colouring colouring_of(std::span<const Paint> paints, const Samples& now) {
   Colouring colouring;
   for (const Paint& paint : paints) {

@@ -44,7 +44,7 @@ class Chooser {
     cut_.spare -= node.children - 1;
     return Choice::divide;
   }
-  // The number of parts that divide_partly leaves alone.
+  // After divide_partly: how many parts become samples of their own. Nothing is left to share out then.
   std::size_t take_spare() { return static_cast<std::size_t>(std::exchange(cut_.spare, 0)); }
 
  private:

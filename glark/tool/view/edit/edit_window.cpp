@@ -66,7 +66,7 @@ class EditWindow {
   }
 
  private:
-  // Of each event. Controls need two frames after it: to see it, and to show what it changes.
+  // Every callback begins here. Controls need two frames after an event: to notice it, and to show what it changed.
   static EditWindow& self(GLFWwindow* window) {
     auto& editor = *static_cast<EditWindow*>(glfwGetWindowUserPointer(window));
     editor.frames_to_draw_ = 3;
