@@ -40,8 +40,9 @@ struct Refined {
 };
 
 struct EditorOptions {
-  // Returns the new samples for Refine. Empty: Refine is an Error.
-  std::function<Refined(const Refine& refine)> refine = {};
+  // Returns the new samples for Refine: of one ball, or of two with a mirror, where no sample may come twice. Empty:
+  // Refine is an Error.
+  std::function<Refined(std::span<const Refine> balls)> refine = {};
   std::filesystem::path temporary = {};  // the folder for the file with the steps to undo; empty: that of the system
   unsigned threads = 0;                  // 0: as many as the machine has; the result does not depend on it
 };

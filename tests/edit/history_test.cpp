@@ -88,7 +88,7 @@ Refined more_samples(const Refine& refine, const Editor& editor) {
 TEST(History, RefinementsAreUndone) {
   Editor* address = nullptr;
   EditorOptions options;
-  options.refine = [&](const Refine& refine) { return more_samples(refine, *address); };
+  options.refine = [&](std::span<const Refine> balls) { return more_samples(balls.front(), *address); };
   Editor editor(plane(21), options);
   address = &editor;
   std::vector<std::string> states{bytes_of(editor)};

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Sessions on disk: replays, damage, folders of others, refinement and saving.
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "tests/edit/scan_folder.h"
@@ -43,6 +45,40 @@ TEST_F(Sessions, AReplayIsTheLiveState) {
   EXPECT_EQ(again.editor().size(), samples);
   EXPECT_TRUE(std::equal(again.editor().positions().begin(), again.editor().positions().end(),
                          again.editor().positions_before().begin()));
+}
+
+// The positions of the new samples, in an order of their own.
+std::vector<std::array<double, 3>> added(const Editor& editor, std::size_t from) {
+  std::vector<std::array<double, 3>> places;
+  for (std::size_t i = 3 * from; i < editor.positions().size(); i += 3)
+    places.push_back({editor.positions()[i], editor.positions()[i + 1], editor.positions()[i + 2]});
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+TEST_F(Sessions, RefinementsAreMirrored) {
+  Session session = open();
+  const std::size_t samples = session.editor().size();
+  apply(session, "symmetric on x");
+  apply(session, "refine 1 0 0 0.3 200");
+  const std::vector<std::array<double, 3>> both = added(session.editor(), samples);
+  const auto on_the_right = std::count_if(both.begin(), both.end(), [](const auto& p) { return p[0] > 0; });
+  EXPECT_GT(on_the_right, 100);
+  EXPECT_GT(static_cast<std::ptrdiff_t>(both.size()) - on_the_right, 100);
+
+  // A ball that the mirror does not move brings its samples once.
+  apply(session, "undo");
+  apply(session, "refine 0 1 0 0.3 200");
+  const std::vector<std::array<double, 3>> once = added(session.editor(), samples);
+  EXPECT_LE(once.size(), 200U);
+  EXPECT_TRUE(std::adjacent_find(once.begin(), once.end()) == once.end());
+
+  // Beside the scan, the mirrored ball brings nothing.
+  apply(session, "undo");
+  apply(session, "symmetric on x 5");
+  apply(session, "refine 1 0 0 0.3 200");
+  EXPECT_GT(session.editor().size(), samples + 100);
+  EXPECT_LE(session.editor().size(), samples + 200);
 }
 
 TEST_F(Sessions, ATornLineIsDropped) {

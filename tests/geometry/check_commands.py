@@ -10,71 +10,13 @@ import pathlib
 import pty
 import os
 import shutil
-import struct
 import subprocess
-import sys
-import tempfile
 import unittest
 
-GLARK = ""
+from command_case import GLARK, CommandCase, sphere, write_ply
 
 
-def sphere(rows: int) -> tuple:
-    """Points with normals and the triangles of a closed sphere."""
-    points, triangles = [(0.0, 0.0, 1.0)], []
-    for row in range(1, rows):
-        for column in range(2 * rows):
-            high, turn = math.pi * row / rows, math.pi * column / rows
-            points.append((math.sin(high) * math.cos(turn), math.sin(high) * math.sin(turn), math.cos(high)))
-    points.append((0.0, 0.0, -1.0))
-    around, last = 2 * rows, len(points) - 1
-    for column in range(around):
-        beside = (column + 1) % around
-        triangles.append((0, 1 + column, 1 + beside))
-        triangles.append((last, last - around + beside, last - around + column))
-        for row in range(rows - 2):
-            a, b = 1 + row * around + column, 1 + row * around + beside
-            triangles += [(a, a + around, b), (b, a + around, b + around)]
-    return points, triangles
-
-
-def write_ply(path: pathlib.Path, points: list, triangles: list) -> pathlib.Path:
-    header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}"]
-    header += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
-    header += [f"element face {len(triangles)}", "property list uchar int vertex_indices", "end_header", ""]
-    body = b"".join(struct.pack("<6f", *point, *point) for point in points)
-    body += b"".join(struct.pack("<B3i", 3, *triangle) for triangle in triangles)
-    path.write_bytes("\n".join(header).encode() + body)
-    return path
-
-
-def commands_of(help_text: str) -> list:
-    listed = help_text[help_text.index("Subcommands:"):]
-    return [line.split()[0] for line in listed.splitlines()[1:] if line.strip() and not line.startswith("    ")]
-
-
-class Commands(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.path = pathlib.Path(self.folder.name)
-        self.sphere = write_ply(self.path / "sphere.ply", *sphere(40))
-        self.has = set(commands_of(subprocess.run([GLARK, "--help"], capture_output=True, text=True).stdout))
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def glark(self, *arguments, status=0) -> subprocess.CompletedProcess:
-        result = subprocess.run([GLARK, *map(str, arguments)], capture_output=True, text=True, cwd=self.path)
-        self.assertEqual(status, result.returncode, result.stdout + result.stderr)
-        return result
-
-    def report(self, *arguments) -> dict:
-        return json.loads(self.glark(*arguments, "--json").stdout)
-
-    def needs(self, command: str):
-        if command not in self.has:
-            self.skipTest(f"glark {command} was not built")
-
+class Commands(CommandCase):
     def test_info(self):
         report = self.report("info", self.sphere)
         self.assertEqual((3122, 6240, True, 1), (report["points"], report["triangles"], report["topology"]["closed"],
@@ -204,46 +146,6 @@ class Commands(unittest.TestCase):
         kept = self.report("strip", self.sphere, "-o", "kept.ply", "--keep-edges")
         self.assertEqual(report["output"]["triangles"], kept["output"]["triangles"])
         self.assertLess(report["indices"], kept["indices"])
-
-    def test_view(self):
-        self.needs("view")
-        for mode in ("splat", "strip", "mesh", "wireframe", "refined"):
-            with self.subTest(mode=mode):
-                self.glark("view", self.sphere, "--mode", mode, "--offscreen", "a.png", "--width", "90", "--height", "70")
-                picture = (self.path / "a.png").read_bytes()
-                self.assertEqual((b"\x89PNG\r\n\x1a\n", 90, 70), (picture[:8], *struct.unpack(">2I", picture[16:24])))
-                self.assertGreater(len(picture), 1000)  # more than the background
-        self.assertGreater(self.report("view", self.sphere, "--mode", "strip", "--offscreen", "a.png")["nodes_turned_away"], 0)
-        # Without an EGL driver, OSMesa draws the same picture.
-        pictures = []
-        for environment in ({}, {"__EGL_VENDOR_LIBRARY_DIRS": "/nowhere", "LIBGL_DRIVERS_PATH": "/nowhere"}):
-            result = subprocess.run([GLARK, "view", self.sphere, "--mode", "refined", "--offscreen", "b.png"], cwd=self.path,
-                                    capture_output=True, text=True, env={**os.environ, **environment})
-            self.assertEqual(0, result.returncode, result.stderr)
-            pictures.append((self.path / "b.png").read_bytes())
-        self.assertEqual(pictures[0], pictures[1])
-        display = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
-        result = subprocess.run([GLARK, "view", self.sphere], capture_output=True, text=True, env=display)
-        self.assertEqual(1, result.returncode)
-        self.assertIn("--offscreen", result.stderr)
-
-    def test_window(self):
-        """Keys choose the mode, write a screenshot and quit."""
-        self.needs("view")
-        if not shutil.which("xvfb-run") or not shutil.which("xdotool"):
-            self.assertNotEqual("true", os.environ.get("CI"), "xvfb or xdotool is not installed; run scripts/install_packages")
-            self.skipTest("xvfb or xdotool is not installed")
-        script = f"""
-            "{GLARK}" view sphere.ply --mode strip --width 200 --height 150 & program=$!
-            window=$(xdotool search --sync --onlyvisible --name "glark sphere" | head -1)
-            until xdotool getwindowname "$window" | grep -q "indices"; do sleep 0.1; done
-            xdotool windowfocus --sync "$window"
-            for key in 5 plus u c s q; do xdotool key --window "$window" "$key"; sleep 0.5; done
-            wait $program"""
-        result = subprocess.run(["xvfb-run", "-a", "timeout", "60", "bash", "-c", script], capture_output=True, text=True, cwd=self.path)
-        self.assertEqual(0, result.returncode, result.stdout + result.stderr)
-        self.assertIn("glark-1.png", result.stdout)
-        self.assertEqual(b"\x89PNG", (self.path / "glark-1.png").read_bytes()[:4])
 
     def test_wrong_words(self):
         for arguments in (["info", "--nonsense"], ["simplify"], ["strip", "a.ply"], ["strip", "a.ply", "-o", "b.ply", "--reach", "-1"]):
@@ -390,17 +292,6 @@ class Commands(unittest.TestCase):
         self.assertEqual(0, result.returncode, result.stderr)
         self.assertIn("b\ufffd.ply", json.loads(result.stdout.decode("utf-8"))["file"])
 
-    def test_pictures_of_a_line(self):
-        (self.path / "line.xyz").write_text("0 0 0\n1 0 0\n2 0 0\n")
-        if "view" in self.has:
-            self.assertIn("--mode splat", self.glark("view", "line.xyz", "--offscreen", "a.png").stderr)
-            self.assertNotIn("--mode", self.glark("view", "line.xyz", "--mode", "splat", "--offscreen", "a.png").stderr)
-
-    def test_pictures_are_png(self):
-        if "view" in self.has:
-            self.assertIn("call it OUT.png", self.glark("view", self.sphere, "--offscreen", "a.jpg", status=1).stderr)
-            self.assertFalse((self.path / "a.jpg").exists())
-
     def test_bad_files_leave_the_output_alone(self):
         (self.path / "out.ply").write_text("precious")
         (self.path / "cut.ply").write_bytes(self.sphere.read_bytes()[:9999])
@@ -442,5 +333,4 @@ class Commands(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    GLARK = os.path.abspath(sys.argv.pop(1))
     unittest.main()

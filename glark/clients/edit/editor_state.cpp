@@ -106,7 +106,7 @@ Change Editor::State::change_of(const Kind& operation) const {
 Change Editor::State::change_of(const Refine& refine) const {
   if (!options.refine) fail("refine: the sampling has no scan; open a session");
   if (!shape.triangles.empty()) fail("refine: the sampling has triangles; refine one without");
-  const Refined refined = options.refine(refine);
+  const Refined refined = options.refine(with_mirror(refine, symmetric));
   Change change;
   change.has_colours = shape.has_colours;
   change.first = shape.size();

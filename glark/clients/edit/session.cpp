@@ -109,10 +109,10 @@ struct Session::State {
     EditorOptions how;
     how.temporary = folder.path("");
     how.threads = options.threads;
-    how.refine = [this](const Refine& refine) {
+    how.refine = [this](std::span<const Refine> balls) {
       if (line >= log.lines().size()) folder.require_same_scan(scan);
       return line < log.lines().size() ? kept_samples(folder, line)
-                                       : take_samples(folder, scan, refine, line, editor, options);
+                                       : take_samples(folder, scan, balls, line, editor, options);
     };
     return how;
   }

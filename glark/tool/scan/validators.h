@@ -16,6 +16,8 @@
 
 namespace glark::tool {
 
+inline constexpr int largest_side = 16384;  // of a picture or window, in pixels
+
 inline CLI::Validator above_zero() {
   return {[](std::string& text) -> std::string {
             double value = 0;

@@ -28,7 +28,6 @@ namespace {
 
 constexpr int exit_failure = 1;
 constexpr int exit_usage = 2;
-constexpr int largest_side = 16384;
 
 struct View {
   Files files;
@@ -57,13 +56,15 @@ void describe(CLI::App& command, View& view) {
   command.add_option("--offscreen", view.picture, "Write a picture and exit; needs no display")->type_name("OUT.png");
   command
       .add_option("--mode", options.mode,
-                  "splat, strip, mesh, wireframe or refined; default: mesh if there are triangles, otherwise strip, or "
+                  "splat, strip, mesh, wireframe, refined or patterns (refined, a colour for each pattern); default: "
+                  "mesh if there are triangles, otherwise strip, or "
                   "splat above a million points")
       ->transform(one_of<Mode>({{"splat", Mode::splat},
                                 {"strip", Mode::strip},
                                 {"mesh", Mode::mesh},
                                 {"wireframe", Mode::wireframe},
-                                {"refined", Mode::refined}}))
+                                {"refined", Mode::refined},
+                                {"patterns", Mode::patterns}}))
       ->type_name("MODE");
   command.add_option("--width", options.width, "Width of the picture in pixels; default 1024")
       ->check(CLI::Range(1, largest_side));
@@ -83,7 +84,7 @@ void describe(CLI::App& command, View& view) {
   command
       .add_option("--edge-pixels", options.settings.edge_pixels,
                   "Refine edges into segments of at most so many pixels, instead of --level")
-      ->check(between(0.5, 10000.0));
+      ->check(CLI::Range(1, 10000));
   command.add_flag("--lines", options.settings.lines, "Draw refined triangles as lines");
   command.add_flag("!--no-cull", options.settings.cull, "Also draw strips that are out of view or face away");
 }
@@ -92,6 +93,10 @@ Report report_of(const Statistics& drawn) {
   Report report;
   report["indices"] = drawn.indices;
   report["points"] = drawn.points;
+  if (!drawn.patterns.empty()) {
+    report["refined_triangles"] = drawn.refined_triangles;
+    for (const auto& [pattern, count] : drawn.patterns) report["patterns"][name_of(pattern)] = count;
+  }
   if (drawn.strips == 0) return report;
   report["strips"] = drawn.strips;
   report["nodes_visited"] = drawn.nodes_visited;

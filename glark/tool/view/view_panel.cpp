@@ -7,16 +7,17 @@
 #include <imgui.h>
 
 #include <array>
+#include <string>
 
 namespace glark::tool {
 namespace {
 
-constexpr std::array mode_names{"splats", "strips", "mesh", "wireframe", "refined"};  // in the order of Mode
+constexpr std::array mode_names{"splats",    "strips",  "mesh",
+                                "wireframe", "refined", "patterns"};  // in the order of Mode
 
 void show_refinement(DrawSettings& settings) {
   ImGui::SliderInt("level", &settings.level, 0, deepest_level);
-  ImGui::SliderFloat("edge pixels", &settings.edge_pixels, 0, 64, settings.edge_pixels > 0 ? "%.1f" : "off");
-  if (settings.edge_pixels < 0.5F) settings.edge_pixels = 0;
+  ImGui::SliderInt("edge pixels", &settings.edge_pixels, 0, 64, settings.edge_pixels > 0 ? "%d" : "off");
   ImGui::Checkbox("triangles as lines", &settings.lines);
 }
 
@@ -38,6 +39,19 @@ void show_look(Look& look) {
   if (ImGui::Button("first look")) look = {};
 }
 
+// A line for each pattern: its colour, the depths of its edges, how many coarse triangles have it.
+void show_patterns(const Statistics& drawn) {
+  ImGui::Text("%zu coarse, %zu refined triangles", drawn.indices / 3, drawn.refined_triangles);
+  for (const auto& [pattern, count] : drawn.patterns) {
+    const auto [red, green, blue] = colour_of(pattern);
+    const std::string name = name_of(pattern);
+    ImGui::ColorButton(name.c_str(), ImVec4(red / 255.0F, green / 255.0F, blue / 255.0F, 1),
+                       ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop, ImVec2(14, 14));
+    ImGui::SameLine();
+    ImGui::Text("depths %s: %zu", name.c_str(), count);
+  }
+}
+
 void show_figures(const ViewState& state, const Statistics& drawn) {
   ImGui::Text("%zu indices, %zu points", drawn.indices, drawn.points);
   if (drawn.strips > 0) {
@@ -45,6 +59,7 @@ void show_figures(const ViewState& state, const Statistics& drawn) {
     ImGui::Text("of %zu nodes %zu out of view, %zu turned away", drawn.nodes_visited, drawn.nodes_out_of_frustum,
                 drawn.nodes_back_facing);
   }
+  if (!drawn.patterns.empty()) show_patterns(drawn);
   if (state.greatest_distance > 0)
     ImGui::TextWrapped("Colours: blue at the reference, red %g or more away from it", state.greatest_distance);
 }
@@ -53,7 +68,7 @@ void show_controls(ViewState& state, const Statistics& drawn) {
   int mode = static_cast<int>(state.settings.mode);
   if (ImGui::Combo("mode", &mode, mode_names.data(), static_cast<int>(mode_names.size())))
     state.settings.mode = static_cast<Mode>(mode);
-  if (state.settings.mode == Mode::refined) show_refinement(state.settings);
+  if (state.settings.mode == Mode::refined || state.settings.mode == Mode::patterns) show_refinement(state.settings);
   show_culling(state);
   if (ImGui::CollapsingHeader("Material and light")) show_look(state.settings.look);
   ImGui::Checkbox("turntable", &state.turntable);
@@ -73,7 +88,9 @@ void ViewPanel::draw(ViewState& state, const Statistics& drawn) {
   controls_.begin();
   if (state.panel) {
     ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(310, 0), ImGuiCond_FirstUseEver);
+    // As high as what it shows, or as the window, with a scroll bar.
+    ImGui::SetNextWindowSizeConstraints(ImVec2(310, 0), ImVec2(310, ImGui::GetIO().DisplaySize.y - 20));
+    ImGui::SetNextWindowSize(ImVec2(310, 0));
     if (ImGui::Begin("glark view", &state.panel)) {
       ImGui::PushItemWidth(170);
       show_controls(state, drawn);
@@ -101,7 +118,7 @@ namespace glark::tool {
 
 const char* help_of_keys() {
   return "left button turns, right button shifts, wheel zooms\n"
-         "1 splats, 2 strips, 3 mesh, 4 wireframe, 5 refined\n"
+         "1 splats, 2 strips, 3 mesh, 4 wireframe, 5 refined, 6 patterns\n"
          "+ and - its level, W its triangles as lines\n"
          "C culling, F freezes it, U turns the model upright\n"
          "T turntable, R first view, S screenshot\n"

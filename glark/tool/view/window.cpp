@@ -119,7 +119,7 @@ class Viewer {
 
   void pressed(int key) {
     if (panel_->takes_keys()) return;
-    constexpr std::array modes{Mode::splat, Mode::strip, Mode::mesh, Mode::wireframe, Mode::refined};
+    constexpr std::array modes{Mode::splat, Mode::strip, Mode::mesh, Mode::wireframe, Mode::refined, Mode::patterns};
     DrawSettings& settings = state_.settings;
     if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + static_cast<int>(modes.size()))
       settings.mode = modes[static_cast<std::size_t>(key - GLFW_KEY_1)];
@@ -155,7 +155,14 @@ class Viewer {
             a.strips + b.strips,
             a.nodes_visited + b.nodes_visited,
             a.nodes_out_of_frustum + b.nodes_out_of_frustum,
-            a.nodes_back_facing + b.nodes_back_facing};
+            a.nodes_back_facing + b.nodes_back_facing,
+            sum(a.patterns, b.patterns),
+            a.refined_triangles + b.refined_triangles};
+  }
+
+  static PatternCounts sum(PatternCounts a, const PatternCounts& b) {
+    for (const auto& [pattern, count] : b) a[pattern] += count;
+    return a;
   }
 
   GLFWwindow* window_;

@@ -46,6 +46,10 @@ inline Deform mirrored(const Deform& o, const Symmetric& mirror) {
   return {mirrored(o.handle, mirror), mirrored(o.free, mirror), mirrored_direction(o.by, mirror),
           mirrored_direction(o.axis, mirror), -o.angle};
 }
+inline Refine mirrored(Refine o, const Symmetric& mirror) {
+  o.ball = mirrored(o.ball, mirror);
+  return o;
+}
 
 // The operation, and the mirrored one if the mirror is on.
 template <class Kind>

@@ -10,9 +10,9 @@
 
 namespace glark::edit {
 
-// Takes the samples that line `line` of the log asks for, and keeps them. Throws stream::Error.
-Refined take_samples(const Folder& folder, const std::filesystem::path& scan, const Refine& refine, std::size_t line,
-                     const Editor& editor, const SessionOptions& options);
+// Takes the samples that line `line` of the log asks for, and keeps them. A sample that lies in two balls comes once. Throws stream::Error.
+Refined take_samples(const Folder& folder, const std::filesystem::path& scan, std::span<const Refine> balls,
+                     std::size_t line, const Editor& editor, const SessionOptions& options);
 // Reads what take_samples() kept. Throws Error if the files are not there.
 Refined kept_samples(const Folder& folder, std::size_t line);
 

@@ -25,6 +25,7 @@ namespace {
 struct Edit {
   std::string input, script, output, folder;
   edit::SessionOptions options;
+  int width = 1024, height = 768;  // of the window, in pixels
   bool window = false, json = false;
 };
 
@@ -34,8 +35,9 @@ std::filesystem::path folder_of(const Edit& command) {
 
 std::vector<std::string> window_arguments(const Edit& command) {
   std::vector<std::string> arguments{
-      "--session=" + folder_of(command).string(), fmt::format("--target={}", command.options.target),
-      fmt::format("--memory={}", command.options.memory), fmt::format("--threads={}", command.options.threads)};
+      "--session=" + folder_of(command).string(),         fmt::format("--target={}", command.options.target),
+      fmt::format("--memory={}", command.options.memory), fmt::format("--threads={}", command.options.threads),
+      fmt::format("--width={}", command.width),           fmt::format("--height={}", command.height)};
   if (!command.output.empty()) arguments.push_back("--output=" + command.output);
   arguments.insert(arguments.end(), {"--", command.input});
   return arguments;
@@ -124,6 +126,10 @@ void add_edit(CLI::App& app) {
               "display, else standard input")
           ->type_name("FILE");
   command->add_flag("--window", wanted->window, "Edit in a window, also without a terminal")->excludes(script);
+  command->add_option("--width", wanted->width, "Width of the window in pixels; default 1024")
+      ->check(CLI::Range(1, largest_side));
+  command->add_option("--height", wanted->height, "Height of the window in pixels; default 768")
+      ->check(CLI::Range(1, largest_side));
   command->add_option("-o,--output", wanted->output, "The file to write at the end, in the format of SCAN")
       ->type_name("OUT");
   command->add_option("--session", wanted->folder, "The folder of the session; default: SCAN with the ending .edit")

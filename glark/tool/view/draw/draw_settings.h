@@ -10,7 +10,8 @@
 
 namespace glark::tool {
 
-enum class Mode { splat, strip, mesh, wireframe, refined };
+// `patterns` draws what `refined` draws, in the colours of the refinement patterns.
+enum class Mode { splat, strip, mesh, wireframe, refined, patterns };
 
 inline constexpr int deepest_level = 4;
 
@@ -26,9 +27,9 @@ struct Look {
 struct DrawSettings {
   Mode mode = Mode::mesh;
   bool cull = true;
-  bool lines = false;     // refined triangles are drawn as lines
-  int level = 2;          // of refinement, 0 to deepest_level
-  float edge_pixels = 0;  // 0: `level`; else edges get segments of at most so many pixels
+  bool lines = false;   // refined triangles are drawn as lines
+  int level = 2;        // of refinement, 0 to deepest_level
+  int edge_pixels = 0;  // 0: `level`; else edges get segments of at most so many pixels
   Look look;
   std::optional<Camera> culled_from;  // strips are culled for this camera; empty: for the one that draws
 };

@@ -30,6 +30,20 @@ std::uint32_t make_buffer(GLenum target, std::span<const Value> values) {
   return buffer;
 }
 
+// Returns how many triangles OpenGL makes of a draw, refined ones included.
+template <class Draw>
+std::size_t triangles_made_by(Draw&& draw) {
+  GLuint query = 0;
+  gl.GenQueries(1, &query);
+  gl.BeginQuery(GL_PRIMITIVES_GENERATED, query);
+  draw();
+  gl.EndQuery(GL_PRIMITIVES_GENERATED);
+  GLuint triangles = 0;
+  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &triangles);
+  gl.DeleteQueries(1, &query);
+  return triangles;
+}
+
 }  // namespace
 
 void clear_window() {
@@ -181,7 +195,7 @@ void Scene::draw_triangles() const {
   gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(geometry_.triangles.size()), GL_UNSIGNED_INT, nullptr);
 }
 
-Statistics Scene::draw_strips(const Camera& camera, const DrawSettings& settings, const Part& part) {
+const surfel::Frame& Scene::select_strips(const Camera& camera, const DrawSettings& settings, const Part& part) {
   make_strips();
   bind();
   surfel::View view;
@@ -193,6 +207,11 @@ Statistics Scene::draw_strips(const Camera& camera, const DrawSettings& settings
   view.cull_frustum = settings.cull;
   view.cull_back_faces = settings.cull && has_lighting_;
   strips_->select(view, frame_);
+  return frame_;
+}
+
+Statistics Scene::draw_strips(const Camera& camera, const DrawSettings& settings, const Part& part) {
+  select_strips(camera, settings, part);
   const GLfloat none[3] = {1, 0, 0};
   gl.PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, none);
   gl.PointSize(1);
@@ -200,8 +219,37 @@ Statistics Scene::draw_strips(const Camera& camera, const DrawSettings& settings
   gl.MultiDrawElements(GL_TRIANGLE_STRIP, frame_.counts.data(), GL_UNSIGNED_INT, frame_.offsets.data(), frame_.draws());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   gl.DrawElements(GL_POINTS, static_cast<GLsizei>(frame_.points.size()), GL_UNSIGNED_INT, frame_.points.data());
-  return {
-      1, frame_.indices, frame_.points.size(), frame_.strips, frame_.visited, frame_.out_of_frustum, frame_.back_faces};
+  return {1,
+          frame_.indices,
+          frame_.points.size(),
+          frame_.strips,
+          frame_.visited,
+          frame_.out_of_frustum,
+          frame_.back_faces,
+          {},
+          0};
+}
+
+// Every coarse triangle has corners of its own here, which have its colour.
+Statistics Scene::draw_patterns(const Camera& camera, const DrawSettings& settings, const Part& part) {
+  const bool has_triangles = !geometry_.triangles.empty();
+  std::vector<std::uint32_t> strip_triangles;
+  if (!has_triangles) {
+    const surfel::Frame& frame = select_strips(camera, settings, part);
+    strip_triangles = triangles_of_strips(strips_->indices(), frame);
+  }
+  const EdgeDepths depths(camera.projection(part.width, part.height) * camera.view(), settings, part.width,
+                          part.height);
+  const ColouredTriangles coloured = colour_by_pattern(geometry_.positions, geometry_.normals,
+                                                       has_triangles ? geometry_.triangles : strip_triangles, depths);
+  gl.BindBuffer(GL_ARRAY_BUFFER, 0);
+  gl.EnableClientState(GL_COLOR_ARRAY);
+  gl.VertexPointer(3, GL_FLOAT, 0, coloured.positions.data());
+  if (has_lighting_) gl.NormalPointer(GL_FLOAT, 0, coloured.normals.data());
+  gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, coloured.colours.data());
+  const std::size_t corners = coloured.positions.size() / 3;
+  const std::size_t refined = triangles_made_by([&] { gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners)); });
+  return {1, corners, 0, 0, 0, 0, 0, coloured.counts, refined};
 }
 
 // Refines what is drawn until GL_ARK is off again.
@@ -209,7 +257,7 @@ void Scene::refine(const DrawSettings& settings) const {
   gl.ARKinit(deepest_level);
   gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, settings.edge_pixels > 0 ? GL_MEASURED_DEPTH_ARK : GL_UNIFORM_DEPTH_ARK);
   gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, std::clamp(settings.level, 0, deepest_level));
-  gl.ARKParameterfARK(GL_EDGE_PIXELS_ARK, settings.edge_pixels);
+  gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, settings.edge_pixels);
   gl.ARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? GL_CURVED_PN_ARK : GL_LINEAR_OUTPUTS_ARK);
   gl.Enable(GL_ARK);
 }
@@ -218,14 +266,17 @@ Statistics Scene::draw(const Camera& camera, const DrawSettings& settings, const
   set_up(camera, settings.look, part);
   if (settings.mode == Mode::splat) {
     draw_splats(camera, part.height);
-    return {1, 0, geometry_.point_count(), 0, 0, 0, 0};
+    return {1, 0, geometry_.point_count(), 0, 0, 0, 0, {}, 0};
   }
-  const bool refined = settings.mode == Mode::refined;
+  const bool patterns = settings.mode == Mode::patterns;
+  const bool refined = patterns || settings.mode == Mode::refined;
   if (refined) refine(settings);
   const bool lines = settings.mode == Mode::wireframe || (refined && settings.lines);
   gl.PolygonMode(GL_FRONT_AND_BACK, lines ? GL_LINE : GL_FILL);
-  Statistics statistics{1, geometry_.triangles.size(), 0, 0, 0, 0, 0};
-  if (geometry_.triangles.empty() || settings.mode == Mode::strip)
+  Statistics statistics{1, geometry_.triangles.size(), 0, 0, 0, 0, 0, {}, 0};
+  if (patterns)
+    statistics = draw_patterns(camera, settings, part);
+  else if (geometry_.triangles.empty() || settings.mode == Mode::strip)
     statistics = draw_strips(camera, settings, part);
   else
     draw_triangles();

@@ -14,6 +14,7 @@
 
 #include "glark/clients/geometry/geometry.h"
 #include "glark/tool/view/draw/draw_settings.h"
+#include "glark/tool/view/draw/patterns.h"
 
 namespace glark::tool {
 
@@ -25,6 +26,8 @@ struct Statistics {
   std::size_t nodes_visited = 0;
   std::size_t nodes_out_of_frustum = 0;
   std::size_t nodes_back_facing = 0;
+  PatternCounts patterns;             // of the mode `patterns`
+  std::size_t refined_triangles = 0;  // of the mode `patterns`, as OpenGL counts them
 };
 
 void clear_window();
@@ -61,7 +64,9 @@ class Scene {
   void refine(const DrawSettings& settings) const;
   void draw_splats(const Camera& camera, int height) const;
   void draw_triangles() const;
+  const surfel::Frame& select_strips(const Camera& camera, const DrawSettings& settings, const Part& part);
   Statistics draw_strips(const Camera& camera, const DrawSettings& settings, const Part& part);
+  Statistics draw_patterns(const Camera& camera, const DrawSettings& settings, const Part& part);
 
   geometry::Geometry geometry_;
   glm::vec3 low_{}, high_{};

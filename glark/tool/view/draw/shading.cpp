@@ -3,6 +3,7 @@
 #include "glark/tool/view/draw/shading.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -46,17 +47,23 @@ std::vector<std::uint8_t> colours_by_height(std::span<const float> positions, fl
   return colours;
 }
 
-std::vector<std::uint8_t> colours_by_distance(std::span<const float> distances, float greatest) {
+std::array<std::uint8_t, 3> colour_between_blue_and_red(float share) {
   constexpr std::array<std::array<float, 3>, 4> stops{{{50, 80, 200}, {60, 190, 110}, {240, 220, 70}, {220, 50, 40}}};
+  const float place = std::clamp(share, 0.0F, 1.0F) * (stops.size() - 1);
+  const std::size_t from = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  const float rest = place - static_cast<float>(from);
+  std::array<std::uint8_t, 3> colour{};
+  for (std::size_t k = 0; k < 3; ++k)
+    colour[k] = static_cast<std::uint8_t>(stops[from][k] + rest * (stops[from + 1][k] - stops[from][k]));
+  return colour;
+}
+
+std::vector<std::uint8_t> colours_by_distance(std::span<const float> distances, float greatest) {
   std::vector<std::uint8_t> colours;
   colours.reserve(distances.size() * 4);
   for (const float distance : distances) {
-    const float share = greatest > 0 ? std::min(distance / greatest, 1.0F) * (stops.size() - 1) : 0;
-    const std::size_t from = std::min(static_cast<std::size_t>(share), stops.size() - 2);
-    const float rest = share - static_cast<float>(from);
-    for (std::size_t k = 0; k < 3; ++k)
-      colours.push_back(static_cast<std::uint8_t>(stops[from][k] + rest * (stops[from + 1][k] - stops[from][k])));
-    colours.push_back(255);
+    const auto [red, green, blue] = colour_between_blue_and_red(greatest > 0 ? distance / greatest : 0);
+    colours.insert(colours.end(), {red, green, blue, 255});
   }
   return colours;
 }

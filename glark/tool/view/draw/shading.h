@@ -4,6 +4,7 @@
 // Normals, colours and spacing of points whose file has none.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -18,6 +19,9 @@ std::vector<float> normals_of_triangles(const geometry::Geometry& geometry);
 
 // Returns red green blue alpha for each point: blue at the bottom, then green, sand at the top.
 std::vector<std::uint8_t> colours_by_height(std::span<const float> positions, float low, float high);
+
+// Red, green and blue from blue at 0 through green and yellow to red at 1.
+std::array<std::uint8_t, 3> colour_between_blue_and_red(float share);
 
 // Returns red green blue alpha for each point: blue where the distance is 0, then green and yellow, red from `greatest`
 // on.

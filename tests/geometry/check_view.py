@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The glark authors
+# SPDX-License-Identifier: MIT
+"""Runs glark view as a process, without a display and in a window.
+
+check_view.py GLARK: the launcher that was built.
+"""
+import functools
+import os
+import shutil
+import struct
+import subprocess
+import unittest
+
+from command_case import GLARK, CommandCase, sphere, write_ply
+
+
+class View(CommandCase):
+    def setUp(self):
+        super().setUp()
+        self.needs("view")
+
+    def test_view(self):
+        for mode in ("splat", "strip", "mesh", "wireframe", "refined", "patterns"):
+            with self.subTest(mode=mode):
+                self.glark("view", self.sphere, "--mode", mode, "--offscreen", "a.png", "--width", "90", "--height", "70")
+                picture = (self.path / "a.png").read_bytes()
+                self.assertEqual((b"\x89PNG\r\n\x1a\n", 90, 70), (picture[:8], *struct.unpack(">2I", picture[16:24])))
+                self.assertGreater(len(picture), 1000)  # more than the background
+        self.assertGreater(self.report("view", self.sphere, "--mode", "strip", "--offscreen", "a.png")["nodes_turned_away"], 0)
+        # Without an EGL driver, OSMesa draws the same picture.
+        pictures = []
+        for environment in ({}, {"__EGL_VENDOR_LIBRARY_DIRS": "/nowhere", "LIBGL_DRIVERS_PATH": "/nowhere"}):
+            result = subprocess.run([GLARK, "view", self.sphere, "--mode", "refined", "--offscreen", "b.png"], cwd=self.path,
+                                    capture_output=True, text=True, env={**os.environ, **environment})
+            self.assertEqual(0, result.returncode, result.stderr)
+            pictures.append((self.path / "b.png").read_bytes())
+        self.assertEqual(pictures[0], pictures[1])
+        display = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        result = subprocess.run([GLARK, "view", self.sphere], capture_output=True, text=True, env=display)
+        self.assertEqual(1, result.returncode)
+        self.assertIn("--offscreen", result.stderr)
+
+    def test_patterns_are_those_that_are_drawn(self):
+        """The triangles of all patterns that the viewer names are as many as OpenGL drew."""
+
+        @functools.cache
+        def triangles_of(pattern):
+            said = subprocess.run([GLARK, "pattern", *pattern.split(), "-o", self.path / "pattern.svg"], capture_output=True, text=True)
+            return int(said.stdout.split()[0])
+
+        write_ply(self.path / "coarse.ply", *sphere(8))
+        write_ply(self.path / "points.ply", sphere(20)[0], [])
+        for options in (("--edge-pixels", "9"), ("--edge-pixels", "3"), ("--level", "3"), ("--level", "0")):
+            for mesh in ("coarse.ply", "points.ply"):
+                with self.subTest(options=options, mesh=mesh):
+                    drawn = self.report("view", mesh, "--mode", "patterns", *options, "--offscreen", "a.png")
+                    patterns = drawn["patterns"]
+                    self.assertEqual(drawn["indices"], 3 * sum(patterns.values()))
+                    self.assertEqual(drawn["refined_triangles"], sum(count * triangles_of(name) for name, count in patterns.items()))
+                    self.assertEqual(options[0] == "--edge-pixels", len(patterns) > 1)
+
+    def test_window(self):
+        """Keys choose the mode, write a screenshot and quit."""
+        if not shutil.which("xvfb-run") or not shutil.which("xdotool"):
+            self.assertNotEqual("true", os.environ.get("CI"), "xvfb or xdotool is not installed; run scripts/install_packages")
+            self.skipTest("xvfb or xdotool is not installed")
+        script = f"""
+            "{GLARK}" view sphere.ply --mode strip --width 200 --height 150 & program=$!
+            window=$(xdotool search --sync --onlyvisible --name "glark sphere" | head -1)
+            until xdotool getwindowname "$window" | grep -q "indices"; do sleep 0.1; done
+            xdotool windowfocus --sync "$window"
+            for key in 5 plus u c 6 s q; do xdotool key --window "$window" "$key"; sleep 0.5; done
+            wait $program"""
+        result = subprocess.run(["xvfb-run", "-a", "timeout", "60", "bash", "-c", script], capture_output=True, text=True, cwd=self.path)
+        self.assertEqual(0, result.returncode, result.stdout + result.stderr)
+        self.assertIn("glark-1.png", result.stdout)
+        self.assertEqual(b"\x89PNG", (self.path / "glark-1.png").read_bytes()[:4])
+
+    def test_pictures_of_a_line(self):
+        (self.path / "line.xyz").write_text("0 0 0\n1 0 0\n2 0 0\n")
+        self.assertIn("--mode splat", self.glark("view", "line.xyz", "--offscreen", "a.png").stderr)
+        self.assertNotIn("--mode", self.glark("view", "line.xyz", "--mode", "splat", "--offscreen", "a.png").stderr)
+
+    def test_pictures_are_png(self):
+        self.assertIn("call it OUT.png", self.glark("view", self.sphere, "--offscreen", "a.jpg", status=1).stderr)
+        self.assertFalse((self.path / "a.jpg").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
