@@ -2,12 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/edit/history/history.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cassert>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 
 namespace glark::edit {
@@ -20,26 +16,11 @@ namespace {
                   (error == ENOSPC || error == EDQUOT ? "make room on the disk" : "use a folder that can be written"));
 }
 
-// Opens a file without a name.
-int open_nameless(const std::string& folder) {
-  const int descriptor = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  if (descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return descriptor;
-  std::string name = folder + "/.glark-XXXXXX";
-  const int named = mkostemp(name.data(), O_CLOEXEC);
-  if (named >= 0) unlink(name.c_str());
-  return named;
-}
-
 }  // namespace
 
 History::History(const std::filesystem::path& folder)
-    : folder_(folder.empty() ? std::filesystem::temp_directory_path() : folder),
-      descriptor_(open_nameless(folder_.string())) {
-  if (descriptor_ < 0) fail_with_steps(folder_, "cannot be made");
-}
-
-History::~History() {
-  if (descriptor_ >= 0) close(descriptor_);
+    : folder_(folder.empty() ? std::filesystem::temp_directory_path() : folder), file_(folder_) {
+  if (file_.descriptor() < 0) fail_with_steps(folder_, "cannot be made");
 }
 
 void History::add(std::span<const char> change) {
@@ -75,22 +56,12 @@ void History::redo(std::span<const char> change) {
 
 std::vector<char> History::read(const Record& record) const {
   std::vector<char> bytes(record.size);
-  for (std::size_t at = 0; at < bytes.size();) {
-    const ssize_t got = pread(descriptor_, &bytes[at], bytes.size() - at, static_cast<off_t>(record.begin + at));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) fail_with_steps(folder_, "cannot be read");
-    at += static_cast<std::size_t>(got);
-  }
+  if (!common::read_at(file_.descriptor(), record.begin, bytes)) fail_with_steps(folder_, "cannot be read");
   return bytes;
 }
 
 void History::write(const Record& record, std::span<const char> bytes) {
-  for (std::size_t at = 0; at < bytes.size();) {
-    const ssize_t put = pwrite(descriptor_, &bytes[at], bytes.size() - at, static_cast<off_t>(record.begin + at));
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) fail_with_steps(folder_, "cannot be written");
-    at += static_cast<std::size_t>(put);
-  }
+  if (!common::write_at(file_.descriptor(), record.begin, bytes)) fail_with_steps(folder_, "cannot be written");
 }
 
 }  // namespace glark::edit

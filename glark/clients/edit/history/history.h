@@ -11,15 +11,14 @@
 #include <span>
 #include <vector>
 
+#include "glark/clients/common/nameless_file.h"
+
 namespace glark::edit {
 
 class History {
  public:
   // Throws Error if no file can be made in the folder; empty: the system's folder for temporary files.
   explicit History(const std::filesystem::path& folder);
-  ~History();
-  History(const History&) = delete;
-  History& operator=(const History&) = delete;
 
   std::size_t undo_count() const { return done_; }
   std::size_t redo_count() const { return records_.size() - done_; }
@@ -41,7 +40,7 @@ class History {
   void write(const Record& record, std::span<const char> bytes);
 
   std::filesystem::path folder_;
-  int descriptor_ = -1;
+  common::NamelessFile file_;
   std::vector<Record> records_;
   std::size_t done_ = 0;
 };

@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
+#include <utility>
 
 namespace glark::stream {
 namespace {
@@ -24,13 +24,10 @@ namespace {
 
 }  // namespace
 
-TemporaryFile::TemporaryFile(const std::filesystem::path& folder) : folder_(folder.empty() ? "." : folder.string()) {
-  descriptor_ = open(folder_.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
-    std::string name = folder_ + "/.glark-XXXXXX";
-    descriptor_ = mkostemp(name.data(), O_CLOEXEC);
-    if (descriptor_ >= 0) unlink(name.c_str());
-  }
+TemporaryFile::TemporaryFile(const std::filesystem::path& folder)
+    : folder_(folder.empty() ? "." : folder.string()),
+      nameless_(std::in_place, folder),
+      descriptor_(nameless_->descriptor()) {
   if (descriptor_ < 0) fail_in(folder_, "cannot be made");
 }
 
@@ -48,7 +45,7 @@ void TemporaryFile::continue_at(std::uint64_t size) {
 }
 
 TemporaryFile::~TemporaryFile() {
-  if (descriptor_ >= 0) close(descriptor_);
+  if (!nameless_ && descriptor_ >= 0) close(descriptor_);
 }
 
 std::uint64_t TemporaryFile::append(std::span<const char> bytes) {
@@ -63,24 +60,11 @@ std::uint64_t TemporaryFile::append(std::span<const char> bytes) {
 }
 
 void TemporaryFile::write(std::uint64_t offset, std::span<const char> bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t count =
-        pwrite(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_in(folder_, "cannot be written");
-    done += static_cast<std::size_t>(count);
-  }
+  if (!common::write_at(descriptor_, offset, bytes)) fail_in(folder_, "cannot be written");
 }
 
 void TemporaryFile::read(std::uint64_t offset, std::span<char> bytes) const {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t count =
-        pread(descriptor_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count == 0) errno = EIO;
-    if (count <= 0) fail_in(folder_, "cannot be read");
-    done += static_cast<std::size_t>(count);
-  }
+  if (!common::read_at(descriptor_, offset, bytes)) fail_in(folder_, "cannot be read");
 }
 
 }  // namespace glark::stream

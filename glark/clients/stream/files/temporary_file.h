@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A file for intermediate results. Without a name, nothing is left of it when the process ends, however it ends.
+// A file for intermediate results, with a name or without.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
+
+#include "glark/clients/common/nameless_file.h"
 
 namespace glark::stream {
 
@@ -37,6 +40,7 @@ class TemporaryFile {
 
  private:
   std::string folder_;
+  std::optional<common::NamelessFile> nameless_;  // or a file with a name
   int descriptor_ = -1;
   std::mutex mutex_;
   std::uint64_t end_ = 0;

@@ -2,31 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "glark/tool/scan/parts/vertex_map.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
-#include <string>
 
 namespace glark::tool {
 
 VertexMap::VertexMap(const std::filesystem::path& folder, std::size_t cache_bytes)
     : folder_(folder.empty() ? "." : folder),
+      file_(folder),
       blocks_(std::max<std::size_t>(1, cache_bytes / (block_size * sizeof(std::uint32_t))), no_block),
       numbers_(blocks_.size() * block_size) {
-  std::string name = (folder_ / ".glark-XXXXXX").string();
-  descriptor_ = mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor_ < 0) fail("cannot be made");
-  unlink(name.c_str());
-}
-
-VertexMap::~VertexMap() {
-  if (descriptor_ >= 0) close(descriptor_);
+  if (file_.descriptor() < 0) fail("cannot be made");
 }
 
 void VertexMap::fail(const char* what) const {
@@ -35,14 +25,8 @@ void VertexMap::fail(const char* what) const {
 }
 
 void VertexMap::append(std::span<const std::uint32_t> numbers) {
-  const auto* bytes = reinterpret_cast<const char*>(numbers.data());
-  for (std::size_t done = 0; done < numbers.size_bytes();) {
-    const auto at = static_cast<off_t>(size_ * sizeof(std::uint32_t) + done);
-    const ssize_t count = pwrite(descriptor_, bytes + done, numbers.size_bytes() - done, at);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail("cannot be written");
-    done += static_cast<std::size_t>(count);
-  }
+  const std::span bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
+  if (!common::write_at(file_.descriptor(), size_ * sizeof(std::uint32_t), bytes)) fail("cannot be written");
   if (const std::uint64_t last = size_ / block_size; blocks_[last % blocks_.size()] == last)
     blocks_[last % blocks_.size()] = no_block;  // it has grown
   size_ += numbers.size();
@@ -50,16 +34,9 @@ void VertexMap::append(std::span<const std::uint32_t> numbers) {
 
 void VertexMap::load(std::uint64_t block, std::size_t slot) {
   const std::uint64_t count = std::min(block_size, size_ - block * block_size);
-  auto* bytes = reinterpret_cast<char*>(&numbers_[slot * block_size]);
-  const std::size_t wanted = static_cast<std::size_t>(count) * sizeof(std::uint32_t);
-  for (std::size_t done = 0; done < wanted;) {
-    const auto at = static_cast<off_t>(block * block_size * sizeof(std::uint32_t) + done);
-    const ssize_t got = pread(descriptor_, bytes + done, wanted - done, at);
-    if (got < 0 && errno == EINTR) continue;
-    if (got == 0) errno = EIO;
-    if (got <= 0) fail("cannot be read");
-    done += static_cast<std::size_t>(got);
-  }
+  const std::span bytes(reinterpret_cast<char*>(&numbers_[slot * block_size]),
+                        static_cast<std::size_t>(count) * sizeof(std::uint32_t));
+  if (!common::read_at(file_.descriptor(), block * block_size * sizeof(std::uint32_t), bytes)) fail("cannot be read");
   blocks_[slot] = block;
 }
 

@@ -9,15 +9,14 @@
 #include <span>
 #include <vector>
 
+#include "glark/clients/common/nameless_file.h"
+
 namespace glark::tool {
 
 class VertexMap {
  public:
   // cache_bytes: of the numbers that at() keeps in memory. Throws std::runtime_error if the folder cannot be written.
   VertexMap(const std::filesystem::path& folder, std::size_t cache_bytes);
-  ~VertexMap();
-  VertexMap(const VertexMap&) = delete;
-  VertexMap& operator=(const VertexMap&) = delete;
 
   std::uint64_t size() const { return size_; }
   // Adds the numbers of the next vertices. Throws std::runtime_error, for a full disk too.
@@ -32,7 +31,7 @@ class VertexMap {
   void load(std::uint64_t block, std::size_t slot);
 
   std::filesystem::path folder_;
-  int descriptor_ = -1;
+  common::NamelessFile file_;
   std::uint64_t size_ = 0;
   std::vector<std::uint64_t> blocks_;  // which one each slot has
   std::vector<std::uint32_t> numbers_;
