@@ -160,7 +160,7 @@ struct RefineFiles {
       edited_output;  // `to` and the new samples, deformed and coloured as those around them; or empty
 };
 
-// Takes more samples of a region. Only the ranges of the cells around the region are read. Source: Boubekeur 2007, ch.
+// Takes more samples of a region, of points that are none yet. Only the ranges of the cells around the region are read. Source: Boubekeur 2007, ch.
 // 4.5. Errors: Error for files that cannot be read or do not fit together, a scan that was changed, a region without
 // samples, or one whose points do not fit into the memory, and an output that is another one of the files.
 GLARK_EXPORT RefineReport refine(const RefineFiles& files, const Region& region, const RefineOptions& options = {});

@@ -4,6 +4,7 @@
 // Sessions on disk: replays, damage, folders of others, refinement and saving.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "tests/edit/scan_folder.h"
@@ -79,6 +80,46 @@ TEST_F(Sessions, RefinementsAreMirrored) {
   apply(session, "refine 1 0 0 0.3 200");
   EXPECT_GT(session.editor().size(), samples + 100);
   EXPECT_LE(session.editor().size(), samples + 200);
+}
+
+// The greatest angle between a stored normal and the direction from the middle of the sphere, in degrees.
+double greatest_tilt(const std::filesystem::path& file) {
+  const std::unique_ptr<stream::PointReader> reader = stream::open_points(file);
+  double greatest = 0;
+  for (stream::Points points = reader->read(); points.size() > 0; points = reader->read())
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector3d place = common::vector_at(points.positions, i);
+      const common::Vector3f stored = common::vector_at(points.normals, i);
+      const Vector3d normal{stored.x, stored.y, stored.z};
+      const double cosine = common::dot(place, normal) / common::length(place) / common::length(normal);
+      greatest = std::max(greatest, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / 3.14159265358979);
+    }
+  return greatest;
+}
+
+// A twist about its axis leaves a sphere a sphere. Its parts end at a kink, where triangles of samples turn over.
+TEST_F(Sessions, NormalsFollowATwist) {
+  Session session = open();
+  apply(session, "twist 0 0 -0.3 0 0 0.3 90");
+  session.save(path("twisted.ply"));
+  EXPECT_LT(greatest_tilt(path("twisted.ply")), 45);
+  apply(session, "refine 0 0 0 2 8000");
+  session.save(path("refined.ply"));
+  EXPECT_LT(greatest_tilt(path("refined.ply")), 45);
+}
+
+TEST_F(Sessions, NormalsAreKeptByARefinement) {
+  Session session = open();
+  apply(session, "inflate 0 0 1 2.5 0.1");
+  session.save(path("inflated.ply"));
+  apply(session, "refine 0 0 1.1 0.5 5000");
+  session.save(path("refined.ply"));
+  EXPECT_LT(greatest_tilt(path("refined.ply")), greatest_tilt(path("inflated.ply")) + 2);
+}
+
+TEST_F(Sessions, APointIsNotSampledTwice) {
+  Session session(scan(), folder(), {.target = scan_points, .threads = 1});
+  EXPECT_NE(problem_of([&] { apply(session, "refine 0 0 1 0.4 300"); }).find("are samples already"), std::string::npos);
 }
 
 TEST_F(Sessions, ATornLineIsDropped) {

@@ -159,6 +159,10 @@ RefineReport refine(const RefineFiles& files, const Region& region, const Refine
   const Sampling sampling = read_sampling(files.from, files.to, workers);
   const std::vector<bool> is_inside = samples_in(region, sampling, files.to.string());
   const RegionPoints points = read_region(files.large, index, sampling, is_inside, options.memory, workers);
+  if (points.positions.empty() && points.samples > 0)
+    throw Error(
+        Element::option, 0,
+        fmt::format("{}: all {} points of the region are samples already", files.large.string(), points.samples));
   if (points.positions.empty())
     throw Error(Element::file, 0,
                 files.large.string() + ": has no points in the region; the sampling may be that of another scan");
@@ -183,7 +187,7 @@ RefineReport refine(const RefineFiles& files, const Region& region, const Refine
   }
   write_with(files.from, files.output, added.positions, added.normals, value_of);
   write_cells(files.output.string() + ".cells", index);
-  return {points.points_read, points.positions.size() / 3, added.positions.size() / 3};
+  return {points.points_read, points.positions.size() / 3 + points.samples, added.positions.size() / 3};
 }
 
 }  // namespace glark::stream

@@ -16,6 +16,7 @@ namespace {
 using common::Vector3f;
 
 constexpr std::uint64_t batch = 1 << 20;  // points
+constexpr float same_place = 1e-6F;       // the square of a distance, relative to that of the second sample
 constexpr std::size_t around = 5;         // the nearest samples tell how far the points of a sample may lie
 
 struct Range {
@@ -127,8 +128,12 @@ class RegionReader {
       }
       Vector3f p;
       for (std::size_t k = 0; k < 3; ++k) p[k] = static_cast<float>(position[k] - sampling_.origin[k]);
-      tree_.nearest(p, 1, near, squares);
+      tree_.nearest(p, 2, near, squares);
       if (!is_inside_[near[0]]) continue;
+      if (squares[0] <= same_place * squares.back()) {
+        ++piece.kept.samples;
+        continue;
+      }
       const auto add = [](auto& to, const auto& from, std::size_t begin, std::size_t size) {
         to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(begin),
                   from.begin() + static_cast<std::ptrdiff_t>(begin + size));
@@ -145,6 +150,7 @@ class RegionReader {
     all.positions.insert(all.positions.end(), piece.positions.begin(), piece.positions.end());
     all.normals.insert(all.normals.end(), piece.normals.begin(), piece.normals.end());
     all.channels.insert(all.channels.end(), piece.channels.begin(), piece.channels.end());
+    all.samples += piece.samples;
     const std::size_t bytes =
         sizeof(double) * (all.positions.size() + all.channels.size()) + sizeof(float) * all.normals.size();
     if (2 * bytes > memory_)

@@ -18,6 +18,7 @@ struct RegionPoints {
   Schema schema;
   std::vector<double> positions, channels;
   std::vector<float> normals;
+  std::uint64_t samples = 0;  // points of the region that are samples already, and left out
   std::uint64_t points_read = 0;
 };
 

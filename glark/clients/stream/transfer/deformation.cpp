@@ -22,6 +22,7 @@ constexpr float far_outside = -3;
 constexpr float least_flat_height = 0.01F;  // of its projection
 constexpr float least_height = 0.15F;       // of a triangle, relative to its longest edge
 constexpr float most_scale = 8;             // of the distance from the plane
+constexpr float same_place = 1e-6F;         // the square of a distance, relative to that of the farthest neighbour
 
 // The mean of the neighbours, and their mean normal.
 struct Plane {
@@ -54,11 +55,14 @@ bool vote(const Samples& samples, const Vector3f& point, std::span<const Neighbo
           std::array<std::uint32_t, 3>& triangle) {
   std::array<Vector3f, 3> directions{};
   std::size_t have = 0;
+  const float same = same_place * common::squared_distance(samples.before[neighbours.back().index], point);
   for (const Neighbour& near : neighbours) {
     const Vector3f away = samples.before[near.index] - point;
     const Vector3f direction = away * (1 / std::sqrt(dot(away, away) + std::numeric_limits<float>::min()));
     bool is_excluded = false;
-    for (std::size_t k = 0; k < have; ++k) is_excluded |= dot(direction, directions[k]) > cosine;
+    for (std::size_t k = 0; k < have; ++k)
+      is_excluded |= dot(direction, directions[k]) > cosine ||
+                     common::squared_distance(samples.before[near.index], samples.before[triangle[k]]) <= same;
     if (is_excluded) continue;
     triangle[have] = near.index;
     if (have == 2 &&
@@ -77,6 +81,14 @@ float least_coordinate(const Samples& samples, const Vector3f& point, const std:
   const Vector3f c = point - samples.before[triangle[0]], n = cross(a, b);
   const float u = dot(cross(c, b), n), v = dot(cross(a, c), n), whole = dot(n, n);
   return whole > 0 ? std::min({u, v, whole - u - v}) / whole : -std::numeric_limits<float>::max();
+}
+
+// The rotation about the axis of both, which takes `from` to `to`, applied to v. For unit vectors. Source: Rodrigues.
+Vector3f turned_with(const Vector3f& from, const Vector3f& to, const Vector3f& v) {
+  const Vector3f axis = cross(from, to);
+  const float cosine = dot(from, to);
+  if (!(cosine > -0.999F)) return v * -1.0F;
+  return unit(v * cosine + cross(axis, v) + axis * (dot(axis, v) / (1 + cosine)));
 }
 
 }  // namespace
@@ -108,8 +120,9 @@ Deformed deform(const Samples& samples, const Vector3f& point, const Vector3f& n
   const Plane to = plane_of(neighbours, samples.after, samples.normals_after, after);
   Deformed result{point + (after - samples.before[neighbours[0].index]), normal};
   std::array<std::uint32_t, 3> triangle{};
-  if (is_zero(from.normal) || is_zero(to.normal) || !choose_triangle(samples, point, neighbours, triangle))
-    return result;
+  if (is_zero(from.normal) || is_zero(to.normal)) return result;
+  if (from.normal != to.normal && !is_zero(normal)) result.normal = turned_with(from.normal, to.normal, normal);
+  if (!choose_triangle(samples, point, neighbours, triangle)) return result;
   std::array<Vector3f, 3> flat{}, flat_after{};
   for (std::size_t k = 0; k < 3; ++k) {
     flat[k] = from.project(samples.before[triangle[k]]);
@@ -131,7 +144,8 @@ Deformed deform(const Samples& samples, const Vector3f& point, const Vector3f& n
   result.position = flat_after[0] + a_after * u + b_after * v + to.normal * (scale * distance);
   // The normal keeps its components along the edges' dual directions and the plane's normal.
   const Vector3f unit_n = unit(n), unit_after = unit(area);
-  if (is_zero(normal) || is_zero(unit_after)) return result;
+  // At a kink of the edit, a triangle may turn over.
+  if (is_zero(normal) || !(dot(n, from.normal) * dot(area, to.normal) > 0)) return result;
   // Covectors: w with w a and w b kept. They turn by the inverse transpose of the triangle's map.
   const float wa = dot(normal, a), wb = dot(normal, b), wn = dot(normal, unit_n);
   const Vector3f dual_a = cross(b_after, area) * (1 / area_square), dual_b = cross(area, a_after) * (1 / area_square);
