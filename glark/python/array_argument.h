@@ -66,7 +66,11 @@ class Array {
     }
     const bool empty = array.size() == 0;  // an empty list has a type, too
     if (!empty && !is_number(array.dtype().kind())) {
-      problem_ = fmt::format("has the type {}; give it {}", std::string(py::str(py::handle(array.dtype()))), wanted());
+      problem_ =
+          array.dtype().kind() == 'O'
+              ? fmt::format("is of the type {}; give it an array of {}, as the positions of a mesh",
+                            std::string(py::str(py::type::of(given).attr("__name__"))), wanted())
+              : fmt::format("has the type {}; give it {}", std::string(py::str(py::handle(array.dtype()))), wanted());
       return;
     }
     if constexpr (std::is_integral_v<T>) {

@@ -69,6 +69,7 @@ class Arrays(unittest.TestCase):
             (None, "positions is None"),
             (corners + 1j, "positions has the type complex"),
             ([["a", "b", "c"]], "positions has the type <U1; give it numbers"),
+            (glark.reconstruct, "positions is of the type builtin_function_or_method; give it an array of numbers"),
         ):
             with self.assertRaisesRegex(glark.ArgumentError, told):
                 glark.reconstruct(points)
