@@ -175,9 +175,11 @@ enum class Representative {
 };
 
 enum class Method {
-  cluster,    // replaces clusters of points by one point each; fast
-  collapse,   // collapses edges with meshoptimizer; nearer to the surface, in several times the time
-  automatic,  // collapse with a max_error, or a target that it meets for fewer than 200000 triangles; else cluster
+  cluster,   // replaces clusters of points by one point each; fast
+  collapse,  // collapses edges with meshoptimizer; nearer to the surface, in several times the time
+  // With a max_error, or a target that it meets, collapse: for fewer than 200000 triangles, and where a clustered mesh
+  // falls apart, as walls do that are thinner than its triangles. Else cluster.
+  automatic,
 };
 
 struct SimplifyOptions {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tests/shapes/parts.h"
 #include "tests/vstree/shapes.h"
 
 namespace glark::vstree::test {
@@ -176,6 +177,33 @@ TEST(Collapsed, ByTheAutomaticMethodOnlyIfSmall) {
   EXPECT_EQ(simplify(small.mesh(), to(1000, Method::cluster)).method, Method::cluster);
   EXPECT_EQ(simplify(small.mesh(), {.method = Method::automatic}).method, Method::cluster);
   EXPECT_EQ(simplify({small.points()}, to(1000)).positions.size() / 3, 1000U);  // points have no edges
+}
+
+// The same triangles, each with corners of its own.
+shapes::Part soup_of(std::span<const float> positions, std::span<const std::uint32_t> triangles) {
+  shapes::Part soup;
+  for (const std::uint32_t i : triangles) {
+    soup.triangles.push_back(static_cast<std::uint32_t>(soup.triangles.size()));
+    soup.positions.insert(soup.positions.end(), &positions[3 * std::size_t{i}], &positions[3 * std::size_t{i}] + 3);
+  }
+  return soup;
+}
+
+TEST(Collapsed, ByTheAutomaticMethodIfClustersTearAWall) {
+  for (unsigned seed = 1; seed < 4; ++seed) {
+    const shapes::Part pipe = shapes::pipe(seed, 8);
+    ASSERT_GT(pipe.triangle_count(), 200000U);
+    for (const shapes::Part& part : {pipe, soup_of(pipe.positions, pipe.triangles)}) {
+      const Simplified few =
+          simplify({{.positions = part.positions}, part.triangles}, to(pipe.triangle_count() / 100, Method::automatic));
+      EXPECT_EQ(few.method, Method::collapse);
+      EXPECT_LE(few.triangles.size() / 3, pipe.triangle_count() / 100);
+    }
+  }
+  const Shape thick = torus(320);
+  const shapes::Part soup = soup_of(thick.positions, thick.triangles);
+  EXPECT_EQ(simplify({{.positions = soup.positions}, soup.triangles}, to(1000, Method::automatic)).method,
+            Method::cluster);
 }
 
 TEST(Collapsed, RejectsAMostErrorThatClustersCannotKeep) {

@@ -17,10 +17,13 @@ namespace glark::vstree {
 Method method_for(const Mesh& mesh, const SimplifyOptions& options) {
   if (mesh.triangles.empty()) return Method::cluster;
   if (options.method != Method::automatic) return options.method;
-  const bool has_goal = options.target != 0 || options.max_error > 0;
   const bool is_small = mesh.triangles.size() / 3 < least_to_cluster;
-  const bool can_collapse = GLARK_HAS_MESHOPTIMIZER != 0;
-  return can_collapse && has_goal && (is_small || options.max_error > 0) ? Method::collapse : Method::cluster;
+  return can_collapse(mesh, options) && (is_small || options.max_error > 0) ? Method::collapse : Method::cluster;
+}
+
+bool can_collapse(const Mesh& mesh, const SimplifyOptions& options) {
+  const bool has_goal = options.target != 0 || options.max_error > 0;
+  return GLARK_HAS_MESHOPTIMIZER != 0 && !mesh.triangles.empty() && has_goal;
 }
 
 #if GLARK_HAS_MESHOPTIMIZER

@@ -11,8 +11,11 @@ namespace glark::vstree {
 // Meshes with fewer triangles than this are collapsed by Method::automatic.
 constexpr std::size_t least_to_cluster = 200000;
 
-// Returns the method that Method::automatic stands for.
+// Returns the method that Method::automatic begins with.
 Method method_for(const Mesh& mesh, const SimplifyOptions& options);
+
+// Whether this build has collapses, and the options a goal for them.
+bool can_collapse(const Mesh& mesh, const SimplifyOptions& options);
 
 // Collapses edges with meshoptimizer. Points at one position with equal colours and texture coordinates are one vertex.
 // Such a vertex may have points with different normals. A corner of the result then has the point whose normal is nearest

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "glark/clients/common/mesh/cut_sheets.h"
 #include "glark/clients/common/mesh/reindex.h"
@@ -11,6 +13,7 @@
 #include "glark/clients/common/vertex_normals.h"
 #include "glark/clients/vstree/simplify/clusters.h"
 #include "glark/clients/vstree/simplify/collapse.h"
+#include "glark/clients/vstree/simplify/components.h"
 #include "glark/clients/vstree/simplify/shapes.h"
 #include "glark/clients/vstree/validation.h"
 
@@ -144,10 +147,17 @@ Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
         mesh.triangles.empty() ? estimate_normals(mesh.points, {.threads = options.threads}) : vertex_normals(surface);
     surface.points.normals = normals;
   }
-  if (method_for(mesh, options) == Method::cluster) return cluster_vertices(surface, options, workers);
+  const bool is_automatic = options.method == Method::automatic;
+  std::optional<Simplified> clustered;
+  if (method_for(mesh, options) == Method::cluster) {
+    clustered = cluster_vertices(surface, options, workers);
+    const bool may_collapse = is_automatic && can_collapse(mesh, options);
+    if (!may_collapse || !falls_apart(surface, *clustered)) return *std::move(clustered);
+  }
   Simplified collapsed = collapse(surface, options);
   const bool is_too_large = options.max_error == 0 && collapsed.triangles.size() / 3 > options.target;
-  return options.method == Method::automatic && is_too_large ? cluster_vertices(surface, options, workers) : collapsed;
+  if (!is_automatic || !is_too_large) return collapsed;
+  return clustered ? *std::move(clustered) : cluster_vertices(surface, options, workers);
 }
 
 }  // namespace glark::vstree
