@@ -175,11 +175,9 @@ enum class Representative {
 };
 
 enum class Method {
-  cluster,   // replaces clusters of points by one point each; fast
-  collapse,  // collapses edges with meshoptimizer; nearer to the surface, in several times the time
-  // With a max_error, or a target that it meets, collapse: for fewer than 200000 triangles, and where a clustered mesh
-  // falls apart, as walls do that are thinner than its triangles. Else cluster.
-  automatic,
+  cluster,    // replaces clusters of points by one point each; fast
+  collapse,   // collapses edges with meshoptimizer; nearer to the surface, in several times the time
+  automatic,  // collapse with a max_error, below 200000 triangles, and where clusters tear walls; else cluster
 };
 
 struct SimplifyOptions {
