@@ -59,6 +59,17 @@ class View(CommandCase):
                     self.assertEqual(drawn["refined_triangles"], sum(count * triangles_of(name) for name, count in patterns.items()))
                     self.assertEqual(options[0] == "--edge-pixels", len(patterns) > 1)
 
+    def test_refinements_differ(self):
+        write_ply(self.path / "coarse.ply", *sphere(6))
+        pictures = {}
+        for refinement in ("pn", "phong", "linear"):
+            self.glark("view", "coarse.ply", "--mode", "refined", "--refine", refinement, "--level", 3, "--offscreen", "a.png")
+            pictures[refinement] = (self.path / "a.png").read_bytes()
+        self.assertEqual(3, len(set(pictures.values())))
+        self.glark("view", "coarse.ply", "--mode", "mesh", "--offscreen", "a.png")
+        self.assertNotEqual(pictures["pn"], (self.path / "a.png").read_bytes())
+        self.assertEqual("", self.glark("view", "coarse.ply", "--mode", "refined", "--offscreen", "a.png").stderr)
+
     def test_window(self):
         """Keys choose the mode, write a screenshot and quit."""
         if not shutil.which("xvfb-run") or not shutil.which("xdotool"):

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "glark/clients/common/vector.h"
 #include "tests/shapes/parts.h"
 #include "tests/vstree/shapes.h"
 
@@ -204,6 +205,78 @@ TEST(Collapsed, ByTheAutomaticMethodIfClustersTearAWall) {
   const shapes::Part soup = soup_of(thick.positions, thick.triangles);
   EXPECT_EQ(simplify({{.positions = soup.positions}, soup.triangles}, to(1000, Method::automatic)).method,
             Method::cluster);
+}
+
+double area_of(std::span<const float> positions, std::span<const std::uint32_t> triangles) {
+  const auto point = [&](std::uint32_t i) { return common::vector_at(positions, i); };
+  double area = 0;
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    const common::Vector3f origin = point(triangles[t]);
+    const common::Vector3f a = point(triangles[t + 1]) - origin, b = point(triangles[t + 2]) - origin;
+    area += common::length(common::cross(a, b)) / 2;
+  }
+  return area;
+}
+
+// A plate of n times n squares on each side, with square windows. Everything is on an exact grid.
+Shape plate_with_windows(std::uint32_t n, float thickness) {
+  Shape plate;
+  const auto is_solid = [n](std::uint32_t x, std::uint32_t y) { return x < n && y < n && !(x % 8 > 3 && y % 8 > 3); };
+  const auto corner = [&](std::uint32_t x, std::uint32_t y, bool top) { return 2 * (x * (n + 1) + y) + (top ? 1 : 0); };
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    plate.triangles.insert(plate.triangles.end(), {a, b, c, a, c, d});
+  };
+  for (std::uint32_t x = 0; x <= n; ++x)
+    for (std::uint32_t y = 0; y <= n; ++y)
+      for (const float z : {0.0F, thickness})
+        plate.positions.insert(plate.positions.end(), {static_cast<float>(x), static_cast<float>(y), z});
+  for (std::uint32_t x = 0; x < n; ++x)
+    for (std::uint32_t y = 0; y < n; ++y) {
+      if (!is_solid(x, y)) continue;
+      quad(corner(x, y, true), corner(x + 1, y, true), corner(x + 1, y + 1, true), corner(x, y + 1, true));
+      quad(corner(x, y, false), corner(x, y + 1, false), corner(x + 1, y + 1, false), corner(x + 1, y, false));
+      const auto wall = [&](std::uint32_t x0, std::uint32_t y0, std::uint32_t x1, std::uint32_t y1) {
+        quad(corner(x0, y0, false), corner(x1, y1, false), corner(x1, y1, true), corner(x0, y0, true));
+      };
+      if (!is_solid(x, y - 1)) wall(x, y, x + 1, y);
+      if (!is_solid(x + 1, y)) wall(x + 1, y, x + 1, y + 1);
+      if (!is_solid(x, y + 1)) wall(x + 1, y + 1, x, y + 1);
+      if (!is_solid(x - 1, y)) wall(x, y + 1, x, y);
+    }
+  return plate;
+}
+
+// A triangle that turns over in a flat face covers another one, or a window.
+TEST(Collapsed, FlatFacesWithWindowsKeepTheirArea) {
+  for (const float thickness : {0.5F, 2.0F, 5.0F}) {
+    const Shape plate = plate_with_windows(52, thickness);
+    const double area = area_of(plate.positions, plate.triangles);
+    for (const std::size_t part : {2, 4, 8}) {
+      const Simplified few =
+          simplify({{.positions = plate.positions}, plate.triangles}, to(plate.triangles.size() / 3 / part));
+      EXPECT_NEAR(area_of(few.positions, few.triangles) / area, 1, 1e-3) << thickness << " to 1 of " << part;
+    }
+  }
+}
+
+// With four triangles for a plate, its two sides meet. Both stay.
+TEST(Collapsed, PlatesWhoseSidesMeetStay) {
+  Shape plates;
+  constexpr std::uint32_t count = 20;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const auto first = static_cast<std::uint32_t>(plates.size());
+    for (const float x : {0.0F, 4.0F})
+      for (const float y : {0.0F, 3.0F})
+        for (const float z : {0.0F, 0.001F})
+          plates.positions.insert(plates.positions.end(), {x, y, static_cast<float>(k) + z});
+    for (const std::uint32_t i :
+         {0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3, 0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6})
+      plates.triangles.push_back(first + i);
+  }
+  const double area = area_of(plates.positions, plates.triangles);
+  const Simplified few = simplify({{.positions = plates.positions}, plates.triangles}, to(std::size_t{4} * count));
+  EXPECT_EQ(few.triangles.size() / 3, std::size_t{4} * count);
+  EXPECT_NEAR(area_of(few.positions, few.triangles) / area, 1, 0.01);
 }
 
 TEST(Collapsed, RejectsAMostErrorThatClustersCannotKeep) {

@@ -79,6 +79,12 @@ void describe(CLI::App& command, View& view) {
       ->transform(one_of<bool>({{"y", false}, {"z", true}}))
       ->type_name("AXIS");
   command.add_option("--zoom", options.zoom, "Zoom; default 1, which shows everything")->check(between(0.01, 1000.0));
+  command
+      .add_option("--refine", options.settings.refinement,
+                  "pn (curved PN triangles), phong or linear (flat triangles); default pn")
+      ->transform(
+          one_of<Refinement>({{"pn", Refinement::pn}, {"phong", Refinement::phong}, {"linear", Refinement::linear}}))
+      ->type_name("REFINEMENT");
   command.add_option("--level", options.settings.level, "Level of refinement, 0 to 4; default 2")
       ->check(CLI::Range(0, deepest_level));
   command

@@ -14,8 +14,12 @@ namespace {
 
 constexpr std::array mode_names{"splats",    "strips",  "mesh",
                                 "wireframe", "refined", "patterns"};  // in the order of Mode
+constexpr std::array refinement_names{"pn", "phong", "linear"};       // in the order of Refinement
 
 void show_refinement(DrawSettings& settings) {
+  int refinement = static_cast<int>(settings.refinement);
+  if (ImGui::Combo("refine", &refinement, refinement_names.data(), static_cast<int>(refinement_names.size())))
+    settings.refinement = static_cast<Refinement>(refinement);
   ImGui::SliderInt("level", &settings.level, 0, deepest_level);
   ImGui::SliderInt("edge pixels", &settings.edge_pixels, 0, 64, settings.edge_pixels > 0 ? "%d" : "off");
   ImGui::Checkbox("triangles as lines", &settings.lines);

@@ -10,7 +10,8 @@
 
 namespace glark::edit {
 
-// Takes the samples that line `line` of the log asks for, and keeps them. A sample that lies in two balls comes once. Throws stream::Error.
+// Takes the samples that line `line` of the log asks for, and keeps them. A sample that lies in two balls comes once.
+// Throws stream::Error.
 Refined take_samples(const Folder& folder, const std::filesystem::path& scan, std::span<const Refine> balls,
                      std::size_t line, const Editor& editor, const SessionOptions& options);
 // Reads what take_samples() kept. Throws Error if the files are not there.

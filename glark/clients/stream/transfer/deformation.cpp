@@ -121,20 +121,24 @@ Deformed deform(const Samples& samples, const Vector3f& point, const Vector3f& n
   Deformed result{point + (after - samples.before[neighbours[0].index]), normal};
   std::array<std::uint32_t, 3> triangle{};
   if (is_zero(from.normal) || is_zero(to.normal)) return result;
-  if (from.normal != to.normal && !is_zero(normal)) result.normal = turned_with(from.normal, to.normal, normal);
-  if (!choose_triangle(samples, point, neighbours, triangle)) return result;
+  // Where no triangle tells how the surface turns, the planes do.
+  const auto turned_by_planes = [&] {
+    if (from.normal != to.normal && !is_zero(normal)) result.normal = turned_with(from.normal, to.normal, normal);
+    return result;
+  };
+  if (!choose_triangle(samples, point, neighbours, triangle)) return turned_by_planes();
   std::array<Vector3f, 3> flat{}, flat_after{};
   for (std::size_t k = 0; k < 3; ++k) {
     flat[k] = from.project(samples.before[triangle[k]]);
     flat_after[k] = to.project(samples.after[triangle[k]]);
   }
-  if (!is_wide(flat, least_flat_height)) return result;
+  if (!is_wide(flat, least_flat_height)) return turned_by_planes();
   const Vector3f p = from.project(point);
   const Vector3f a = flat[1] - flat[0], b = flat[2] - flat[0], c = p - flat[0];
   const Vector3f n = cross(a, b);
   const float whole = dot(n, n);
   const float u = dot(cross(c, b), n) / whole, v = dot(cross(a, c), n) / whole;
-  if (std::min({u, v, 1 - u - v}) < far_outside) return result;  // where the surface folds
+  if (std::min({u, v, 1 - u - v}) < far_outside) return turned_by_planes();  // where the surface folds
   const Vector3f a_after = flat_after[1] - flat_after[0], b_after = flat_after[2] - flat_after[0];
   // The thesis scales by the radii of the circumcircles. Those of thin triangles grow without bounds under a shear.
   const Vector3f area = cross(a_after, b_after);
@@ -145,7 +149,7 @@ Deformed deform(const Samples& samples, const Vector3f& point, const Vector3f& n
   // The normal keeps its components along the edges' dual directions and the plane's normal.
   const Vector3f unit_n = unit(n), unit_after = unit(area);
   // At a kink of the edit, a triangle may turn over.
-  if (is_zero(normal) || !(dot(n, from.normal) * dot(area, to.normal) > 0)) return result;
+  if (is_zero(normal) || !(dot(n, from.normal) * dot(area, to.normal) > 0)) return turned_by_planes();
   // Covectors: w with w a and w b kept. They turn by the inverse transpose of the triangle's map.
   const float wa = dot(normal, a), wb = dot(normal, b), wn = dot(normal, unit_n);
   const Vector3f dual_a = cross(b_after, area) * (1 / area_square), dual_b = cross(area, a_after) * (1 / area_square);

@@ -3,6 +3,7 @@
 #include "glark/clients/vstree/simplify/collapse.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <numeric>
 
@@ -28,6 +29,8 @@ bool can_collapse(const Mesh& mesh, const SimplifyOptions& options) {
 
 #if GLARK_HAS_MESHOPTIMIZER
 namespace {
+
+constexpr float little = 1e-5F;  // of the longest side
 
 // Points that differ only in their normals are one vertex.
 struct Welded {
@@ -69,6 +72,30 @@ Welded::Welded(const Surface& surface) : vertex_of(surface.size()) {
     const std::uint32_t c = vertex_of[surface.triangles[t + 2]];
     if (a != b && b != c && c != a) triangles.insert(triangles.end(), {a, b, c});
   }
+}
+
+// The next number of a sequence (C. Wellons' lowbias32).
+std::uint32_t mixed(std::uint32_t bits) {
+  bits = (bits ^ bits >> 16) * 0x7FEB352DU;
+  bits = (bits ^ bits >> 15) * 0x846CA68BU;
+  return bits ^ bits >> 16;
+}
+
+// Returns the positions, each moved by less than `most` on each axis. Equal positions move alike. In flat faces, collapses
+// cost nothing and make triangles without area, after which meshoptimizer 0.18 does not see that a triangle turns over.
+// Among moved points, three are hardly ever on a line.
+std::vector<float> moved_a_little(const std::vector<float>& positions, float most) {
+  std::vector<float> moved(positions.size());
+  for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) bits = mixed(bits ^ std::bit_cast<std::uint32_t>(positions[i + k]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = mixed(bits + 1);
+      const float share = static_cast<float>(bits >> 8) / static_cast<float>(1U << 23) - 1;  // -1 to 1
+      moved[i + k] = positions[i + k] + most * share;
+    }
+  }
+  return moved;
 }
 
 // Replaces each vertex by one of its points: the first whose normal is nearest to the normal of the triangle.
@@ -143,12 +170,13 @@ Simplified collapse(const Surface& surface, const SimplifyOptions& options) {
   // meshoptimizer's errors are relative to the longest side of the bounding box.
   const float side = meshopt_simplifyScale(welded.positions.data(), welded.size(), 3 * sizeof(float));
   const float to_diagonal = side / (surface.cube.diagonal * surface.cube.side);
+  const std::vector<float> positions = moved_a_little(welded.positions, little * side);
   const bool has_limit = most_error > 0 || options.target == 0;
   const std::size_t target = std::min(3 * options.target, welded.triangles.size());
   std::vector<std::uint32_t> triangles(welded.triangles.size());
   float error = 0;
   triangles.resize(meshopt_simplify(triangles.data(), welded.triangles.data(), welded.triangles.size(),
-                                    welded.positions.data(), welded.size(), 3 * sizeof(float), target,
+                                    positions.data(), welded.size(), 3 * sizeof(float), target,
                                     has_limit ? most_error / to_diagonal : 1e9F, 0, &error));
   choose_points(surface, welded, triangles);
   Simplified result = with_used_points(surface, std::move(triangles));

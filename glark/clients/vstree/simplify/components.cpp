@@ -11,7 +11,8 @@
 namespace glark::vstree {
 namespace {
 
-constexpr std::size_t few = 8;  // parts that may break off a sound result
+constexpr std::size_t few = 8;    // parts that may break off a sound result
+constexpr std::size_t small = 8;  // triangles of a part; if parts have fewer on average, their vertices are not shared
 
 // Counts the parts of triangles that share vertices. `sets` may have joined some vertices before.
 std::size_t count_parts(std::span<const std::uint32_t> triangles, common::DisjointSets& sets) {
@@ -47,7 +48,7 @@ common::DisjointSets joined_by_position(std::span<const float> positions) {
 std::size_t parts_of(const Surface& surface) {
   common::DisjointSets sets(surface.size());
   const std::size_t parts = count_parts(surface.triangles, sets);
-  if (parts <= surface.triangles.size() / 3 / few) return parts;
+  if (parts <= surface.triangles.size() / 3 / small) return parts;
   // Most triangles have corners of their own. Positions tell which ones are neighbours.
   common::DisjointSets by_position = joined_by_position(surface.points.positions);
   return count_parts(surface.triangles, by_position);

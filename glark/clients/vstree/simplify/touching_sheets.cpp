@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -16,7 +17,8 @@
 namespace glark::vstree {
 namespace {
 
-constexpr float apart = 0.02F;  // relative to the middle of a vertex's triangles
+constexpr float apart = 0.02F;       // relative to the middle of a vertex's triangles
+constexpr double most_lost = 0.001;  // of the area
 
 using Place = std::array<float, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -57,22 +59,47 @@ struct Places {
   }
 };
 
-// Removes triangles that have the same corners in opposite orders, in pairs. Returns whether there were any.
-bool remove_pairs(const Places& places, std::vector<std::uint32_t>& triangles) {
+double area_of(const Surface& surface, const Simplified& result, std::size_t triangle) {
+  Float4 corners[3];
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = surface.cube.inside(&result.positions[3 * std::size_t{result.triangles[3 * triangle + k]}]);
+  const Float4 across = without_fourth(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  return std::sqrt(static_cast<double>(dot(across, across))) / 2;
+}
+
+// Which triangles have the same corners as another one, in the opposite order. They come in pairs.
+std::vector<bool> paired(const Places& places) {
   std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> found;  // the least corner first
-  std::vector<bool> gone(triangles.size() / 3);
-  for (std::uint32_t t = 0; t < gone.size(); ++t) {
+  std::vector<bool> result(places.triangles.size() / 3);
+  for (std::uint32_t t = 0; t < result.size(); ++t) {
     std::array<std::uint32_t, 3> corners{places.triangles[3 * t], places.triangles[3 * t + 1],
                                          places.triangles[3 * t + 2]};
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     const auto opposite = found.find({corners[0], corners[2], corners[1]});
     if (opposite != found.end() && !opposite->second.empty()) {
-      gone[t] = gone[opposite->second.back()] = true;
+      result[t] = result[opposite->second.back()] = true;
       opposite->second.pop_back();
     } else {
       found[corners].push_back(t);
     }
   }
+  return result;
+}
+
+// Whether pairs are more than a small part of the surface. Then they are plates whose sides have met, and the surface
+// would have holes without them.
+bool are_plates(const Surface& surface, const Simplified& result, const std::vector<bool>& is_paired) {
+  double area = 0, area_of_pairs = 0;
+  for (std::size_t t = 0; t < is_paired.size(); ++t) {
+    const double size = area_of(surface, result, t);
+    area += size;
+    area_of_pairs += is_paired[t] ? size : 0;
+  }
+  return area_of_pairs > most_lost * area;
+}
+
+// Returns whether there were any to remove.
+bool remove(const std::vector<bool>& gone, std::vector<std::uint32_t>& triangles) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < gone.size(); ++t) {
     if (gone[t]) continue;
@@ -188,7 +215,9 @@ void part_touching_sheets(const Surface& surface, Simplified& result) {
   Places places(result.positions, result.triangles);
   std::vector<Edge> edges = places.crowded_edges();
   if (edges.empty()) return;
-  if (remove_pairs(places, result.triangles)) {
+  const std::vector<bool> is_paired = paired(places);
+  if (are_plates(surface, result, is_paired)) return;  // parted, each pair would be a tile of its own
+  if (remove(is_paired, result.triangles)) {
     places = Places(result.positions, result.triangles);
     edges = places.crowded_edges();
   }

@@ -13,6 +13,9 @@ namespace glark::tool {
 // `patterns` draws what `refined` draws, in the colours of the refinement patterns.
 enum class Mode { splat, strip, mesh, wireframe, refined, patterns };
 
+// How triangles are refined. Without normals, all are flat.
+enum class Refinement { pn, phong, linear };
+
 inline constexpr int deepest_level = 4;
 
 // The light stays with the viewer. Angles are in degrees: to the right and above the line of sight.
@@ -27,7 +30,8 @@ struct Look {
 struct DrawSettings {
   Mode mode = Mode::mesh;
   bool cull = true;
-  bool lines = false;   // refined triangles are drawn as lines
+  bool lines = false;  // refined triangles are drawn as lines
+  Refinement refinement = Refinement::pn;
   int level = 2;        // of refinement, 0 to deepest_level
   int edge_pixels = 0;  // 0: `level`; else edges get segments of at most so many pixels
   Look look;

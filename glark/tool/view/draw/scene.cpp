@@ -30,6 +30,14 @@ std::uint32_t make_buffer(GLenum target, std::span<const Value> values) {
   return buffer;
 }
 
+GLint token_of(Refinement refinement) {
+  switch (refinement) {
+    case Refinement::phong: return GL_PHONG_ARK;
+    case Refinement::linear: return GL_LINEAR_INPUTS_ARK;
+    default: return GL_CURVED_PN_ARK;
+  }
+}
+
 // Returns how many triangles OpenGL makes of a draw, refined ones included.
 template <class Draw>
 std::size_t triangles_made_by(Draw&& draw) {
@@ -258,7 +266,7 @@ void Scene::refine(const DrawSettings& settings) const {
   gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, settings.edge_pixels > 0 ? GL_MEASURED_DEPTH_ARK : GL_UNIFORM_DEPTH_ARK);
   gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, std::clamp(settings.level, 0, deepest_level));
   gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, settings.edge_pixels);
-  gl.ARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? GL_CURVED_PN_ARK : GL_LINEAR_OUTPUTS_ARK);
+  gl.ARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? token_of(settings.refinement) : GL_LINEAR_OUTPUTS_ARK);
   gl.Enable(GL_ARK);
 }
 
