@@ -17,8 +17,8 @@
 namespace glark::vstree {
 namespace {
 
-constexpr float apart = 0.02F;       // relative to the middle of a vertex's triangles
-constexpr double most_lost = 0.001;  // of the area
+constexpr float apart = 0.02F;      // relative to the middle of a vertex's triangles
+constexpr double most_lost = 0.02;  // of the area
 
 using Place = std::array<float, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
