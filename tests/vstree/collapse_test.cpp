@@ -275,7 +275,7 @@ TEST(Collapsed, PlatesWhoseSidesMeetStay) {
   }
   const double area = area_of(plates.positions, plates.triangles);
   const Simplified few = simplify({{.positions = plates.positions}, plates.triangles}, to(std::size_t{4} * count));
-  EXPECT_EQ(few.triangles.size() / 3, std::size_t{4} * count);
+  EXPECT_GE(few.triangles.size() / 3, std::size_t{4} * count);
   EXPECT_NEAR(area_of(few.positions, few.triangles) / area, 1, 0.01);
 }
 
