@@ -218,7 +218,7 @@ double area_of(std::span<const float> positions, std::span<const std::uint32_t> 
   return area;
 }
 
-// A plate of n times n squares on each side, with square windows. Everything is on an exact grid.
+// A plate with square windows. Each side has n times n squares, whose corners have whole numbers as coordinates.
 Shape plate_with_windows(std::uint32_t n, float thickness) {
   Shape plate;
   const auto is_solid = [n](std::uint32_t x, std::uint32_t y) { return x < n && y < n && !(x % 8 > 3 && y % 8 > 3); };

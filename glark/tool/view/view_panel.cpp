@@ -92,7 +92,7 @@ void ViewPanel::draw(ViewState& state, const Statistics& drawn) {
   controls_.begin();
   if (state.panel) {
     ImGui::SetNextWindowPos(ImVec2(10, 10), ImGuiCond_FirstUseEver);
-    // As high as what it shows, or as the window, with a scroll bar.
+    // The panel is as high as its contents, but no higher than the window; then it has a scroll bar.
     ImGui::SetNextWindowSizeConstraints(ImVec2(310, 0), ImVec2(310, ImGui::GetIO().DisplaySize.y - 20));
     ImGui::SetNextWindowSize(ImVec2(310, 0));
     if (ImGui::Begin("glark view", &state.panel)) {

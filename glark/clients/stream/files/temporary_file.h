@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A file for intermediate results, with a name or without.
+// A file for intermediate results. It has a name if a later run is to go on from it.
 #pragma once
 
 #include <cstdint>

@@ -48,7 +48,7 @@ class EdgeDepths {
   // Without settings.edge_pixels, all edges have the depth settings.level.
   EdgeDepths(const glm::mat4& clip_from_object, const DrawSettings& settings, int width, int height);
 
-  // Of the edge between two positions. The order of the ends does not matter.
+  // Returns the depth of the edge between two positions, in either order.
   int of(const glm::vec3& from, const glm::vec3& to) const;
 
  private:
