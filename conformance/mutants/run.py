@@ -29,6 +29,7 @@ COPIED = ("CMakeLists.txt", "LICENSE", "cmake", "docs/man", "glark", "include", 
 PASSING = {"Pass", "NotSupported", "QualityWarning", "Unimplemented"}
 BATCH = 25  # cases in one process, where there are many
 MARKERS = ("<!-- mutants -->", "<!-- /mutants -->")
+TABLE = ROOT / "docs/reference/conformance.md"  # of the last whole run
 
 
 class Complaint(Exception):
@@ -152,6 +153,7 @@ class Laboratory:
         self.source = self.folder / "source"
         self.library = self.folder / "build/lib/libGLARK.so"
         self.known = {}  # {API: cases that the true implementation fails}
+        self.catchers = catchers_in(TABLE.read_text()) if arguments.first else {}
         cases = json.loads(self.call("--list", "--json").stdout)["cases"]
         self.cases = {case["name"]: case["clauses"] for case in cases if case["written"]}
 
@@ -214,14 +216,22 @@ class Laboratory:
             citing = [name for name, clauses in self.cases.items() if mutant.clause in clauses]
             others = [name for name in self.cases if name not in citing]
             rounds = [(citing, (1, *self.first))] + ([] if self.quick else [(others, (BATCH, "--fail-fast"))])
+            if self.catchers.get(mutant.name) in citing:
+                rounds.insert(0, ([self.catchers[mutant.name]], (1,)))
             for names, options in [] if outcome.problem else rounds:
                 for api in mutant.apis():
                     outcome.failed = outcome.failed or self.judge(api, names, *options)
                 if outcome.failed:
                     break
-                outcome.by_clause = False
+                outcome.by_clause = names is not others
         outcome.seconds = time.monotonic() - began
         return outcome
+
+
+def catchers_in(table: str) -> dict:
+    """The case that caught each mutant, {name: case}, from the rows of a table. Cases of other sentences are left out."""
+    cells = [[cell.strip() for cell in line.split(" | ")] for line in table.splitlines() if line.startswith("| `")]
+    return {row[0].split("`")[1]: row[3] for row in cells if len(row) == 5 and " " not in row[3]}
 
 
 def row_of(outcome: Outcome) -> str:
@@ -235,14 +245,16 @@ def table_of(rows: list) -> str:
     return f"{caught} of {len(rows)} mutants are caught.\n\n" + "\n".join(lines) + "\n"
 
 
-def write_table(path: pathlib.Path, outcomes: list, names: list) -> None:
-    """Writes rows in the order of all mutants. Mutants that were not tried keep their rows."""
+def write_table(path: pathlib.Path, outcomes: list, names: list, first: bool) -> None:
+    """Writes rows in the order of all mutants. Mutants that were not tried keep their rows, and with `first` also those that
+    are still caught: their rows count all cases that failed."""
     text = path.read_text()
     begin, end = (text.find(marker) for marker in MARKERS)
     if begin < 0 or end < begin:
         raise Complaint(f"{path} has no {MARKERS[0]} before a {MARKERS[1]}")
     rows = {line.split("`")[1]: line for line in text[begin:end].splitlines() if line.startswith("| `")}
-    rows |= {outcome.mutant.name: row_of(outcome) for outcome in outcomes}
+    kept = {outcome.mutant.name for outcome in outcomes if first and outcome.failed} & rows.keys()
+    rows |= {outcome.mutant.name: row_of(outcome) for outcome in outcomes if outcome.mutant.name not in kept}
     table = table_of([rows[name] for name in names if name in rows])
     path.write_text(text[:begin] + MARKERS[0] + "\n" + table + text[end:])
 
@@ -258,12 +270,12 @@ def run(arguments: argparse.Namespace, mutants: list) -> int:
         outcome = laboratory.try_mutant(mutant)
         outcomes.append(outcome)
         print(f"{mutant.name:32} {mutant.clause:14} {outcome.seconds:6.1f} s {len(outcome.failed):4}  {outcome.caught_by()}", flush=True)
+        if arguments.table:
+            write_table(pathlib.Path(arguments.table), outcomes, [mutant.name for mutant in read_mutants()], arguments.first)
     missed = [outcome for outcome in outcomes if not outcome.failed]
     print(f"{len(outcomes) - len(missed)} of {len(outcomes)} mutants are caught")
     for outcome in missed:
         print(f"    {outcome.mutant.name}: {outcome.mutant.clause}: {outcome.mutant.what}")
-    if arguments.table:
-        write_table(pathlib.Path(arguments.table), outcomes, [mutant.name for mutant in read_mutants()])
     if any(outcome.problem for outcome in outcomes):
         return 2
     return 1 if missed or wrong else 0
@@ -275,7 +287,7 @@ def main() -> int:
     parser.add_argument("--filter", action="append", metavar="GLOB", help="only mutants whose names match; may be repeated")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="number of parallel processes")
     parser.add_argument("--quick", action="store_true", help="run only the cases that cite the mutant's sentence")
-    parser.add_argument("--first", action="store_true", help="stop at the first case that fails: faster, but the table then counts one case")
+    parser.add_argument("--first", action="store_true", help="begin with the case that the table names, and stop at the first case that fails")
     parser.add_argument("--list", action="store_true", help="print the mutants")
     parser.add_argument("--check", action="store_true", help="only check that every mutant can be made")
     parser.add_argument("--table", metavar="FILE", help="write the rows of the mutants tried into the table between the markers of this document")

@@ -4,6 +4,7 @@
 // Samples that lie on no surface are found, counted and left out.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <utility>
 
 #include "tests/reconstruct/statues.h"
@@ -26,6 +27,27 @@ TEST(Outliers, AreFoundAndDoNotChangeTheSurface) {
     EXPECT_LT(distance.to_statue, std::max(0.0015, 1.5 * noise));
     EXPECT_LT(distance.from_statue, std::max(0.0015, 1.5 * noise));
     expect_manifold(mesh);
+  }
+}
+
+// The normals of sparse outliers are estimated from the same few samples, and so agree.
+TEST(Outliers, AreFoundFarAwayAndWithoutNormals) {
+  for (const unsigned seed : {2U, 7U}) {
+    SCOPED_TRACE(seed);
+    const shapes::Statue statue(seed);
+    shapes::Cloud cloud = cloud_of(statue, seed, {.samples = samples});
+    constexpr std::size_t far = 400;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-1, 2);
+    for (std::size_t i = 0; i < 3 * far; ++i) {
+      const double low = statue.low()[i % 3], high = statue.high()[i % 3];
+      cloud.positions.push_back(static_cast<float>(low + place(random) * (high - low)));
+    }
+    const Reconstructed mesh = reconstruct({.positions = cloud.positions}, {.levels = 1});
+    EXPECT_GT(mesh.outliers, 0.95 * far);
+    EXPECT_LT(mesh.outliers, 1.1 * far);
+    EXPECT_LT(distance_from(statue, mesh).to_statue, 0.0015);
+    EXPECT_LT(distance_from(statue, mesh).from_statue, 0.0015);
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/vstree/shapes.h"
 
 namespace glark::vstree::test {
@@ -17,9 +19,64 @@ float agreement(const std::vector<float>& estimated, const std::vector<float>& n
   return least;
 }
 
+// Random samples of a closed box of side x side x thickness, one for each unit of area.
+Shape thin_box(float side, float thickness, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> share;
+  Shape shape;
+  const float size[3] = {side, side, thickness};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const float end : {0.0F, 1.0F}) {
+      for (int i = 0; i < static_cast<int>(size[u] * size[v]); ++i) {
+        float point[3] = {}, normal[3] = {};
+        point[axis] = end * size[axis];
+        point[u] = share(random) * size[u];
+        point[v] = share(random) * size[v];
+        normal[axis] = 2 * end - 1;
+        shape.positions.insert(shape.positions.end(), point, point + 3);
+        shape.normals.insert(shape.normals.end(), normal, normal + 3);
+      }
+    }
+  }
+  return shape;
+}
+
+// Returns the share of the estimated normals that are within 30 degrees of the true ones.
+double share_right(const std::vector<float>& estimated, const std::vector<float>& normals) {
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < normals.size(); i += 3)
+    right += estimated[i] * normals[i] + estimated[i + 1] * normals[i + 1] + estimated[i + 2] * normals[i + 2] > 0.866F;
+  return 3 * static_cast<double>(right) / static_cast<double>(normals.size());
+}
+
 TEST(EstimatedNormals, PointOutOfClosedSurfaces) {
   for (const Shape& shape : {torus(150, 0), sphere(5000), sphere(5000, 0.005F)}) {
     EXPECT_GT(agreement(estimate_normals({.positions = shape.positions}), shape.normals), 0.8F);
+  }
+}
+
+// The nearest neighbours of a sample lie on both sides of the wall, which is 1.5 to 3 spacings thick.
+TEST(EstimatedNormals, PointOutOfThinWalls) {
+  for (const float thickness : {1.5F, 2.0F, 3.0F}) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      SCOPED_TRACE(std::to_string(thickness) + " spacings, seed " + std::to_string(seed));
+      const Shape shape = thin_box(100, thickness, seed);
+      EXPECT_GT(share_right(estimate_normals({.positions = shape.positions}), shape.normals), 0.9);
+    }
+  }
+}
+
+// Two scans of one surface that are less than a spacing apart are no wall.
+TEST(EstimatedNormals, OfTwoLayersAgree) {
+  for (const double apart : {0.25, 0.5, 0.75}) {
+    SCOPED_TRACE(std::to_string(apart) + " spacings apart");
+    Shape shape = sphere(20000);
+    const auto spacing = static_cast<float>(std::sqrt(4 * 3.14159 / 20000));
+    for (std::size_t i = 0; i < shape.positions.size(); ++i) {
+      if (i / 3 % 2 == 0) shape.positions[i] += static_cast<float>(apart) * spacing * shape.normals[i];
+    }
+    EXPECT_GT(share_right(estimate_normals({.positions = shape.positions}), shape.normals), 0.9);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/reconstruct/density/outliers.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -21,6 +22,9 @@ constexpr float own_slope = 0.2F;        // the same, for the planes of one side
 constexpr float noises = 2.5F;           // heights that noise explains
 constexpr float noisy_slope = 0.5F;      // the slope and noise together explain no more, relative to the distance
 constexpr float isolation = 1.3F;        // the distance of the fourth neighbour, relative to that of its neighbours
+// The variance of a sample and its neighbours along the direction in which they vary least, relative to the sum over all
+// directions. Random samples seldom have less, although their normals agree where these are estimated from neighbours.
+constexpr float flat = 0.07F;
 constexpr std::size_t grain = 256;
 
 // What the neighbours of a sample say.
@@ -51,6 +55,24 @@ class Judge {
     return std::count_if(near_.begin(), near_.end(), [&](const Neighbours::Near& other) { return agrees(other); }) >=
            least_support;
   }
+  // Returns whether the neighbours that face the same way lie near to a plane.
+  bool is_flat() const {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    Eigen::Matrix3f products = Eigen::Matrix3f::Zero();
+    float count = 1;  // the sample itself, at 0
+    for (const Neighbours::Near& other : near_) {
+      if (!(dot(neighbours_.normal(other.entry), normal_) > 0)) continue;
+      const Float4 apart = neighbours_.point(other.entry) - point_;
+      const Eigen::Vector3f offset(apart[0], apart[1], apart[2]);
+      sum += offset;
+      products += offset * offset.transpose();
+      ++count;
+    }
+    products -= sum * sum.transpose() / count;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+    solver.computeDirect(products, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues()[0] < flat * products.trace();
+  }
 
  private:
   // Neighbours that are far away for this noise are not on one plane by chance: random samples would often be.
@@ -80,7 +102,7 @@ class Search {
 
   std::vector<std::uint32_t> run() {
     each([&](std::size_t i, Judge& judge) {
-      supported_[i] = judge.is_supported() ? 1 : 0;
+      supported_[i] = judge.is_supported() && (judge.sixth() <= sparse_ || judge.is_flat()) ? 1 : 0;
       fourth_[i] = judge.fourth();
     });
     group();

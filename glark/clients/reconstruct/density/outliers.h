@@ -4,9 +4,9 @@
 // Finds samples that lie on no surface.
 //
 // A sample is supported if several of its neighbours agree with it: each lies near the tangent plane of the other, and
-// their normals are similar. Groups of supported samples that are larger than chance makes them are parts of a surface,
-// however sparse. A sample beside such a part belongs to it if it lies on the planes of some of its samples, as corners
-// do.
+// their normals are similar. In sparse regions, its neighbours must also lie near to a plane. Groups of supported
+// samples that are larger than chance makes them are parts of a surface, however sparse. A sample beside such a part
+// belongs to it if it lies on the planes of some of its samples, as corners do.
 #pragma once
 
 #include <span>

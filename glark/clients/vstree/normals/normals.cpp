@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,34 +10,11 @@
 #include "glark/clients/common/points/point_set.h"
 #include "glark/clients/vstree/normals/neighbours.h"
 #include "glark/clients/vstree/normals/orientation.h"
+#include "glark/clients/vstree/normals/plane_fit.h"
 #include "glark/clients/vstree/tree/cells.h"
 
 namespace glark::vstree {
 namespace {
-
-// Returns the direction in which the points extend least, or zero if they lie on a line.
-Float4 least_extent(std::span<const Float4> points, std::span<const std::uint32_t> which) {
-  const Float4 first = points[which.front()];
-  Float4 sum{}, rows[3] = {};
-  for (const std::uint32_t i : which) {
-    const Float4 d = points[i] - first;
-    sum += d;
-    rows[0] += splat<0>(d) * d;
-    rows[1] += splat<1>(d) * d;
-    rows[2] += splat<2>(d) * d;
-  }
-  const auto count = static_cast<float>(which.size());
-  Eigen::Matrix3f products;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) products(i, k) = rows[i][k] - sum[i] * sum[k] / count;
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-  solver.computeDirect(products);
-  const Eigen::Vector3f& values = solver.eigenvalues();
-  if (!(values[1] > 1e-6F * values[2])) return Float4{};
-  const Eigen::Vector3f vector = solver.eigenvectors().col(0);
-  return unit(Float4{vector[0], vector[1], vector[2], 0});
-}
 
 // With millions of points on a surface, each cell has a few hundred points.
 constexpr unsigned grid_levels = 6;
@@ -115,7 +91,7 @@ void estimate(Places& places, const Cube& cube, const NormalOptions& options, co
   workers.each(count, 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (!places.given[i])
-        places.normals[i] = least_extent(places.positions, std::span(neighbours).subspan(i * each, each));
+        places.normals[i] = fit_normal(places.positions, std::span(neighbours).subspan(i * each, each));
     }
   });
   if (options.scanner == nullptr) {

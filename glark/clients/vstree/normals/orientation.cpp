@@ -4,41 +4,22 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
-#include "glark/clients/common/disjoint_sets.h"
+#include "glark/clients/vstree/normals/agreement.h"
+#include "glark/clients/vstree/normals/signed_parts.h"
+#include "glark/clients/vstree/normals/upright.h"
 
 namespace glark::vstree {
 namespace {
 
-// Sets of connected samples. Each sample is reversed or not, relative to the first sample of its set. Number i stands
-// for sample i as it is, and number count + i for the reversed sample. So each set has a mirror image.
-class Parts {
- public:
-  explicit Parts(std::size_t count) : count_(static_cast<std::uint32_t>(count)), sets_(2 * count) {}
-
-  struct Place {
-    std::uint32_t root;  // the first sample of the set
-    bool reversed;
-  };
-  Place find(std::uint32_t i) {
-    const std::uint32_t as_it_is = sets_.find(i), reversed = sets_.find(i + count_);
-    return as_it_is < reversed ? Place{as_it_is, false} : Place{reversed, true};
-  }
-
-  // Connects two samples. `reversed`: one is reversed relative to the other. Returns false and changes nothing if they
-  // are connected already.
-  bool connect(std::uint32_t a, std::uint32_t b, bool reversed) {
-    const std::uint32_t root = sets_.find(a);
-    if (root == sets_.find(b) || root == sets_.find(b + count_)) return false;
-    sets_.join(a, reversed ? b + count_ : b);
-    sets_.join(a + count_, reversed ? b : b + count_);
-    return true;
-  }
-
- private:
-  std::uint32_t count_;
-  common::DisjointSets sets_;
-};
+constexpr std::uint32_t none = 0xFFFFFFFF;
+constexpr std::size_t grain = 4096;
+constexpr std::size_t run_length = 1 << 13;
+constexpr float in_plane = 0.06F;  // the squared sine of the slope up to which a neighbour lies in a sample's plane
+constexpr float smooth = 0.1F;     // the greatest weight of an edge that connects two large parts
+constexpr std::uint32_t few = 30;  // samples of a part that is not large
+constexpr float least_influence = 0.1F;  // of an edge from one side of a wall to the other, relative to one in a plane
 
 struct Edge {
   float weight;
@@ -56,79 +37,200 @@ void sort_by_weight(std::vector<Edge>& edges) {
   edges = std::move(sorted);
 }
 
-// Adds the edges that may be in the minimum spanning tree: the spanning trees within a run of samples, and all edges
-// that leave the run. Near samples have near indices. So a run stays in the cache, and few edges leave it.
-void add_edges(std::span<const Float4> normals, std::span<const std::uint32_t> neighbours, std::size_t each,
-               std::uint32_t begin, std::uint32_t end, std::vector<Edge>& edges) {
-  std::vector<Edge> within;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    for (const std::uint32_t k : neighbours.subspan(i * each, each)) {
-      const std::span<const std::uint32_t> theirs = neighbours.subspan(k * each, each);
-      if (k == i || (k < i && std::find(theirs.begin(), theirs.end(), i) != theirs.end())) continue;  // each edge once
-      const float weight = std::max(0.0F, 1 - std::abs(dot(normals[i], normals[k])));
-      (k >= begin && k < end ? within : edges).push_back({weight, i, k});
+struct Pair {
+  std::uint32_t a, b;
+};
+
+// What the edges between two parts say together, relative to the first samples of the parts.
+struct Vote {
+  std::uint32_t a, b;
+  float sum;
+  std::uint64_t parts() const { return std::uint64_t{a} << 32 | b; }
+};
+
+// Adds up the votes about the same parts.
+void add_up(std::vector<Vote>& votes) {
+  std::stable_sort(votes.begin(), votes.end(), [](const Vote& p, const Vote& q) { return p.parts() < q.parts(); });
+  std::size_t count = 0;
+  for (const Vote vote : votes) {
+    if (count > 0 && votes[count - 1].parts() == vote.parts()) {
+      votes[count - 1].sum += vote.sum;
+    } else {
+      votes[count++] = vote;
     }
   }
-  sort_by_weight(within);
-  Parts parts(end - begin);
-  for (const Edge& edge : within) {
-    if (parts.connect(edge.from - begin, edge.to - begin, false)) edges.push_back(edge);
-  }
+  votes.resize(count);
 }
 
-std::vector<Edge> edges_of(std::span<const Float4> normals, std::span<const std::uint32_t> neighbours, std::size_t each,
-                           const Workers& workers) {
-  constexpr std::size_t run = 1 << 13;
-  std::vector<std::vector<Edge>> runs((normals.size() + run - 1) / run);
-  workers.in_pieces(normals.size(), run, [&](std::size_t begin, std::size_t end) {
-    add_edges(normals, neighbours, each, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
-              runs[begin / run]);
-  });
-  std::vector<Edge> edges;
-  for (std::vector<Edge>& some : runs) {
-    edges.insert(edges.end(), some.begin(), some.end());
-    some = {};
-  }
-  sort_by_weight(edges);
-  return edges;
-}
+class Orientation {
+ public:
+  Orientation(std::span<const Float4> points, std::span<const Float4> normals,
+              std::span<const std::uint32_t> neighbours, std::size_t each, const Workers& workers)
+      : points_(points),
+        normals_(normals),
+        neighbours_(neighbours),
+        each_(each),
+        workers_(workers),
+        parts_(points.size()),
+        trust_(points.size()) {}
 
-// Returns for each part, indexed by its root, whether its normals must be reversed.
-std::vector<bool> reversed_parts(Parts& parts, std::span<const Float4> points, std::span<const Float4> normals,
-                                 const std::vector<bool>& given) {
-  std::vector<std::uint32_t> leader(points.size(), 0xFFFFFFFF);
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    std::uint32_t& best = leader[parts.find(i).root];
-    const bool none_yet = best == 0xFFFFFFFF;
-    if (none_yet || (given[i] && !given[best]) || (given[i] == given[best] && points[i][2] > points[best][2])) best = i;
+  // Returns the samples whose normals must be reversed.
+  std::vector<bool> reversed(const std::vector<bool>& given) {
+    connect(given);
+    const std::vector<bool> is_part_reversed = reversed_parts(parts_, points_, normals_, trust_, given);
+    std::vector<bool> result(points_.size());
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      const SignedParts::Place place = parts_.find(i);
+      result[i] = place.reversed != is_part_reversed[place.root];
+    }
+    return result;
   }
-  std::vector<bool> reversed(points.size());
-  for (std::uint32_t root = 0; root < points.size(); ++root) {
-    const std::uint32_t i = leader[root];
-    if (i == 0xFFFFFFFF) continue;
-    const bool right = given[i] || normals[i][2] >= 0;
-    reversed[root] = right ? parts.find(i).reversed : !parts.find(i).reversed;
+
+ private:
+  std::span<const std::uint32_t> neighbours_of(std::size_t i) const { return neighbours_.subspan(i * each_, each_); }
+
+  Agreement agreement_of(std::uint32_t a, std::uint32_t b) const {
+    return agreement(points_[b] - points_[a], normals_[a], normals_[b]);
   }
-  return reversed;
-}
+
+  void connect(const std::vector<bool>& given) {
+    std::uint32_t first_given = none;
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      if (!given[i]) continue;
+      if (first_given == none) first_given = i;
+      parts_.connect(first_given, i, false);
+    }
+    measure_trust();
+    connect_smooth_parts();
+    connect_by_votes();
+  }
+
+  // A sample is trusted if its normal agrees with those of the neighbours in its plane. If the plane joins the two sides
+  // of a wall, it does not.
+  void measure_trust() {
+    workers_.each(points_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        float sum = 0;
+        int count = 0;
+        for (const std::uint32_t k : neighbours_of(i)) {
+          const Float4 way = points_[k] - points_[i];
+          const float along = dot(way, normals_[i]);
+          if (k == i || along * along > in_plane * dot(way, way)) continue;
+          sum += std::abs(dot(normals_[i], normals_[k]));
+          ++count;
+        }
+        trust_[i] = count > 0 ? sum / static_cast<float>(count) : 0;
+      }
+    });
+  }
+
+  float weight_of(std::uint32_t a, std::uint32_t b) const {
+    const Agreement found = agreement_of(a, b);
+    return 1 - std::abs(found.flat) + found.slope * found.slope + 1 - std::min(1.0F, std::min(trust_[a], trust_[b]));
+  }
+
+  // Adds the edges that may be in the minimum spanning tree: the spanning trees within a run of samples, and all edges
+  // that leave the run. Near samples have near indices. So a run stays in the cache, and few edges leave it.
+  void add_edges(std::uint32_t begin, std::uint32_t end, std::vector<Edge>& edges) const {
+    std::vector<Edge> within;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      for (const std::uint32_t k : neighbours_of(i)) {
+        const std::span<const std::uint32_t> theirs = neighbours_of(k);
+        if (k == i || (k < i && std::find(theirs.begin(), theirs.end(), i) != theirs.end()))
+          continue;  // each edge once
+        (k >= begin && k < end ? within : edges).push_back({weight_of(i, k), i, k});
+      }
+    }
+    sort_by_weight(within);
+    SignedParts parts(end - begin);
+    for (const Edge& edge : within) {
+      if (parts.connect(edge.from - begin, edge.to - begin, false)) edges.push_back(edge);
+    }
+  }
+
+  std::vector<Edge> edges() const {
+    std::vector<std::vector<Edge>> runs((points_.size() + run_length - 1) / run_length);
+    workers_.in_pieces(points_.size(), run_length, [&](std::size_t begin, std::size_t end) {
+      add_edges(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), runs[begin / run_length]);
+    });
+    std::vector<Edge> result;
+    for (std::vector<Edge>& some : runs) {
+      result.insert(result.end(), some.begin(), some.end());
+      some = {};
+    }
+    sort_by_weight(result);
+    return result;
+  }
+
+  // Connects samples along the minimum spanning tree, but large parts only where the surface is smooth. One wrong normal
+  // could connect the two sides of a wall.
+  void connect_smooth_parts() {
+    std::vector<std::uint32_t> sizes(points_.size(), 1);
+    for (const Edge& edge : edges()) {
+      const std::uint32_t a = parts_.find(edge.from).root, b = parts_.find(edge.to).root;
+      if (a == b || (edge.weight > smooth && std::min(sizes[a], sizes[b]) >= few)) continue;
+      const std::uint32_t size = sizes[a] + sizes[b];
+      parts_.connect(edge.from, edge.to, agreement_of(edge.from, edge.to).flat < 0);
+      sizes[parts_.find(edge.from).root] = size;
+    }
+  }
+
+  // Neighbours in different parts.
+  std::vector<Pair> pairs_between_parts() {
+    std::vector<Pair> result;
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      const std::uint32_t root = parts_.find(i).root;
+      for (const std::uint32_t k : neighbours_of(i)) {
+        if (parts_.find(k).root != root) result.push_back({i, k});
+      }
+    }
+    return result;
+  }
+
+  std::vector<Vote> votes_of(std::span<const Pair> pairs) {
+    std::vector<Vote> result;
+    for (const auto& [i, k] : pairs) {
+      const SignedParts::Place mine = parts_.find(i), theirs = parts_.find(k);
+      const Agreement found = agreement_of(i, k);
+      const float value = found.sides * std::min(trust_[i], trust_[k]) * (1 + least_influence - found.slope);
+      result.push_back({std::min(mine.root, theirs.root), std::max(mine.root, theirs.root),
+                        mine.reversed == theirs.reversed ? value : -value});
+    }
+    add_up(result);
+    return result;
+  }
+
+  // Connects each part with the one about which the edges between them say most, until no edges are left between parts.
+  void connect_by_votes() {
+    for (std::vector<Pair> pairs = pairs_between_parts(); !pairs.empty();) {
+      std::vector<Vote> votes = votes_of(pairs);
+      std::stable_sort(votes.begin(), votes.end(),
+                       [](const Vote& p, const Vote& q) { return std::abs(p.sum) > std::abs(q.sum); });
+      std::vector<bool> is_connected(points_.size());
+      for (const Vote& vote : votes) {
+        if (is_connected[vote.a] && is_connected[vote.b]) continue;
+        is_connected[vote.a] = is_connected[vote.b] = true;
+        parts_.connect(vote.a, vote.b, vote.sum < 0);
+      }
+      std::erase_if(pairs, [&](const Pair& pair) { return parts_.find(pair.a).root == parts_.find(pair.b).root; });
+    }
+  }
+
+  std::span<const Float4> points_, normals_;
+  std::span<const std::uint32_t> neighbours_;
+  std::size_t each_;
+  const Workers& workers_;
+  SignedParts parts_;
+  std::vector<float> trust_;
+};
 
 }  // namespace
 
 void orient(std::span<const Float4> points, std::span<Float4> normals, std::span<const std::uint32_t> neighbours,
             std::size_t each, const std::vector<bool>& given, const Workers& workers) {
-  Parts parts(points.size());
-  std::uint32_t first_given = 0xFFFFFFFF;
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (!given[i]) continue;
-    if (first_given == 0xFFFFFFFF) first_given = i;
-    parts.connect(first_given, i, false);
-  }
-  for (const Edge& edge : edges_of(normals, neighbours, each, workers))
-    parts.connect(edge.from, edge.to, dot(normals[edge.from], normals[edge.to]) < 0);
-  const std::vector<bool> reversed = reversed_parts(parts, points, normals, given);
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const Parts::Place place = parts.find(i);
-    if (place.reversed != reversed[place.root]) normals[i] = -normals[i];
+  const std::vector<bool> reversed = Orientation(points, normals, neighbours, each, workers).reversed(given);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (reversed[i]) normals[i] = -normals[i];
   }
 }
 

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/vstree/normals/plane_fit.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace glark::vstree {
+namespace {
+
+constexpr std::size_t least_neighbours = 12;  // fewer do not show which of them are on another side
+constexpr float flat = 0.02F;                 // the flatness of neighbours that lie near to one plane
+constexpr std::size_t near = 7;               // neighbours whose planes are tried
+constexpr float band = 0.05F;                 // the height over a plane that counts as on it, relative to the radius
+constexpr std::size_t least_on_plane = 7;     // samples
+constexpr float clear = 0.1F;  // their root mean square height, relative to the band; noise fills the band
+constexpr float reach = 1.5F;  // the height up to which a sample has weight, relative to the band
+constexpr int rounds = 3;      // of fitting a plane to the samples near it
+
+struct Plane {
+  Float4 point{}, normal{};
+  float flatness = 0;  // the variance along the normal, relative to the sum over all directions; none has 1/3
+};
+
+class Sums {
+ public:
+  void add(Float4 d, float weight) {
+    sum_ += d * weight;
+    rows_[0] += splat<0>(d) * d * weight;
+    rows_[1] += splat<1>(d) * d * weight;
+    rows_[2] += splat<2>(d) * d * weight;
+    weight_ += weight;
+  }
+  Plane plane() const {
+    Eigen::Matrix3f products;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) products(i, k) = rows_[i][k] - sum_[i] * sum_[k] / weight_;
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+    solver.computeDirect(products);
+    const Eigen::Vector3f& values = solver.eigenvalues();
+    if (!(values[1] > 1e-6F * values[2])) return {};
+    const Eigen::Vector3f vector = solver.eigenvectors().col(0);
+    return {sum_ / weight_, unit(Float4{vector[0], vector[1], vector[2], 0}), values[0] / values.sum()};
+  }
+
+ private:
+  Float4 sum_{}, rows_[3] = {};
+  float weight_ = 0;
+};
+
+class Fit {
+ public:
+  Fit(std::span<const Float4> points, std::span<const std::uint32_t> which) : offsets_(which.size()) {
+    for (std::size_t i = 0; i < which.size(); ++i) offsets_[i] = points[which[i]] - points[which[0]];
+    band_ = band * std::sqrt(dot(offsets_.back(), offsets_.back()));
+  }
+
+  Float4 normal() const {
+    const Plane all = plane_of(offsets_.size());
+    if (offsets_.size() < least_neighbours || all.flatness < flat) return all.normal;
+    const Plane plane = best_plane();
+    return is_clear(plane) ? plane.normal : all.normal;
+  }
+
+ private:
+  Plane plane_of(std::size_t count) const {
+    Sums sums;
+    for (std::size_t i = 0; i < count; ++i) sums.add(offsets_[i], 1);
+    return sums.plane();
+  }
+
+  // The squared height over a plane, relative to the band.
+  float square_over(const Plane& plane, Float4 offset) const {
+    const float height = dot(offset - plane.point, plane.normal) / band_;
+    return height * height;
+  }
+
+  // The sum of the squared heights. Each counts at most 1.
+  float misfit(const Plane& plane) const {
+    float sum = 0;
+    for (const Float4 offset : offsets_) sum += std::min(square_over(plane, offset), 1.0F);
+    return sum;
+  }
+
+  bool is_clear(const Plane& plane) const {
+    std::size_t count = 0;
+    float squares = 0;
+    for (const Float4 offset : offsets_) {
+      const float square = square_over(plane, offset);
+      if (square > 1) continue;
+      ++count;
+      squares += square;
+    }
+    return count >= least_on_plane && squares < clear * clear * static_cast<float>(count);
+  }
+
+  // Tries the planes through the sample. Then fits the best one to the samples near it.
+  Plane best_plane() const {
+    Plane best{Float4{}, plane_of(near).normal};
+    float least = misfit(best);
+    for (std::size_t i = 1; i <= near; ++i) {
+      for (std::size_t k = i + 1; k <= near; ++k) {
+        const Float4 normal = cross(offsets_[i], offsets_[k]);
+        if (!(dot(normal, normal) > 0)) continue;
+        const Plane plane{Float4{}, unit(normal)};
+        const float value = misfit(plane);
+        if (value >= least) continue;
+        least = value;
+        best = plane;
+      }
+    }
+    if (least > static_cast<float>(offsets_.size() - least_on_plane)) return best;  // it has too few samples
+    for (int round = 0; round < rounds; ++round) {
+      Sums sums;
+      for (const Float4 offset : offsets_) {
+        const float rest = 1 - square_over(best, offset) / (reach * reach);
+        if (rest > 0) sums.add(offset, rest * rest);
+      }
+      const Plane plane = sums.plane();
+      if (!(dot(plane.normal, plane.normal) > 0)) break;
+      best = plane;
+    }
+    return best;
+  }
+
+  std::vector<Float4> offsets_;
+  float band_ = 0;
+};
+
+}  // namespace
+
+Float4 fit_normal(std::span<const Float4> points, std::span<const std::uint32_t> which) {
+  return Fit(points, which).normal();
+}
+
+}  // namespace glark::vstree

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The tangent plane of a surface at one of its samples.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "glark/clients/common/points/record.h"
+
+namespace glark::vstree {
+
+using namespace common;  // Float4
+
+// Returns the unit normal at the first of the samples `which`, or zero if they lie on a line. The others are its
+// neighbours, the nearest first.
+//
+// Where the neighbours lie near to one plane, this is the direction in which they extend least. Otherwise some may lie
+// on the other side of a thin wall, or beyond a sharp edge. Then planes through three near samples are tried, and the plane that
+// is near to most of the neighbours is fitted to those alone.
+// Based on: M. Fischler, R. Bolles, Random Sample Consensus, 1981, but all planes of the nearest samples are tried.
+Float4 fit_normal(std::span<const Float4> points, std::span<const std::uint32_t> which);
+
+}  // namespace glark::vstree
