@@ -135,6 +135,9 @@ TEST_F(BadFiles, MeshesAreExplained) {
   EXPECT_NE("", problem_with(made("a.obj", "v 0 0\nf 1 2 3\n")));
   EXPECT_NE("", problem_with(made("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 3\n")));
   EXPECT_NE("", problem_with(made("c.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1.5 2 3\n")));
+  const std::string off = "OFF # a square\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n\n0 1 0\n3 0 1 2 .5 .5 0\n";
+  EXPECT_NE(std::string::npos, problem_with(made("a.off", off + "3 0 2.5 3\n")).find("face 1: \"2.5\" is no index"));
+  EXPECT_EQ(2U, read_file(made("b.off", off + "3 0 2 3\n"), {}, {}).geometry.triangle_count());
   EXPECT_NE(std::string::npos, problem_with(made("a.doc", "text")).find(".doc"));
   EXPECT_NE(std::string::npos, problem_with(path("missing.ply")).find("No such file"));
   EXPECT_NE(std::string::npos, problem_with(path("")).find("folder"));

@@ -11,11 +11,14 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <string_view>
 
 #include "glark/clients/geometry/measure/topology.h"
@@ -130,25 +133,63 @@ class Scene {
   const ReadOptions& options_;
 };
 
-// Throws if an OFF file announces more than it has room for. Assimp makes room for all of it first.
+// The next line of an OFF file that is more than a comment, without its comment; or nothing at the end.
+std::optional<std::string> off_line(Input& input) {
+  std::string_view line;
+  while (input.line(line)) {
+    line = line.substr(0, line.find('#'));
+    if (line.find_first_not_of(" \t\r") != std::string_view::npos) return std::string(line);
+  }
+  return std::nullopt;
+}
+
+// Throws if an index of the line of a face is no whole number. Assimp cuts off its fraction.
+void check_off_face(const std::string& name, const std::string& line, std::size_t face) {
+  std::istringstream words{line};
+  std::string word;
+  for (std::size_t i = 0, count = 0; i <= count && words >> word; ++i) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size())
+      throw Error(
+          fmt::format("{}: OFF face {}: \"{}\" is no index of a point; export the file again", name, face, word));
+    if (i == 0) count = number;
+  }
+}
+
+// Throws if an OFF file announces more than it has room for, as Assimp makes room for all of it first, or if an index
+// is no whole number.
 void check_off(const std::string& name, std::span<const char> bytes) {
   constexpr double least_vertex = 6;  // bytes: "0 0 0" and its end
   constexpr double least_face = 2;    // bytes: "0" and its end
   Input input = memory_input(name, bytes);
   std::vector<double> counts;
-  std::string_view line;
-  while (counts.size() < 2 && input.line(line)) {
-    std::istringstream words{std::string(line.substr(0, line.find('#')))};
+  std::size_t first = 0;  // 1 in nOFF, where the counts follow a dimension
+  while (counts.size() < first + 2) {
+    const std::optional<std::string> line = off_line(input);
+    if (!line) return;
+    std::istringstream words{*line};
     std::string word;
-    while (words >> word)
-      if (word.find("OFF") == std::string::npos) counts.push_back(std::strtod(word.c_str(), nullptr));
+    while (words >> word) {
+      if (word.find("OFF") == std::string::npos)
+        counts.push_back(std::strtod(word.c_str(), nullptr));
+      else
+        first = word.find('n') != std::string::npos ? 1 : 0;
+    }
   }
+  const double points = counts[first], faces = counts[first + 1];
   const auto size = static_cast<double>(bytes.size());
-  if (counts.size() < 2 || (counts[0] * least_vertex <= size + 1 && counts[1] * least_face <= size + 1)) return;
-  throw Error(fmt::format(
-      "{}: OFF header: it announces {} points and {} faces, for which the file is too short; it is cut off or "
-      "its header wrong, get it again",
-      name, counts[0], counts[1]));
+  if (points * least_vertex > size + 1 || faces * least_face > size + 1)
+    throw Error(fmt::format(
+        "{}: OFF header: it announces {} points and {} faces, for which the file is too short; it is cut off or "
+        "its header wrong, get it again",
+        name, points, faces));
+  for (double point = 0; point < points; ++point) off_line(input);
+  for (std::size_t face = 0; static_cast<double>(face) < faces; ++face) {
+    const std::optional<std::string> line = off_line(input);
+    if (!line) return;  // Assimp says what is missing
+    check_off_face(name, *line, face);
+  }
 }
 
 // Returns whether Assimp can open the file itself, and with it the files that it names.
