@@ -245,7 +245,7 @@ def table_of(rows: list) -> str:
     return f"{caught} of {len(rows)} mutants are caught.\n\n" + "\n".join(lines) + "\n"
 
 
-def write_table(path: pathlib.Path, outcomes: list, names: list, first: bool) -> None:
+def write_table(path: pathlib.Path, outcomes: list, names: list, first: bool = False) -> None:
     """Writes rows in the order of all mutants. Mutants that were not tried keep their rows, and with `first` also those that
     are still caught: their rows count all cases that failed."""
     text = path.read_text()
@@ -253,7 +253,8 @@ def write_table(path: pathlib.Path, outcomes: list, names: list, first: bool) ->
     if begin < 0 or end < begin:
         raise Complaint(f"{path} has no {MARKERS[0]} before a {MARKERS[1]}")
     rows = {line.split("`")[1]: line for line in text[begin:end].splitlines() if line.startswith("| `")}
-    kept = {outcome.mutant.name for outcome in outcomes if first and outcome.failed} & rows.keys()
+    was_caught = {name for name, row in rows.items() if not row.endswith("| 0 |")}
+    kept = {outcome.mutant.name for outcome in outcomes if first and outcome.failed} & was_caught
     rows |= {outcome.mutant.name: row_of(outcome) for outcome in outcomes if outcome.mutant.name not in kept}
     table = table_of([rows[name] for name in names if name in rows])
     path.write_text(text[:begin] + MARKERS[0] + "\n" + table + text[end:])

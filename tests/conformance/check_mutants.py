@@ -76,6 +76,21 @@ class Table(unittest.TestCase):
             self.assertEqual("2 of 2 mutants are caught.", lines[1])
             self.assertEqual(["| `a.c` | x | kept | z | 1 |", "| `a.b` | name-1 | It is wrong | ark.x | 1 |"], lines[5:7])
 
+    def test_counts_of_all_cases_stay_where_only_the_first_was_looked_for(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "a.md"
+            path.write_text("<!-- mutants -->\n| `a.b` | x | y | ark.x | 7 |\n| `a.c` | x | y | NOT CAUGHT | 0 |\n| `a.d` | x | y | ark.z | 2 |\n"
+                            "<!-- /mutants -->\n")
+            outcomes = [run.Outcome(mutant(name=name), failed, True, 1) for name, failed in [("a.b", ["ark.x"]), ("a.c", ["ark.y"]), ("a.d", [])]]
+            run.write_table(path, outcomes, ["a.b", "a.c", "a.d"], first=True)
+            lines = path.read_text().splitlines()
+            self.assertEqual("| `a.b` | x | y | ark.x | 7 |", lines[5])
+            self.assertEqual(["| ark.y | 1 |", "| NOT CAUGHT | 0 |"], [line.split("It is wrong ")[1] for line in lines[6:8]])
+
+    def test_says_which_case_caught_a_mutant(self):
+        table = "| mutant | a | b | caught by | failed |\n| `a.b` | s-1 | what | ark.x | 7 |\n| `a.c` | s-1 | what | ark.y (of another sentence) | 1 |\n"
+        self.assertEqual({"a.b": "ark.x"}, run.catchers_in(table + "| `a.d` | s-1 | what | NOT CAUGHT | 0 |\n"))
+
 
 class Installation(unittest.TestCase):
     def test_a_mutant_is_never_installed(self):
