@@ -22,8 +22,8 @@ constexpr float own_slope = 0.2F;        // the same, for the planes of one side
 constexpr float noises = 2.5F;           // heights that noise explains
 constexpr float noisy_slope = 0.5F;      // the slope and noise together explain no more, relative to the distance
 constexpr float isolation = 1.3F;        // the distance of the fourth neighbour, relative to that of its neighbours
-// The variance of a sample and its neighbours along the direction in which they vary least, relative to the sum over all
-// directions. Random samples seldom have less, although their normals agree where these are estimated from neighbours.
+// The variance of a sample and its neighbours along the direction in which they vary least, relative to the sum over
+// all directions. Random samples seldom have less, although estimated normals agree among them.
 constexpr float flat = 0.07F;
 constexpr std::size_t grain = 256;
 

@@ -17,8 +17,8 @@ using namespace common;  // Float4
 // neighbours, the nearest first.
 //
 // Where the neighbours lie near to one plane, this is the direction in which they extend least. Otherwise some may lie
-// on the other side of a thin wall, or beyond a sharp edge. Then planes through three near samples are tried, and the plane that
-// is near to most of the neighbours is fitted to those alone.
+// on the other side of a thin wall, or beyond a sharp edge. Then planes through three near samples are tried, and the
+// plane that is near to most of the neighbours is fitted to those alone.
 // Based on: M. Fischler, R. Bolles, Random Sample Consensus, 1981, but all planes of the nearest samples are tried.
 Float4 fit_normal(std::span<const Float4> points, std::span<const std::uint32_t> which);
 
