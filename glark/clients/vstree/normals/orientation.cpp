@@ -8,6 +8,7 @@
 
 #include "glark/clients/vstree/normals/agreement.h"
 #include "glark/clients/vstree/normals/signed_parts.h"
+#include "glark/clients/vstree/normals/trust.h"
 #include "glark/clients/vstree/normals/upright.h"
 
 namespace glark::vstree {
@@ -16,9 +17,8 @@ namespace {
 constexpr std::uint32_t none = 0xFFFFFFFF;
 constexpr std::size_t grain = 4096;
 constexpr std::size_t run_length = 1 << 13;
-constexpr float in_plane = 0.06F;  // the squared sine of the slope up to which a neighbour lies in a sample's plane
-constexpr float smooth = 0.1F;     // the greatest weight of an edge that connects two large parts
-constexpr std::uint32_t few = 30;  // samples of a part that is not large
+constexpr float smooth = 0.1F;           // the greatest weight of an edge that connects two large parts
+constexpr std::uint32_t few = 30;        // samples of a part that is not large
 constexpr float least_influence = 0.1F;  // of an edge from one side of a wall to the other, relative to one in a plane
 
 struct Edge {
@@ -65,14 +65,15 @@ void add_up(std::vector<Vote>& votes) {
 class Orientation {
  public:
   Orientation(std::span<const Float4> points, std::span<const Float4> normals,
-              std::span<const std::uint32_t> neighbours, std::size_t each, const Workers& workers)
+              std::span<const std::uint32_t> neighbours, std::size_t each, std::span<const float> trust,
+              const Workers& workers)
       : points_(points),
         normals_(normals),
         neighbours_(neighbours),
         each_(each),
+        trust_(trust),
         workers_(workers),
-        parts_(points.size()),
-        trust_(points.size()) {}
+        parts_(points.size()) {}
 
   // Returns the samples whose normals must be reversed.
   std::vector<bool> reversed(const std::vector<bool>& given) {
@@ -100,33 +101,13 @@ class Orientation {
       if (first_given == none) first_given = i;
       parts_.connect(first_given, i, false);
     }
-    measure_trust();
     connect_smooth_parts();
     connect_by_votes();
   }
 
-  // A sample is trusted if its normal agrees with those of the neighbours in its plane. If the plane joins the two sides
-  // of a wall, it does not.
-  void measure_trust() {
-    workers_.each(points_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        float sum = 0;
-        int count = 0;
-        for (const std::uint32_t k : neighbours_of(i)) {
-          const Float4 way = points_[k] - points_[i];
-          const float along = dot(way, normals_[i]);
-          if (k == i || along * along > in_plane * dot(way, way)) continue;
-          sum += std::abs(dot(normals_[i], normals_[k]));
-          ++count;
-        }
-        trust_[i] = count > 0 ? sum / static_cast<float>(count) : 0;
-      }
-    });
-  }
-
   float weight_of(std::uint32_t a, std::uint32_t b) const {
     const Agreement found = agreement_of(a, b);
-    return 1 - std::abs(found.flat) + found.slope * found.slope + 1 - std::min(1.0F, std::min(trust_[a], trust_[b]));
+    return 1 - std::abs(found.flat) + found.slope * found.slope + 1 - std::min(trust_[a], trust_[b]);
   }
 
   // Adds the edges that may be in the minimum spanning tree: the spanning trees within a run of samples, and all edges
@@ -219,19 +200,21 @@ class Orientation {
   std::span<const Float4> points_, normals_;
   std::span<const std::uint32_t> neighbours_;
   std::size_t each_;
+  std::span<const float> trust_;
   const Workers& workers_;
   SignedParts parts_;
-  std::vector<float> trust_;
 };
 
 }  // namespace
 
 void orient(std::span<const Float4> points, std::span<Float4> normals, std::span<const std::uint32_t> neighbours,
             std::size_t each, const std::vector<bool>& given, const Workers& workers) {
-  const std::vector<bool> reversed = Orientation(points, normals, neighbours, each, workers).reversed(given);
+  const std::vector<float> trust = trust_in(normals, points, neighbours, each, workers);
+  const std::vector<bool> reversed = Orientation(points, normals, neighbours, each, trust, workers).reversed(given);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (reversed[i]) normals[i] = -normals[i];
   }
+  mend_doubtful(normals, points, neighbours, each, trust, given, workers);
 }
 
 }  // namespace glark::vstree
